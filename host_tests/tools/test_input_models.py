@@ -140,14 +140,14 @@ def test_one_image_of_4096_colours(tmp_path, size, code):
                  for y in range(256)])
     write(tmp_path, t_png=noise if code else LARGE, m_mtl=mtl, m_obj=obj, scene_toml=PATH + '[[objects]]\nmodel = "m.obj"\n'
           f"fit = 9\nimages = {{ size = {size}, colours = 255, levels = 9 }}\n")
-    assert ("texels together (262,144" in build(tmp_path, "scene.toml", code)) == bool(code)
+    assert ("too much work" in build(tmp_path, "scene.toml", code)) == bool(code)
 
 
 def test_faces_of_thousands_of_corners_that_cross_themselves(tmp_path):
     chance = random.Random(4)
     write(tmp_path, m_obj="".join(f"v {chance.random():.2f} {chance.random():.2f} 0\n" for _ in range(99)) +
           "".join("f " + " ".join(str(chance.randrange(1, 100)) for _ in range(4000)) + "\n" for _ in range(16)))
-    assert "square of its corners" in build(tmp_path, "m.obj", code=2)
+    assert "corners of faces cut (" in build(tmp_path, "m.obj", code=2)
 
 
 @pytest.mark.parametrize("count, code", [(20_000, 0), (30_000, 2)])
@@ -156,7 +156,7 @@ def test_quads_that_are_not_flat_and_share_their_vertices(tmp_path, count, code)
     points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
     write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +
           "".join("f {} {} {} {}\n".format(*chance.sample(range(1, 100), 4)) for _ in range(count)))
-    assert ("(16,384, and one" in build(tmp_path, "m.obj", code)) == bool(code)
+    assert ("faces cut (" in build(tmp_path, "m.obj", code)) == bool(code)
 
 
 # --- models of a scene -------------------------------------------------------------
@@ -205,14 +205,14 @@ def test_20_000_loose_triangles_with_surfaces(tmp_path, look):
 
 
 @pytest.mark.parametrize("look", LOOKS)
-@pytest.mark.parametrize("count, code", [(14_100, 0), (65_000, 2)])
+@pytest.mark.parametrize("count, code", [(11_000, 0), (65_000, 2)])
 def test_faces_with_surfaces_that_share_their_vertices(tmp_path, look, count, code):
     chance = random.Random(6)
     points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
     write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +
           "".join("f {} {} {}\n".format(*chance.sample(range(1, 100), 3)) for _ in range(count)),
           scene_toml=SURFACED + LOOKS[look])
-    assert ("(12,288, and one" in build(tmp_path, "scene.toml", code)) == bool(code)
+    assert ("faces with surfaces (" in build(tmp_path, "scene.toml", code)) == bool(code)
 
 
 # --- names -------------------------------------------------------------------------

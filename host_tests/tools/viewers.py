@@ -62,8 +62,9 @@ def processes_below(process):
     parents, commands = {}, {}
     for path in pathlib.Path("/proc").glob("[0-9]*"):
         try:
+            command = (path / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
             parents[int(path.name)] = int((path / "stat").read_text().rpartition(")")[2].split()[1])
-            commands[int(path.name)] = (path / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            commands[int(path.name)] = command
         except OSError:
             pass    # it has just ended
     found, new = {}, {process}

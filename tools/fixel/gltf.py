@@ -217,7 +217,14 @@ class _Reader:
                               f"{COORDINATE_LIMIT:,}")
         return placed
 
+    def _count_work(self, triangles, tints, where):
+        work, place = self.checked.sources.work, f"{self.checked.name}: {where}"
+        work.take("primitives of glTF files", 1, place)
+        work.take("triangles of glTF files", triangles, place)
+        work.take("triangles with colours of vertices", triangles if tints else 0, place)
+
     def _add(self, points, triangles, material, uvs, tints, where, mirrored):
+        self._count_work(len(triangles), tints is not None, where)
         used, corners = np.unique(triangles, return_inverse=True)
         corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
         self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
@@ -259,4 +266,4 @@ def read(path, name=None, progress=None, sources=None):
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, sources=sources), notes
+    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, work=sources.work), notes

@@ -79,10 +79,10 @@ def pack(image):
     body, where = image_lens.CENTRE.pack(*image.centre) if image.centre else b"", []
 
     def place(table):
-        """Puts a table at the end of the body; its offset and count, both 0 for no table."""
+        """Puts a table, of packed entries or of bytes, at the end of the body; its offset and count, both 0 for none."""
         nonlocal body
         offset = header_size + len(body) if table else 0
-        body += _aligned(b"".join(table))
+        body += _aligned(table if isinstance(table, bytes) else b"".join(table))
         return [offset, len(table)]
 
     for table in [[image_tables.PALETTE.pack(*entry) for entry in image.palette], *model_tables,

@@ -57,7 +57,7 @@ def tables(billboards):
     boards = [BOARD.pack(place(one.pixels), place(one.colours) if one.colours else 0, one.pixel_width, one.pixel_height,
                          one.key, one.bits, 0, one.width, one.height, one.anchor_x, one.anchor_y)
               for one in billboards.boards]
-    return [boards, [MAP.pack(number) for number in billboards.model_map], [bytes([byte]) for byte in blob]]
+    return [boards, [MAP.pack(number) for number in billboards.model_map], bytes(blob)]
 
 
 # --- reading -------------------------------------------------------------------------------------
@@ -96,8 +96,7 @@ def read(found, models, radii):
     boards, model_map, pixels = found
     if not model_map:
         return None
-    blob = bytes(byte for byte, in pixels)
-    made = Billboards([_read_board(fields, i, blob) for i, fields in enumerate(boards)], [number for number, in model_map])
+    made = Billboards([_read_board(fields, i, pixels) for i, fields in enumerate(boards)], [number for number, in model_map])
     for i, board in enumerate(made.boards):
         _check_board(board, i)
     for i, (number, model, radius) in enumerate(zip(made.model_map, models, radii)):

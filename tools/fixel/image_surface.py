@@ -109,7 +109,7 @@ def tables(surfaces, models):
     if len(mapped) > TABLE_MAX:
         fail("count", f"{len(mapped):,} faces with surfaces that lie differently are more than {TABLE_MAX:,}; use smaller "
              "models")
-    return [textures, [bytes([byte]) for byte in blob],
+    return [textures, bytes(blob),
             [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, 0, 0, 0) for one in surfaces.surfaces],
             mapped, face_map, [NORMAL.pack(*normal) for normal in surfaces.normals],
             [bytes(row) for row in surfaces.blend]]
@@ -183,7 +183,6 @@ def read(found, blend_first, models):
     textures, texels, surfaces, mapped, face_map, normals, blend = found
     if not face_map:
         return None
-    texels = bytes(byte for byte, in texels)
     placed = [_read_texture(fields, i, texels) for i, fields in enumerate(textures)]
     if blend_first > 255 or len(blend) > 256 - blend_first:
         fail("count", f"a blend table of {len(blend)} colours from {blend_first} on")

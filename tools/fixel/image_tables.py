@@ -81,7 +81,7 @@ def _check_counts(tables):
 
 
 def read(blob, fields):
-    """The tables as lists of tuples, after their offsets and counts; empty where there are none."""
+    """The tables as lists of tuples, those of bytes as bytes, after their offsets and counts; empty where there are none."""
     size, tables = fields[3], {}
     places, optional = _places(blob, fields)
     for (offset, count), (name, entry, low, high) in zip(places, _limits(fields[12])):
@@ -96,6 +96,7 @@ def read(blob, fields):
             fail("alignment", f"the table of {name} begins at {offset}, not a multiple of four")
         if offset < fields[2] or offset + count * entry.size > size:
             fail("offset", f"the table of {name} reaches outside the image")
-        tables[name] = list(entry.iter_unpack(blob[offset:offset + count * entry.size]))
+        table = blob[offset:offset + count * entry.size]
+        tables[name] = bytes(table) if entry.size == 1 else list(entry.iter_unpack(table))
     _check_counts(tables)
     return list(tables.values())

@@ -32,12 +32,17 @@ class Mesh:
     places: list = field(default_factory=list)  # where each face stands, for messages
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
     uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
-    sources: object = None      # the sources.Sources of a file, which limit what is made of its mesh
+    work: object = None         # the work.Work of the scene that has it
 
     @cached_property
     def extent(self):
         """The length of the longest side of the box about its vertices."""
         return max(max(axis) - min(axis) for axis in zip(*self.vertices))
+
+    @cached_property
+    def squares(self):
+        """The squares of the corners of its faces that a board draws, but for those of three or four, together."""
+        return sum(len(face) ** 2 for face in self.faces if 4 < len(face) <= FACE_VERTICES_MAX)
 
 
 @dataclass
@@ -245,11 +250,11 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
         if progress:
             progress(f"{name}: face {number} of {len(mesh.faces)}")
         place = mesh.places[number] if mesh.places else ""
-        if mesh.sources and len(corners) > FACE_VERTICES_MAX:
-            mesh.sources.count_cut(len(corners), place)
+        if mesh.work and len(corners) > FACE_VERTICES_MAX:
+            mesh.work.take("corners of faces cut", len(corners) ** 2, place)
         pieces = _pieces([renamed[c] for c in corners], points, place, counts)
-        if mesh.sources and len(pieces) > 1:
-            mesh.sources.count_pieces(len(pieces), place)
+        if mesh.work and len(pieces) > 1:
+            mesh.work.take("faces cut", len(pieces), place)
         for outline, normal in pieces:
             faces.append(Face(normal, outline, 0))
             sources.append(number)

@@ -224,4 +224,4 @@ def read(path, name=None, progress=None, sources=None):
         notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs, sources), notes + more
+    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs, sources.work), notes + more

@@ -18,7 +18,7 @@ COORDINATE_MAX = 8191
 
 # Powers of ten outside this are a slip of the pen, and would make huge integers.
 EXPONENT_MAX = 30
-DIGITS_MAX = 1000       # characters of a number
+DIGITS_MAX = 64         # characters of a number
 
 _RATIONAL = re.compile(r"\s*([+-]?\d{1,30})\s*/\s*(\d{1,30})\s*")
 _DECIMAL = re.compile(r"\s*[+-]?(\d{1,30}(\.\d{0,30})?|\.\d{1,30})([eE][+-]?\d{1,2})?\s*")
@@ -70,6 +70,11 @@ def _times(value, numerator, denominator=1):
 def q16(value):
     """A Fraction or float as 16.16."""
     return _times(value, Q16_ONE)
+
+
+def q30(value):
+    """A Fraction or float as 2.30."""
+    return _times(value, 1 << 30)
 
 
 def shown(value):

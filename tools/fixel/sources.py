@@ -7,26 +7,20 @@ import os
 
 from fixel import reading, texture_image
 from fixel.errors import ToolError
+from fixel.work import Work
 
 BYTES_MAX = 128 << 20       # read by all models, each time that a file is read
 PIXELS_MAX = 16 << 20       # of all images: 64 MB, four of the largest
 PIXELS_A_BYTE = 8           # more, for each byte of the files
-TEXELS_MAX = 1 << 18        # of the textures that are made of images, which take about 2.5 us each
-BYTES_A_TEXEL = 4           # of the files, for one texel more
-TEXELS_LEAST = 64           # what a small texture counts
-CUT_MAX = 2 * 4096 ** 2     # squares of the corners of faces that are cut: 20 ns each, where outlines cross themselves
-PIECES_MAX = 1 << 14        # faces more that cutting makes of faces, which take about 0.09 ms each
-BYTES_A_PIECE = 64          # of the files, for one such face more
-SURFACED_MAX = 12_288       # faces with surfaces, which take about 0.13 ms each
-BYTES_A_SURFACED = 80       # of the files, for one such face more
 
 
 class Sources:
-    """Reads files within limits, and decodes each image once, by whatever name it is asked for."""
+    """Reads files within limits, and decodes each image once, by whatever name it is asked for. work: the scene's
+    work.Work, to which each file's bytes come."""
 
-    def __init__(self):
+    def __init__(self, work=None):
         self.read_bytes = self.file_bytes = 0       # each time, and of each file once
-        self.pixels = self.texels = self.cut = self.pieces = self.surfaced = 0
+        self.pixels, self.work = 0, work or Work()
         self.files, self.by_path, self.by_content = set(), {}, {}
 
     def read(self, path, most, advice):
@@ -37,6 +31,7 @@ class Sources:
         if real not in self.files:
             self.files.add(real)
             self.file_bytes += len(blob)
+            self.work.allow(len(blob))
         return blob
 
     def _count_bytes(self, count, where):
@@ -67,44 +62,7 @@ class Sources:
             if self.pixels > most:
                 raise ToolError(f"{where}: the images of the models have more than the limit of {most:,} pixels together "
                                 f"({PIXELS_MAX:,}, and {PIXELS_A_BYTE} for each byte of their files); make them smaller")
-            image.sources = self
+            image.work = self.work
+            self.work.take("pixels", image.width * image.height, where)
             self.by_content[key] = image
         return self.by_content[key]
-
-    def count_texels(self, count, where):
-        """Counts the texels of a texture before it is made of an image."""
-        self.texels += max(count, TEXELS_LEAST)
-        most = TEXELS_MAX + self.file_bytes // BYTES_A_TEXEL
-        if self.texels > most:
-            raise ToolError(f"{where}: the textures made of the models' images have more than the limit of {most:,} texels "
-                            f"together ({TEXELS_MAX:,}, and one for each {BYTES_A_TEXEL} bytes of the models' files); give "
-                            "a smaller size, or fewer materials")
-
-    def count_cut(self, corners, where):
-        """Counts a face of many corners before it is cut into triangles."""
-        self.cut += corners * corners
-        if self.cut > CUT_MAX:
-            raise ToolError(f"{where}: the faces of the models that have more corners than a board draws have together more "
-                            f"than the limit of {CUT_MAX:,}, each with the square of its corners; cut them in the models")
-
-    def count_pieces(self, count, where):
-        """Counts the pieces of a face that was cut."""
-        self.pieces += count - 1
-        most = PIECES_MAX + self.file_bytes // BYTES_A_PIECE
-        if self.pieces > most:
-            raise ToolError(f"{where}: cutting the faces of the models that are not flat, not convex or have too many corners "
-                            f"makes more than the limit of {most:,} faces more ({PIECES_MAX:,}, and one for each "
-                            f"{BYTES_A_PIECE} bytes of their files); cut them in the models")
-
-    def check_surfaced(self, faces, where):
-        """Refuses more faces with surfaces than the models of a scene may have."""
-        most = SURFACED_MAX + self.file_bytes // BYTES_A_SURFACED
-        if self.surfaced + faces > most:
-            raise ToolError(f"{where}: the models have more than the limit of {most:,} faces with textures, opacity or light "
-                            f"at run time together ({SURFACED_MAX:,}, and one for each {BYTES_A_SURFACED} bytes of their "
-                            "files); simplify them, or give fewer of them surfaces")
-
-    def count_surfaced(self, faces, where):
-        """Counts the faces of a model with surfaces."""
-        self.check_surfaced(faces, where)
-        self.surfaced += faces

@@ -103,4 +103,4 @@ def read(path, name=None, progress=None, sources=None):
         raise ToolError(f"{name}: there is no face in this file")
     vertices = [(exact(x), exact(z), exact(y)) for x, y, z in points]
     faces = [[3 * face + 2, 3 * face + 1, 3 * face] for face in range(len(places))]
-    return Mesh(vertices, faces, places, sources=sources), [f"{name}: {_CONVENTION}"]
+    return Mesh(vertices, faces, places, work=sources.work), [f"{name}: {_CONVENTION}"]

@@ -14,6 +14,7 @@ from fixel.errors import ToolError
 from fixel.image import Face
 from fixel.image_surface import Mapped, Surface, Surfaces, Texture
 from fixel.mesh import UNIT, cross, dot, minus, newell, transform, unit_normal
+from fixel.reading import quoted
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
 DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_surface.DIVIDE_1,
@@ -60,8 +61,6 @@ def box_axes(normal):
 def box_coordinates(mesh, scale, inside, per_unit, offset):
     """For each face of a mesh (u, v) in texels of each corner, by planes of a box about the mesh before it turns.
     per_unit: texels a world unit."""
-    if mesh.sources:
-        mesh.sources.check_surfaced(len(mesh.faces), mesh.places[0])
     common = lcm(*(Fraction(s).denominator for s in scale))
     sizes = [int(s * common) for s in scale]
     points = [tuple(c * s for c, s in zip(vertex, sizes)) for vertex in mesh.vertices]  # in 1/(UNIT common)
@@ -171,8 +170,6 @@ def _source_coordinates(mesh, rows, made, coordinates):
 def spread(mesh, rows, made, coordinates):
     """(shape, coordinates of each face's corners): a shape whose coordinates are affine over each face. made: the shape
     of the mesh and of the matrix. coordinates: for each face of the mesh, of each corner; None where it has none."""
-    if mesh.sources:
-        mesh.sources.count_surfaced(len(made.faces), mesh.places[0])
     faces, sources, result = [], [], []
     for face, source, found in zip(made.faces, made.sources, _source_coordinates(mesh, rows, made, coordinates)):
         outline = tuple(made.vertices[c] for c in face.corners)
@@ -196,7 +193,7 @@ def _q16(value):
 def place(points, coordinates, paint, where):
     """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
     least coordinates are small. A paint without a picture has no texels."""
-    three = _best_corners(points)
+    three = _best_corners(tuple(points))
     if paint.picture is None:
         return three, ((0, 0),) * 3
     moved = (0, 0)
@@ -238,10 +235,11 @@ def blend_table(colours, sixteenths, blended):
 
 
 class Records:
-    """Collects the textures and surfaces of a scene. indices: the palette index of each colour."""
+    """Collects the textures and surfaces of a scene. indices: the palette index of each colour. work: a work.Work."""
 
-    def __init__(self, indices):
-        self.indices, self.textures, self.surfaces, self.normals = indices, {}, {}, {}
+    def __init__(self, indices, work):
+        self.work, self.indices = work, indices
+        self.textures, self.surfaces, self.normals = {}, {}, {}
         self.known = {}     # (paint, id of its colours): number of a texture, the colours
         self.made, self.blended = Surfaces(), set()     # colours
 
@@ -254,6 +252,8 @@ class Records:
             entries = tuple(self.indices[colour] for colour in look.colours)
             key = look.paint, entries
             if key not in self.textures:
+                texels = sum(len(level) * len(level[0]) for level in look.paint.picture.levels)
+                self.work.take("texels of textures", texels, f"texture {quoted(look.paint.name)}")
                 self.made.textures.append(_texture(look.paint, entries))
                 self.made.texture_names.append(look.paint.name)
                 self.textures[key] = len(self.made.textures)

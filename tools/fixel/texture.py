@@ -16,8 +16,6 @@ COLOURS_MAX = 255           # of a texture
 CLEAR = None                # the colour of what is not drawn
 OPAQUE_FROM = 128           # of 255: what is more clear is not drawn
 DISTINCT_MAX = 2048         # colours of a picture's file, before they are merged
-TEXELS_MAX = 1 << 19        # of the textures and billboards of a scene, beside one for each byte of their files
-TEXELS_LEAST = 1 << 10      # what a small one counts
 _CLEAR_CODE = -1
 _CHUNK = 1024               # colours at a time
 
@@ -88,22 +86,29 @@ def _nearest(colours, kept):
     return {colour: kept[number] for colour, number in zip(colours, near)}
 
 
-def _merged(weights, most, kept):
-    """{colour: the one that stands for it}: of at most so many colours, those that are kept among them."""
+def _merged(weights, most, kept, count):
+    """{colour: the one that stands for it}: of at most so many colours, those that are kept among them. count: is told
+    first how many are to be merged."""
     others = {colour: weight for colour, weight in weights.items() if colour not in set(kept)}
     room = most - len(kept)
     if len(others) <= room:
         return {colour: colour for colour in others}
+    count(len(others))
     return palette.median_cut(others, room) if room > 0 else _nearest(others, kept)
 
 
-def from_codes(levels, most, kept=()):
-    """A Picture of levels of codes, with at most so many colours: those that are kept, and others merged."""
+def _uncounted(_colours):
+    """For pictures whose work is not counted."""
+
+
+def from_codes(levels, most, kept=(), count=_uncounted):
+    """A Picture of levels of codes, with at most so many colours: those that are kept, and others merged. count: see
+    _merged."""
     kept = list(dict.fromkeys(kept))
     every = np.concatenate([level.ravel() for level in levels])
     codes, counts = np.unique(every[every != _CLEAR_CODE], return_counts=True)
     found = [_colour(code) for code in codes.tolist()]
-    merged = _merged(dict(zip(found, counts.tolist())), most, kept)
+    merged = _merged(dict(zip(found, counts.tolist())), most, kept, count)
     colours = kept + sorted(set(merged.values()) - set(kept))
     places = {colour: number for number, colour in enumerate(colours)}
     numbers = np.array([places[merged.get(colour, colour)] for colour in found] + [CLEAR], dtype=object)
@@ -131,15 +136,15 @@ def levels_of(codes, count, least=1):
     return levels
 
 
-def with_levels(picture, count, most, least):
+def with_levels(picture, levels, most, least, count=_uncounted):
     """The picture with so many levels, and at most so many colours: its own ones, and others for the smaller levels.
-    least: the least width of a level."""
+    least: the least width of a level. count: see _merged."""
     numbers = np.array([[-1 if n is CLEAR else n for n in row] for row in picture.levels[0]], dtype=np.int32)
     own = np.array([red << 16 | green << 8 | blue for red, green, blue in picture.colours] + [_CLEAR_CODE], dtype=np.int32)
-    return from_codes(levels_of(own[numbers], count, least), most, picture.colours)
+    return from_codes(levels_of(own[numbers], levels, least), most, picture.colours, count)
 
 
-def read(path, name, most, any_side=False, key=None):
+def read(path, name, most, any_side=False, key=None, count=_uncounted):
     """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
     pixels of the colour key. any_side: its sides need not be powers of two."""
     blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
@@ -153,7 +158,7 @@ def read(path, name, most, any_side=False, key=None):
     codes = codes_of(pixels, pixels[..., 3] < OPAQUE_FROM)
     if key:
         codes[codes == (key[0] << 16 | key[1] << 8 | key[2])] = _CLEAR_CODE
-    return from_codes([coarser(codes)], most)
+    return from_codes([coarser(codes)], most, count=count)
 
 
 # --- patterns ------------------------------------------------------------------------------------
@@ -261,28 +266,25 @@ def pattern_colours(row, name):
 # --- the pictures of a scene -------------------------------------------------------------------
 
 class Pictures:
-    """Makes the pictures of one scene, each once, within a limit of texels."""
+    """Makes the pictures of one scene, each once. work: the scene's work.Work."""
 
-    def __init__(self, folder):
-        self.folder, self.made, self.texels, self.file_bytes = folder, {}, 0, {}
+    def __init__(self, folder, work):
+        self.folder, self.work, self.made, self.files = folder, work, {}, set()
 
-    def _once(self, key, where, make):
-        """A picture that is made once. One is made before it counts: it has at most 65,536 texels."""
+    def _once(self, key, kind, where, make):
+        """A picture that is made once. One is made before its texels count, at most 65,536.
+        kind: of these."""
         if key not in self.made:
-            made = self.made[key] = make()
-            self.texels += max(TEXELS_LEAST, sum(len(level) * len(level[0]) for level in made.levels))
-            most = TEXELS_MAX + sum(self.file_bytes.values())
-            if self.texels > most:
-                raise ToolError(f"{where}: the scene's textures and billboards have more than the limit of {most:,} texels "
-                                f"together ({TEXELS_MAX:,}, and one for each byte of their files), each at least "
-                                f"{TEXELS_LEAST:,}; use fewer or smaller ones")
+            made = self.made[key] = make(lambda colours: self.work.take("colours merged", colours, where))
+            self.work.take("pictures", 1, where)
+            self.work.take(kind, sum(len(level) * len(level[0]) for level in made.levels), where)
         return self.made[key]
 
     def pattern(self, row, name, width, height):
         """The picture of a pattern that a row of a scene file names."""
         colours = pattern_colours(row, name)
-        return self._once((name, width, height, tuple(colours)), row.where,
-                          lambda: pattern(name, width, height, colours))
+        return self._once((name, width, height, tuple(colours)), "texels of patterns", row.where,
+                          lambda _: pattern(name, width, height, colours))
 
     def file(self, row, most, any_side=False, key=None):
         """The picture of the file that a row of a scene file names (read)."""
@@ -291,12 +293,16 @@ class Pictures:
         if not file.exists():
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
         real = os.path.realpath(file)
-        self.file_bytes[real] = min(FILE_MAX, os.path.getsize(real))
-        return self._once((real, most, any_side, key), row.where, lambda: read(file, file, most, any_side, key))
+        if real not in self.files:
+            self.files.add(real)
+            self.work.allow(min(FILE_MAX, os.path.getsize(real)))
+        return self._once((real, most, any_side, key), "texels of pictures", row.where,
+                          lambda count: read(file, file, most, any_side, key, count))
 
-    def levels(self, picture, count, most, least, where):
+    def levels(self, picture, levels, most, least, where):
         """The same with smaller pictures of it (with_levels)."""
-        return self._once((id(picture), count, most, least), where, lambda: with_levels(picture, count, most, least))
+        return self._once((id(picture), levels, most, least), "texels of pictures", where,
+                          lambda count: with_levels(picture, levels, most, least, count))
 
 
 # --- files ---------------------------------------------------------------------------------------

@@ -35,13 +35,17 @@ def picture(image, colour, size, most, levels, bits):
     if key not in image.pictures:
         least = 2 if bits == 4 else 1       # texels of a row
         width, height = max(least, _power(image.width, size)), _power(image.height, size)
-        image.sources.count_texels(width * height, image.name)
+        image.work.take("pictures", 1, image.name)
+        image.work.take("texels of materials", width * height, image.name)
         scaled = _scaled(image, width, height)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
         codes = texture.codes_of(scaled, scaled[:, 3] < texture.OPAQUE_FROM).reshape(height, width)
         own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels
-        made = texture.from_codes([texture.coarser(codes)], own)
-        image.pictures[key] = texture.with_levels(made, levels, most, least) if levels > 1 else made
+
+        def count(colours):
+            image.work.take("colours merged", colours, image.name)
+        made = texture.from_codes([texture.coarser(codes)], own, count=count)
+        image.pictures[key] = texture.with_levels(made, levels, most, least, count) if levels > 1 else made
     return image.pictures[key]
 
 

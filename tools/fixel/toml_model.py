@@ -19,8 +19,8 @@ class Files:
     """The meshes of a scene's model files. A file is one however its name is spelled, so it is read once. Its key is its
     name, or the Beside that stands for it in messages."""
 
-    def __init__(self, folder):
-        self.folder, self.sources = folder, Sources()
+    def __init__(self, folder, work=None):
+        self.folder, self.sources = folder, Sources(work)
         self.by_name, self.by_path, self.meshes = {}, {}, {}
 
     def file(self, name):

@@ -16,7 +16,6 @@ from fixel.turning import matrix, sine_cosine
 KEYS = {"turn", "size", "spin", "motion", "parent"}
 SIZE_MIN, SIZE_MAX = Fraction(1, 256), 256
 FRAMES_MAX = image_turn.FRAME_MAX
-KEYS_MADE_MAX = 40_000
 STEP_MAX = 120      # degrees between two keys of the image: less than half a turn, which is the short way
 ZEROS = (Fraction(0),) * 3
 
@@ -233,7 +232,7 @@ def _start(motion, above):
 
 
 def _in_2_30(rows):
-    return tuple(math.floor(Fraction(c) * (1 << 30) + Fraction(1, 2)) for row in rows for c in row)
+    return tuple(quantity.q30(c) for row in rows for c in row)
 
 
 def _parent_of(placement, named):
@@ -248,26 +247,32 @@ def _parent_of(placement, named):
     return found[0]
 
 
-def _parents(lively):
+def _check_depth(item, parents, depths):
+    """Refuses more parents, one after the other, than an image may have; depths: those of the placements before."""
+    depth = depths[id(item)] = 1 + depths[id(parents[id(item)])] if id(item) in parents else 0
+    if depth > image_turn.DEPTH_MAX:
+        raise ToolError(f"{item.where}: parent: it has more than {image_turn.DEPTH_MAX} parents, one after the other")
+
+
+def _parents(lively, work):
     """{id of a placement: its parent}; and those that move, themselves or as parents, in order."""
-    parents, named, keys = {}, {}, 0
+    parents, named, depths = {}, {}, {}
     for item in lively:
         if item.life.parent is not None:
             parents[id(item)] = _parent_of(item, named)
+            work.take("parents", 1, item.where)
         named.setdefault(item.name, []).append(item)
-        keys += _count_keys(item.life.stops)
-        if keys > KEYS_MADE_MAX:
-            raise ToolError(f"{item.where}: the motions of the scene have more than the limit of {KEYS_MADE_MAX:,} keys; "
-                            f"a key each is made for every {STEP_MAX} degrees too")
+        _check_depth(item, parents, depths)
+        work.take("keys of motions", _count_keys(item.life.stops) - 1, item.where)
     needed = {id(parent) for parent in parents.values()}
     return parents, [item for item in lively if item.life.moves or id(item) in needed]
 
 
-def settle(placements):
+def settle(placements, work):
     """The placements in the order of an image: those that stand still, those that are turned, those that move;
-    and the turns and motions of the last."""
+    and the turns and motions of the last. work: the scene's work.Work."""
     lively = [item for item in placements if item.life is not None]
-    parents, moving = _parents(lively)
+    parents, moving = _parents(lively, work)
     known = {id(item) for item in moving}
     ordered = [item for item in placements if item.life is None]
     turns, motions, starts, numbers = [], [], [], {}

@@ -7,23 +7,20 @@ from fractions import Fraction
 import math
 
 from fixel import image, island, palette, parts, quantity, solids, toml_billboard, toml_images, toml_light, toml_model, \
-    toml_motion, toml_texture
+    toml_motion, toml_places, toml_texture
 from fixel.errors import ToolError
 from fixel.convex import is_convex
 from fixel.mesh import FACES_MAX, shape, two_sided
 from fixel.reading import quoted
 from fixel.toml_table import Table
-from fixel.turning import matrix, sine_cosine
+from fixel.turning import matrix
 
 KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "inside", "parts", "position",
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
         "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
-_RING = {"count", "radius", "start", "turn", "turned"}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
-CELLS_MAX = 60_000      # of solids that differ, each made once: an island may have few faces of many cells
-MADE_MAX = 40_000       # faces of all models, beside those of the scene's files
 
 
 @dataclass
@@ -88,75 +85,17 @@ def _parts(table):
     return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
 
 
-def _ring_count(table):
-    return table.table("ring", _RING).whole("count", None, 1, 1000) if "ring" in table else 1
-
-
-def _ring_is_turned(table):
-    """Whether the copies on a ring are one model, each with a turn of its own."""
-    return "ring" in table and table.table("ring", _RING).switch("turned", False)
-
-
-def _ring_places(table, count):
-    """(offset, yaw) of each place on a ring about the position."""
-    if "ring" not in table:
-        return [((0, 0, 0), 0)]
-    ring = table.table("ring", _RING)
-    radius = ring.number("radius", None, 0, 16382, "world units")
-    start, turn = ring.degrees("start"), ring.switch("turn", True)
-    places = []
-    for i in range(count):
-        yaw = start + Fraction(360 * i, count)
-        sine, cosine = sine_cosine(yaw)
-        places.append(((radius * sine, 0, radius * cosine), yaw if turn else 0))
-    return places
-
-
-def _repeat_count(table):
-    if "repeat" not in table:
-        return 1, 1, 1
-    return table.table("repeat", {"count", "step"}).wholes("count", 3, 1000)
-
-
-def _repeat_offsets(table, count):
-    if "repeat" not in table:
-        return [(0, 0, 0)]
-    repeat = table.table("repeat", {"count", "step"})
-    step = quantity.vector(repeat.need("step"), repeat.at("step"))
-    return [tuple(n * s for n, s in zip((i, j, k), step))
-            for k in range(count[2]) for j in range(count[1]) for i in range(count[0])]
-
-
-def _places(table, room):
-    """(position, extra yaw) of every placement, in order. room: how many more the scene may have."""
-    if "positions" in table and "position" in table:
-        raise ToolError(f"{table.where}: both position and positions are given; keep one")
-    ring, repeat = _ring_count(table), _repeat_count(table)
-    count = (len(table.rows("positions")) if "positions" in table else 1) * ring * math.prod(repeat)
-    if count > room:
-        raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
-                        f"{PLACEMENTS_MAX:,} objects, and {PLACEMENTS_MAX - room:,} stand before these")
-    if "positions" in table:
-        bases = [quantity.position(p, f"{table.at('positions')}[{i}]")
-                 for i, p in enumerate(table.rows("positions"))]
-    else:
-        bases = [table.position("position") if "position" in table else (0, 0, 0)]
-    rings, offsets = _ring_places(table, ring), _repeat_offsets(table, repeat)
-    return [(tuple(a + b + c for a, b, c in zip(base, out, offset)), yaw)
-            for base in bases for out, yaw in rings for offset in offsets]
-
-
 class Objects:
     """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each."""
 
     def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None):
         self.name, self.light = name, light
         self.notes, self.progress = notes, progress
-        self.files, self.shapes, self.coloured, self.surfaces = files, {}, {}, {}
+        self.files, self.work, self.shapes, self.coloured, self.surfaces = files, files.sources.work, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
-        self.count = self.made = self.placed = self.cells = 0   # objects, faces of models, vertices of objects, cells of solids
+        self.count = self.placed = 0    # objects, and their vertices
 
     def mesh(self, table):
         """(mesh, name, identity) of an object's solid or file."""
@@ -169,10 +108,9 @@ class Objects:
             options = _solid_options(table)
             identity = (name, *sorted(options.items()))
             if identity not in self.solids:
-                self.cells += math.prod(options.get("cells", (1, 1)))
-                if self.cells > CELLS_MAX:
-                    raise ToolError(f"{table.at('cells')}: the different solids of the scene have more than the limit of "
-                                    f"{CELLS_MAX:,} cells together; use fewer cells")
+                self.work.take("solids", 1, table.where)
+                self.work.take("cells of islands" if name == "island" else "cells of other solids", solids.cells(name, options),
+                               table.where)
                 self.solids[identity] = solids.make(name, options, table.where)
             return self.solids[identity], table.where, identity
         for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
@@ -194,17 +132,30 @@ class Objects:
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
         key = (identity, scale, rotation, inside, sides, wanted, look.key)
         if key not in self.shapes:
-            self._check_made(len(mesh.faces), table.where)
+            self._count_shape(mesh, wanted, table.where)
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
-                if "solid" in table:    # those of files are counted where they are read
-                    self.files.sources.count_surfaced(len(made.faces), table.where)
-                made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
+                made, coordinates = self._with_coordinates(look, mesh, (scale, rotation), made, inside, table.where)
             self.shapes[key] = (made, convex, coordinates)
         return self.shapes[key]
+
+    def _count_shape(self, mesh, wanted, where):
+        """Counts the work of a shape before it is made."""
+        for kind, count in (("shapes", 1), ("vertices", len(mesh.vertices)), ("faces", len(mesh.faces)),
+                            ("corners of faces with many", mesh.squares),
+                            ("faces merged", len(mesh.faces) if wanted[1] else 0)):
+            self.work.take(kind, count, where)
+
+    def _with_coordinates(self, look, mesh, turned, made, inside, where):
+        """The shape, in faces over which its texture coordinates are affine, and these."""
+        self.work.take("faces with surfaces", max(len(made.faces), len(mesh.faces)), where)
+        self.work.take("corners of surfaces", sum(len(face.corners) ** 3 for face in made.faces), where)
+        found = toml_texture.shape_of(look, mesh, matrix(*turned), made, turned[0], inside)
+        self.work.take("faces with surfaces", len(found[0].faces) - len(made.faces), where)
+        return found
 
     @staticmethod
     def _sides(table):
@@ -287,9 +238,7 @@ class Objects:
         key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0, clusters
         if key in self.coloured:
             return self.coloured[key]
-        faces = 2 * len(made.faces) if clusters else len(made.faces)
-        self._check_made(faces, where)
-        self.made += faces
+        self.work.take("faces coloured", len(made.faces), where)
         if wish[0] == "index":
             _, first, then, step = wish
             colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
@@ -311,16 +260,8 @@ class Objects:
         changes = look.lit if isinstance(self.light, toml_light.RunTime) else shaded
         key = id(made), look.key, changes
         if key not in self.looks:
-            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where)
+            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, self.work, where)
         return self.looks[key]
-
-    def _check_made(self, faces, where):
-        """Refuses more faces than a scene may make of its files."""
-        most = MADE_MAX + sum(len(mesh.faces) for mesh in self.files.values())
-        if self.made + faces > most:
-            raise ToolError(f"{where}: the scene's models have more than the limit of {most:,} faces together ("
-                            f"{MADE_MAX:,} and those of its files); each size, turn and colouring counts, and with "
-                            "clusters twice")
 
     def _count_placed(self, vertices, where):
         self.placed += vertices
@@ -328,11 +269,24 @@ class Objects:
             raise ToolError(f"{where}: the objects have more than the limit of {image.PLACED_MAX:,} vertices together; "
                             "use fewer copies or smaller models")
 
+    def _places(self, table):
+        """(position, extra yaw) of every placement, in order."""
+        count, rings = toml_places.count(table)
+        room = PLACEMENTS_MAX - self.count
+        if count > room:
+            raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
+                            f"{PLACEMENTS_MAX:,} objects, and {PLACEMENTS_MAX - room:,} stand before these")
+        self.count += count
+        self.work.take("copies", count, table.where)
+        self.work.take("places on rings or in positions", rings, table.where)
+        return toml_places.places(table)
+
     def placements(self, data, number):
         """All placements of the object that stands number-th in the file."""
         name = data.get("name") if isinstance(data, dict) else None
         where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
         has_billboard = isinstance(data, dict) and "billboard" in data
+        self.work.take("objects", 1, where)
         table = Table(data, where, toml_billboard.OBJECT_KEYS if has_billboard else KEYS)
         if "name" in table:
             table.text("name")
@@ -346,20 +300,19 @@ class Objects:
                                  lambda: self.mesh(table)[0], self.images)
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
-        places = _places(table, PLACEMENTS_MAX - self.count)
-        self.count += len(places)
-        if len(places) > 1:
-            different = len(places) if "colour_next" in table else len({yaw for _, yaw in places})
-            self._check_made(different * len(self.mesh(table)[0].faces) - self.made, where)
-        life, turned, division = toml_motion.read(table), _ring_is_turned(table), _parts(table)
+        places = self._places(table)
+        life, turned, division = toml_motion.read(table), toml_places.ring_is_turned(table), _parts(table)
         if division and (life or turned):
             raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
+        if life or turned:
+            self.work.take("turned or moving objects", len(places), where)
         known, result = {}, []      # by yaw and, where copies differ, by number: the shape and its colours
         for i, (position, yaw) in enumerate(places):
             baked = 0 if turned else yaw
             key = baked, i if "colour_next" in table else 0
             place = where + (f", copy {i}" if i else "")
             if key not in known:
+                self.work.take("copies that differ", len(places) > 1, place)
                 made, convex, coordinates = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]), look)
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
                 known[key] = (made, moved, self._kind(table, convex), self._colours(made, wish, i, clusters, place),
@@ -387,22 +340,26 @@ class Objects:
         scene may have."""
         key = id(whole.shape[0]), whole.shape[1], id(whole.colours), id(whole.looks), division
         if key not in self.divided:
+            self.work.take("faces in parts", len(whole.colours), whole.where)
+            self.work.take("parts", min(len(whole.colours), math.prod(division)), whole.where)
             self.divided[key] = parts.split(whole, division, table.data.get("kind") == "sorted")
         divided = self.divided[key]
         if len(divided) > room:
             raise ToolError(f"{table.at('parts')}: the parts of all copies are more than the limit of {PLACEMENTS_MAX:,} "
                             "objects of a scene; use fewer parts or copies")
+        self.work.take("copies", len(divided), whole.where)
         return [part.placed(whole) for part in divided]
 
     def _billboards(self, table, name):
         """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""
         wish = toml_billboard.of_object(table, self.billboards)
         layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
-        if _ring_is_turned(table):
+        if toml_places.ring_is_turned(table):
             raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
-        places = _places(table, PLACEMENTS_MAX - self.count)
-        self.count += len(places)
+        places = self._places(table)
+        self.work.take("turned or moving objects", len(places) if life else 0, table.where)
         if wish not in self.boards:
+            self.work.take("texels of textures", wish.picture.width * wish.picture.height, table.where)
             self.boards[wish] = toml_billboard.shape_of(wish), (wish.picture.mean(),)
         made, colours = self.boards[wish]
         result = []

@@ -88,10 +88,12 @@ def _on_screen(lens, screen):
     return (*screen, *lens[2:-1], centre)
 
 
-def _check_poses(count, where):
+def _check_poses(count, work, kind, where):
+    """Refuses more poses than the limit, and counts them."""
     if count > POSES_MAX:
         raise ToolError(f"{where}: {count:,} frames are more than the limit of {POSES_MAX:,} that are computed; steps may "
                         f"have up to {FRAMES_MAX:,}")
+    work.take(kind, count, where)
 
 
 def _key(data, where):
@@ -111,8 +113,9 @@ def _gait(table):
     return (*numbers, quantity.angle(turn))
 
 
-def _strides(table):
+def _strides(table, work):
     strides = []
+    work.take("steps of the path", len(table.rows("steps")), table.where)
     for i, data in enumerate(table.rows("steps")):
         step = Table(data, f"{table.at('steps')}[{i}]", {"keys", "frames"})
         bits = 0
@@ -133,13 +136,13 @@ def _start(table):
             *(quantity.angle(start.degrees(key)) for key in ("yaw", "pitch", "roll")))
 
 
-def _orbit(table, frames):
+def _orbit(table, frames, work):
     orbit = table.table("orbit", {"centre", "radius", "height", "frames", "start", "turns"})
     centre = orbit.position("centre") if "centre" in orbit else (Fraction(0),) * 3
     radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
     height = orbit.number("height", 0, -16382, 16382, "world units")
     count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
-    _check_poses(count, table.at("orbit"))
+    _check_poses(count, work, "poses of an orbit", table.at("orbit"))
     poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
                        orbit.number("turns", 1, -100, 100))
     for i, pose in enumerate(poses):
@@ -157,7 +160,7 @@ def _shortened(strides, frames):
     return result
 
 
-def _path(top, frames):
+def _path(top, frames, work):
     """(kind, entries, start, gait); no more than frames of them where asked. Without a path there are no entries: see
     default_path."""
     if "path" not in top:
@@ -168,20 +171,21 @@ def _path(top, frames):
     if style != "keys" and "interpolation" in table:
         raise ToolError(f"{table.at('interpolation')}: belongs to keys")
     if style == "steps":
-        strides = _strides(table)
+        strides = _strides(table, work)
         total, kind, entries, start = sum(n for _, n in strides), image.STRIDES, strides, \
             _start(table)
     else:
         if "start" in table:
             raise ToolError(f"{table.at('start')}: belongs to steps; {style} say where they begin")
         if style == "keys":
+            work.take("keys of the path", len(table.rows("keys")), table.where)
             keys = [_key(data, f"{table.at('keys')}[{i}]")
                     for i, data in enumerate(table.rows("keys"))]
             smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
-            _check_poses(sum(key.frames for key in keys), table.at("keys"))
+            _check_poses(sum(key.frames for key in keys), work, "poses", table.at("keys"))
             entries = walk.poses(keys, smooth, f"{table.where}: key")
         else:
-            entries = _orbit(table, frames)
+            entries = _orbit(table, frames, work)
         total, kind, start = len(entries), image.POSES, entries[0]
     if total > FRAMES_MAX:
         raise ToolError(f"{table.where}: {total:,} frames are more than {FRAMES_MAX:,}")
@@ -280,14 +284,17 @@ def _palette(background, placements, reserved, light, lit):
     return colours, indices, merged, _lit_table(placements, indices, lit)
 
 
-def _models(placements, indices, records):
+def _models(placements, indices, records, work):
     """Models, objects, and of each model its billboard or None; equal models are made once. An object's position in
-    the list is its number in the order of drawing. records: a surfaces.Records."""
+    the list is its number in the order of drawing. records: a surfaces.Records; work: a work.Work."""
     numbers, models, objects, boards = {}, [], [], []
     for item in placements:
         made, moved = item.shape
         key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board)
         if key not in numbers:
+            work.take("models", 1, item.where)
+            work.take("faces of models", len(made.faces), item.where)
+            work.take("faces in clusters", len(made.faces) if item.clusters else 0, item.where)
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours)
@@ -318,25 +325,27 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         lens = _on_screen(lens, screen)
     notes = []
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
-    kind, entries, start, gait = _path(top, frames)
+    files = files or toml_model.Files(folder)
+    work = files.sources.work
+    kind, entries, start, gait = _path(top, frames, work)
     beams, lit = _beams(top)
     reserved = _reserved(top)
     light = toml_light.read(top)
-    pictures = texture.Pictures(folder)
-    objects = Objects(name, files or toml_model.Files(folder), light, notes, progress, toml_texture.read(top, pictures),
+    pictures = texture.Pictures(folder, work)
+    objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
                       toml_billboard.read(top, pictures))
     placements = []
     for number, item in enumerate(top.rows("objects")):
         placements += objects.placements(item, number)
-    placements, turns, motions = toml_motion.settle(placements)
+    placements, turns, motions = toml_motion.settle(placements, work)
     try:
         colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
-    records = Records(indices)
-    models, placed, boards = _models(placements, indices, records)
+    records = Records(indices, work)
+    models, placed, boards = _models(placements, indices, records, work)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre, scene.visibility = lens[-1], _visibility(top)
     scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
@@ -355,5 +364,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
 
 def compile_file(path, frames=None, progress=None, screen=None):
     """A scene file -> (SceneImage, notes)."""
-    return compile_data(toml_table.read(path), shortened(os.path.basename(path)), os.path.dirname(path),
-                        frames, progress, screen)
+    folder, data = os.path.dirname(path), toml_table.read(path)
+    files = toml_model.Files(folder)
+    files.sources.work.allow(os.path.getsize(path))
+    return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen, files)

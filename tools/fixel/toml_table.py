@@ -34,7 +34,7 @@ def read(path):
         raise ToolError(f"{path}: not TOML: {reading.shortened(str(error))}") from error
     except ValueError:
         # The only others are those of int and of quantity.decimal.
-        raise ToolError(f"{path}: a number is out of every range: it has thousands of digits") from None
+        raise ToolError(f"{path}: a number has more than {quantity.DIGITS_MAX} characters, or is out of every range") from None
 
 
 class Table:

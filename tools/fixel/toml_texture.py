@@ -212,12 +212,14 @@ class Wish:
                           if known else [(Fraction(0),) * 2] * len(corners))
         return result
 
-    def looks(self, made, coordinates, bake, where):
-        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
+    def looks(self, made, coordinates, bake, work, where):
+        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal. work: a work.Work."""
         normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
-        directions = {face.normal for face, source in zip(made.faces, made.sources) if self.paint_of(source)}
-        if not self.lit and len(directions) > DIRECTIONS_MAX:
+        painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
+        if not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
             bake = keep
+        if bake is not keep:
+            work.take("colours of textures", sum(len(paint.picture.colours) for paint, _ in painted), where)
 
         @functools.lru_cache(None)      # one object for all faces that look the same way
         def baked(paint, normal):
@@ -228,7 +230,7 @@ class Wish:
     def _look(self, made, number, coordinates, normals, baked, where):
         face, paint = made.faces[number], self.paint_of(made.sources[number])
         opacity = self.opacities[made.sources[number] % len(self.opacities)]
-        points = tuple(made.vertices[c] for c in face.corners)
+        points = [made.vertices[c] for c in face.corners]
         if paint is None and not self._has_plain_look():
             return None
         corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""The work that a scene file asks for. Each stage takes what it needs from one budget before it begins, so that all of
+them together stay within the bound that docs/scenes.md promises: 2 s, and 2 s more for each MB of the scene's files.
+
+The unit is a step: about 1 us of CPU time on a PC of 2020. The tool itself takes 0.4 s of the 2 s to begin. Half of
+what a byte brings is for reading it, and is not part of the budget."""
+
+from fixel.errors import ToolError
+
+STEPS = 1_500_000       # of any scene
+STEPS_A_BYTE = 1        # more, for each byte of its files
+
+# What each of these takes at most, as measured. The names stand in messages.
+COSTS = {
+    # --- objects
+    "objects": 48,
+    "copies": 11,
+    "places on rings or in positions": 19,
+    "copies that differ": 28,               # in turn or in colour
+    "turned or moving objects": 105,        # each copy
+    "parents": 100,
+    "keys of motions": 50,
+    "parts": 80,
+    "faces in parts": 9,
+    # --- models
+    "solids": 60,
+    "cells of islands": 14,
+    "cells of other solids": 5,
+    "shapes": 130,          # a solid or a file at one size and turn
+    "vertices": 3,
+    "faces": 14,            # of shapes
+    "corners of faces with many": 0.8,      # the square of a face's corners, of faces with more than four
+    "primitives of glTF files": 60,
+    "triangles of glTF files": 6,
+    "triangles with colours of vertices": 22,
+    "faces merged": 34,
+    "faces cut": 23,
+    "corners of faces cut": 0.02,           # the square of a face's corners
+    "faces coloured": 4,
+    "models": 10,
+    "faces of models": 8,
+    "faces in clusters": 8,
+    # --- surfaces
+    "faces with surfaces": 85,
+    "corners of surfaces": 1 / 16,          # the cube of a face's corners
+    "colours of textures": 4,               # in each direction that its faces look
+    "texels of patterns": 2,
+    "texels of pictures": 0.5,
+    "texels of materials": 1.6,
+    "texels of textures": 0.6,              # in each light; and of billboards
+    "pixels": 0.02,
+    "pictures": 200,
+    "colours merged": 13,
+    # --- paths
+    "poses": 5,
+    "poses of an orbit": 20,
+    "keys of the path": 65,
+    "steps of the path": 12,
+}
+
+
+class Work:
+    """The budget of one scene, and what was taken from it."""
+
+    def __init__(self):
+        self.most, self.taken, self.kinds = STEPS, 0, {}
+
+    def allow(self, size):
+        """The scene has a file of so many bytes, which comes to the budget once."""
+        self.most += STEPS_A_BYTE * size
+
+    def take(self, kind, count, where):
+        """Takes the steps of so many of a kind (COSTS), or refuses the scene. where: stands before the message."""
+        steps = COSTS[kind] * count
+        self.taken += steps
+        self.kinds[kind] = self.kinds.get(kind, 0) + steps
+        if self.taken > self.most:
+            raise ToolError(f"{where}: the scene asks for too much work; most of it is for {self._shares()}: use fewer of these "
+                            f"(the limit is {self.most:,} steps: {STEPS:,}, and one for each byte of its files)")
+
+    def _shares(self):
+        """The kinds that take most, in words."""
+        first = sorted(self.kinds, key=self.kinds.get, reverse=True)[:3]
+        return ", ".join(f"{kind} ({100 * self.kinds[kind] / self.taken:.0f} %)" for kind in first if self.kinds[kind])
