@@ -11,7 +11,7 @@ from conftest import CHECKOUT, TOOLS
 from fixel import work
 from fixel.errors import ToolError
 from test_input_bounds import assert_built, assert_refused, run_measured
-from test_input_work import noise, scene, textures
+from test_input_work import noise, scene
 
 NOISE = '[[textures]]\nname = "t0"\nfile = "noise.png"\nmost_colours = 255\n'
 BRICKS = '[[textures]]\nname = "t0"\npattern = "bricks"\n'
