@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """make run: what a walk leaves, and how one that cannot be made ends."""
 
+import contextlib
 import dataclasses
 import hashlib
 import json
@@ -16,7 +17,7 @@ from PIL import Image
 
 import run as run_tool
 import scene as scene_tool
-from fixel import dump, emulator
+from fixel import dump, emulator, scratch
 
 SCENE = "scenes/tiny.toml"
 FRAMES = 4
@@ -35,13 +36,26 @@ def assert_nothing_left(folder, out):
     """No result, and no temporary folder beside its place or where make builds."""
     assert not out.exists()
     assert not list(folder.glob(".fixel-*"))
-    assert not [path for path in (CHECKOUT / "build").glob(".fixel-run-*")
-                if path.stat().st_uid == os.getuid() and belongs_to_nobody(path)]
+    assert not list(filter(belongs_to_nobody, (CHECKOUT / "build").glob(".fixel-run-*")))
 
 
 def belongs_to_nobody(path):
-    """Whether a temporary folder of a run outlived it: empty of the dump it was made for."""
-    return not any(path.iterdir())
+    """Whether a temporary folder outlived its process: it is there, and in the journal of no process that lives. Other
+    tests make some at the same time."""
+    for journal in scratch.JOURNALS.glob("*-*"):
+        with contextlib.suppress(OSError):
+            number = journal.name.partition("-")[0]
+            if os.fsencode(path) + scratch.END in journal.read_bytes() and os.path.exists(f"/proc/{number}"):
+                return False
+    return path.exists()
+
+
+def test_a_folder_is_told_from_one_that_was_left(tmp_path):
+    with scratch.folder("run", tmp_path) as mine:
+        left = tmp_path / ".fixel-run-0123456789abcdef"
+        left.mkdir()
+        assert not belongs_to_nobody(mine) and belongs_to_nobody(left)
+    assert not belongs_to_nobody(mine)
 
 
 # --- a walk that works --------------------------------------------------------
