@@ -150,7 +150,7 @@ def test_faces_of_thousands_of_corners_that_cross_themselves(tmp_path):
     assert "corners of faces cut (" in build(tmp_path, "m.obj", code=2)
 
 
-@pytest.mark.parametrize("count, code", [(20_000, 0), (30_000, 2)])
+@pytest.mark.parametrize("count, code", [(19_000, 0), (30_000, 2)])
 def test_quads_that_are_not_flat_and_share_their_vertices(tmp_path, count, code):
     chance = random.Random(7)
     points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
@@ -212,7 +212,7 @@ def test_faces_with_surfaces_that_share_their_vertices(tmp_path, look, count, co
     write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +
           "".join("f {} {} {}\n".format(*chance.sample(range(1, 100), 3)) for _ in range(count)),
           scene_toml=SURFACED + LOOKS[look])
-    assert ("faces with surfaces (" in build(tmp_path, "scene.toml", code)) == bool(code)
+    assert ("too much work" in build(tmp_path, "scene.toml", code)) == bool(code)
 
 
 # --- names -------------------------------------------------------------------------

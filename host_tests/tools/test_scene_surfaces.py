@@ -219,7 +219,7 @@ def test_patterns_repeat_at_any_size(name):
         assert all(n is texture.CLEAR or 0 <= n < len(colours) for row in made.levels[0] for n in row)
     made = texture.pattern(name, 32, 32, colours)
     assert {n for row in made.levels[0] for n in row} - {None} == set(range(len(colours)))
-    assert made.has_clear() == (name in ("grille", "tree"))
+    assert made.has_clear == (name in ("grille", "tree"))
 
 
 def test_levels_are_means_of_the_level_before(tmp_path):

@@ -2,6 +2,7 @@
 """Clusters of a sorted model's faces: runs of faces that lie together and look the same way, each with a
 sphere and a cone (docs/formats.md, section 1.8)."""
 
+import itertools
 from math import isqrt
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from fixel import image_beam
 from fixel.image_cluster import APEX_MAX, CUTOFF_MAX, NO_CONE, Cluster, dot, is_steep
 
+_TRIES = 64     # of places for an apex, each one unit farther back
 FACES_MIN, FACES_MAX = 16, 32   # of a cluster; a model of fewer faces is one cluster
 
 
@@ -80,7 +82,9 @@ def _apex(centre, axis, planes):
     """The last point of the line from the centre against the axis that sees no face's front. planes: normal and
     height of each face."""
     back = min((height - dot(normal, centre) << 30) // dot(normal, axis) for normal, height in planes)
-    while True:
+    for tries in itertools.count():
+        if tries == _TRIES:     # some face is nearly parallel to the axis: as far back as rounding can ask for
+            back = min((height - dot(normal, centre) - sum(map(abs, normal)) << 30) // dot(normal, axis) for normal, height in planes)
         apex = tuple(c + (a * back >> 30) for c, a in zip(centre, axis))
         if any(abs(c) > APEX_MAX for c in apex):
             return None

@@ -13,18 +13,18 @@ MARGIN = Fraction(21, 20)
 
 
 def _spheres(scene):
-    """(centre, radius) of each instance in world units."""
-    radii = [Fraction(image.radius_of(model.vertices), 65536) for model in scene.models]
-    scales = [1] * (len(scene.objects) - len(scene.turns)) + [Fraction(turn.scale, 65536) for turn in scene.turns]
-    return [(tuple(Fraction(c, 65536) for c in item.centre), radii[item.model] * scale)
-            for item, scale in zip(scene.objects, scales)]
+    """(centre, radius) of each instance in 2^-32 of a world unit."""
+    radii = [image.radius_of(model.vertices) for model in scene.models]
+    scales = [1 << 16] * (len(scene.objects) - len(scene.turns)) + [turn.scale for turn in scene.turns]
+    return [(tuple(c << 16 for c in item.centre), radii[item.model] * scale) for item, scale in zip(scene.objects, scales)]
 
 
 def _ball(scene):
     """Middle and radius of a ball about all instances."""
     spheres = _spheres(scene)
-    middle = tuple((min(c[i] - r for c, r in spheres) + max(c[i] + r for c, r in spheres)) / 2 for i in range(3))
-    return middle, max(math.dist(middle, centre) + float(radius) for centre, radius in spheres)
+    middle = tuple(Fraction(min(c[i] - r for c, r in spheres) + max(c[i] + r for c, r in spheres), 2 << 32) for i in range(3))
+    about, unit = tuple(map(float, middle)), 1 << 32
+    return middle, max(math.dist(about, (x / unit, y / unit, z / unit)) + radius / unit for (x, y, z), radius in spheres)
 
 
 def about(scene, frames, name):

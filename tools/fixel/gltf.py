@@ -196,12 +196,14 @@ class _Reader:
 
     def _count_part(self, where):
         self.parts += 1
+        self.checked.sources.work.take("primitives of glTF files", 1, f"{self.checked.name}: {where}")
         if self.parts > PARTS_MAX:
             self.checked.fail(where, f"the nodes have more than the limit of {PARTS_MAX:,} primitives together; join them, or "
                               "use fewer nodes")
 
     def _count_values(self, values, where):
         self.read += values
+        self.checked.sources.work.take("values of glTF files", values, f"{self.checked.name}: {where}")
         if self.read > READ_MAX:
             self.checked.fail(where, f"the nodes read more than the limit of {READ_MAX:,} vertices and indices together; "
                               "simplify the model, or give each mesh vertices of its own")
@@ -219,7 +221,6 @@ class _Reader:
 
     def _count_work(self, triangles, tints, where):
         work, place = self.checked.sources.work, f"{self.checked.name}: {where}"
-        work.take("primitives of glTF files", 1, place)
         work.take("triangles of glTF files", triangles, place)
         work.take("triangles with colours of vertices", triangles if tints else 0, place)
 

@@ -91,6 +91,7 @@ class Checked:
         if "://" in name or name.startswith("/") or "\0" in name or ".." in name.split("/"):
             self.fail(where, f"{quoted(name)} is not a file in the model's folder; put it there")
         file = Beside(self.folder, name)
+        self.sources.count_name(file, f"{self.name}: {where}")
         if not file.exists():
             self.fail(where, f"there is no file {quoted(name)}; the path is taken from the model's folder")
         return file
@@ -231,6 +232,7 @@ def walk(checked):
     nodes, scenes = checked.rows("nodes"), checked.rows("scenes")
     if len(nodes) > NODES_MAX:
         checked.fail("nodes", f"{len(nodes):,} are more than the limit of {NODES_MAX:,}; join them")
+    checked.sources.work.take("nodes of glTF files", len(nodes), checked.name)
     if scenes:
         chosen = checked.whole(checked.data, "scene", "scene", 0)
         if chosen >= len(scenes):

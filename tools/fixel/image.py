@@ -78,17 +78,18 @@ def pack(image):
                                                 image.billboards)
     body, where = image_lens.CENTRE.pack(*image.centre) if image.centre else b"", []
 
-    def place(table):
-        """Puts a table, of packed entries or of bytes, at the end of the body; its offset and count, both 0 for none."""
+    def place(table, size=1):
+        """Puts a table at the end of the body: packed entries, or all of them in one, each of this size. Answers its offset
+        and count, both 0 for none."""
         nonlocal body
         offset = header_size + len(body) if table else 0
         body += _aligned(table if isinstance(table, bytes) else b"".join(table))
-        return [offset, len(table)]
+        return [offset, len(table) // size]
 
     for table in [[image_tables.PALETTE.pack(*entry) for entry in image.palette], *model_tables,
                   [image_models.OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
                   [path_entry.pack(*entry) for entry in image.path]]:
-        where += place(table)
+        where += place(table, image_models.CORNER.size if isinstance(table, bytes) else 1)
     where_more = place(keys) + place(nodes)
     more = image_beam.LIT_HEADER.pack(*place(beams), place([bytes(image.lit)] if beams else [])[0], 0)
     more += image_cluster.HEADER.pack(*place(clusters))

@@ -96,7 +96,7 @@ def read(found, models, radii):
     boards, model_map, pixels = found
     if not model_map:
         return None
-    made = Billboards([_read_board(fields, i, pixels) for i, fields in enumerate(boards)], [number for number, in model_map])
+    made = Billboards([_read_board(fields, i, pixels) for i, fields in enumerate(boards)], list(model_map))
     for i, board in enumerate(made.boards):
         _check_board(board, i)
     for i, (number, model, radius) in enumerate(zip(made.model_map, models, radii)):

@@ -60,11 +60,11 @@ def tables(models_of_scene):
         vertices += [VERTEX.pack(*vertex) for vertex in model.vertices]
         for face in model.faces:
             faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, 0))
-            corners += [CORNER.pack(corner) for corner in face.corners]
+            corners += face.corners
         if model.kind == SORTED:
             keys += [image_keys.KEY.pack(*image_keys.key_of(model, face)) for face in model.faces]
         clusters += [cluster.pack() for cluster in model.clusters]
-    return [vertices, corners, faces, models], keys, clusters
+    return [vertices, struct.pack(f"<{len(corners)}H", *corners), faces, models], keys, clusters
 
 
 def check_coordinates(point, what):
@@ -113,7 +113,7 @@ def read_models(models, vertices, corners, faces):
         own = []
         for number, (*normal, first, count, colour, _) in \
                 enumerate(faces[first_face:first_face + face_count], first_face):
-            outline = tuple(corner for corner, in corners[first:first + count])
+            outline = corners[first:first + count]
             if max(outline) >= vertex_count:
                 fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
             own.append(Face(tuple(normal), outline, colour))

@@ -195,7 +195,7 @@ def read(found, blend_first, models):
         if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
             fail("normal", f"normal {i} of a corner is not of unit length")
     faces = ((model, face) for model in models for face in model.faces)
-    for i, (number, (model, face)) in enumerate(zip((number for number, in face_map), faces)):
+    for i, (number, (model, face)) in enumerate(zip(face_map, faces)):
         if number > len(mapped):
             fail("index", f"face {i}: mapped face {number} of {len(mapped)}")
         if number:

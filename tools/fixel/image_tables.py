@@ -80,8 +80,15 @@ def _check_counts(tables):
         fail("count", f"{len(tables['billboard map'])} entries of the billboard map for {len(tables['models'])} models")
 
 
+def _unpacked(entry, table, count):
+    """A list of tuples; of single numbers a tuple or bytes, which take a tenth of the memory."""
+    if entry.format == "<B":
+        return bytes(table)
+    return struct.unpack(f"<{count}H", table) if entry.format == "<H" else list(entry.iter_unpack(table))
+
+
 def read(blob, fields):
-    """The tables as lists of tuples, those of bytes as bytes, after their offsets and counts; empty where there are none."""
+    """The tables (_unpacked), after their offsets and counts; empty where there are none."""
     size, tables = fields[3], {}
     places, optional = _places(blob, fields)
     for (offset, count), (name, entry, low, high) in zip(places, _limits(fields[12])):
@@ -97,6 +104,6 @@ def read(blob, fields):
         if offset < fields[2] or offset + count * entry.size > size:
             fail("offset", f"the table of {name} reaches outside the image")
         table = blob[offset:offset + count * entry.size]
-        tables[name] = bytes(table) if entry.size == 1 else list(entry.iter_unpack(table))
+        tables[name] = _unpacked(entry, table, count)
     _check_counts(tables)
     return list(tables.values())

@@ -3,10 +3,12 @@
 
 A colour that the light changes is (red, green, blue, 1), any other (red, green, blue), or an index that is asked for."""
 
-import bisect
+import numpy as np
 
 from fixel import palette
 from fixel.errors import ToolError
+
+_CHUNK = 1024       # colours at a time
 
 
 def between(dark, full, level, top):
@@ -18,31 +20,17 @@ class Nearest:
     """Which entry of a palette is nearest to a colour; of several the one of the lowest number."""
 
     def __init__(self, entries):
-        self.entries = sorted((sum(entry), number, entry) for number, entry in enumerate(entries))
+        self.entries = np.array(entries, dtype=np.int32)
         self.found = {}
 
-    def __call__(self, colour):
-        if colour not in self.found:
-            self.found[colour] = self._search(colour, sum(colour))
-        return self.found[colour]
-
-    def _search(self, colour, total):
-        """From the entries of the same sum outward: three components cannot differ by less than their sum does."""
-        best = (1 << 30, 0)
-        above = bisect.bisect_left(self.entries, (total,))
-        below = above - 1
-        while below >= 0 or above < len(self.entries):
-            gap_below = total - self.entries[below][0] if below >= 0 else 1 << 20
-            gap_above = self.entries[above][0] - total if above < len(self.entries) else 1 << 20
-            if min(gap_below, gap_above) ** 2 > 3 * best[0]:
-                break
-            _, number, entry = self.entries[below if gap_below < gap_above else above]
-            if gap_below < gap_above:
-                below -= 1
-            else:
-                above += 1
-            best = min(best, (sum((a - b) ** 2 for a, b in zip(colour, entry)), number))
-        return best[1]
+    def of_all(self, colours):
+        """The number for each of some colours."""
+        missing = [colour for colour in dict.fromkeys(colours) if colour not in self.found]
+        for start in range(0, len(missing), _CHUNK):
+            some = missing[start:start + _CHUNK]
+            away = np.array(some, dtype=np.int32)[:, None] - self.entries
+            self.found.update(zip(some, (away * away).sum(axis=2).argmin(axis=1).tolist()))
+        return [self.found[colour] for colour in colours]
 
 
 def _merge(weights, count):
@@ -67,6 +55,11 @@ def _shades(weights, light, glow):
             for wanted in ([shade] if level < top else []) + ([glow(shade)] if glow else []):
                 shades[wanted] = shades.get(wanted, 0) + weight
     return shades
+
+
+def _level(made, lit, nearest, shades):
+    """A level of the ramp: of what is lit the entry nearest to its shade, of any other its own."""
+    return [shown for _, shown in sorted({**dict(enumerate(range(len(made)))), **dict(zip(lit, nearest.of_all(shades)))}.items())]
 
 
 def allocate(background, wanted, reserved, light, glow):
@@ -110,9 +103,9 @@ def allocate(background, wanted, reserved, light, glow):
             made[free.pop(0)] = colour
     nearest = Nearest(made[:end])
     top = light.levels - 1
-    ramp = [[nearest(between(light.dark, entry, level, top)) if i in lit and level < top else i
-             for i, entry in enumerate(made)] for level in range(light.levels)]
+    ramp = [_level(made, lit, nearest, [between(light.dark, made[i], level, top) for i in lit]) if level < top else
+            list(range(palette.ENTRIES)) for level in range(light.levels)]
     in_beam = list(range(palette.ENTRIES))
     for i in range(end) if glow else ():
-        in_beam[i] = nearest(glow(made[i]))
+        in_beam[i], = nearest.of_all([glow(made[i])])
     return made, indices, merged, ramp, bytes(in_beam)

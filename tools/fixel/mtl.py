@@ -2,8 +2,8 @@
 """Reading the materials of Wavefront OBJ files: newmtl, Kd, map_Kd, d and Tr of an MTL file."""
 
 import math
-import os
 
+from fixel import reading
 from fixel.errors import ToolError
 from fixel.reading import Beside, quoted
 from fixel.surface import Material
@@ -46,10 +46,16 @@ class Reader:
 
     def __init__(self, folder, sources):
         self.folder, self.sources, self.materials = folder, sources, {}
-        self.known, self.done = {}, set()   # by name whether there is such a file; those that were read
+        self.known, self.images, self.done = {}, {}, set()  # by name whether there is such a file, its image; what was read
 
     def _image(self, name, where):
+        if name not in self.images:
+            self.images[name] = self._read_image(name, where)
+        return self.images[name]
+
+    def _read_image(self, name, where):
         file = Beside(self.folder, name)
+        self.sources.count_name(file, where)
         if not file.exists():
             raise ToolError(f"{where}: there is no image {quoted(name)}; the path is taken from the model's folder. "
                             "Put the image there, or take map_Kd out")
@@ -58,16 +64,20 @@ class Reader:
     def exists(self, name):
         """Whether there is a file of this name."""
         if name not in self.known:
+            self.sources.count_name(Beside(self.folder, name), "mtllib")
             self.known[name] = bool(name) and Beside(self.folder, name).exists()
         return self.known[name]
 
     def read(self, name):
         """Adds the materials of a file to self.materials, by name. One that was read already adds nothing."""
-        file = Beside(self.folder, name)
-        real = os.path.realpath(file)
-        if real in self.done:
+        if name in self.done:
             return
-        self.done.add(real)
+        file = Beside(self.folder, name)
+        known = {name, reading.identity(file)}
+        if known & self.done:
+            self.done |= known
+            return
+        self.done |= known
         blob = self.sources.read(file, FILE_MAX, "take out what the model does not use")
         current = None
         for number, line in enumerate(blob.decode("utf-8", "replace").splitlines(), 1):

@@ -49,7 +49,7 @@ class Part:
         """The placement of this part of a placement."""
         (x, y, z), (along, up, ahead) = whole.centre, self.offset
         return type(whole)(**{**vars(whole), "shape": self.shape, "kind": self.kind, "colours": self.colours,
-                              "looks": self.looks, "centre": (x + along, y + up, z + ahead)})
+                              "looks": self.looks, "clusters": whole.clusters and self.kind == SORTED, "centre": (x + along, y + up, z + ahead)})
 
 
 def split(placement, counts, sorts):

@@ -17,11 +17,11 @@ TURN = 1 << 32
 COORDINATE_MAX = 8191
 
 # Powers of ten outside this are a slip of the pen, and would make huge integers.
-EXPONENT_MAX = 30
-DIGITS_MAX = 64         # characters of a number
+EXPONENT_MAX = 18
+DIGITS_MAX = 24         # characters of a number
 
-_RATIONAL = re.compile(r"\s*([+-]?\d{1,30})\s*/\s*(\d{1,30})\s*")
-_DECIMAL = re.compile(r"\s*[+-]?(\d{1,30}(\.\d{0,30})?|\.\d{1,30})([eE][+-]?\d{1,2})?\s*")
+_RATIONAL = re.compile(r"\s*([+-]?\d{1,18})\s*/\s*(\d{1,18})\s*")
+_DECIMAL = re.compile(r"\s*[+-]?(\d{1,18}(\.\d{0,18})?|\.\d{1,18})([eE][+-]?\d{1,2})?\s*")
 
 
 def decimal(text):

@@ -47,6 +47,15 @@ class Beside(os.PathLike):
         return "\0" not in self.path and os.path.exists(self.path)
 
 
+def identity(path):
+    """What two names of one file have in common; of no file, the name."""
+    try:
+        found = os.stat(path)
+        return found.st_dev, found.st_ino
+    except (OSError, ValueError):
+        return os.fspath(path)
+
+
 def read_start(path, most):
     """The file's first bytes, at most so many."""
     file, _ = _open(path)

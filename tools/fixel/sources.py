@@ -27,7 +27,7 @@ class Sources:
         """The bytes of a file of a model; one of more than so many is refused."""
         blob = reading.read_whole(path, most, advice)
         self._count_bytes(len(blob), path)
-        real = os.path.realpath(path)
+        real = reading.identity(path)
         if real not in self.files:
             self.files.add(real)
             self.file_bytes += len(blob)
@@ -40,9 +40,14 @@ class Sources:
             raise ToolError(f"{where}: the models of a scene read more than the limit of {BYTES_MAX:,} bytes together; "
                             "simplify them")
 
+    def count_name(self, path, where):
+        """Counts the work of looking for a file."""
+        self.work.take("names of files", 1, where)
+        self.work.take("folders in names of files", os.fspath(path).count("/"), where)
+
     def image_of_file(self, path, where):
         """The texture_image.Texture in a file."""
-        real = os.path.realpath(path)
+        real = reading.identity(path)
         if real not in self.by_path:
             blob = self.read(path, texture_image.FILE_MAX, "make the image smaller")
             self.by_path[real] = self._decode(blob, where)
@@ -56,13 +61,12 @@ class Sources:
     def _decode(self, blob, where):
         key = hashlib.sha256(blob).digest()
         if key not in self.by_content:
-            image = texture_image.decode(bytes(blob), where)
+            image = texture_image.decode(bytes(blob), where, self.work)
             self.pixels += image.width * image.height
             most = PIXELS_MAX + PIXELS_A_BYTE * self.file_bytes
             if self.pixels > most:
                 raise ToolError(f"{where}: the images of the models have more than the limit of {most:,} pixels together "
                                 f"({PIXELS_MAX:,}, and {PIXELS_A_BYTE} for each byte of their files); make them smaller")
             image.work = self.work
-            self.work.take("pixels", image.width * image.height, where)
             self.by_content[key] = image
         return self.by_content[key]

@@ -160,9 +160,10 @@ def _is_affine(points, coordinates, three):
 
 def _source_coordinates(mesh, rows, made, coordinates):
     """For each face of a shape the coordinates of its corners, from those of the mesh's face that it came from."""
-    points, result = transform(mesh, rows), []
+    points, result, last = transform(mesh, rows), [], None
     for face, source in zip(made.faces, made.sources):
-        known = {points[c]: uv for c, uv in reversed(list(zip(mesh.faces[source], coordinates[source])))}
+        if source != last:      # the pieces of a face stand together
+            known, last = {points[c]: uv for c, uv in reversed(list(zip(mesh.faces[source], coordinates[source])))}, source
         result.append([known[made.vertices[c]] for c in face.corners])
     return result
 
@@ -217,7 +218,7 @@ def _texture(paint, entries):
     """The record of a paint. entries: the palette index of each of its colours. What is clear has index 0, the
     background's, which no colour has."""
     picture = paint.picture
-    flags = (image_surface.CLAMP if paint.clamp else 0) | (image_surface.KEYED if picture.has_clear() else 0)
+    flags = (image_surface.CLAMP if paint.clamp else 0) | (image_surface.KEYED if picture.has_clear else 0)
     sides, count = (picture.width.bit_length() - 1, picture.height.bit_length() - 1), len(picture.levels)
     if paint.bits == 4:
         clear = len(entries)        # the first number that no colour has
@@ -230,8 +231,9 @@ def _texture(paint, entries):
 def blend_table(colours, sixteenths, blended):
     """For each of these entries of the palette 256 others: what it shows over each, as fxl_blend_make_table has it."""
     nearest = light_palette.Nearest(colours)
-    return [[number if beneath == number else nearest(light_palette.between(under, colours[number], sixteenths, 16))
-             for beneath, under in enumerate(colours)] for number in blended]
+    rows = [nearest.of_all([light_palette.between(under, colours[number], sixteenths, 16) for under in colours])
+            for number in blended]
+    return [[number if beneath == number else shown for beneath, shown in enumerate(row)] for number, row in zip(blended, rows)]
 
 
 class Records:
@@ -286,6 +288,7 @@ class Records:
         blended = {self.indices[colour] for colour in self.blended}
         if blended:
             first, end = min(blended), max(blended) + 1
+            self.work.take("colours blended", end - first, "blend")
             self.made.blend_first = first
             self.made.blend = blend_table(colours, sixteenths, range(first, end))
         return self.made if self.made.surfaces else None

@@ -2,6 +2,7 @@
 """Textures: pictures of a few colours, from a file or from a pattern of the project's own."""
 
 from dataclasses import dataclass
+import functools
 import os
 
 import numpy as np
@@ -37,10 +38,12 @@ class Picture:
         """Texels of the largest level."""
         return len(self.levels[0])
 
+    @functools.cached_property
     def has_clear(self):
         """Whether something of it is not drawn."""
         return any(number is CLEAR for level in self.levels for row in level for number in row)
 
+    @functools.cached_property
     def mean(self):
         """The mean colour of what is drawn."""
         counts = [0] * len(self.colours)
@@ -144,11 +147,15 @@ def with_levels(picture, levels, most, least, count=_uncounted):
     return from_codes(levels_of(own[numbers], levels, least), most, picture.colours, count)
 
 
-def read(path, name, most, any_side=False, key=None, count=_uncounted):
+def pixels_of(path, name, work=None):
+    """The pixels of an image file. work: a work.Work."""
+    blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
+    return texture_image.decode(blob, name, work).pixels
+
+
+def from_pixels(pixels, name, most, any_side=False, key=None, count=_uncounted):
     """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
     pixels of the colour key. any_side: its sides need not be powers of two."""
-    blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
-    pixels = texture_image.decode(blob, name).pixels
     height, width = pixels.shape[:2]
     if any_side and max(width, height) > SIDE_MAX:
         raise ToolError(f"{name}: a picture of {width} x {height}; a side is at most {SIDE_MAX}, so scale it")
@@ -269,7 +276,7 @@ class Pictures:
     """Makes the pictures of one scene, each once. work: the scene's work.Work."""
 
     def __init__(self, folder, work):
-        self.folder, self.work, self.made, self.files = folder, work, {}, set()
+        self.folder, self.work, self.made, self.files = folder, work, {}, {}      # pictures; the pixels of files
 
     def _once(self, key, kind, where, make):
         """A picture that is made once. One is made before its texels count, at most 65,536.
@@ -292,12 +299,12 @@ class Pictures:
         file = Beside(self.folder, name)
         if not file.exists():
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
-        real = os.path.realpath(file)
+        real = reading.identity(file)
         if real not in self.files:
-            self.files.add(real)
-            self.work.allow(min(FILE_MAX, os.path.getsize(real)))
+            self.work.allow(min(FILE_MAX, os.path.getsize(file)))
+            self.files[real] = pixels_of(file, file, self.work)
         return self._once((real, most, any_side, key), "texels of pictures", row.where,
-                          lambda count: read(file, file, most, any_side, key, count))
+                          lambda count: from_pixels(self.files[real], file, most, any_side, key, count))
 
     def levels(self, picture, levels, most, least, where):
         """The same with smaller pictures of it (with_levels)."""

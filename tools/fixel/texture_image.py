@@ -5,7 +5,7 @@ import io
 import warnings
 
 import numpy as np
-from PIL import Image
+from PIL import Image, PngImagePlugin
 
 from fixel import reading
 from fixel.errors import ToolError
@@ -14,6 +14,7 @@ from fixel.reading import shortened
 FILE_MAX = 16 << 20     # bytes
 SIDE_MAX = 2048         # pixels
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
+PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
 _CHUNK = 1024           # triangles at a time
 _STEPS = 8              # a triangle's mean has samples at this many places along an edge
 _TOO_LARGE = f"; both sides must be 1..{SIDE_MAX}: make it smaller"
@@ -55,8 +56,16 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
                     for i in range(_STEPS) for j in range(_STEPS - i)])
 
 
-def decode(blob, name):
-    """The Texture in an image file's bytes."""
+def _weight(opened, blob):
+    """How many times the work of a plain image one takes, and its compressed texts: a JPEG may have thousands of scans, and
+    a PNG thousands of texts."""
+    if opened.format == "JPEG":
+        return 1 + blob.count(b"\xff\xda") / 32, 0
+    return 1, sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt"))) if opened.format == "PNG" else 0
+
+
+def decode(blob, name, work=None):
+    """The Texture in an image file's bytes. work: a work.Work, which counts it before it is done."""
     if len(blob) > FILE_MAX:
         raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
     try:
@@ -66,6 +75,10 @@ def decode(blob, name):
                 width, height = opened.size
                 if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
                     raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
+                if work:
+                    times, texts = _weight(opened, blob)
+                    work.take("pixels", times * width * height, name)
+                    work.take("texts in images", texts, name)
                 return Texture(name, np.asarray(opened.convert("RGBA")))
     except ToolError:
         raise

@@ -68,8 +68,8 @@ def _wish(data, where, pictures):
     if bits not in image_billboard.BITS:
         raise ToolError(f"{row.at('bits')}: 1, 4 or 8, found {bits}")
     picture = _picture(row, pictures, bits)
-    if len(picture.colours) + picture.has_clear() > 1 << bits:
-        raise ToolError(f"{row.where}: {len(picture.colours)} colours{' and what is not drawn' if picture.has_clear() else ''} "
+    if len(picture.colours) + picture.has_clear > 1 << bits:
+        raise ToolError(f"{row.where}: {len(picture.colours)} colours{' and what is not drawn' if picture.has_clear else ''} "
                         f"do not go into {bits} bits a pixel")
     if not picture.colours:
         raise ToolError(f"{row.where}: nothing of the picture is drawn")
@@ -137,7 +137,7 @@ def _board(wish, indices):
     rows = [[clear if number is texture.CLEAR else values[number] for number in row] for row in picture.levels[0]]
     colours = b"" if wish.bits == 8 else bytes((entries + [0] * 16)[:1 << wish.bits])
     return Board(_packed(rows, wish.bits), colours, picture.width, picture.height, wish.bits,
-                 clear if picture.has_clear() else image_billboard.OPAQUE, wish.width, wish.height, wish.anchor_x,
+                 clear if picture.has_clear else image_billboard.OPAQUE, wish.width, wish.height, wish.anchor_x,
                  wish.anchor_y)
 
 

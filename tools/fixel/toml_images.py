@@ -86,7 +86,7 @@ class Images:
     @functools.cached_property
     def colours(self):
         """Of each face, the mean colour of its image, or that of its material."""
-        means = {paint: paint.picture.mean() for paint in dict.fromkeys(self.paints) if paint}
+        means = {paint: paint.picture.mean for paint in dict.fromkeys(self.paints) if paint}
         return Colours(tuple(means[paint] if paint else colour for paint, colour in zip(self.paints, self.materials)),
                        self.covered)
 

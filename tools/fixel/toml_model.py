@@ -3,9 +3,8 @@
 
 from fractions import Fraction
 import math
-import os
 
-from fixel import merge, model_file
+from fixel import merge, model_file, reading
 from fixel.errors import ToolError
 from fixel.mesh import UNIT, rounding_error, shape
 from fixel.reading import Beside, quoted
@@ -27,7 +26,8 @@ class Files:
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
         if name not in self.by_name:
             file = Beside(self.folder, name)
-            real = os.path.realpath(file) if file.exists() else file.path
+            self.sources.count_name(file, file)
+            real = reading.identity(file)
             reader = model_file.READERS.get(model_file.suffix_of(file), model_file.READERS[".obj"])
             self.by_name[name] = self.by_path.setdefault((real, reader), file)
         return self.by_name[name]

@@ -17,6 +17,7 @@ KEYS = {"turn", "size", "spin", "motion", "parent"}
 SIZE_MIN, SIZE_MAX = Fraction(1, 256), 256
 FRAMES_MAX = image_turn.FRAME_MAX
 STEP_MAX = 120      # degrees between two keys of the image: less than half a turn, which is the short way
+_FINE = 1 << 156
 ZEROS = (Fraction(0),) * 3
 
 
@@ -87,7 +88,7 @@ def _read_spin(table, life):
     life.spin = spin.degrees("start"), spin.degrees("degrees")
 
 
-def _read_circle(motion, life):
+def _read_circle(motion, life, _work):
     life.radius = motion.number("circle", None, 0, 16382, "world units")
     motion.need("degrees")
     step, start = motion.degrees("degrees"), motion.degrees("start")
@@ -99,7 +100,7 @@ def _read_circle(motion, life):
         life.steps = (life.steps[0] + step, *life.steps[1:])
 
 
-def _read_way(motion, life):
+def _read_way(motion, life, _work):
     way = quantity.vector(motion.need("by"), motion.at("by"))
     frames = motion.whole("frames", None, 1, FRAMES_MAX // 2)
     life.stops = [Stop(0), Stop(frames, way)]
@@ -108,9 +109,10 @@ def _read_way(motion, life):
         life.stops.append(Stop(2 * frames))
 
 
-def _read_stops(motion, life):
+def _read_stops(motion, life, work):
     frame, life.stops = 0, []
     rows = motion.rows("keys")
+    work.take("keys of motions", len(rows), motion.where)
     life.repeats = motion.switch("repeats", True) and len(rows) > 1
     for i, data in enumerate(rows):
         key = Table(data, f"{motion.at('keys')}[{i}]", {"frames", "offset", "turn", "size"})
@@ -123,18 +125,18 @@ def _read_stops(motion, life):
         life.stops.append(replace(life.stops[0], frame=frame))
 
 
-def _read_motion(table, life):
+def _read_motion(table, life, work):
     known = {"circle": {"degrees", "start", "facing"}, "by": {"frames", "back", "repeats"}, "keys": {"repeats"}}
     motion = table.table("motion", set(known).union(*known.values()))
     kind = motion.only_one(*known)
     for key in motion.data:
         if key != kind and key not in known[kind]:
             raise ToolError(f"{motion.at(key)}: does not belong to {kind}")
-    {"circle": _read_circle, "by": _read_way, "keys": _read_stops}[kind](motion, life)
+    {"circle": _read_circle, "by": _read_way, "keys": _read_stops}[kind](motion, life, work)
 
 
-def read(table):
-    """What an object's keys say, or None: it is not turned."""
+def read(table, work):
+    """What an object's keys say, or None: it is not turned. work: the scene's work.Work."""
     if not any(key in table for key in KEYS):
         return None
     life = Life(where=table.where)
@@ -143,7 +145,7 @@ def read(table):
     if "spin" in table:
         _read_spin(table, life)
     if "motion" in table:
-        _read_motion(table, life)
+        _read_motion(table, life, work)
     if "parent" in table:
         life.parent = table.text("parent")
     return life
@@ -227,8 +229,13 @@ def _start(motion, above):
     if above:
         origin, axes, size = above
         centre = tuple(o + sum(a * c for a, c in zip(row, centre)) * size / 65536 for o, row in zip(origin, axes))
-        rows, scale = _product(axes, rows), quantity.q16(Fraction(scale * size, 65536 ** 2))
+        rows, scale = [list(map(_rounded, row)) for row in _product(axes, rows)], quantity.q16(Fraction(scale * size, 65536 ** 2))
     return tuple(quantity.q16(Fraction(c) / 65536) for c in centre), rows, scale
+
+
+def _rounded(number):
+    """A Fraction to 2^-156, which one turn alone has: the numbers of a chain would be ever longer."""
+    return number if isinstance(number, float) else Fraction(round(number * _FINE), _FINE)
 
 
 def _in_2_30(rows):

@@ -151,10 +151,12 @@ class Objects:
 
     def _with_coordinates(self, look, mesh, turned, made, inside, where):
         """The shape, in faces over which its texture coordinates are affine, and these."""
-        self.work.take("faces with surfaces", max(len(made.faces), len(mesh.faces)), where)
+        kind = "faces with textures" if any(look.paints) else "faces with light or opacity"
+        self.work.take("shapes with surfaces", 1, where)
+        self.work.take(kind, max(len(made.faces), len(mesh.faces)), where)
         self.work.take("corners of surfaces", sum(len(face.corners) ** 3 for face in made.faces), where)
         found = toml_texture.shape_of(look, mesh, matrix(*turned), made, turned[0], inside)
-        self.work.take("faces with surfaces", len(found[0].faces) - len(made.faces), where)
+        self.work.take(kind, len(found[0].faces) - len(made.faces), where)
         return found
 
     @staticmethod
@@ -211,7 +213,7 @@ class Objects:
             colours = self._shared((self.mesh(table)[1], None), lambda: self._of_file(self.mesh(table)[1]))
         else:
             own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
-            bases = (own,) if "colour" in table else tuple(p.picture.mean() if p else own for p in look.paints)
+            bases = (own,) if "colour" in table else tuple(p.picture.mean if p else own for p in look.paints)
             colours = self._shared((bases, look.images), lambda: bases, look)
         return "shaded" if table.switch("shade", True) else "plain", colours
 
@@ -301,23 +303,27 @@ class Objects:
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = self._places(table)
-        life, turned, division = toml_motion.read(table), toml_places.ring_is_turned(table), _parts(table)
+        life, turned, division = toml_motion.read(table, self.work), toml_places.ring_is_turned(table), _parts(table)
         if division and (life or turned):
             raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
         if life or turned:
             self.work.take("turned or moving objects", len(places), where)
-        known, result = {}, []      # by yaw and, where copies differ, by number: the shape and its colours
+        shaped, coloured, result = {}, {}, []   # by yaw, and where copies differ by number too
         for i, (position, yaw) in enumerate(places):
             baked = 0 if turned else yaw
-            key = baked, i if "colour_next" in table else 0
             place = where + (f", copy {i}" if i else "")
-            if key not in known:
+            if baked not in shaped:
                 self.work.take("copies that differ", len(places) > 1, place)
                 made, convex, coordinates = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]), look)
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
-                known[key] = (made, moved, self._kind(table, convex), self._colours(made, wish, i, clusters, place),
-                              _ends(made, moved), self._looks(made, coordinates, look, wish[0] == "shaded", place))
-            made, moved, kind, colours, ends, looks = known[key]
+                self.work.take("vertices placed", len(made.vertices), place)
+                shaped[baked] = made, moved, self._kind(table, convex), coordinates, _ends(made, moved)
+            made, moved, kind, coordinates, ends = shaped[baked]
+            key = baked, i if "colour_next" in table else 0
+            if key not in coloured:
+                coloured[key] = (self._colours(made, wish, i, clusters, place),
+                                 self._looks(made, coordinates, look, wish[0] == "shaded", place))
+            colours, looks = coloured[key]
             self._count_placed(len(made.vertices), place)
             if clusters and kind != image.SORTED:
                 raise ToolError(f"{table.at('clusters')}: the faces of a convex model have no clusters; leave clusters "
@@ -353,14 +359,14 @@ class Objects:
     def _billboards(self, table, name):
         """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""
         wish = toml_billboard.of_object(table, self.billboards)
-        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
+        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table, self.work)
         if toml_places.ring_is_turned(table):
             raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
         places = self._places(table)
         self.work.take("turned or moving objects", len(places) if life else 0, table.where)
         if wish not in self.boards:
             self.work.take("texels of textures", wish.picture.width * wish.picture.height, table.where)
-            self.boards[wish] = toml_billboard.shape_of(wish), (wish.picture.mean(),)
+            self.boards[wish] = toml_billboard.shape_of(wish), (wish.picture.mean,)
         made, colours = self.boards[wish]
         result = []
         for i, (position, _) in enumerate(places):

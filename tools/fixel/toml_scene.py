@@ -15,6 +15,7 @@ from fixel.reading import shortened
 from fixel.surfaces import Records
 from fixel.toml_object import Objects
 from fixel.toml_table import Table
+from fixel.work import STEPS_A_BYTE
 
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
@@ -256,7 +257,7 @@ def _count_colours(placements, lit):
     looks = (look for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look)
     for colour in {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
-    for colour in {c for placement in placements if placement.board for c in placement.board.picture.colours}:
+    for colour in {c for board in {placement.board for placement in placements if placement.board} for c in board.picture.colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
@@ -273,14 +274,17 @@ def _lit_table(placements, indices, lit):
     return bytes(table)
 
 
-def _palette(background, placements, reserved, light, lit):
+def _palette(background, placements, reserved, light, lit, work, where):
     """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
     is in a beam. The ramp of light at run time goes into the light."""
-    if isinstance(light, toml_light.RunTime):
-        colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(
-            background, _count_colours(placements, None), reserved, light, lit)
+    at_run_time = isinstance(light, toml_light.RunTime)
+    wanted = _count_colours(placements, None if at_run_time else lit)
+    work.take("colours of the palette", len(wanted) * (2 if lit else 1), where)
+    if at_run_time:
+        work.take("colours merged", light.levels * min(len(wanted), palette.ENTRIES) * (2 if lit else 1), where)
+        colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(background, wanted, reserved, light, lit)
         return colours, indices, merged, in_beam
-    colours, indices, merged = palette.allocate(background, _count_colours(placements, lit), reserved)
+    colours, indices, merged = palette.allocate(background, wanted, reserved)
     return colours, indices, merged, _lit_table(placements, indices, lit)
 
 
@@ -294,6 +298,9 @@ def _models(placements, indices, records, work):
         if key not in numbers:
             work.take("models", 1, item.where)
             work.take("faces of models", len(made.faces), item.where)
+            work.take("corners of models", sum(len(face.corners) for face in made.faces), item.where)
+            work.take("faces with surfaces in models", len(item.looks), item.where)
+            work.take("faces of sorted models", len(made.faces) if item.kind == image.SORTED else 0, item.where)
             work.take("faces in clusters", len(made.faces) if item.clusters else 0, item.where)
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
@@ -339,7 +346,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         placements += objects.placements(item, number)
     placements, turns, motions = toml_motion.settle(placements, work)
     try:
-        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit)
+        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit, work, name)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
@@ -354,6 +361,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)
     if not entries:
+        _check_poses(frames or default_path.FRAMES, work, "poses of an orbit", name)
         scene.path, more = default_path.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
@@ -366,5 +374,5 @@ def compile_file(path, frames=None, progress=None, screen=None):
     """A scene file -> (SceneImage, notes)."""
     folder, data = os.path.dirname(path), toml_table.read(path)
     files = toml_model.Files(folder)
-    files.sources.work.allow(os.path.getsize(path))
+    files.sources.work.allow(os.path.getsize(path), STEPS_A_BYTE)
     return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen, files)

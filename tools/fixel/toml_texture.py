@@ -51,9 +51,9 @@ def _paint(data, where, pictures):
         picture = _pattern(row, pictures)
     levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
     if levels > 1:
-        most = 16 - picture.has_clear() if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
+        most = 16 - picture.has_clear if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
         picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1, row.where)
-    if bits == 4 and (len(picture.colours) + picture.has_clear() > 16 or picture.width < 2):
+    if bits == 4 and (len(picture.colours) + picture.has_clear > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
                         "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
     return name, Paint(picture, bits, row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp", name)

@@ -7,6 +7,8 @@ import numpy as np
 # Earcut adds products of two coordinates as doubles of 53 bits, so it misjudges less than this part of the largest
 # product: by so much twice a triangle's area may look the wrong way.
 _MISJUDGED = 1 << 50
+_LONG = 200         # corners of an outline that is looked at before earcut has it
+_SURELY = 1 << 40   # an area of more than this part of the largest product has the sign that doubles say
 _AXES = ((1, 2), (2, 0), (0, 1))    # what is left without x, y, z
 
 
@@ -41,10 +43,35 @@ def _with_left_out(triangles, count):
     return made
 
 
+def _fan(count):
+    return [(0, i, i + 1) for i in range(1, count - 1)]
+
+
+def _crosses_itself(flat):
+    """Whether two edges surely cross. Earcut takes cubic time for such outlines."""
+    starts = np.array(flat, dtype=float)
+    ways = np.roll(starts, -1, axis=0) - starts
+    least = np.abs(starts).max() ** 2 / _SURELY
+    for number in range(len(flat) - 2):
+        others = slice(number + 2, len(flat) - (number == 0))
+        apart, way = starts[others] - starts[number], ways[number]
+        # Twice the areas that the ends of each edge make with the other one.
+        here = way[0] * apart[:, 1] - way[1] * apart[:, 0]
+        there = here + way[0] * ways[others, 1] - way[1] * ways[others, 0]
+        first = ways[others, 0] * apart[:, 1] - ways[others, 1] * apart[:, 0]
+        last = first - (ways[others, 0] * way[1] - ways[others, 1] * way[0])
+        apart_enough = np.minimum(np.minimum(abs(here), abs(there)), np.minimum(abs(first), abs(last))) > least
+        if (apart_enough & (here * there < 0) & (first * last < 0)).any():
+            return True
+    return False
+
+
 def triangulate(corners, points, area):
     """Triangles that make up a polygon, and whether its outline is sound; one that crosses itself becomes a fan.
     area: along the normal that points to the front."""
     flat = _flattened([points[corner] for corner in corners], area)
+    if len(flat) > _LONG and _crosses_itself(flat):
+        return [tuple(corners[i] for i in three) for three in _fan(len(flat))], False
     found = mapbox_earcut.triangulate_float64(np.array(flat, dtype=float), np.array([len(flat)], dtype=np.uint32))
     # Three numbers in rising order go round as the outline does.
     triangles = _with_left_out([tuple(sorted(three)) for three in found.reshape(-1, 3).tolist()], len(flat))
@@ -53,5 +80,5 @@ def triangulate(corners, points, area):
     slack = max(abs(c) for point in flat for c in point) ** 2 // _MISJUDGED
     sound = sum(areas) == whole and min(areas, default=0) >= -slack
     if not sound:
-        triangles = [(0, i, i + 1) for i in range(1, len(flat) - 1)]
+        triangles = _fan(len(flat))
     return [tuple(corners[i] for i in triangle) for triangle in triangles], sound

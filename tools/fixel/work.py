@@ -2,23 +2,24 @@
 """The work that a scene file asks for. Each stage takes what it needs from one budget before it begins, so that all of
 them together stay within the bound that docs/scenes.md promises: 2 s, and 2 s more for each MB of the scene's files.
 
-The unit is a step: about 1 us of CPU time on a PC of 2020. The tool itself takes 0.4 s of the 2 s to begin. Half of
-what a byte brings is for reading it, and is not part of the budget."""
+The unit is a step: about 1 us of CPU time on a PC of 2020. The tool itself takes 0.4 s of the 2 s to begin. What
+it takes to read a byte is not part of the budget."""
 
 from fixel.errors import ToolError
 
 STEPS = 1_500_000       # of any scene
-STEPS_A_BYTE = 1        # more, for each byte of its files
+STEPS_A_BYTE = 1        # more, for each byte of its TOML file, which takes up to 1 us to read
+STEPS_A_MODEL_BYTE = 1.3    # more, for each byte of its models and images, which take up to 0.7 us
 
 # What each of these takes at most, as measured. The names stand in messages.
 COSTS = {
     # --- objects
-    "objects": 48,
+    "objects": 60,
     "copies": 11,
-    "places on rings or in positions": 19,
-    "copies that differ": 28,               # in turn or in colour
-    "turned or moving objects": 105,        # each copy
-    "parents": 100,
+    "places on rings or in positions": 21,
+    "copies that differ": 40,               # in turn or in colour
+    "turned or moving objects": 110,        # each copy
+    "parents": 160,
     "keys of motions": 50,
     "parts": 80,
     "faces in parts": 9,
@@ -26,22 +27,30 @@ COSTS = {
     "solids": 60,
     "cells of islands": 14,
     "cells of other solids": 5,
-    "shapes": 130,          # a solid or a file at one size and turn
+    "shapes": 200,          # a solid or a file at one size and turn
     "vertices": 3,
+    "vertices placed": 0.2,                 # once for each object and turn
     "faces": 14,            # of shapes
     "corners of faces with many": 0.8,      # the square of a face's corners, of faces with more than four
+    "nodes of glTF files": 8,
     "primitives of glTF files": 60,
+    "values of glTF files": 0.12,
     "triangles of glTF files": 6,
     "triangles with colours of vertices": 22,
-    "faces merged": 34,
-    "faces cut": 23,
+    "faces merged": 28,
+    "faces cut": 20,
     "corners of faces cut": 0.02,           # the square of a face's corners
     "faces coloured": 4,
-    "models": 10,
-    "faces of models": 8,
+    "models": 20,
+    "faces of models": 10,
+    "corners of models": 0.8,
+    "faces of sorted models": 3,
     "faces in clusters": 8,
     # --- surfaces
-    "faces with surfaces": 85,
+    "faces with textures": 95,
+    "faces with light or opacity": 60,
+    "shapes with surfaces": 150,
+    "faces with surfaces in models": 8,
     "corners of surfaces": 1 / 16,          # the cube of a face's corners
     "colours of textures": 4,               # in each direction that its faces look
     "texels of patterns": 2,
@@ -49,11 +58,16 @@ COSTS = {
     "texels of materials": 1.6,
     "texels of textures": 0.6,              # in each light; and of billboards
     "pixels": 0.02,
+    "texts in images": 2200,
+    "names of files": 20,
+    "folders in names of files": 2,
+    "colours blended": 1000,
     "pictures": 200,
     "colours merged": 13,
+    "colours of the palette": 6,
     # --- paths
-    "poses": 5,
-    "poses of an orbit": 20,
+    "poses": 10,
+    "poses of an orbit": 22,
     "keys of the path": 65,
     "steps of the path": 12,
 }
@@ -65,9 +79,9 @@ class Work:
     def __init__(self):
         self.most, self.taken, self.kinds = STEPS, 0, {}
 
-    def allow(self, size):
-        """The scene has a file of so many bytes, which comes to the budget once."""
-        self.most += STEPS_A_BYTE * size
+    def allow(self, size, steps=STEPS_A_MODEL_BYTE):
+        """The scene has a file of so many bytes, which comes to the budget once. steps: for each byte."""
+        self.most += int(steps * size)
 
     def take(self, kind, count, where):
         """Takes the steps of so many of a kind (COSTS), or refuses the scene. where: stands before the message."""
@@ -76,7 +90,7 @@ class Work:
         self.kinds[kind] = self.kinds.get(kind, 0) + steps
         if self.taken > self.most:
             raise ToolError(f"{where}: the scene asks for too much work; most of it is for {self._shares()}: use fewer of these "
-                            f"(the limit is {self.most:,} steps: {STEPS:,}, and one for each byte of its files)")
+                            f"(the limit is {self.most:,} steps: {STEPS:,}, and about one for each byte of its files)")
 
     def _shares(self):
         """The kinds that take most, in words."""
