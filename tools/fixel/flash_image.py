@@ -6,7 +6,6 @@ renamed into its place: a power cut or a kill at any moment leaves the old image
 or the new one, never a mixture.
 """
 
-import pathlib
 
 from fixel import output
 from fixel.errors import ToolError
