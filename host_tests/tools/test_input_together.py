@@ -49,7 +49,7 @@ BEYOND = {
     "colours of textures": (NOISE + "".join(box(f"rotation = [{i}, {i}, {i}]", 'texture = "t0"') for i in range(300)),
                             "colours of textures"),
     "keys": (box("motion = { keys = [{ turn = 1e7, frames = 900000 }, {}] }"), "keys of motions"),
-    "parts": (item('solid = "floor"', "cells = [140, 140]", "parts = [64, 64]", copies(15, 1, 1)), "parts"),
+    "parts": (item('solid = "floor"', "cells = [140, 140]", "parts = [64, 64]", copies(15, 1, 1)), "copies"),
 }
 # What looks as hostile, and is not: the same is made once.
 WITHIN = {
