@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image
 import pytest
 
-from fixel import clusters, image, triangles
+from fixel import clusters, image, triangles, work
 from model_files import gltf
 from test_input_bounds import BOX, run_bounded
 from test_input_together import box, item
@@ -100,6 +100,35 @@ def test_one_mtl_file_named_very_often(tmp_path):
     (tmp_path / "a.mtl").write_text("newmtl a\n")
     (tmp_path / "m.obj").write_text("mtllib " + "a.mtl " * 20_000 + "\n" + TRIANGLE)
     build(tmp_path, scene(tmp_path, f'[[objects]]\nmodel = "{"d/../" * 500}m.obj"\n'), 0)
+
+
+def test_one_mtl_file_of_many_models(tmp_path):
+    """It was read again for each, and nothing was counted."""
+    (tmp_path / "a.mtl").write_text("newmtl a\n" + "\n" * 1_000_000)
+    for number in range(30):
+        (tmp_path / f"m{number}.obj").write_text("mtllib a.mtl\n" + TRIANGLE)
+    build(tmp_path, scene(tmp_path, "".join(f'[[objects]]\nmodel = "m{i}.obj"\n' for i in range(3))), 0)
+    text = "".join(f'[[objects]]\nmodel = "m{i}.obj"\n' for i in range(30))
+    assert "bytes read again" in build(tmp_path, scene(tmp_path, text), 2)
+
+
+def test_a_file_counts_once(tmp_path):
+    """A picture that is a texture and a material's image, and a link to it."""
+    (tmp_path / "a").write_bytes(b"x" * 1000)
+    (tmp_path / "b").symlink_to("a")
+    budget = work.Work()
+    assert budget.allow(tmp_path / "a", 1000) and not budget.allow(tmp_path / "b", 1000)
+    assert budget.most == work.STEPS + 1300 and budget.taken == 700
+
+
+def test_a_jpeg_of_very_many_segments(tmp_path):
+    made = io.BytesIO()
+    Image.new("RGB", (8, 8)).save(made, "JPEG")
+    whole, segment = made.getvalue(), b"\xff\xe1" + (48).to_bytes(2, "big") + b"Exif\0\0" + bytes(40)
+    (tmp_path / "p.jpg").write_bytes(whole[:2] + segment * 80_000 + whole[2:])
+    (tmp_path / "a.mtl").write_text("newmtl a\nmap_Kd p.jpg\n")
+    (tmp_path / "m.obj").write_text("mtllib a.mtl\nusemtl a\n" + TRIANGLE)
+    assert "64 segments of Exif" in build(tmp_path, scene(tmp_path, '[[objects]]\nmodel = "m.obj"\n'), 2)
 
 
 def test_one_image_named_in_very_many_materials(tmp_path):

@@ -102,10 +102,12 @@ def test_texels_take_little_memory(tmp_path):
     assert texels > 500_000 and most < 20 * texels
 
 
-def test_the_budget_is_one():
+def test_the_budget_is_one(tmp_path):
     """It is not for each kind, and a refusal names what took most."""
     budget = work.Work()
-    budget.allow(1000)
+    file = tmp_path / "a"
+    file.touch()
+    assert budget.allow(file, 1000)
     budget.take("copies", 100_000, "a")
     with pytest.raises(ToolError) as refused:
         budget.take("parents", 5000, "the place")

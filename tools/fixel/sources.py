@@ -21,17 +21,14 @@ class Sources:
     def __init__(self, work=None):
         self.read_bytes = self.file_bytes = 0       # each time, and of each file once
         self.pixels, self.work = 0, work or Work()
-        self.files, self.by_path, self.by_content = set(), {}, {}
+        self.by_path, self.by_content = {}, {}
 
     def read(self, path, most, advice):
         """The bytes of a file of a model; one of more than so many is refused."""
         blob = reading.read_whole(path, most, advice)
         self._count_bytes(len(blob), path)
-        real = reading.identity(path)
-        if real not in self.files:
-            self.files.add(real)
+        if self.work.allow(path, len(blob)):
             self.file_bytes += len(blob)
-            self.work.allow(len(blob))
         return blob
 
     def _count_bytes(self, count, where):

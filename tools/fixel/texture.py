@@ -301,7 +301,7 @@ class Pictures:
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
         real = reading.identity(file)
         if real not in self.files:
-            self.work.allow(min(FILE_MAX, os.path.getsize(file)))
+            self.work.allow(file, min(FILE_MAX, os.path.getsize(file)))
             self.files[real] = pixels_of(file, file, self.work)
         return self._once((real, most, any_side, key), "texels of pictures", row.where,
                           lambda count: from_pixels(self.files[real], file, most, any_side, key, count))

@@ -14,6 +14,7 @@ from fixel.reading import shortened
 FILE_MAX = 16 << 20     # bytes
 SIDE_MAX = 2048         # pixels
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
+EXIF_MAX, _EXIF = 64, b"Exif\0\0"
 PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
 _CHUNK = 1024           # triangles at a time
 _STEPS = 8              # a triangle's mean has samples at this many places along an edge
@@ -59,8 +60,10 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
 def _weight(opened, blob):
     """How many times the work of a plain image one takes, and its compressed texts: a JPEG may have thousands of scans, and
     a PNG thousands of texts."""
-    if opened.format == "JPEG":
-        return 1 + blob.count(b"\xff\xda") / 32, 0
+    if opened.format == "JPEG":     # a scan of arithmetic coding takes several times as long
+        return 1 + blob.count(b"\xff\xda") / (8 if b"\xff\xca" in blob else 32), 0
+    if opened.format == "BMP":      # which may be run-length coded: Pillow reads such rows in Python
+        return 4, 0
     return 1, sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt"))) if opened.format == "PNG" else 0
 
 
@@ -68,6 +71,8 @@ def decode(blob, name, work=None):
     """The Texture in an image file's bytes. work: a work.Work, which counts it before it is done."""
     if len(blob) > FILE_MAX:
         raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
+    if blob.count(_EXIF) > EXIF_MAX:    # Pillow takes quadratic time for them
+        raise ToolError(f"{name}: an image with more than {EXIF_MAX} segments of Exif; save it without")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

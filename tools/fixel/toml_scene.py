@@ -374,5 +374,5 @@ def compile_file(path, frames=None, progress=None, screen=None):
     """A scene file -> (SceneImage, notes)."""
     folder, data = os.path.dirname(path), toml_table.read(path)
     files = toml_model.Files(folder)
-    files.sources.work.allow(os.path.getsize(path), STEPS_A_BYTE)
+    files.sources.work.allow(path, os.path.getsize(path), STEPS_A_BYTE)
     return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen, files)

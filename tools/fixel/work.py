@@ -5,6 +5,7 @@ them together stay within the bound that docs/scenes.md promises: 2 s, and 2 s m
 The unit is a step: about 1 us of CPU time on a PC of 2020. The tool itself takes 0.4 s of the 2 s to begin. What
 it takes to read a byte is not part of the budget."""
 
+from fixel import reading
 from fixel.errors import ToolError
 
 STEPS = 1_500_000       # of any scene
@@ -44,7 +45,7 @@ COSTS = {
     "models": 20,
     "faces of models": 10,
     "corners of models": 0.8,
-    "faces of sorted models": 3,
+    "faces of sorted models": 5,
     "faces in clusters": 8,
     # --- surfaces
     "faces with textures": 95,
@@ -60,6 +61,7 @@ COSTS = {
     "pixels": 0.02,
     "texts in images": 2200,
     "names of files": 20,
+    "bytes read again": 0.7,
     "folders in names of files": 2,
     "colours blended": 1000,
     "pictures": 200,
@@ -77,11 +79,18 @@ class Work:
     """The budget of one scene, and what was taken from it."""
 
     def __init__(self):
-        self.most, self.taken, self.kinds = STEPS, 0, {}
+        self.most, self.taken, self.kinds, self.files = STEPS, 0, {}, set()
 
-    def allow(self, size, steps=STEPS_A_MODEL_BYTE):
-        """The scene has a file of so many bytes, which comes to the budget once. steps: for each byte."""
+    def allow(self, path, size, steps=STEPS_A_MODEL_BYTE):
+        """The scene reads a file of so many bytes. It comes to the budget once, whoever reads it; answers whether this is
+        the first time. steps: for each byte."""
+        identity = reading.identity(path)
+        if identity in self.files:
+            self.take("bytes read again", size, path)
+            return False
+        self.files.add(identity)
         self.most += int(steps * size)
+        return True
 
     def take(self, kind, count, where):
         """Takes the steps of so many of a kind (COSTS), or refuses the scene. where: stands before the message."""
