@@ -38,7 +38,7 @@ TARGETS = {"scene": 8192, "pipeline": 4096}     # and the longest input in bytes
 SEED_SCENES = ("scenes/tiny.toml", "scenes/cube.toml",
                *sorted(str(file) for file in (CHECKOUT / "host_tests/fuzz/scenes").glob("*.toml")))
 INPUT_TIMEOUT = 60      # seconds for one input: wall time, since libFuzzer has no other, so enough for a loaded machine
-GRACE = 60              # seconds that a fuzzer may end after its time
+GRACE = 180             # seconds that a fuzzer may end after its time: an input that hangs, and a loaded machine
 PLAIN_INTERVAL = 10.0   # seconds between two lines where there is no terminal
 WORDS = re.compile(r"runtime error:|does not hold|ERROR: \w+Sanitizer|ERROR: libFuzzer")
 
