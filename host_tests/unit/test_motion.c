@@ -313,3 +313,13 @@ void test_what_cannot_be_played_is_refused(void)
     refuse(FXL_E_CAPACITY, &set, &scene, &room);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_begin(&player, &set, &scene, &memory));
 }
+
+void test_no_motions_need_no_tables(void)
+{
+    fxl_motion_set none = {0};
+    fxl_scene scene = tiny_make()->scene;
+    fxl_motion_player player;
+    scene.turns = still;
+    scene.first_turned = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_begin(&player, &none, &scene, &memory));
+}

@@ -173,6 +173,21 @@ void test_a_sphere_within_a_face_may_stay(void)
     TEST_ASSERT_TRUE(slide.blocked == 1 && sphere.centre.x == 0);
 }
 
+/* A push leaves 12 units of 1/65536 between a sphere and a face: 4 that the face may be off its
+ * plane, and 8. */
+void test_a_push_goes_as_far_as_the_radius_and_no_farther(void)
+{
+    fxl_sphere deep = {{0, 0, Q16(-1) - 12}, Q16(0.5)}, deeper = {{0, 0, Q16(-1) - 11}, Q16(0.5)};
+    const fxl_point none = {0, 0, 0};
+    fxl_slide slide;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &deep, &none, &slide));
+    TEST_ASSERT_TRUE(slide.contacts == 1 && slide.blocked == 0);
+    TEST_ASSERT_EQUAL_INT32(Q16(-1.5) - 12, deep.centre.z);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &deeper, &none, &slide));
+    TEST_ASSERT_TRUE(slide.contacts == 1 && slide.blocked == 1);
+    TEST_ASSERT_EQUAL_INT32(Q16(-1) - 11, deeper.centre.z);
+}
+
 void test_the_end_of_the_world_holds_a_sphere(void)
 {
     fxl_sphere sphere = {{FXL_COORDINATE_MAX - 5, 0, 0}, Q16(1)};
