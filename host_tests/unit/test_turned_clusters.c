@@ -225,3 +225,29 @@ void test_the_planes_of_a_turned_cluster(void)
     TEST_ASSERT_TRUE(met[0] > UNIT_REPEAT / 500 && met[1] > UNIT_REPEAT / 500 &&
                      met[2] > UNIT_REPEAT / 500);
 }
+
+/* Where a sphere is too large for the test, or its centre out of the world, all planes stay, though
+ * the eye looks away from it. */
+void test_turned_clusters_that_no_sphere_test_takes(void)
+{
+    cluster_scene *made = cluster_make();
+    tiny_scene *tiny = made->tiny;
+    const fxl_pose pose = {.position = {0, 0, Q16(20)}};
+    fxl_vertex_cache none = {.entries = NULL};
+    fxl_turned_view turned;
+    turn_all(tiny);
+    turns[1] = (fxl_turn){FXL_ORIENTATION_NONE, 4 * FXL_Q16_16_ONE};
+    (void)draw(tiny, &pose, 0, false, &fxl_clipper_view);
+    const fxl_view *view = &renderer.frame.view;
+    (void)fxl_turned_view_of_instance(&turned, &tiny->scene, 1, view, &none, FXL_PLANES_ALL);
+    fxl_cluster cluster = {.radius = FXL_COORDINATE_MAX / 4};
+    TEST_ASSERT_NOT_EQUAL(FXL_SPHERE_OUTSIDE, fxl_turned_cluster_planes(&turned, &cluster));
+    cluster.radius = FXL_RADIUS_MAX;
+    TEST_ASSERT_EQUAL_HEX32(FXL_PLANES_ALL | FXL_MODEL_VIEW_SCALED,
+                            fxl_turned_cluster_planes(&turned, &cluster));
+    cluster = (fxl_cluster){.centre = {0, 0, Q16(-20)}, .radius = Q16(1)};
+    TEST_ASSERT_EQUAL_HEX32(FXL_SPHERE_OUTSIDE, fxl_turned_cluster_planes(&turned, &cluster));
+    cluster.centre.z = -FXL_COORDINATE_MAX / 4 - Q16(5);
+    TEST_ASSERT_EQUAL_HEX32(FXL_PLANES_ALL | FXL_MODEL_VIEW_SCALED,
+                            fxl_turned_cluster_planes(&turned, &cluster));
+}
