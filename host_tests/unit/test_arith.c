@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Divisions and the square root by what they promise, up to the ends of their ranges. */
 #include "../../lib/src/math/arith.h"
+#include "../../lib/src/math/ratio.h"
 #include "../../lib/src/math/square_root.h"
 #include "unit.h"
 
@@ -83,6 +84,31 @@ void test_a_root_is_the_nearest(void)
         TEST_ASSERT_TRUE(fxl_square_root(between + 1) == root + 1);
     }
     expect_root(UINT64_MAX - ((uint64_t)1 << 32));
+}
+
+/* Of numbers of all lengths. Double's own error is far below the unit by which both bounds are wider
+ * than those of ratio.h. */
+void test_a_ratio_keeps_its_bounds(void)
+{
+    uint32_t found = 0, refused = 0;
+    for (int i = 0; i < UNIT_REPEAT; i++) {
+        const int32_t factor = 1 + (int32_t)(fxl_magnitude(unit_wide(29)) >> 1);
+        const int32_t limit = 1 + (int32_t)(fxl_magnitude(unit_wide(29)) >> 1);
+        const int64_t depth = 1 + (int64_t)(fxl_magnitude(unit_wide(61)) >> unit_between(1, 60));
+        const int64_t side = unit_wide((unsigned)unit_between(1, 61));
+        const double exact = (double)factor * (double)side / (double)depth;
+        const double size = exact < 0 ? -exact : exact, slack = 1 + size / 2147483648.0;
+        int32_t quotient = 5;
+        if (fxl_ratio(factor, side, depth, limit, &quotient)) {
+            TEST_ASSERT_TRUE(size <= limit + slack);
+            TEST_ASSERT_NEAR(exact, quotient, slack - 0.499);
+            found++;
+        } else {
+            TEST_ASSERT_TRUE(size >= limit - slack && quotient == 5);
+            refused++;
+        }
+    }
+    TEST_ASSERT_TRUE(found > UNIT_REPEAT / 4 && refused > UNIT_REPEAT / 4);
 }
 
 void test_bits_are_counted(void)
