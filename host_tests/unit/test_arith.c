@@ -86,8 +86,8 @@ void test_a_root_is_the_nearest(void)
     expect_root(UINT64_MAX - ((uint64_t)1 << 32));
 }
 
-/* Of numbers of all lengths. Double's own error is far below the unit by which both bounds are wider
- * than those of ratio.h. */
+/* Of numbers of all lengths. Double's own error is far below the unit by which both bounds are
+ * wider than those of ratio.h. */
 void test_a_ratio_keeps_its_bounds(void)
 {
     uint32_t found = 0, refused = 0;
