@@ -71,9 +71,10 @@ def test_markers_that_do_not_fit_are_refused(root, text, marker, words):
 
 
 def compiler_says(bug):
-    """Of the bug's file with the bug in it: nothing where it compiles."""
+    """Of the bug's file with the bug in it: nothing where it compiles. A header may take names from what includes it."""
     file = CHECKOUT / bug.file
-    done = subprocess.run(["gcc", "-x", "c", "-std=c11", "-fsyntax-only", f"-I{CHECKOUT / 'lib/include'}", f"-I{file.parent}", "-"],
+    warnings = ["-Wall", "-Wextra", "-Werror"] if file.suffix == ".c" else []
+    done = subprocess.run(["gcc", "-x", "c", "-std=c11", *warnings, "-fsyntax-only", f"-I{CHECKOUT / 'lib/include'}", f"-I{file.parent}", "-"],
                           input=bug.seed(file.read_text(encoding="utf-8")), text=True, capture_output=True, check=False)
     return f"{bug.name}: {done.stderr}" if done.returncode else ""
 

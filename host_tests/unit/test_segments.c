@@ -140,6 +140,24 @@ void test_texels_are_on_the_line_between_both_ends(void)
     }
 }
 
+/* Its leading zeros are at most the drop and 32: below that the kernel would shift to the left. */
+void test_the_least_weight_that_a_face_takes(void)
+{
+    choose_size(5, 5);
+    for (int shift = 0; shift < 80; shift++) {
+        const int drop = 46 - (shift > 24 ? shift : 24) - (20 - 5);
+        int32_t least = 2;
+        int zeros = 30;
+        gradients.shifts[0] = (int8_t)shift;
+        gradients.shifts[1] = 24;
+        for (; zeros > 0 && zeros > drop + 32; zeros--) {
+            least = zeros > 1 ? 2 * least : INT32_MAX;
+        }
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        TEST_ASSERT_EQUAL_INT32(least, face.weight_min);
+    }
+}
+
 void test_a_pixel_does_not_depend_on_where_a_row_begins(void)
 {
     choose_size(5, 5);
