@@ -144,6 +144,41 @@ void test_tables_of_too_few_and_too_many(void)
     }
 }
 
+/* Tiny's image whose second model has one face. */
+static tiny_image *with_a_single_face(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    tiny_put32(tiny_at(image, AT_FACES + 4), 7);
+    tiny_put32(tiny_at(image, AT_KEYS + 4), 1);
+    ((fxl_model *)(void *)tiny_entry(image, AT_MODELS, 1, MODEL))->face_count = 1;
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        ((fxl_instance *)(void *)tiny_entry(image, AT_INSTANCES, i, INSTANCE))->layer = 0;
+    }
+    return image;
+}
+
+void test_tables_of_one_entry(void)
+{
+    const fxl_bsp_node node = {.normal = {-FXL_Q2_30_ONE, 0, 0},
+                               .distance_high = FXL_Q2_30_ONE >> 16,
+                               .front = FXL_BSP_NONE,
+                               .back = FXL_BSP_NONE,
+                               .parent = FXL_BSP_NONE,
+                               .face_count = 1,
+                               .radius = TINY_RADIUS};
+    fxl_scene_fault fault = {"", 0};
+    tiny_image *image = with_a_single_face();
+    TEST_ASSERT_EQUAL(FXL_OK, open(image, &fault));
+    TEST_ASSERT_EQUAL_UINT32(1, opened.scene.face_bounds_count);
+    TEST_ASSERT_EQUAL_MEMORY(tiny_entry(image, AT_KEYS, 0, KEY), opened.scene.face_bounds, KEY);
+    tiny_add_table(image, AT_RESERVED, &node, 1, sizeof node); /* where a tree has its place */
+    tiny_put32(tiny_at(image, AT_RESERVED + 8), 1);
+    tiny_put16(tiny_at(image, AT_VERSION), 3);
+    TEST_ASSERT_EQUAL(FXL_OK, open(image, &fault));
+    TEST_ASSERT_EQUAL_UINT32(1, opened.scene.bsp_node_count);
+    TEST_ASSERT_EQUAL_MEMORY(&node, opened.scene.bsp_nodes, sizeof node);
+}
+
 /* The path's frames are those that the header states. */
 void test_a_path_of_other_frames(void)
 {

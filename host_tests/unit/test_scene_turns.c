@@ -68,6 +68,13 @@ void test_a_scene_may_have_turns_alone(void)
     tiny_image *image = make();
     memset(tiny_at(image, AT_MOTIONS), 0, 16);
     expect_opening(FXL_OK, image);
+    /* One is that of the last instance. */
+    fxl_scene_image opened;
+    tiny_put32(tiny_at(image, AT_TURNS + 4), 1);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES - 1, opened.scene.first_turned);
+    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), opened.scene.turns[0].scale);
 }
 
 void test_every_instance_may_be_turned(void)
