@@ -85,9 +85,9 @@ def test_the_bound_of_time_is_one(monkeypatch, tmp_path):
     assert run_bounded(tmp_path, "info", size=0) == (0, "")
 
 
-def assert_refused(tmp_path, file, *words):
-    """A file is refused in one short sentence that has these words, and nothing is written."""
-    size = file.stat().st_size if file.is_file() else 0
+def assert_refused(tmp_path, file, *words, reads=()):
+    """A file is refused in one short sentence that has these words, and nothing is written. reads: input, too."""
+    size = sum(each.stat().st_size for each in (file, *reads) if each.is_file())
     code, said = run_bounded(tmp_path, "build", file, "-o", tmp_path / "out.fxls", size=size)
     line = [line for line in said.splitlines() if line.startswith("error: ")]
     assert code == 2 and len(line) == 1, said[-2000:]
@@ -96,9 +96,10 @@ def assert_refused(tmp_path, file, *words):
         assert word in line[0]
 
 
-def assert_built(tmp_path, file):
-    """A file is compiled within the bound."""
-    code, said = run_bounded(tmp_path, "build", file, "-o", tmp_path / "out.fxls", size=file.stat().st_size)
+def assert_built(tmp_path, file, reads=()):
+    """A file is compiled within the bound. reads: the files that it names, which are input, too."""
+    size = sum(each.stat().st_size for each in (file, *reads))
+    code, said = run_bounded(tmp_path, "build", file, "-o", tmp_path / "out.fxls", size=size)
     assert code == 0, said[-2000:]
     return said
 
