@@ -29,6 +29,10 @@ endif
 HOST_SAY = $(info $(space) HOST $@)
 MAKE_FOLDER = $(if $(wildcard $(@D)/.),,@mkdir -p $(@D))
 MAKEFLAGS += --no-print-directory
+# As many jobs as there are processors; -j1 on the command line is heeded. A sub-make shares the jobs of the first.
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(shell nproc)
+endif
 
 # --- boards ------------------------------------------------------------------
 
@@ -40,7 +44,7 @@ endif
 # --- set-up ------------------------------------------------------------------
 
 # The commands. Those of one command line run one after the other, so that no two makes build the
-# same file at a time. What a command builds is built in parallel with -j, after its set-up. lib
+# same file at a time. What a command builds is built in parallel, after its set-up. lib
 # calls no make of its own.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs mutants size predict costs format clean
