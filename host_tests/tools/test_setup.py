@@ -105,8 +105,20 @@ def test_no_mirror_is_written_down_in_the_project():
 HIDDEN = ("qemu-system-arm", "sudo", "apt-get", "apt-cache", "id")
 
 
+@pytest.fixture(scope="module", name="others")
+def fixture_others(tmp_path_factory):
+    """A folder with all commands of this machine but those."""
+    others = tmp_path_factory.mktemp("others")
+    for folder in os.environ["PATH"].split(os.pathsep):
+        for file in pathlib.Path(folder).glob("*") if folder else ():
+            link = others / file.name
+            if file.name not in HIDDEN and not link.is_symlink():
+                link.symlink_to(file)
+    return others
+
+
 @pytest.fixture
-def machine(tmp_path):
+def machine(tmp_path, others):
     """A checkout and a PATH with everything but QEMU and sudo, with an apt that is only played."""
     root = tmp_path / "checkout"
     (root / "tools").mkdir(parents=True)
@@ -115,11 +127,7 @@ def machine(tmp_path):
     shutil.copytree(CHECKOUT / "requirements", root / "requirements")
     commands = tmp_path / "bin"
     commands.mkdir()
-    for folder in os.environ["PATH"].split(os.pathsep):
-        for file in pathlib.Path(folder).glob("*") if folder else ():
-            link = commands / file.name
-            if file.name not in HIDDEN and not link.is_symlink():
-                link.symlink_to(file)
+    (tmp_path / "others").symlink_to(others)
     play(commands, "apt-cache", 'echo "$2:"; echo "  Candidate: 1.0"')
     play(commands, "apt-get", f'echo "$*" >>{tmp_path}/apt.txt; exit 0')
     play(commands, "id", "echo 1000")
@@ -135,7 +143,7 @@ def play(commands, name, script):
 def setup(machine, *what):
     return subprocess.run([str(machine / "checkout" / "tools" / "setup.sh"), *what],
                           stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          check=False, env=environment(PATH=str(machine / "bin")))
+                          check=False, env=environment(PATH=f"{machine}/bin:{machine}/others"))
 
 
 def test_nothing_missing_is_silent(machine):
@@ -221,7 +229,6 @@ def pip(machine):
     """The machine with QEMU, and a Python whose pip is only played; the log of what pip was told."""
     log = machine / "pip.txt"
     play(machine / "bin", "qemu-system-arm", "exit 0")
-    (machine / "bin" / "python3").unlink()
     play(machine / "bin", "python3", PYTHON.format(bin=machine / "bin", log=log, real=sys.executable))
     return log
 
