@@ -119,6 +119,13 @@ def test_500_000_names_of_mtl_files(tmp_path):
     assert "there is no" in build(tmp_path, "m.obj")
 
 
+def test_many_names_of_mtl_files_are_refused_by_the_line_that_has_them(tmp_path):
+    names = [f"{first}/{second}" for first in range(100) for second in range(1000)]
+    write(tmp_path, m_obj=CORNERS + FACES + f"mtllib {' '.join(names)}\n")
+    said = build(tmp_path, "m.obj", code=2)
+    assert "m.obj:9: the scene asks for too much work" in said and "names of files" in said
+
+
 def test_an_image_of_mtl_is_decoded_once(tmp_path):
     names = ["t.png"] + ["./" * i + "t.png" for i in range(99)]
     write(tmp_path, t_png=LARGE, m_mtl="".join(f"newmtl m{i}\nmap_Kd {name}\n" for i, name in enumerate(names)),

@@ -61,10 +61,10 @@ class Reader:
                             "Put the image there, or take map_Kd out")
         return self.sources.image_of_file(file, f"{where}: {file}")
 
-    def exists(self, name):
+    def exists(self, name, where):
         """Whether there is a file of this name."""
         if name not in self.known:
-            self.sources.count_name(Beside(self.folder, name), "mtllib")
+            self.sources.count_name(Beside(self.folder, name), where)
             self.known[name] = bool(name) and Beside(self.folder, name).exists()
         return self.known[name]
 

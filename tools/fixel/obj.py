@@ -129,9 +129,9 @@ class _Materials:
 
     def library(self, words, where):
         """mtllib: the names of files, or one name with blanks."""
-        names = words if any(self.reader.exists(word) for word in words) else [" ".join(words)]
+        names = words if any(self.reader.exists(word, where) for word in words) else [" ".join(words)]
         for each in names:
-            if self.reader.exists(each):
+            if self.reader.exists(each, where):
                 self.reader.read(each)
             else:
                 self.missing = self.missing or f"{where}: there is no {quoted(each)}"
