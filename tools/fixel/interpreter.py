@@ -15,6 +15,9 @@ def choose():
     already. A tool calls this before it imports a package. In any other program it does nothing."""
     if pathlib.Path(sys.argv[0]).resolve().parent != TOOLS:
         return
+    # NumPy's linear algebra starts a thread for each processor when it is imported: a third of the time that a tool
+    # takes to start. The matrices here are small.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     # Until fixel.errors takes over there is nothing to tidy up: Ctrl-C ends the tool without a traceback.
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
