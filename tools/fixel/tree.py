@@ -14,8 +14,9 @@ from fixel.errors import ToolError
 from fixel.image import (CONVEX, FACE_VERTICES_MAX, SORTED, Model, Object, check_coordinates)
 from fixel.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
 from fixel.image_tree import PLANARITY_MAX as NEAR
-from fixel.mesh import dot, minus
+from fixel.mesh import FACES_MAX, dot, minus
 from fixel.reading import quoted
+from fixel.work import TreeWork
 
 # A vertex closer to a plane than this lies on it: in units of 2^-46. It exceeds what a face may
 # be off its plane (4) and a rounded vertex off its line (0.87).
@@ -64,6 +65,7 @@ class Lines:
     def __init__(self):
         self.points, self.numbers = [], {}
         self.ends, self.by_ends, self.cuts, self.on = [], {}, {}, []
+        self.places = {}    # of lines with more than two vertices: which is where
 
     def vertex(self, point):
         number = self.numbers.setdefault(point, len(self.points))
@@ -97,13 +99,16 @@ class Lines:
         return self.cuts[key]
 
     def between(self, line, a, b):
-        """The line's vertices from a to b, both left out, in the order of the way."""
+        """The line's vertices from a to b, both left out, in the order of the way. Nothing is put on a line after this."""
         if len(self.on[line]) == 2:
             return []
-        first, last = (self.points[end] for end in self.ends[line])
-        way = minus(last, first)
-        order = sorted(self.on[line], key=lambda v: (dot(minus(self.points[v], first), way), v))
-        i, j = order.index(a), order.index(b)
+        if line not in self.places:
+            first, last = (self.points[end] for end in self.ends[line])
+            way = minus(last, first)
+            order = sorted(self.on[line], key=lambda v: (dot(minus(self.points[v], first), way), v))
+            self.places[line] = order, {vertex: place for place, vertex in enumerate(order)}
+        order, places = self.places[line]
+        i, j = places[a], places[b]
         return order[i + 1:j] if i < j else order[j + 1:i][::-1]
 
 
@@ -174,12 +179,12 @@ def _whole(part):
 class Builder:
     """The tree of a list of parts, depth first, without recursion."""
 
-    def __init__(self, lines, parts, progress):
-        self.lines, self.progress = lines, progress
+    def __init__(self, lines, parts, progress, work):
+        self.lines, self.progress, self.work = lines, progress, work
         self.nodes, self.held = [], []
         self.counts = Counts(faces_in=len(parts), vertices_in=len(lines.points))
         self.pending = [(parts, NONE, 0, 0)]
-        self.total = len(parts)
+        self.total, self.done = len(parts), 0
 
     def build(self):
         while self.pending:
@@ -193,9 +198,10 @@ class Builder:
         if number == NODES_MAX or depth > DEPTH_MAX:
             raise ToolError(f"the tree needs more than {NODES_MAX:,} nodes, or nodes more than "
                             f"{DEPTH_MAX:,} deep: give its layer fewer faces")
+        self.work.take("nodes of the tree", 1, "the tree")
+        self.work.take("corners of faces at nodes", sum(len(part.ring) for part in parts), "the tree")
         if self.progress:
-            done = sum(len(held) for held in self.held)
-            self.progress(f"tree: {done} of about {self.total} faces, {number} nodes, "
+            self.progress(f"tree: {self.done} of about {self.total} faces, {number} nodes, "
                           f"{self.counts.splits} splits")
         plane = tree_choice.choose(self.lines.points, parts)
         self.nodes.append(Node(*plane, NONE, NONE, parent, 0, 0))
@@ -204,6 +210,7 @@ class Builder:
         self.counts.depth = max(self.counts.depth, depth)
         on, front, back = self._divide(parts, number, plane)
         self.held.append(on)
+        self.done += len(on)
         if back:
             self.pending.append((back, number, -1, depth + 1))
         if front:
@@ -220,16 +227,20 @@ class Builder:
             elif 1 not in sides:
                 back.append(part)
             else:
+                self.work.take("faces split", 1, "the tree")
                 for half, others in zip(cut(self.lines, part, number, plane), (front, back)):
                     if len(half.ring) >= 3:
                         others.append(half)
+                        self.total += 1
                 self.counts.splits += 1
-                self.total += 1
+                self.total -= 1
+                _check_size("faces", self.total)
         return on, front, back
 
 
 def parts_of(scene, members, origin, lines):
     """The faces of the objects as parts; vertices relative to origin."""
+    _check_size("faces", sum(len(scene.models[scene.objects[group].model].faces) for group in members))
     parts = []
     for group in members:
         item = scene.objects[group]
@@ -254,13 +265,26 @@ def _middle(scene, members):
     return tuple((a + b) // 2 for a, b in zip(low, high))
 
 
-def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX):
-    """Nodes, faces of at most so many vertices, for each face the number of the part that it came from, and counts."""
-    builder = Builder(lines, parts, progress)
+def _check_size(kind, count):
+    """A model has at most so many faces, and so many vertices."""
+    if count > FACES_MAX:
+        raise ToolError(f"the tree's model has at least {count:,} {kind}; a model has at most {FACES_MAX:,}: "
+                        "give its layers fewer faces")
+
+
+def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX, work=None):
+    """Nodes, faces of at most so many vertices, for each face the number of the part that it came from, and counts.
+    work: the budget, else that of any tree."""
+    work = work or TreeWork()
+    work.take("faces of its layers", len(parts), "the tree")
+    builder = Builder(lines, parts, progress, work)
     nodes, held = builder.build()
     faces, sources, counts = [], [], builder.counts
     for part in (part for group in held for part in group):
-        counts.shared += tree_faces.share(lines, part)
+        shared = tree_faces.share(lines, part)
+        work.take("vertices on edges", shared, "the tree")
+        work.take("corners of faces halved", len(part.ring) ** 2 if len(part.ring) > most else 0, "the tree")
+        counts.shared += shared
     for node, group in zip(nodes, held):
         node.first_face = len(faces)
         pieces = [piece for part in group for piece in tree_faces.halve(lines, part, most)]
@@ -324,9 +348,8 @@ def plant(scene, layers, moving=(), progress=None):
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)
     vertices = [lines.points[number] for number in used]
     counts.vertices_out = len(vertices)
-    if len(vertices) > 65535 or len(faces) > 65535:
-        raise ToolError(f"the tree's model has {len(vertices):,} vertices and {len(faces):,} faces; "
-                        "a model has at most 65,535 of each, so give its layers fewer")
+    _check_size("vertices", len(vertices))
+    _check_size("faces", len(faces))
     for vertex in vertices:
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
     _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))

@@ -8,7 +8,7 @@ from math import isqrt
 from fixel.errors import ToolError
 from fixel.image import FACE_VERTICES_MAX, PLANARITY_MAX, Face
 from fixel.image_tree import NONE
-from fixel.mesh import dot, minus, newell, unit_normal
+from fixel.mesh import cross, dot, minus, newell, unit_normal
 
 
 def share(lines, part):
@@ -28,14 +28,10 @@ def halve(lines, part, most=FACE_VERTICES_MAX):
     count = len(part.ring)
     if count <= most:
         return [part]
-    points = [lines.points[v] for v in part.ring]
     best = None
-    for i in range(count):
-        for j in range(i + 2, min(count, i + count - 1)):
-            areas = [dot(newell(points[i:j + 1]), part.normal),
-                     dot(newell(points[j:] + points[:i + 1]), part.normal)]
-            if min(areas) > 0 and (best is None or (min(areas), -i, -j) > best[0]):
-                best = (min(areas), -i, -j), i, j
+    for i, j, areas in _halves([lines.points[v] for v in part.ring], part.normal):
+        if min(areas) > 0 and (best is None or (min(areas), -i, -j) > best[0]):
+            best = (min(areas), -i, -j), i, j
     if best is None:
         raise ToolError("a face of the tree with too many vertices cannot be cut in two")
     _, i, j = best
@@ -45,6 +41,20 @@ def halve(lines, part, most=FACE_VERTICES_MAX):
                       (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
         pieces += halve(lines, replace(part, ring=ring, lines=own), most)
     return pieces
+
+
+def _halves(points, normal):
+    """Each diagonal of a ring, from vertex i to vertex j, with the areas of both halves: twice, and along the normal."""
+    count = len(points)
+    # The area of a ring is the sum over its edges of (a x b) . normal, which is b . (normal x a).
+    turned = [cross(normal, point) for point in points]
+    sums = [0]
+    for i in range(count):
+        sums.append(sums[i] + dot(points[(i + 1) % count], turned[i]))
+    for i in range(count):
+        for j in range(i + 2, min(count, i + count - 1)):
+            area = sums[j] - sums[i] + dot(points[i], turned[j])
+            yield i, j, (area, sums[count] - area)
 
 
 def flat_face(lines, part):

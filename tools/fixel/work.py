@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The work that a scene file asks for. Each stage takes what it needs from one budget before it begins, so that all of
 them together stay within the bound that docs/scenes.md promises: 2 s, and 2 s more for each MB of the scene's files.
+A tree has a budget of its own.
 
 The unit is a step: about 1 us of CPU time on a PC of 2020. The tool itself takes 0.4 s of the 2 s to begin. What
 it takes to read a byte is not part of the budget."""
@@ -11,6 +12,7 @@ from fixel.errors import ToolError
 STEPS = 1_500_000       # of any scene
 STEPS_A_BYTE = 1        # more, for each byte of its TOML file, which takes up to 1 us to read
 STEPS_A_MODEL_BYTE = 1.3    # more, for each byte of its models and images, which take up to 0.7 us
+TREE_STEPS = 20_000_000     # of any tree
 
 # What each of these takes at most, as measured. The names stand in messages.
 COSTS = {
@@ -72,11 +74,20 @@ COSTS = {
     "poses of an orbit": 22,
     "keys of the path": 65,
     "steps of the path": 12,
+    # --- trees
+    "faces of its layers": 40,
+    "nodes of the tree": 200,
+    "corners of faces at nodes": 1.2,       # a face comes to each node above its own
+    "faces split": 60,
+    "vertices on edges": 4,                 # of each edge of a face, once
+    "corners of faces halved": 1,           # the square of a face's corners
 }
 
 
 class Work:
     """The budget of one scene, and what was taken from it."""
+
+    asked, cure = "the scene asks", "use fewer of these"
 
     def __init__(self):
         self.most, self.taken, self.kinds, self.files = STEPS, 0, {}, set()
@@ -98,10 +109,26 @@ class Work:
         self.taken += steps
         self.kinds[kind] = self.kinds.get(kind, 0) + steps
         if self.taken > self.most:
-            raise ToolError(f"{where}: the scene asks for too much work; most of it is for {self._shares()}: use fewer of these "
-                            f"(the limit is {self.most:,} steps: {STEPS:,}, and about one for each byte of its files)")
+            raise ToolError(f"{where}: {self.asked} for too much work; most of it is for {self._shares()}: {self.cure} "
+                            f"(the limit is {self._limit()})")
+
+    def _limit(self):
+        return f"{self.most:,} steps: {STEPS:,}, and about one for each byte of its files"
 
     def _shares(self):
         """The kinds that take most, in words."""
         first = sorted(self.kinds, key=self.kinds.get, reverse=True)[:3]
         return ", ".join(f"{kind} ({100 * self.kinds[kind] / self.taken:.0f} %)" for kind in first if self.kinds[kind])
+
+
+class TreeWork(Work):
+    """The budget of one tree."""
+
+    asked, cure = "it asks", "give its layers fewer faces"
+
+    def __init__(self, most=TREE_STEPS):
+        super().__init__()
+        self.most = most
+
+    def _limit(self):
+        return f"{self.most:,} steps"
