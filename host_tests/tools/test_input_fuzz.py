@@ -23,8 +23,9 @@ from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
 
 
-def check(name, data, *beside):
-    """Compiles a file of these bytes, or reads it as an image. beside: (name, bytes) of other files of its folder."""
+def check(name, data, *beside, layers=None):
+    """Compiles a file of these bytes, or reads it as an image. beside: (name, bytes) of other files of its folder.
+    layers: those that are to have a tree."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / name
         for other, content in ((name, data), *beside):
@@ -33,7 +34,7 @@ def check(name, data, *beside):
             if file.suffix == ".fxls":
                 image.unpack(image.pack(image.load(file)))
             else:
-                compiled, more = scene_tool.compile_scene(str(file), None)
+                compiled, more = scene_tool.compile_scene(str(file), layers=layers)
                 notes += more
                 image.unpack(image.pack(compiled))
 
@@ -339,6 +340,19 @@ OF_A_SOLID = toml_object.KEYS - toml_model.KEYS - {"cells", "rings", "taper", "s
 def test_any_object(pairs, more):
     text = "".join(f"{key} = {value}\n" for key, value in {"solid": '"box"', **more, **pairs}.items())
     check("scene.toml", f"{BRICKS}[[objects]]\n{text}[path]\nkeys = [{{ position = [0, 0, 0] }}]\n".encode())
+
+
+CUTS = ["position", "rotation", "scale", "layer", "kind", "moves", "ring", "inside", "two_sided"]
+
+
+@fuzzed(0.25)
+@given(st.lists(st.tuples(st.sampled_from(["box", "pyramid", "floor", "octahedron"]), tables(CUTS, 3)), min_size=1, max_size=4),
+       st.sampled_from(["all", "most", "0", "0,7", "7"]))
+def test_any_tree(objects, layers):
+    """Solids on one another, cut by planes."""
+    text = "".join(f'[[objects]]\nsolid = "{solid}"\n' + "".join(f"{key} = {value}\n" for key, value in pairs.items())
+                   for solid, pairs in objects)
+    check("scene.toml", f"{text}[path]\nkeys = [{{ position = [0, 0, 0] }}]\n".encode(), layers=layers)
 
 
 @fuzzed(0.15)
