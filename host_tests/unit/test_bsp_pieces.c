@@ -168,3 +168,50 @@ void test_numbers_of_pieces_are_below_that_of_none(void)
     }
 #endif
 }
+
+/* A cap in the plane of node 0, and a side below it that shares an edge. Node 1 cuts the side
+ * alone, and the cap gets the intersection: if it has room for one vertex more. */
+void test_a_neighbour_without_room_for_a_vertex_ends_the_cut(void)
+{
+    enum {
+        MOST = FXL_FACE_VERTICES_MAX
+    };
+    fxl_point vertices[MOST + 2] = {{Q16(1), 0, -Q16(2)}, {-Q16(1), 0, -Q16(2)}};
+    uint16_t indices[MOST + 4];
+    for (int32_t k = 0; k < MOST; k++) {
+        indices[k] = (uint16_t)k;
+        if (k >= 2) { /* a parabola */
+            const int32_t x = 2 * k - MOST - 1;
+            vertices[k] = (fxl_point){x * Q16(1), 0, Q16(50) - x * x * Q16(0.0625)};
+        }
+    }
+    vertices[MOST] = (fxl_point){-Q16(1), -Q16(2), -Q16(2)};
+    vertices[MOST + 1] = (fxl_point){Q16(1), -Q16(2), -Q16(2)};
+    fxl_bsp_node nodes[2] = {
+        {.normal = {0, FXL_Q2_30_ONE, 0}, .front = FXL_BSP_NONE, .back = 1, .parent = FXL_BSP_NONE},
+        {.normal = {FXL_Q2_30_ONE, 0, 0}, .front = FXL_BSP_NONE, .back = FXL_BSP_NONE}};
+    const fxl_instance instance = {.model = 0};
+    const fxl_point eye = {0, Q16(10), -Q16(10)};
+    for (uint8_t count = MOST - 1; count <= MOST; count++) {
+        const uint16_t side[4] = {0, 1, MOST, MOST + 1};
+        memcpy(indices + count, side, sizeof side);
+        const fxl_face faces[2] = {
+            {.normal = {0, FXL_Q2_30_ONE, 0}, .count = count},
+            {.normal = {0, 0, -FXL_Q2_30_ONE}, .first_index = count, .count = 4}};
+        const fxl_model model = {.vertex_count = MOST + 2, .face_count = 2};
+        const fxl_scene scene = {.vertices = vertices,
+                                 .indices = indices,
+                                 .faces = faces,
+                                 .models = &model,
+                                 .instances = &instance,
+                                 .bsp_nodes = nodes};
+        fxl_bsp_item items[4];
+        fxl_bsp_vertex memory[64];
+        const fxl_bsp_parts parts = {.items = items, .vertices = memory + 64};
+        fxl_bsp_cutter cutter = {
+            .scene = &scene, .parts = &parts, .capacity = sizeof items + sizeof memory};
+        TEST_ASSERT_EQUAL(count < MOST, fxl_bsp_cut(&cutter, &instance, &eye, 0));
+        TEST_ASSERT_EQUAL_UINT32(count < MOST ? 3 : 0, cutter.item_count);
+        TEST_ASSERT_EQUAL_UINT32(MOST, count < MOST ? items[0].count : MOST);
+    }
+}

@@ -221,6 +221,26 @@ void test_text_is_what_is_drawn_here(void)
     expect_text(&style, "\x7F", question, 7);
 }
 
+/* Two characters of one pixel: one begins right of the pen, one left of it. */
+void test_a_character_may_begin_beside_the_pen(void)
+{
+    static const uint8_t bits[] = {0x80};
+    static const fxl_glyph glyphs[] = {
+        {.first_byte = 0, .width = 1, .height = 1, .left = 2, .top = 1, .advance = 4},
+        {.first_byte = 0, .width = 1, .height = 1, .left = -1, .top = -1, .advance = 4}};
+    static const fxl_font font = {
+        .glyphs = glyphs, .bits = bits, .first = 'a', .count = 2, .unknown = 'a', .line_height = 3};
+    const fxl_text_style style = {&font, 5, 0}, fixed = {&font, 6, 7};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(&band, 2, FIRST + 1, "ab", &style));
+    want(4, FIRST + 2, 5);
+    want(5, FIRST, 5);
+    expect_wanted();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(&band, 2, FIRST + 1, "ab", &fixed));
+    want(5, FIRST + 2, 6); /* one of the three pixels that are over is to the left */
+    want(9, FIRST, 6);
+    expect_wanted();
+}
+
 /* The same text through its sprites. */
 void test_text_anywhere_is_its_characters_side_by_side(void)
 {
