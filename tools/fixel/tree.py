@@ -23,7 +23,7 @@ from fixel.work import TreeWork
 ON = (NEAR - 1) << 30
 
 
-@dataclass
+@dataclass(slots=True)
 class Part:
     """A face of the scene, or what the cuts left of it."""
     normal: tuple
@@ -64,8 +64,8 @@ class Lines:
 
     def __init__(self):
         self.points, self.numbers = [], {}
-        self.ends, self.by_ends, self.cuts, self.on = [], {}, {}, []
-        self.places = {}    # of lines with more than two vertices: which is where
+        self.ends, self.by_ends, self.cuts = [], {}, {}
+        self.on, self.places = {}, {}   # of lines that were cut: the new vertices; where each vertex is on the way
 
     def vertex(self, point):
         number = self.numbers.setdefault(point, len(self.points))
@@ -77,12 +77,11 @@ class Lines:
         """The line of an edge of the scene, whichever way it goes."""
         key = (min(a, b), max(a, b))
         if key not in self.by_ends:
-            self.by_ends[key] = self.line(*key)
+            self.by_ends[key] = self.line(key)
         return self.by_ends[key]
 
-    def line(self, a, b):
-        self.ends.append((a, b))
-        self.on.append({a, b})
+    def line(self, ends):
+        self.ends.append(ends)
         return len(self.ends) - 1
 
     def crossing(self, line, number, plane):
@@ -95,12 +94,12 @@ class Lines:
                 a, b, above, below = b, a, below, above
             point = tuple(p + round_div((q - p) * above, above - below) for p, q in zip(a, b))
             self.cuts[key] = self.vertex(point)
-            self.on[line].add(self.cuts[key])
+            self.on.setdefault(line, {*self.ends[line]}).add(self.cuts[key])
         return self.cuts[key]
 
     def between(self, line, a, b):
         """The line's vertices from a to b, both left out, in the order of the way. Nothing is put on a line after this."""
-        if len(self.on[line]) == 2:
+        if line not in self.on:
             return []
         if line not in self.places:
             first, last = (self.points[end] for end in self.ends[line])
@@ -149,7 +148,7 @@ def cut(lines, part, number, plane):
         marks.append((i, part.ring[at]) if at is not None
                      else (i, lines.crossing(part.lines[i], number, plane)))
     (leave, out), (enter, back) = marks
-    across = lines.line(out, back)
+    across = lines.line((out, back))
     halves = []
     for (start, begin), (stop, end) in ((marks[1], marks[0]), (marks[0], marks[1])):
         ring, own, i = [begin], [part.lines[start]], start
@@ -198,12 +197,12 @@ class Builder:
         if number == NODES_MAX or depth > DEPTH_MAX:
             raise ToolError(f"the tree needs more than {NODES_MAX:,} nodes, or nodes more than "
                             f"{DEPTH_MAX:,} deep: give its layer fewer faces")
-        self.work.take("nodes of the tree", 1, "the tree")
+        self.work.take("nodes", 1, "the tree")
         self.work.take("corners of faces at nodes", sum(len(part.ring) for part in parts), "the tree")
         if self.progress:
             self.progress(f"tree: {self.done} of about {self.total} faces, {number} nodes, "
                           f"{self.counts.splits} splits")
-        plane = tree_choice.choose(self.lines.points, parts)
+        plane = tree_choice.choose(self.lines.points, parts, self.work)
         self.nodes.append(Node(*plane, NONE, NONE, parent, 0, 0))
         if parent != NONE:
             setattr(self.nodes[parent], "front" if which > 0 else "back", number)
@@ -238,15 +237,17 @@ class Builder:
         return on, front, back
 
 
-def parts_of(scene, members, origin, lines):
+def parts_of(scene, members, origin, lines, work):
     """The faces of the objects as parts; vertices relative to origin."""
-    _check_size("faces", sum(len(scene.models[scene.objects[group].model].faces) for group in members))
     parts = []
     for group in members:
         item = scene.objects[group]
         model = scene.models[item.model]
+        work.take("faces of its layers", len(model.faces), "the tree")
+        work.take("corners of its layers", sum(len(face.corners) for face in model.faces), "the tree")
         numbers = [lines.vertex(tuple(v + c - o for v, c, o in zip(vertex, item.centre, origin)))
                    for vertex in model.vertices]
+        _check_size("vertices", len(lines.points))
         for face in model.faces:
             ring = [numbers[corner] for corner in face.corners]
             own = [lines.edge(a, b) for a, b in zip(ring, ring[1:] + ring[:1])]
@@ -268,26 +269,24 @@ def _middle(scene, members):
 def _check_size(kind, count):
     """A model has at most so many faces, and so many vertices."""
     if count > FACES_MAX:
-        raise ToolError(f"the tree's model has at least {count:,} {kind}; a model has at most {FACES_MAX:,}: "
-                        "give its layers fewer faces")
+        raise ToolError(f"the tree would have {count:,} {kind} or more, and a model has at most {FACES_MAX:,}: "
+                        "give its layers fewer faces, or name fewer layers")
 
 
-def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX, work=None):
-    """Nodes, faces of at most so many vertices, for each face the number of the part that it came from, and counts.
-    work: the budget, else that of any tree."""
-    work = work or TreeWork()
-    work.take("faces of its layers", len(parts), "the tree")
+def grow(parts, lines, work, progress=None, most=FACE_VERTICES_MAX):
+    """Nodes, faces of at most so many vertices, for each face the number of the part that it came from, and counts."""
     builder = Builder(lines, parts, progress, work)
     nodes, held = builder.build()
     faces, sources, counts = [], [], builder.counts
     for part in (part for group in held for part in group):
         shared = tree_faces.share(lines, part)
-        work.take("vertices on edges", shared, "the tree")
-        work.take("corners of faces halved", len(part.ring) ** 2 if len(part.ring) > most else 0, "the tree")
+        work.take("corners added by the cuts of neighbours", shared, "the tree")
         counts.shared += shared
+    # Of n corners that are too many, at least (n - 2) / (most - 2) faces are made, rounded up.
+    _check_size("faces", sum(max(1, (len(part.ring) + most - 5) // (most - 2)) for group in held for part in group))
     for node, group in zip(nodes, held):
         node.first_face = len(faces)
-        pieces = [piece for part in group for piece in tree_faces.halve(lines, part, most)]
+        pieces = [piece for part in group for piece in tree_faces.halve(lines, part, work, most)]
         counts.halved += len(pieces) - len(group)
         faces += [tree_faces.flat_face(lines, piece) for piece in pieces]
         sources += [piece.source for piece in pieces]
@@ -340,9 +339,10 @@ def plant(scene, layers, moving=(), progress=None):
     last of them; answers the counts. The others stay as they are; the new object is the last that
     is not turned. No face keeps a surface: by a tree all are drawn in their own colours."""
     members = _members(scene, layers, moving)
-    origin, lines = _middle(scene, members), Lines()
-    nodes, faces, _, counts = grow(parts_of(scene, members, origin, lines), lines, progress,
-                                   _most(scene.beams))
+    _check_size("faces", sum(len(scene.models[scene.objects[group].model].faces) for group in members))
+    origin, lines, work = _middle(scene, members), Lines(), TreeWork()
+    parts = parts_of(scene, members, origin, lines, work)
+    nodes, faces, _, counts = grow(parts, lines, work, progress, _most(scene.beams))
     used = {}
     for face in faces:
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)

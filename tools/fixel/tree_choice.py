@@ -12,6 +12,9 @@ ONE = 1 << 30
 # A split makes a face more in every frame; ill balance costs a little in some.
 SPLIT_COST = 6
 
+COST_MAX = 1 << 40
+HEIGHTS_AT_ONCE = 1 << 18   # 2 MB
+
 # So many planes of faces, and so many across each axis, are tried.
 FACES_TRIED, ACROSS_TRIED = 40, 24
 
@@ -54,24 +57,34 @@ def _across(points, parts):
     return planes
 
 
-def choose(points, parts):
-    """(normal, distance) of the plane for these faces. Heights are below 2^62, so 64 bits hold
+def _costs(points, parts, planes, work):
+    """What each plane would cost that divides the parts; for the others COST_MAX. Heights are below 2^62, so 64 bits hold
     them exactly."""
     vertices = np.array([points[v] for part in parts for v in part.ring], dtype=np.int64)
     starts = np.cumsum([0] + [len(part.ring) for part in parts[:-1]])
-    best, best_cost = None, None
-    candidates = [(plane, True) for plane in _of_faces(points, parts)] + \
-        [(plane, False) for plane in _across(points, parts)]
-    for plane, of_face in candidates:
-        heights = vertices @ np.array(plane[0], dtype=np.int64) - plane[1]
-        low, high = np.minimum.reduceat(heights, starts), np.maximum.reduceat(heights, starts)
-        front, back = low >= -ON, high <= ON
-        on, split = np.sum(front & back), np.sum(~front & ~back)
-        ahead, behind = np.sum(front & ~back), np.sum(back & ~front)
-        if not on and not split and not (ahead and behind):
-            continue        # divides nothing
-        # A node with nothing on it is one more to walk past.
-        cost = SPLIT_COST * split + abs(int(ahead) - int(behind)) + (0 if of_face else 1)
-        if best_cost is None or cost < best_cost:
-            best, best_cost = plane, cost
-    return best
+    normals = np.array([normal for normal, _ in planes], dtype=np.int64).T
+    distances = np.array([distance for _, distance in planes], dtype=np.int64)
+    work.take("corners at planes tried", len(vertices) * len(planes), "the tree")
+    costs, step = [], max(1, HEIGHTS_AT_ONCE // len(vertices))
+    for first in range(0, len(planes), step):
+        heights = vertices @ normals[:, first:first + step] - distances[first:first + step]
+        front = np.minimum.reduceat(heights, starts) >= -ON
+        back = np.maximum.reduceat(heights, starts) <= ON
+        on, split = np.sum(front & back, axis=0), np.sum(~front & ~back, axis=0)
+        ahead, behind = np.sum(front & ~back, axis=0), np.sum(back & ~front, axis=0)
+        divides = (on > 0) | (split > 0) | ((ahead > 0) & (behind > 0))
+        costs.append(np.where(divides, SPLIT_COST * split + np.abs(ahead - behind), COST_MAX))
+    return np.concatenate(costs)
+
+
+def choose(points, parts, work):
+    """(normal, distance) of the plane for these faces: of those that cost the same the first."""
+    of_faces = _of_faces(points, parts)
+    planes = of_faces + _across(points, parts)
+    work.take("planes tried at nodes", len(planes), "the tree")
+    work.take("objects at nodes", len({part.group for part in parts}), "the tree")
+    costs = _costs(points, parts, planes, work)
+    costs[len(of_faces):] += 1      # a node with nothing on it is one more to walk past
+    best = int(np.argmin(costs))
+    assert costs[best] < COST_MAX, "a face lies on its own plane"
+    return planes[best]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The work that a scene file asks for. Each stage takes what it needs from one budget before it begins, so that all of
 them together stay within the bound that docs/scenes.md promises: 2 s, and 2 s more for each MB of the scene's files.
-A tree has a budget of its own.
+A tree has a budget of its own, of 20 s more.
 
 The unit is a step: about 1 us of CPU time on a PC of 2020. The tool itself takes 0.4 s of the 2 s to begin. What
 it takes to read a byte is not part of the budget."""
@@ -75,19 +75,23 @@ COSTS = {
     "keys of the path": 65,
     "steps of the path": 12,
     # --- trees
-    "faces of its layers": 40,
-    "nodes of the tree": 200,
-    "corners of faces at nodes": 1.2,       # a face comes to each node above its own
+    "faces of its layers": 30,
+    "corners of its layers": 16,             # and 200 bytes of memory
+    "nodes": 120,
+    "corners of faces at nodes": 1.5,        # a face comes to each node above its own
+    "objects at nodes": 10,
+    "planes tried at nodes": 10,
+    "corners at planes tried": 0.04,
     "faces split": 60,
-    "vertices on edges": 4,                 # of each edge of a face, once
-    "corners of faces halved": 1,           # the square of a face's corners
+    "corners added by the cuts of neighbours": 6,
+    "diagonals of faces with many corners": 0.7,
 }
 
 
 class Work:
     """The budget of one scene, and what was taken from it."""
 
-    asked, cure = "the scene asks", "use fewer of these"
+    asks, cure = ": the scene asks", "use fewer of these"
 
     def __init__(self):
         self.most, self.taken, self.kinds, self.files = STEPS, 0, {}, set()
@@ -109,7 +113,7 @@ class Work:
         self.taken += steps
         self.kinds[kind] = self.kinds.get(kind, 0) + steps
         if self.taken > self.most:
-            raise ToolError(f"{where}: {self.asked} for too much work; most of it is for {self._shares()}: {self.cure} "
+            raise ToolError(f"{where}{self.asks} for too much work; most of it is for {self._shares()}: {self.cure} "
                             f"(the limit is {self._limit()})")
 
     def _limit(self):
@@ -124,7 +128,7 @@ class Work:
 class TreeWork(Work):
     """The budget of one tree."""
 
-    asked, cure = "it asks", "give its layers fewer faces"
+    asks, cure = " asks", "give its layers fewer faces, or name fewer layers"
 
     def __init__(self, most=TREE_STEPS):
         super().__init__()
