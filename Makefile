@@ -63,9 +63,14 @@ include firmware/equality/equality.mk
 
 # On which headers the objects depend, as the compilers wrote it: thousands of files, a second to
 # read. A command has its files built by a sub-make, so a make of commands alone reads none of
-# them. seeded_bugs holds whole copies of the project.
+# them. Programs of boards and of the host, and the library, depend on no object of the tests or of
+# the bench, two thirds of all. seeded_bugs holds whole copies of the project.
+APART := $(addprefix $(BUILD)/,host/unit host/fuzz core/*/unit boards/*/unit bench equality)
+ifeq ($(filter-out $(BUILD)/host/ $(BOARDS:%=$(BUILD)/boards/%/),$(dir $(filter-out lib,$(MAKECMDGOALS)))),)
+UNREAD := $(foreach folder,$(APART),-path '$(folder)' -prune -o)
+endif
 ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
--include $(shell find $(BUILD) -name seeded_bugs -prune -o -name '*.d' -print 2>/dev/null)
+-include $(shell find $(BUILD) -name seeded_bugs -prune -o $(UNREAD) -name '*.d' -print 2>/dev/null)
 endif
 
 HOST_WALK := $(call WALK_OF,host)
