@@ -177,6 +177,20 @@ void test_a_window_is_a_lens(void)
     TEST_ASSERT_NULL(lens.off_centre);
 }
 
+void test_a_window_may_have_the_least_and_the_most_pixels(void)
+{
+    fxl_lens lens;
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_lens_from_window(1, Q16(-1), Q16(1), Q16(-1), Q16(1), Q16(1), Q16(9), &lens));
+    TEST_ASSERT_EQUAL(1, lens.width);
+    TEST_ASSERT_EQUAL(1, lens.height);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_window(64, Q16(-1), Q16(1), Q16(-16), Q16(16), Q16(1),
+                                                   Q16(9), &lens));
+    TEST_ASSERT_EQUAL(FXL_SCREEN_MAX, lens.height);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_lens_from_window(64, Q16(-1), Q16(1), Q16(-16), Q16(16.02),
+                                                        Q16(1), Q16(9), &lens));
+}
+
 void test_windows_out_of_range_are_refused(void)
 {
     const struct {

@@ -169,12 +169,23 @@ void test_memory_for_textures_is_checked(void)
     tiny_image *image = make();
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                      fxl_surfaces_open(&opened, textures, TEXTURES - 1, &set, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
-                      fxl_surfaces_open(&opened, (fxl_texture *)((uintptr_t)textures + 1),
-                                        TEXTURES - 1, &set, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, NULL, TEXTURES, &set, NULL));
+    const struct {
+        fxl_status status;
+        fxl_texture *textures;
+        uint32_t capacity;
+        const char *what;
+    } cases[] = {
+        {FXL_E_CAPACITY, textures, TEXTURES - 1, "texture table"},
+        {FXL_E_ALIGNMENT, (fxl_texture *)((uintptr_t)textures + 1), TEXTURES - 1, "texture table"},
+        {FXL_E_ARGUMENT, NULL, TEXTURES, "surfaces"},
+    };
+    for (uint32_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fxl_scene_fault fault = {"nothing", 99};
+        TEST_ASSERT_EQUAL(cases[i].status, fxl_surfaces_open(&opened, cases[i].textures,
+                                                             cases[i].capacity, &set, &fault));
+        TEST_ASSERT_EQUAL_STRING(cases[i].what, fault.what);
+        TEST_ASSERT_EQUAL_UINT32(0, fault.index);
+    }
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, textures, TEXTURES, NULL, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(NULL, textures, TEXTURES, &set, NULL));
 }

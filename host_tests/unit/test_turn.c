@@ -49,6 +49,22 @@ void test_rotations_are_accepted(void)
     }
 }
 
+/* x is too long by 1.5 2^-29, its square by 1.5 2^-28; all else is within its tolerance. */
+void test_a_row_just_too_long_is_refused(void)
+{
+    fxl_turn turn = none;
+    const fxl_orientation rows = {
+        {FXL_Q2_30_ONE + 3, -1, 0}, {0, FXL_Q2_30_ONE - 1, 0}, {0, 0, FXL_Q2_30_ONE + 2}};
+    turn.orientation = rows;
+    TEST_ASSERT_EQUAL(FXL_E_TURN, check(&turn));
+    turn.orientation.x.x--;
+    turn.orientation.z.z--;
+    TEST_ASSERT_EQUAL(FXL_E_TURN, check(&turn));
+    turn.orientation.x.x--;
+    turn.orientation.z.z--;
+    TEST_ASSERT_EQUAL(FXL_OK, check(&turn));
+}
+
 /* All six products of two rows, to within 2^-28: then the rows are accepted. A row that is moved
  * by more than 2^-26 is not. */
 void test_rows_near_and_far_from_a_rotation(void)
