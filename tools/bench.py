@@ -18,7 +18,7 @@ import sys
 
 from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, children, output,
                    parallel, qemu, scratch)
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
 # The share of pixels in which a renderer may differ from the library: the listing has no near plane, and
@@ -124,7 +124,7 @@ def main(argv):
     print(bench_page.terminal(plan, result))
     if options.left_out:
         print(f"left out, because no board has the core: {', '.join(options.left_out)}", file=sys.stderr)
-    print(f"report, plots, JSON: {pathlib.Path(options.out)}", file=sys.stderr)
+    print(f"report, plots, JSON: {one_line(pathlib.Path(options.out))}", file=sys.stderr)
     return 0
 
 

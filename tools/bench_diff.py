@@ -15,7 +15,7 @@ import pathlib
 import sys
 
 from fixel import bench_page, bench_plan, output
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.programs import read_json
 from fixel.table import coloured, table
 
@@ -95,7 +95,7 @@ def accept(data, baseline, document, plan):
     text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data, bench_page.DOCUMENT)
     output.write_json(baseline, data)
     output.write_file(document, text)
-    print(f"{baseline}, {document}: renewed", file=sys.stderr)
+    print(f"{one_line(baseline)}, {one_line(document)}: renewed", file=sys.stderr)
 
 
 def main(argv):

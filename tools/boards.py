@@ -21,7 +21,7 @@ import threading
 
 import scene as scene_tool
 from fixel import dump, emulator, firmware, fleet, methods, output, scratch, units
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.progress import Progress
 from fixel.table import coloured, table
 
@@ -157,7 +157,7 @@ def main(argv):
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(argv)
     emulator.find_qemu()
-    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    output.make_folder(options.build)
     with scratch.folder("boards", options.build) as folder:
         scenes = make_scenes(options.scene, options.build, folder)
         answers = run_jobs(all_jobs(options, scenes, folder), max(1, options.workers))
@@ -166,7 +166,7 @@ def main(argv):
                                     "boards": rows})
     print_rows(rows, scenes)
     good = all(each["hash_equal"] and not each["unit_tests_failed"] for each in rows)
-    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {options.out}")
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
     return 0 if good else 1
 
 

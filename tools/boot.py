@@ -9,7 +9,7 @@ interpreter.choose()  # before the imports that need a package
 import argparse
 
 from fixel.emulator import run
-from fixel.errors import run_main
+from fixel.errors import one_line, run_main
 from fixel.progress import Progress
 
 
@@ -33,7 +33,7 @@ def main(argv):
     with Progress(f"frames on {options.board}") as progress:
         result = run(options.board, options.image, options.elf, options.dump, options.frames,
                      options.timeout, progress)
-    print(f"{result.board} ({result.cpu}): {result.frames} frames in {result.seconds:.1f} s: {options.dump}")
+    print(f"{result.board} ({result.cpu}): {result.frames} frames in {result.seconds:.1f} s: {one_line(options.dump)}")
     return 0
 
 

@@ -15,7 +15,7 @@ import pathlib
 import sys
 
 from fixel import clippers_page, clippers_plan, clippers_rows, clippers_run, output, parallel, qemu, scratch
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.programs import read_json
 from fixel.table import coloured
 
@@ -111,7 +111,7 @@ def main(argv):
     for sentence in result["complaints"]:
         print(f"{coloured('FAIL', 'red')}: {sentence}")
     word = coloured("FAIL", "red") if result["complaints"] else coloured("pass", "green")
-    print(f"{word}: {options.out}/clippers.html, {options.out}/clippers.json")
+    print(f"{word}: {one_line(options.out)}/clippers.html, {one_line(options.out)}/clippers.json")
     return 1 if result["complaints"] else 0
 
 

@@ -11,36 +11,83 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 import contextlib
+import io
 import json
+import os
 import pathlib
+import struct
 import sys
+import warnings
 
 import numpy
-from PIL import Image, UnidentifiedImageError
+from PIL import Image, PngImagePlugin, UnidentifiedImageError
 
-from fixel import dump, output, picture
-from fixel.errors import ToolError, run_main
+from fixel import dump, output, picture, reading
+from fixel.errors import ToolError, one_line, run_main
 from fixel.progress import steps
 from fixel.table import coloured, table
 
-EIGHT_BIT_MODES = ("1", "L", "LA", "P", "PA", "RGB", "RGBA")
-SHOWN_ROWS = 20     # of frames that differ
+PNG_MAX = 64 << 20      # bytes of a PNG
+DUMP_MAX = 1 << 30      # bytes of a frame dump
+SIDE_MAX = 4096         # pixels
+PIXELS_MAX = 1 << 23    # of a PNG: two of them, and what is made of them, take less than 200 MB and 2 s
+TEXTS_MAX = 64          # chunks of a PNG that may hold compressed texts, each of which Pillow expands
+PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of such texts
+BAND = 128              # rows at a time
+SHOWN_ROWS = 20         # of frames that differ
 PATTERNS = ["*_diff.png", "compare.json"]
+
+
+def check_head(path, blob):
+    """Refuses what is no PNG, or one of more than 8 bits a channel: Pillow would drop the lower ones."""
+    if blob[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ToolError(f"{path}: neither a PNG nor a frame dump nor a folder")
+    if blob[12:16] != b"IHDR" or len(blob) < 33:
+        raise ToolError(f"{path}: cannot be read: it does not begin with a PNG's head")
+    if blob[24] > 8:
+        raise ToolError(f"{path}: has {blob[24]} bits a channel; a PNG may have at most 8 bits a channel here")
+    if sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt"))) > TEXTS_MAX:
+        raise ToolError(f"{path}: has more than {TEXTS_MAX} chunks of compressed text; save it without")
+
+
+def check_size(path, width, height):
+    """Refuses a picture that would take too long or too much memory."""
+    if max(width, height) > SIDE_MAX or width * height > PIXELS_MAX:
+        raise ToolError(f"{path}: {width}x{height} pixels are too many; a PNG may have at most {SIDE_MAX:,} a side "
+                        f"and {PIXELS_MAX:,} together")
 
 
 def read_png(path):
     """Colours (height x width x 4) of a PNG of at most 8 bits a channel."""
+    blob = reading.read_whole(path, PNG_MAX, "make the picture smaller")
+    check_head(path, blob)
+    check_size(path, *struct.unpack_from(">II", blob, 16))
     try:
-        with Image.open(path) as image:
-            if image.format != "PNG":
-                raise ToolError(f"{path}: is {image.format}, not PNG")
-            if image.mode not in EIGHT_BIT_MODES:
-                raise ToolError(f"{path}: has more than 8 bits a channel ({image.mode})")
-            return numpy.asarray(image.convert("RGBA"))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            with Image.open(io.BytesIO(blob), formats=("PNG",)) as image:
+                check_size(path, *image.size)   # a damaged file may have two heads
+                return rgba_of(image)
+    except ToolError:
+        raise
     except UnidentifiedImageError as error:
-        raise ToolError(f"{path}: neither a PNG nor a frame dump nor a folder") from error
-    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
-        raise ToolError(f"{path}: cannot be read: {error}") from error
+        raise ToolError(f"{path}: cannot be read: its head is damaged") from error
+    except Exception as error:      # Pillow's readers raise anything for a damaged file
+        words = reading.shortened(str(error)) or type(error).__name__
+        raise ToolError(f"{path}: cannot be read: {words}") from error
+
+
+def bands(height):
+    """The rows of a picture, some at a time: what is made of large pictures whole takes much memory."""
+    return [slice(top, min(top + BAND, height)) for top in range(0, height, BAND)]
+
+
+def rgba_of(image):
+    """An opened picture's colours."""
+    colours = numpy.empty((image.height, image.width, 4), numpy.uint8)
+    for rows in bands(image.height):
+        colours[rows] = image.crop((0, rows.start, image.width, rows.stop)).convert("RGBA")
+    return colours
 
 
 class Frames:
@@ -50,14 +97,12 @@ class Frames:
         self.path = pathlib.Path(path)
         self.by_number = False      # names are only numbers: pair in order
         self.dump = None
-        if self.path.is_dir():
+        if os.path.isdir(path):
             self.files = self._of_folder()
             self.names = [file.stem for file in self.files]
-        elif self.path.is_file():
-            with self.path.open("rb") as file:
-                is_dump = file.read(4) == b"FXLD"
-            if is_dump or self.path.suffix == ".fxld":
-                self.dump = dump.read_dump(path)
+        elif os.path.exists(path):
+            if reading.read_start(path, 4) == b"FXLD" or self.path.suffix == ".fxld":
+                self.dump = dump.parse_dump(reading.read_whole(path, DUMP_MAX, "compare fewer frames"), path)
                 self.names = [f"frame_{frame.number:04d}" for frame in self.dump.frames]
             else:
                 self.files, self.names = [self.path], [self.path.stem]
@@ -97,14 +142,44 @@ def compare_frame(name, a, b, tolerance):
     if a.shape != b.shape:
         raise ToolError(f"{name}: the sizes differ: {a.shape[1]}x{a.shape[0]} and "
                         f"{b.shape[1]}x{b.shape[0]}")
-    distance = numpy.abs(a.astype(numpy.int16) - b).max(axis=2)
+    distance = numpy.empty(a.shape[:2], numpy.uint8)
+    for rows in bands(len(a)):
+        apart = numpy.maximum(a[rows], b[rows]) - numpy.minimum(a[rows], b[rows])
+        distance[rows] = apart.max(axis=2)
     differs = distance > tolerance
     return {"name": name, "pixels": int(differs.size), "pixels_differing": int(differs.sum()),
             "largest_difference": int(distance.max())}, differs
 
 
+def fullest(counts):
+    """The slice of at most SCREEN_MAX entries with the largest sum; of several, the middle one."""
+    size = min(dump.SCREEN_MAX, len(counts))
+    sums = numpy.concatenate([[0], counts.cumsum()])
+    sums = sums[size:] - sums[:-size]
+    starts = numpy.flatnonzero(sums == sums.max())
+    start = int(starts[len(starts) // 2])
+    return slice(start, start + size)
+
+
+def sheet_of(a, b, differs):
+    """Two pictures side by side as a PNG's bytes; of large ones, the part of a screen's size where they differ most."""
+    rows = fullest(differs.sum(axis=1))
+    columns = fullest(differs[rows].sum(axis=0))
+    part = differs[rows, columns]
+    where = "" if part.size == differs.size else f" from column {columns.start}, row {rows.start}"
+    return picture.png_bytes(picture.side_by_side(a[rows, columns], b[rows, columns], part, ["A" + where, "B" + where]))
+
+
 def compare(path_a, path_b, tolerance, folder):
     """The comparison as a dictionary; side-by-side pictures of what differs go to folder."""
+    try:
+        return compare_sets(path_a, path_b, tolerance, folder)
+    except ToolError as error:      # a file's name in a folder may have a line break
+        raise ToolError(one_line(error), error.exit_code) from error
+
+
+def compare_sets(path_a, path_b, tolerance, folder):
+    """As compare does; messages have names as they are."""
     a, b = Frames(path_a), Frames(path_b)
     check_pairing(a, b)
     frames = []
@@ -113,8 +188,7 @@ def compare(path_a, path_b, tolerance, folder):
         frame, differs = compare_frame(a.names[index], colours_a, colours_b, tolerance)
         frames.append(frame)
         if differs.any() and folder:
-            sheet = picture.side_by_side(colours_a, colours_b, differs, ["A", "B"])
-            (folder / f"{frame['name']}_diff.png").write_bytes(picture.png_bytes(sheet))
+            (folder / f"{frame['name']}_diff.png").write_bytes(sheet_of(colours_a, colours_b, differs))
     differing = [frame for frame in frames if frame["pixels_differing"]]
     return {"a": str(path_a), "b": str(path_b), "tolerance": tolerance, "equal": not differing,
             "frames": len(frames), "frames_differing": len(differing),
@@ -129,7 +203,7 @@ def print_table(result, out):
     worst = sorted((frame for frame in result["per_frame"] if frame["pixels_differing"]),
                    key=lambda frame: (-frame["pixels_differing"], frame["name"]))
     if worst:
-        print(table([[frame["name"], frame["pixels_differing"],
+        print(table([[one_line(frame["name"]), frame["pixels_differing"],
                       f"{100 * frame['pixels_differing'] / frame['pixels']:.4f} %",
                       frame["largest_difference"]] for frame in worst[:SHOWN_ROWS]],
                     ["frame", "pixels", "share", "largest"]))
@@ -140,18 +214,19 @@ def print_table(result, out):
           f"{result['pixels_differing']:,} of {result['pixels']:,} pixels, "
           f"tolerance {result['tolerance']}")
     if out:
-        print(f"JSON and pictures: {out}")
+        print(f"JSON and pictures: {one_line(out)}")
 
 
 def tolerance_of(text):
     """0..255 from a command line."""
-    if not (text.isascii() and text.isdigit() and int(text) <= 255):
-        raise ToolError(f"TOLERANCE is '{text}'; it must be a whole number from 0 to 255")
+    if not (len(text) <= 3 and text.isascii() and text.isdigit() and int(text) <= 255):
+        raise ToolError(f"TOLERANCE is '{reading.shortened(text)}'; it must be a whole number from 0 to 255")
     return int(text)
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=f"{__doc__.splitlines()[0]} A PNG may have at most 8 bits a channel, "
+                                     f"{SIDE_MAX:,} pixels a side and {PIXELS_MAX:,} together.")
     parser.add_argument("--a", default="", help="a PNG, a folder of PNGs, or a frame dump (A=)")
     parser.add_argument("--b", default="", help="the other: a PNG, a folder of PNGs, or a frame dump (B=)")
     parser.add_argument("--tolerance", default="0",

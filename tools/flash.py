@@ -10,7 +10,7 @@ import argparse
 import itertools
 
 from fixel import probe
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.flash import flash
 from fixel.table import table
 
@@ -27,7 +27,7 @@ def write_image(options):
     print(table(rows, ("part", "address", "bytes", "of")))
     if result.sectors_erased:
         print(f"{len(result.sectors_erased)} sectors erased and programmed: {sectors(result.sectors_erased)}")
-    print(f"{result.verified} bytes verified: {result.image}")
+    print(f"{result.verified} bytes verified: {one_line(result.image)}")
 
 
 def main(argv):

@@ -15,7 +15,7 @@ import re
 import sys
 
 from fixel import bdf, c_scene, c_text, output
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.reading import quoted
 
 BYTES_MAX = 65535       # of all pictures: fxl_glyph.first_byte
@@ -78,7 +78,7 @@ def main(argv):
     parser.add_argument("--characters", default="32-126", metavar="FIRST-LAST", help="codes, 32-126 by default")
     options = parser.parse_args(argv)
     count = export(options.font, options.out, options.name, options.characters)
-    print(f"{options.out}: {count} characters", file=sys.stderr)
+    print(f"{one_line(options.out)}: {count} characters", file=sys.stderr)
     return 0
 
 

@@ -19,7 +19,7 @@ import sys
 
 import scene as scene_tool
 from fixel import dump, frame_hashes, scratch
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.programs import run_program
 
 
@@ -54,7 +54,7 @@ def main(argv):
     records = frame_hashes.load()
     with scratch.folder("hashes") as folder:
         for scene in options.scenes:
-            print(f"{scene}: {add(scene, records, options.build, folder)}", file=sys.stderr)
+            print(f"{one_line(scene)}: {add(scene, records, options.build, folder)}", file=sys.stderr)
     frame_hashes.save(records)
     return 0
 

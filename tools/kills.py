@@ -11,13 +11,12 @@ from fixel import interpreter
 interpreter.choose()  # before the imports that need a package
 
 import argparse
-import pathlib
 import random
 import signal
 import sys
 
 import scene as scene_tool
-from fixel import kill_campaign, scratch
+from fixel import kill_campaign, output, scratch
 from fixel.arguments import whole_number
 from fixel.errors import run_main
 from fixel.progress import Progress
@@ -85,7 +84,7 @@ def main(argv):
     # A shell ignores it for what it starts in the background, and so would the commands.
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
-    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    output.make_folder(options.build)
     with scratch.folder("kills", options.build) as folder:
         kills = carry_out(options, make_campaign(options, folder))
     return 1 if print_kills(kills, options.commands) else 0

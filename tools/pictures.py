@@ -8,14 +8,24 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
+import re
 
 from PIL import Image
 
 from fixel import dump, output, picture
 from fixel.errors import ToolError, run_main
+from fixel.reading import quoted
 
 FRAMES = "30,45,105"       # of the plaza
 GAP = 8
+
+
+def parse_frames(text):
+    """Numbers of frames from "30,45,105"."""
+    numbers = text.split(",")
+    if not all(re.fullmatch("[0-9]{1,7}", number) for number in numbers):
+        raise ToolError(f"--frames is {quoted(text)}; it must be numbers of frames, like {FRAMES}")
+    return list(map(int, numbers))
 
 
 def of_run(folder, numbers):
@@ -32,6 +42,8 @@ def of_dumps(files, numbers):
     made = []
     for file, number in zip(files, numbers, strict=True):
         drawn = dump.read_dump(file)
+        if number >= len(drawn.frames):
+            raise ToolError(f"{file}: has no frame {number}; its frames are counted from 0, and it has {len(drawn.frames)}")
         made.append(picture.palette_image(drawn.frames[number].pixels, drawn.palette).convert("RGB"))
     return made
 
@@ -44,7 +56,7 @@ def main(argv):
     parser.add_argument("--frames", default=FRAMES, help="numbers of the frames, like 30,45,105")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture")
     options = parser.parse_args(argv)
-    numbers = list(map(int, options.frames.split(",")))
+    numbers = parse_frames(options.frames)
     if options.dumps and len(options.dumps) != len(numbers):
         raise ToolError("--frames must have a number for each of --dumps")
     frames = of_dumps(options.dumps, numbers) if options.dumps else of_run(options.run, numbers)

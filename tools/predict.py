@@ -17,7 +17,7 @@ import sys
 import run as run_tool
 import scene as scene_tool
 from fixel import costs, image, memory_needed, output, scratch
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.table import coloured, table
 
 
@@ -74,7 +74,7 @@ def print_prediction(result):
     """For people."""
     flash, ram, stack, taken = (result[key] for key in ("flash", "ram", "stack", "instructions_per_frame"))
     rows = [["board", f"{result['board']}, costs of core {result['core']}"],
-            ["scene", f"{result['scene']}, {result['frames']} frames"],
+            ["scene", f"{one_line(result['scene'])}, {result['frames']} frames"],
             ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
                       f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
             ["RAM", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
@@ -86,7 +86,7 @@ def print_prediction(result):
         print(table([[part["what"], part["times"], part["instructions"]] for part in result["parts"][:8]],
                     ["most of them for", "times a frame", "instructions"]))
     if result["why_not"]:
-        print(f"{coloured('no room', 'red')}: {result['why_not']}")
+        print(f"{coloured('no room', 'red')}: {one_line(result['why_not'])}")
 
 
 def main(argv):
@@ -106,7 +106,7 @@ def main(argv):
     options = parser.parse_args(argv)
     options.frames = run_tool.frame_count(options.frames) if options.frames is not None else None
     screen = scene_tool.parse_screen(options.screen) if options.screen else None
-    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    output.make_folder(options.build)
     with scratch.folder("predict", options.build) as folder:
         result = predict(options, run_tool.make_scene_image(options.scene, folder, options.frames, screen))
     if options.json == "-":
@@ -115,7 +115,7 @@ def main(argv):
         print_prediction(result)
         if options.json:
             output.write_json(options.json, result)
-            print(f"JSON: {options.json}", file=sys.stderr)
+            print(f"JSON: {one_line(options.json)}", file=sys.stderr)
     return 1 if result["why_not"] else 0
 
 

@@ -14,7 +14,7 @@ import pathlib
 import sys
 
 from fixel import bench_plan, bench_run, flame, output, places, qemu, scratch
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.progress import Progress
 from fixel.table import table
 
@@ -103,7 +103,7 @@ def main(argv):
         (folder / "stacks.txt").write_text(folded(taken.stacks), encoding="utf-8")
         output.write_json(folder / "profile.json", data)
     print_profile(data, taken.models)
-    print(f"flame graph, stacks, JSON: {pathlib.Path(out)}", file=sys.stderr)
+    print(f"flame graph, stacks, JSON: {one_line(pathlib.Path(out))}", file=sys.stderr)
     return 0
 
 

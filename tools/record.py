@@ -15,7 +15,7 @@ import time
 from PIL import Image
 
 from fixel import browser, output
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.progress import steps
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
@@ -99,7 +99,7 @@ def main(argv):
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the recording, a GIF")
     options = parser.parse_args(argv)
     output.write_file(options.out, record(options))
-    print(options.out)
+    print(one_line(options.out))
     return 0
 
 

@@ -18,7 +18,7 @@ import sys
 from fixel import (output, report_claims, report_frames, report_page, report_plots, report_scale,
                    report_shards, report_stages, scratch)
 from fixel.arguments import whole_number
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.programs import read_json
 from fixel.table import coloured, table
 
@@ -93,7 +93,7 @@ def print_verdict(report, found, files):
     if short and not found:
         print(f"the report was asked for fewer samples than the claims are about: {short}")
     word = coloured("FAIL", "red") if found else coloured("pass", "green")
-    print(f"{word}: {files}")
+    print(f"{word}: {one_line(files)}")
 
 
 def print_report(report, out):
@@ -120,7 +120,7 @@ def write_picture(options):
     if not entries:
         raise ToolError(f"{file}: holds no errors of vertices by depth; make report writes them")
     output.write_file(options.picture, report_plots.picture_bytes(entries))
-    print(options.picture)
+    print(one_line(options.picture))
 
 
 def read_options(argv):

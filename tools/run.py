@@ -22,7 +22,7 @@ import numpy
 import scene as scene_tool
 from fixel import close_faces, dump, emulator, firmware, flash, methods, output, picture, scratch, wires
 from fixel import image as scene_image
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.programs import HostPrograms
 from fixel.progress import Progress, steps
 from fixel.reading import quoted
@@ -55,7 +55,7 @@ def make_scene_image(scene, folder, frames, screen=None):
     image = folder / "scene.fxls"
     _, notes = scene_tool.build(scene, image, frames, screen)
     for note in notes:
-        print(f"  {note}", file=sys.stderr)
+        print(f"  {one_line(note)}", file=sys.stderr)
     return image
 
 
@@ -189,7 +189,7 @@ def print_summary(summary, out):
     """A short table for people."""
     polygons, counts = summary["polygons"], summary["instructions_per_frame"]
     rows = [["board", f"{summary['board']} ({summary['cpu']})"],
-            ["scene", f"{summary['scene']}, {summary['width']}x{summary['height']}, "
+            ["scene", f"{one_line(summary['scene'])}, {summary['width']}x{summary['height']}, "
                       f"{summary['frames']} frames"],
             *judged_rows(summary),
             ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
@@ -205,7 +205,7 @@ def print_summary(summary, out):
     said = f" ({empty} of {summary['frames']} frames are empty: nothing was drawn in them)" if empty else ""
     if summary["order_wrong_pixels"]:
         print(ORDER_ADVICE)
-    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {out}")
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {one_line(out)}")
 
 
 def passes(summary):
@@ -243,12 +243,12 @@ def say_what_depth_confuses(image, options):
     bits = methods.depth_bits(options, scene)
     note = close_faces.note(scene, bits) if bits else None
     if note:
-        print(f"  {note}", file=sys.stderr)
+        print(f"  {one_line(note)}", file=sys.stderr)
 
 
 def run(options, folder):
     """The whole run; its files go into folder. The summary."""
-    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    output.make_folder(options.build)
     with scratch.folder("run", options.build) as work:
         # QEMU may be missing: say so before the scene takes its time.
         if options.board != firmware.HOST:

@@ -22,8 +22,8 @@ import re
 import sys
 import time
 
-from fixel import c_scene, c_texture, framing, image, image_header, image_lens, image_surface, model_file, output, path, texture, toml_scene, tree
-from fixel.errors import ToolError, printable, run_main
+from fixel import c_scene, c_texture, framing, image, image_header, image_lens, image_ranges, image_surface, model_file, output, path, texture, toml_scene, tree
+from fixel.errors import ToolError, one_line, run_main
 from fixel.reading import quoted
 
 QUIET_SECONDS = 2.0
@@ -37,7 +37,7 @@ class Progress:
 
     def __call__(self, text):
         if time.monotonic() >= self.next:
-            print(f"scene: {printable(text)}", file=sys.stderr, flush=True)
+            print(f"scene: {one_line(text)}", file=sys.stderr, flush=True)
             self.next = time.monotonic() + QUIET_SECONDS
 
 
@@ -103,6 +103,7 @@ def export(scene, out, name=None, frames=None, screen=None, layers=None):
             raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
                             "has its path, its screen and its tree already")
         compiled, notes = image.load(scene), []
+        image_ranges.check_apart(compiled, scene)
     else:
         compiled, notes = compile_scene(scene, frames, screen, layers, framing.PROGRAM)
         packed(compiled, scene)
@@ -122,7 +123,7 @@ def make_texture(arguments):
     name = arguments.name or os.path.splitext(os.path.basename(arguments.image))[0]
     text, texels = c_texture.header(arguments.image, name, size, arguments.levels, arguments.clamp)
     output.write_file(arguments.out, text)
-    print(f"{arguments.out}: {name}_texture, {2 * texels:,} bytes of texels")
+    print(f"{one_line(arguments.out)}: {name}_texture, {2 * texels:,} bytes of texels")
 
 
 def plant(compiled, layers, name):
@@ -181,7 +182,7 @@ def info(file, as_json):
     if as_json:
         print(json.dumps(data, indent=1))
         return
-    print(f"{file}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
+    print(f"{one_line(file)}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
     print(f"  screen   {data['width']}x{data['height']}, field of view {data['fov_degrees']:g} "
           f"degrees (focal {data['focal_pixels']:g} pixels)")
     if data["centre"] != [data["width"] / 2, data["height"] / 2]:
@@ -255,8 +256,8 @@ def main(argv):
         compiled, notes = build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree)
         size = compiled.size
     for note in notes:
-        print(f"note: {printable(note)}", file=sys.stderr)
-    print(f"{arguments.out}: {size:,} bytes, {len(compiled.objects)} objects, "
+        print(f"note: {one_line(note)}", file=sys.stderr)
+    print(f"{one_line(arguments.out)}: {size:,} bytes, {len(compiled.objects)} objects, "
           f"{compiled.frames} frames", file=sys.stderr)
     return 0
 

@@ -13,7 +13,7 @@ from PIL import Image
 
 import scene as scene_tool
 from fixel import firmware, flash, methods, output, picture, scratch
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.image import load
 from fixel.progress import Progress
 from fixel.session import Session
@@ -55,7 +55,7 @@ def main(argv):
     with scratch.folder("screen") as folder:
         pixels, frames = photograph(options, folder)
     output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))
-    print(f"{options.board}: its screen after frame {frames - 1}: {options.out}")
+    print(f"{options.board}: its screen after frame {frames - 1}: {one_line(options.out)}")
     return 0
 
 

@@ -19,7 +19,7 @@ from elftools.elf.elffile import ELFFile
 
 import scene as scene_tool
 from fixel import firmware, fleet, linked_size, output, scratch, stack
-from fixel.errors import ToolError, run_main
+from fixel.errors import ToolError, one_line, run_main
 from fixel.table import coloured, table
 
 # What the library may ask of its surroundings: C's memory functions, which
@@ -226,7 +226,7 @@ def main(argv):
               "proof": prove_pure(libraries[PROOF_CORE], options.cross)}
     output.write_json(options.out, result)
     print_sizes(result)
-    print(f"JSON: {options.out}", file=sys.stderr)
+    print(f"JSON: {one_line(options.out)}", file=sys.stderr)
     return 0 if result["proof"]["passes"] else 1
 
 

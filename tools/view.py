@@ -18,8 +18,8 @@ import pathlib
 import signal
 import webbrowser
 
-from fixel import firmware, flash, methods, scratch
-from fixel.errors import ENDINGS, ToolError, run_main
+from fixel import firmware, flash, methods, output, scratch
+from fixel.errors import ENDINGS, ToolError, one_line, run_main
 from fixel.view_board import Board
 from fixel.view_pump import IDLE_RATE, Pump
 from fixel.view_server import Hub, Server, hello
@@ -57,7 +57,7 @@ async def serve(board, reference_program, scene_image, options):
         server = Server(hub)
         try:
             await server.open(options.port)
-            print(f"{board.program.board} ({board.program.cpu}) walks {options.scene}: {server.address} "
+            print(f"{board.program.board} ({board.program.cpu}) walks {one_line(options.scene)}: {server.address} "
                   "(Ctrl-C ends it)", flush=True)
             if options.open:
                 open_page(board.folder / "open.html", server.address)
@@ -72,7 +72,7 @@ def view(options):
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
-    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    output.make_folder(options.build)
     with scratch.folder("view", options.build) as folder:
         scene_image = make_scene_image(options.scene, folder, None, options.screen)
         flash.flash(options.board, elf, scene_image, folder / "flash.bin")

@@ -7,11 +7,10 @@ from fixel import interpreter
 interpreter.choose()  # before the imports that need a package
 
 import argparse
-import pathlib
 
 import scene as scene_tool
 from fixel import dump, output, picture, scratch
-from fixel.errors import run_main
+from fixel.errors import one_line, run_main
 from fixel.programs import HostPrograms
 from fixel.progress import Progress, steps
 from run import frame_count, make_scene_image
@@ -26,7 +25,7 @@ def passes(summary):
 
 def run(options, folder):
     """Draws and compares; the pictures go into folder. The summary."""
-    pathlib.Path(options.build).mkdir(parents=True, exist_ok=True)
+    output.make_folder(options.build)
     with scratch.folder("wire", options.build) as work:
         image = make_scene_image(options.scene, work, options.frames, options.screen)
         with Progress("drawing wireframes, and judging them against double"):
@@ -58,7 +57,7 @@ def main(argv):
           f"{summary['intersections_by_codes']:,} by outcodes")
     print(f"differ from double     {summary['pixels_differing']:,} of {summary['pixels_drawn']:,} pixels drawn")
     print(f"unexplained            {summary['pixels_unexplained']}")
-    print(f"{'pass' if passes(summary) else 'FAIL'}: {options.out}")
+    print(f"{'pass' if passes(summary) else 'FAIL'}: {one_line(options.out)}")
     return 0 if passes(summary) else 1
 
 

@@ -2,12 +2,17 @@
 """make compare and tools/compare.py: the three exits, tolerance, JSON, pictures."""
 
 import json
+import os
+import struct
+import zlib
 
 import numpy
 import pytest
 from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from PIL import Image
+from test_input_bounds import run_bounded
 
+import compare as compare_tool
 from fixel import picture
 
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
@@ -132,6 +137,131 @@ def test_truncated_picture(tmp_path, pictures):
 def test_sixteen_bits(tmp_path, pictures):
     Image.fromarray(numpy.zeros((20, 30), numpy.uint16)).save(tmp_path / "deep.png")
     assert_one_sentence(compare(tmp_path / "deep.png", pictures["a"]), "8 bits")
+
+
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def made_png(path, width, height, depth=1, colour=0, row=None, more=b""):
+    """A PNG written here, since Pillow writes neither all depths nor damage: every row the same, more after its head."""
+    channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[colour]
+    row = bytes(-(-width * depth * channels // 8)) if row is None else row
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, depth, colour, 0, 0, 0))
+                     + more + chunk(b"IDAT", zlib.compress((b"\0" + row) * height)) + chunk(b"IEND", b""))
+    return path
+
+
+@pytest.mark.parametrize("colour", [0, 2, 4, 6], ids=["grey", "RGB", "grey with alpha", "RGBA"])
+def test_sixteen_bits_of_every_kind(tmp_path, colour):
+    """Pillow drops the lower eight bits of most of them in silence: a difference in them would be called equal."""
+    deep = made_png(tmp_path / "deep.png", 4, 4, 16, colour)
+    assert_one_sentence(compare(deep, deep), "deep.png", "has 16 bits a channel", "at most 8 bits")
+
+
+@pytest.mark.parametrize("kind", ["FIFO", "device", "folder"])
+@pytest.mark.parametrize("name", ["frame_0000.png", "board.fxld"])
+def test_what_is_no_regular_file_is_not_waited_for(tmp_path, kind, name):
+    folder = tmp_path / "fold"
+    folder.mkdir()
+    file = folder / name
+    {"FIFO": lambda: os.mkfifo(file), "device": lambda: file.symlink_to("/dev/zero"), "folder": file.mkdir}[kind]()
+    for path in ([folder] if name.endswith(".png") else []) + ([file] if kind != "folder" else []):
+        code, said = run_bounded(tmp_path, "--a", path, "--b", path, size=0, tool="compare.py")
+        assert code == 2 and f"{name}: is a {kind}; give a regular file" in said
+
+
+def test_a_name_that_is_too_long(pictures):
+    assert_one_sentence(compare("a" * 5000, pictures["a"]), "no such file")
+
+
+def test_files_beyond_the_limit(tmp_path):
+    for name, words in (("big.png", "limit of 67,108,864"), ("big.fxld", "limit of 1,073,741,824")):
+        with (tmp_path / name).open("wb") as file:
+            file.truncate((1 << 30) + 1)
+        code, said = run_bounded(tmp_path, "--a", tmp_path / name, "--b", tmp_path / name, size=0, tool="compare.py")
+        assert code == 2 and f"{name}: 1,073,741,825 bytes" in said and words in said
+
+
+@pytest.mark.parametrize("width, height", [(13_000, 13_000), (4097, 1), (1, 4097), (4096, 2049), (60_000, 60_000),
+                                           (1 << 31, 9)])
+def test_pictures_of_too_many_pixels(tmp_path, width, height):
+    head = struct.pack(">IIBBBBB", width, height, 1, 0, 0, 0, 0)
+    bomb = made_png(tmp_path / "bomb.png", 1, 1)
+    bomb.write_bytes(bomb.read_bytes()[:8] + chunk(b"IHDR", head) + bomb.read_bytes()[33:])
+    twice = made_png(tmp_path / "twice.png", 1, 1, more=chunk(b"IHDR", head))
+    for file in (bomb, twice):
+        code, said = run_bounded(tmp_path, "--a", file, "--b", file, size=100, tool="compare.py")
+        assert code == 2 and "Warning" not in said and len(said.splitlines()) == 1
+        if file == bomb or "cannot be read" not in said:
+            assert f"{width}x{height} pixels are too many" in said and "4,096 a side and 8,388,608 together" in said
+
+
+@pytest.mark.parametrize("width, height", [(4096, 2048), (2048, 4096)])
+def test_pictures_of_as_many_pixels_as_there_may_be(tmp_path, width, height):
+    a = made_png(tmp_path / "a.png", width, height, 8, 6, bytes(range(256)) * (width // 64))
+    b = made_png(tmp_path / "b.png", width, height, 1, row=b"\xff" * (width // 8))
+    size, out = a.stat().st_size + b.stat().st_size, tmp_path / "out"
+    code, said = run_bounded(tmp_path, "--a", a, "--b", b, "--out", out, size=size, tool="compare.py")
+    assert code == 1 and "of 8,388,608 pixels" in said
+
+
+def test_the_picture_of_large_ones_shows_the_part_that_differs(tmp_path):
+    a = numpy.zeros((1100, 3000), numpy.uint8)
+    b = a.copy()
+    b[1098, 2990:] = 9
+    out = tmp_path / "out"
+    assert compare(save(tmp_path / "a.png", a), save(tmp_path / "b.png", b), "--out", out).returncode == 1
+    with Image.open(out / "a_diff.png") as sheet:
+        assert 3 * 1024 < sheet.width < 3 * 1024 + 99
+        assert (numpy.asarray(sheet.convert("RGB")) == (255, 0, 160)).all(axis=2).sum() > 10
+
+
+@pytest.mark.parametrize("width, height", [(0, 5), (5, 0)])
+def test_a_png_without_pixels(tmp_path, width, height):
+    none = made_png(tmp_path / "none.png", width, height)
+    assert_one_sentence(compare(none, none), "none.png: cannot be read: its head is damaged")
+
+
+def test_a_png_with_very_many_texts(tmp_path, pictures):
+    profile = chunk(b"iCCP", b"n\0\0" + zlib.compress(bytes((1 << 20) - 1), 9))
+    file = made_png(tmp_path / "texts.png", 4, 4, more=profile * 2000)
+    code, said = run_bounded(tmp_path, "--a", file, "--b", file, size=file.stat().st_size, tool="compare.py")
+    assert code == 2 and "more than 64 chunks of compressed text" in said
+
+
+@pytest.mark.parametrize("mode, options", [
+    ("1", {"transparency": 0}), ("L", {"transparency": 7}), ("LA", {}), ("P", {"transparency": 3}),
+    ("P", {"transparency": bytes(range(200))}), ("RGB", {"transparency": (0, 0, 0)}), ("RGBA", {})])
+def test_every_kind_of_png_is_read_as_pillow_does(tmp_path, mode, options):
+    noise = numpy.random.default_rng(5).integers(0, 256, (300, 40, 4), dtype=numpy.uint8)
+    noise[::3, ::3] = 0
+    file = tmp_path / "some.png"
+    image = Image.fromarray(noise) if mode == "RGBA" else Image.fromarray(noise[..., :3]).convert(mode)
+    image.save(file, **options)
+    with Image.open(file) as opened:
+        assert (compare_tool.read_png(file) == numpy.asarray(opened.convert("RGBA"))).all()
+
+
+@pytest.mark.parametrize("tolerance", ["1" * 5000, "0" * 5000, "x" * 5000])
+def test_tolerance_of_very_many_characters(pictures, tolerance):
+    done = compare(pictures["a"], pictures["a"], "--tolerance", tolerance)
+    assert_one_sentence(done, "TOLERANCE", "from 0 to 255")
+    assert len(done.stderr) < 300
+
+
+def test_names_that_control_a_terminal(tmp_path, pictures):
+    bad = "x\x1b[31m\x07\ny"
+    for name in ("a", "b", "c"):
+        (tmp_path / f"{name}_of").mkdir()
+        pictures[name].rename(tmp_path / f"{name}_of" / f"{bad}.png")
+    done = compare(tmp_path / "a_of", tmp_path / "b_of", "--out", tmp_path / f"out{bad}")
+    assert done.returncode == 1 and len(done.stdout.splitlines()) == 5
+    assert "x\\x1b[31m\\x07\\ny  " in done.stdout and "outx\\x1b[31m\\x07\\ny\n" in done.stdout
+    assert "\x1b" not in done.stdout and "\x07" not in done.stdout
+    done = compare(tmp_path / "a_of", tmp_path / "c_of")
+    assert_one_sentence(done, "x\\x1b[31m\\x07\\ny: the sizes differ: 30x20 and 30x10")
+    assert len(done.stderr.splitlines()) == 1
 
 
 def test_damaged_dump_leaves_nothing(tmp_path, folders):

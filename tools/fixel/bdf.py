@@ -87,6 +87,8 @@ def _glyph(lines):
             code, = lines.numbers(words, 1, 0x7FFFFFF)
         elif words[0] == "DWIDTH":
             advance, _ = lines.numbers(words, 2, SIDE_MAX)
+        elif words[0] in ("BBX", "BITMAP") and rows is not None:
+            raise ToolError(f"{lines.where}: a second {words[0]} of the character, or one after its BITMAP")
         elif words[0] == "BBX":
             box = lines.numbers(words, 4, SIDE_MAX)
             if box[0] < 0 or box[1] < 0:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The surfaces of a scene as text of C: constant tables in the layout of lib/include/fixel/extra/surfaces.h."""
 
+import collections
 import itertools
 
 from fixel import image_surface
@@ -16,11 +17,12 @@ def _numbers(blob):
 
 def _pieces(textures, name):
     """Tables of texels and of colours, each once; {bytes: its name}."""
-    made, names = [], {}
+    made, names, numbers = [], {}, collections.Counter()
     for texture in textures:
         for blob, what in ((texture.texels, "texels"), (texture.colours, "texel_colours")):
             if blob and blob not in names:
-                names[blob] = f"{name}_{what}_{sum(each.startswith(f'{name}_{what}_') for each in names.values())}"
+                names[blob] = f"{name}_{what}_{numbers[what]}"
+                numbers[what] += 1
                 made.append(table("uint8_t", names[blob], _numbers(blob)))
     return made, names
 
@@ -36,12 +38,11 @@ def _mapped(mapped):
                   braces(*(braces(*texel) for texel in mapped.texels)))
 
 
-def _tables(scene, name):
+def _tables(scene, name, names):
     """[(member, table's name or NULL, its text or "", rows)] in the order of fxl_surface_set's first members."""
     surfaces, numbers = scene.surfaces, {}
     faces = [face.mapped for model in scene.models for face in model.faces]
     face_map = ["0" if each is None else str(numbers.setdefault(each, len(numbers) + 1)) for each in faces]
-    _, names = _pieces(surfaces.textures, name)
     rows = [("textures", "fxl_texture", [_texture(each, names) for each in surfaces.textures],
              "Texels, colours, log2 of width and of height, format, flags, key, levels, reserved."),
             ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, braces(0, 0, 0))
@@ -60,10 +61,11 @@ def text(scene, name):
     """The tables and the record of a scene's surfaces; nothing without."""
     if scene.surfaces is None:
         return []
-    (textures, *_), (looks, *_), (mapped, *_), (face_map, *_), (normals, *_), (blend, *_) = tables = _tables(scene, name)
+    pieces, names = _pieces(scene.surfaces.textures, name)
+    (textures, *_), (looks, *_), (mapped, *_), (face_map, *_), (normals, *_), (blend, *_) = tables = _tables(scene, name, names)
     counts = [tables[i][2] for i in (0, 1, 2, 4)]
     entries = [", ".join([textures, looks, mapped, face_map, normals]), ", ".join(map(str, counts)),
                f"{blend}, {scene.surfaces.blend_first}, {len(scene.surfaces.blend)}"]
-    return [*_pieces(scene.surfaces.textures, name)[0], *(made for _, made, _ in tables if made),
+    return [*pieces, *(made for _, made, _ in tables if made),
             "\n".join([*comment("For fxl_renderer_set_surfaces."), f"static const fxl_surface_set {name}_surfaces = {{",
                        ",\n".join(f"    {entry}" for entry in entries), "};", ""])]

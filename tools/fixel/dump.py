@@ -8,6 +8,7 @@ import zlib
 
 import numpy
 
+from fixel import reading
 from fixel.errors import ToolError
 
 HEAD = struct.Struct("<4sHHHHI")
@@ -54,11 +55,7 @@ def frame_bytes(width, height):
 
 def read_dump(path):
     """The dump in a file; ToolError with the first thing that is wrong with it."""
-    try:
-        data = open(path, "rb").read()
-    except OSError as error:
-        raise ToolError(f"{path}: cannot be read: {error.strerror}") from error
-    return parse_dump(data, path)
+    return parse_dump(reading.read_all(path), path)
 
 
 def parse_dump(data, name):

@@ -30,6 +30,11 @@ def printable(text):
     return "".join(c if c == "\n" else escaped(c) for c in text)
 
 
+def one_line(text):
+    """A file's name, or a message with names, as it is printed: line breaks are escaped too."""
+    return "".join(map(escaped, str(text)))
+
+
 def escaped(character):
     """A character as it is, or its escape if it has no picture."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
@@ -128,7 +133,9 @@ def run_main(main):
         _begin()
         code = main(sys.argv[1:])
     except ToolError as error:
-        print(f"error: {printable(str(error))}", file=sys.stderr)
+        # Whose line breaks they are cannot be told where an argument has one.
+        shown = one_line if any("\n" in argument for argument in sys.argv[1:]) else printable
+        print(f"error: {shown(str(error))}", file=sys.stderr)
         code = error.exit_code
     except KeyboardInterrupt as error:
         number = getattr(error, "number", signal.SIGINT)

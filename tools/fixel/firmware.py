@@ -8,6 +8,7 @@ here.
 """
 
 import dataclasses
+import io
 import pathlib
 import shlex
 import struct
@@ -16,12 +17,14 @@ from elftools.common.exceptions import ELFError
 from elftools.construct import ConstructError
 from elftools.elf.elffile import ELFFile
 
+from fixel import reading
 from fixel.errors import ToolError
 
 HOST = "host"
 SYMBOLS = ("fxl_flash_base", "fxl_flash_size", "fxl_flash_sector", "fxl_scene_base", "fxl_scene_size")
 SECOND = ("fxl_scene_flash_base", "fxl_scene_flash_size")   # a flash for scenes alone; 0, 0: there is none
 SECTORS_MAX = 1 << 16  # of a flash; more is a mistake
+ELF_MAX = 1 << 28   # bytes, with all that a debugger reads
 # What pyelftools lets through where a file is damaged.
 DAMAGE = (ELFError, ConstructError, struct.error, ArithmeticError, AttributeError, LookupError, MemoryError,
           TypeError, ValueError)
@@ -70,6 +73,11 @@ class Program:
     def address(self, offset):
         """What a place of the image has as its address."""
         return next(base + offset - start for base, size, start in self.banks if start <= offset < start + size)
+
+
+def open_elf(path):
+    """A program's file, read."""
+    return ELFFile(io.BytesIO(reading.read_whole(path, ELF_MAX, "give a program that make built")))
 
 
 def read_note(elf, path):
@@ -136,19 +144,16 @@ def load(path, board=None):
     """Reads a program; board, where given, is the one that it must be for."""
     path = pathlib.Path(path)
     try:
-        with path.open("rb") as file:
-            elf = ELFFile(file)
-            note = read_note(elf, path)
-            if board is not None and note["board"] != board:
-                raise ToolError(f"{path} is for board {note['board']}, not for {board}")
-            common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
-                          qemu=tuple(shlex.split(note.get("qemu", ""))),
-                          openocd=tuple(shlex.split(note.get("openocd", ""))),
-                          window_size=int(note.get("window", "0")), keys=read_keys(note.get("keys", "")))
-            if note["board"] == HOST:
-                return Program(segments=(), **common)
-            return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))
-    except OSError as error:
-        raise ToolError(f"cannot read {path}: {error.strerror}") from error
+        elf = open_elf(path)
+        note = read_note(elf, path)
+        if board is not None and note["board"] != board:
+            raise ToolError(f"{path} is for board {note['board']}, not for {board}")
+        common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
+                      qemu=tuple(shlex.split(note.get("qemu", ""))),
+                      openocd=tuple(shlex.split(note.get("openocd", ""))),
+                      window_size=int(note.get("window", "0")), keys=read_keys(note.get("keys", "")))
+        if note["board"] == HOST:
+            return Program(segments=(), **common)
+        return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))
     except DAMAGE as error:
         raise ToolError(f"{path} is not an ELF file, or a damaged one: {error}") from error

@@ -4,6 +4,7 @@
 from dataclasses import dataclass, field
 import struct
 
+from fixel.image_ranges import Ranges
 from fixel.image_tree import COORDINATE_MAX, SORTED, fail
 
 BOARDS_MAX = 65535
@@ -62,7 +63,7 @@ def tables(billboards):
 
 # --- reading -------------------------------------------------------------------------------------
 
-def _read_board(fields, number, blob):
+def _read_board(fields, number, ranges):
     at, colours, pixel_width, pixel_height, key, bits, reserved, *lengths = fields
     what = f"billboard {number}"
     if bits not in BITS or key > OPAQUE:
@@ -70,9 +71,9 @@ def _read_board(fields, number, blob):
     if reserved or bits == 8 and colours:
         fail("reserved", f"{what}: a reserved field is not zero, or 8 bits have a place of colours")
     size, entries = (pixel_width * bits + 7) // 8 * pixel_height, 0 if bits == 8 else 1 << bits
-    if at + size > len(blob) or entries and colours + entries > len(blob):
+    if at + size > len(ranges.blob) or entries and colours + entries > len(ranges.blob):
         fail("offset", f"{what} reaches outside the sprite pixels of the image")
-    return Board(blob[at:at + size], blob[colours:colours + entries] if entries else b"", pixel_width, pixel_height, bits,
+    return Board(ranges.at(at, size), ranges.at(colours, entries) if entries else b"", pixel_width, pixel_height, bits,
                  key, *lengths)
 
 
@@ -96,7 +97,8 @@ def read(found, models, radii):
     boards, model_map, pixels = found
     if not model_map:
         return None
-    made = Billboards([_read_board(fields, i, pixels) for i, fields in enumerate(boards)], list(model_map))
+    ranges = Ranges(pixels)
+    made = Billboards([_read_board(fields, i, ranges) for i, fields in enumerate(boards)], list(model_map))
     for i, board in enumerate(made.boards):
         _check_board(board, i)
     for i, (number, model, radius) in enumerate(zip(made.model_map, models, radii)):

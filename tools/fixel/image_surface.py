@@ -4,6 +4,7 @@
 from dataclasses import dataclass, field
 import struct
 
+from fixel.image_ranges import Ranges
 from fixel.image_tree import NORMAL_SQUARE_MAX_ERROR, fail
 
 TABLE_MAX = 65535
@@ -124,11 +125,11 @@ def _read_texture(fields, number, texels):
         fail("range", f"{what}: its size or its number of levels is out of range")
     made = Texture(log_width, log_height, b"", b"", kind, flags, key, levels)
     size = texel_bytes(made)
-    if at + size > len(texels) or kind == BITS_4 and colours + 16 > len(texels):
+    if at + size > len(texels.blob) or kind == BITS_4 and colours + 16 > len(texels.blob):
         fail("offset", f"{what} reaches outside the texels of the image")
     if kind != BITS_4 and colours:
         fail("reserved", f"{what} has 8 bits, but a place of colours")
-    return Texture(log_width, log_height, texels[at:at + size], texels[colours:colours + 16] if kind == BITS_4 else b"",
+    return Texture(log_width, log_height, texels.at(at, size), texels.at(colours, 16) if kind == BITS_4 else b"",
                    kind, flags, key, levels), reserved
 
 
@@ -183,7 +184,8 @@ def read(found, blend_first, models):
     textures, texels, surfaces, mapped, face_map, normals, blend = found
     if not face_map:
         return None
-    placed = [_read_texture(fields, i, texels) for i, fields in enumerate(textures)]
+    ranges = Ranges(texels)
+    placed = [_read_texture(fields, i, ranges) for i, fields in enumerate(textures)]
     if blend_first > 255 or len(blend) > 256 - blend_first:
         fail("count", f"a blend table of {len(blend)} colours from {blend_first} on")
     for i, (texture, reserved) in enumerate(placed):

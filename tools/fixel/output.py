@@ -60,6 +60,16 @@ def replaced_folder(path, patterns):
         raise _unwritable(path, error) from error
 
 
+def make_folder(path):
+    """A folder, made if it is not there."""
+    try:
+        pathlib.Path(path).mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise ToolError(f"{path}: is there and is not a folder") from error
+    except OSError as error:
+        raise ToolError(f"{path}: the folder cannot be made: {error.strerror}") from error
+
+
 def _nearest_folder(path):
     """path, or the nearest folder above it that exists: the same file system, so renames work."""
     while not path.exists():

@@ -4,6 +4,8 @@
 import sys
 import time
 
+from fixel.errors import one_line
+
 PLAIN_INTERVAL = 5.0    # seconds between two lines where there is no terminal
 TERMINAL_INTERVAL = 0.1
 SHORT = 2.0             # seconds; a shorter job needs no word
@@ -13,7 +15,7 @@ class Progress:
     """A job of total steps (0: unknown). Use as a context manager; call with the steps done."""
 
     def __init__(self, label, total=0, stream=None):
-        self.label = label
+        self.label = one_line(label)
         self.total = total
         self.stream = stream or sys.stderr
         self.terminal = self.stream.isatty()

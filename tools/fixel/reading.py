@@ -78,6 +78,11 @@ def read_whole(path, most, advice):
     return blob
 
 
+def read_all(path):
+    """The bytes of a file of any size: one that a tool made."""
+    return read_start(path, -1)
+
+
 class _Short(reprlib.Repr):
     """Values of TOML as short text, however large or deep they are."""
 

@@ -5,7 +5,9 @@ import bisect
 import re
 
 from elftools.common.exceptions import DWARFError, ELFError
-from elftools.elf.elffile import ELFFile
+
+from fixel import firmware
+from fixel.errors import ToolError
 
 WORD = re.compile(r"(\S+) +0x([0-9a-f]{8})")
 WORDS = re.compile(r"  (?:\S+ +0x[0-9a-f]{8} *)+")
@@ -27,14 +29,13 @@ class Symbols:
     def _read_table(self):
         tables = {"STT_FUNC": {}, "STT_OBJECT": {}}
         try:
-            with open(self.path, "rb") as file:
-                table = ELFFile(file).get_section_by_name(".symtab")
-                for symbol in table.iter_symbols() if table is not None else ():
-                    kind = symbol["st_info"]["type"]
-                    if kind in tables and symbol["st_size"] > 0:
-                        start = symbol["st_value"] & (~1 if kind == "STT_FUNC" else ~0)  # Thumb
-                        tables[kind][start] = (symbol["st_size"], symbol.name)
-        except (OSError, ELFError):
+            table = firmware.open_elf(self.path).get_section_by_name(".symtab")
+            for symbol in table.iter_symbols() if table is not None else ():
+                kind = symbol["st_info"]["type"]
+                if kind in tables and symbol["st_size"] > 0:
+                    start = symbol["st_value"] & (~1 if kind == "STT_FUNC" else ~0)  # Thumb
+                    tables[kind][start] = (symbol["st_size"], symbol.name)
+        except (ToolError, ELFError):
             pass
         return tuple(sorted((start, *rest) for start, rest in tables[kind].items())
                      for kind in ("STT_FUNC", "STT_OBJECT"))
@@ -49,9 +50,8 @@ class Symbols:
     def _line(self, address):
         """The source line of an address, "" where it is not known."""
         try:
-            with open(self.path, "rb") as file:
-                return source_line(ELFFile(file), address)
-        except (OSError, ELFError, DWARFError):
+            return source_line(firmware.open_elf(self.path), address)
+        except (ToolError, ELFError, DWARFError):
             return ""
 
     def place(self, word, address):

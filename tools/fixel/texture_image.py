@@ -5,16 +5,18 @@ import io
 import warnings
 
 import numpy as np
-from PIL import Image, PngImagePlugin
+from PIL import Image, PngImagePlugin, UnidentifiedImageError
 
 from fixel import reading
 from fixel.errors import ToolError
 from fixel.reading import shortened
+from fixel.work import PictureWork
 
 FILE_MAX = 16 << 20     # bytes
 SIDE_MAX = 2048         # pixels
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
 EXIF_MAX, _EXIF = 64, b"Exif\0\0"
+COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
 PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
 _CHUNK = 1024           # triangles at a time
 _STEPS = 8              # a triangle's mean has samples at this many places along an edge
@@ -60,7 +62,7 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
 def _weight(opened, blob):
     """How many times the work of a plain image one takes, and its compressed texts: a JPEG may have thousands of scans, and
     a PNG thousands of texts."""
-    if opened.format == "JPEG":     # a scan of arithmetic coding takes several times as long
+    if opened.format in ("JPEG", "MPO"):    # MPO: several of them in one file. A scan of arithmetic coding takes several times as long
         return 1 + blob.count(b"\xff\xda") / (8 if b"\xff\xca" in blob else 32), 0
     if opened.format == "BMP":      # which may be run-length coded: Pillow reads such rows in Python
         return 4, 0
@@ -71,6 +73,8 @@ def decode(blob, name, work=None):
     """The Texture in an image file's bytes. work: a work.Work, which counts it before it is done."""
     if len(blob) > FILE_MAX:
         raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
+    if blob[:2] in _PLAIN and blob.count(b"#") > COMMENTS_MAX:  # Pillow copies all that follows for each of them
+        raise ToolError(f"{name}: a PPM file of digits with more than {COMMENTS_MAX} comments; save it without")
     if blob.count(_EXIF) > EXIF_MAX:    # Pillow takes quadratic time for them
         raise ToolError(f"{name}: an image with more than {EXIF_MAX} segments of Exif; save it without")
     try:
@@ -89,11 +93,15 @@ def decode(blob, name, work=None):
         raise
     except Image.DecompressionBombError:
         raise ToolError(f"{name}: an image of very many pixels{_TOO_LARGE}") from None
-    except Exception as error:      # Pillow's readers raise anything for a damaged file
-        raise ToolError(f"{name}: this image cannot be read ({shortened(str(error)) or type(error).__name__}); "
+    except Exception as error:      # Pillow's readers raise anything for a damaged file; one names its place in memory
+        why = "" if isinstance(error, UnidentifiedImageError) else f" ({shortened(str(error)) or type(error).__name__})"
+        raise ToolError(f"{name}: this image cannot be read{why}; "
                         f"it must be a sound file of {', '.join(FORMATS[:-1])} or {FORMATS[-1]}") from None
 
 
 def read(path, name):
-    """The Texture in a file."""
-    return decode(reading.read_whole(path, FILE_MAX, "make the image smaller"), name)
+    """The Texture in a file that a command names."""
+    blob = reading.read_whole(path, FILE_MAX, "make the image smaller")
+    work = PictureWork()
+    work.allow(path, len(blob))
+    return decode(blob, name, work)

@@ -125,6 +125,12 @@ class Work:
         return ", ".join(f"{kind} ({100 * self.kinds[kind] / self.taken:.0f} %)" for kind in first if self.kinds[kind])
 
 
+class PictureWork(Work):
+    """The budget of a picture that is no scene's."""
+
+    asks, cure = ": the picture asks", "save it anew, with fewer scans or texts"
+
+
 class TreeWork(Work):
     """The budget of one tree."""
 
