@@ -20,9 +20,9 @@ import sys
 import warnings
 
 import numpy
-from PIL import Image, PngImagePlugin, UnidentifiedImageError
+from PIL import Image, UnidentifiedImageError
 
-from fixel import dump, output, picture, reading
+from fixel import dump, output, picture, reading, texture_image
 from fixel.errors import ToolError, one_line, run_main
 from fixel.progress import steps
 from fixel.table import coloured, table
@@ -32,7 +32,6 @@ DUMP_MAX = 1 << 30      # bytes of a frame dump
 SIDE_MAX = 4096         # pixels
 PIXELS_MAX = 1 << 23    # of a PNG: two of them, and what is made of them, take less than 200 MB and 2 s
 TEXTS_MAX = 64          # chunks of a PNG that may hold compressed texts, each of which Pillow expands
-PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of such texts
 BAND = 128              # rows at a time
 SHOWN_ROWS = 20         # of frames that differ
 PATTERNS = ["*_diff.png", "compare.json"]
@@ -46,7 +45,7 @@ def check_head(path, blob):
         raise ToolError(f"{path}: cannot be read: it does not begin with a PNG's head")
     if blob[24] > 8:
         raise ToolError(f"{path}: has {blob[24]} bits a channel; a PNG may have at most 8 bits a channel here")
-    if sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt"))) > TEXTS_MAX:
+    if texture_image.count_texts(blob) > TEXTS_MAX:
         raise ToolError(f"{path}: has more than {TEXTS_MAX} chunks of compressed text; save it without")
 
 
@@ -172,14 +171,6 @@ def sheet_of(a, b, differs):
 
 def compare(path_a, path_b, tolerance, folder):
     """The comparison as a dictionary; side-by-side pictures of what differs go to folder."""
-    try:
-        return compare_sets(path_a, path_b, tolerance, folder)
-    except ToolError as error:      # a file's name in a folder may have a line break
-        raise ToolError(one_line(error), error.exit_code) from error
-
-
-def compare_sets(path_a, path_b, tolerance, folder):
-    """As compare does; messages have names as they are."""
     a, b = Frames(path_a), Frames(path_b)
     check_pairing(a, b)
     frames = []

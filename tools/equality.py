@@ -42,7 +42,7 @@ def execute(elf, number, timeout):
         ending = emulator.emulate(program, options, folder, timeout)
     wrong = any(int(each[2]) for each in LINE.findall(ending.output))
     if ending.code != endings.exit_code("TEST" if wrong else "DONE") or not MARKER.search(ending.output):
-        raise ToolError(f"{elf}: {endings.describe(ending)}\n{ending.output}", exit_code=1)
+        raise ToolError(f"{elf}: {endings.describe(ending)}", exit_code=1, words=ending.output)
     return ending.output
 
 

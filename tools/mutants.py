@@ -125,7 +125,7 @@ def make_trees(scratch, compiler, count):
     with concurrent.futures.ThreadPoolExecutor(count) as pool:
         said = [each for each in pool.map(first.compile, first.sources()) if each] or [first.link()]
     if said[0]:
-        raise ToolError(f"the library does not build:\n{said[0]}")
+        raise ToolError("the library does not build", words=said[0])
     for number in range(1, count):
         shutil.rmtree(scratch / str(number), ignore_errors=True)
         shutil.copytree(scratch / "0", scratch / str(number))
@@ -145,7 +145,7 @@ def link_tests(tree, tests):
     for test in tests:
         said = link_test(tree, test.objects, folder / test.name)
         if said:
-            raise ToolError(f"{test.name} cannot be linked:\n{said}")
+            raise ToolError(f"{test.name} cannot be linked", words=said)
     return {test: folder / test.name for test in tests}
 
 

@@ -114,7 +114,7 @@ def try_bug(folder, bug, tests, jobs):
         for group in (likely, [test for test in tests if test not in likely]):
             said = build_tests(folder, group, jobs) if group else None
             if said:
-                raise ToolError(f"bug '{bug.name}' does not compile, so it shows nothing:\n{said}")
+                raise ToolError(f"bug '{bug.name}' does not compile, so it shows nothing", words=said)
             for test in group:
                 words = run_test(folder, test)
                 if words:
@@ -130,7 +130,7 @@ def check_unharmed(folder, tests, jobs):
     """Builds everything that the bugs need, and demands that it passes as it is."""
     said = build_tests(folder, tests, jobs)
     if said:
-        raise ToolError(f"the library's tests do not build:\n{said}")
+        raise ToolError("the library's tests do not build", words=said)
     for test in tests:
         words = run_test(folder, test)
         if words:

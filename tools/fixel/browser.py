@@ -30,7 +30,7 @@ def viewing(board, scene, build="build", options=(), **how):
         address = ADDRESS.search(process.stdout.readline())
         if address is None:
             process.wait(ENDING)
-            raise ToolError(f"view.py did not start: {process.stderr.read() if process.stderr else ''}", exit_code=1)
+            raise ToolError("view.py did not start", exit_code=1, words=process.stderr.read() if process.stderr else "")
         yield process, address[0]
     finally:
         with contextlib.suppress(ProcessLookupError):

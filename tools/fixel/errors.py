@@ -26,7 +26,7 @@ LAST = 60.0         # seconds in which a tool ends that was told to
 
 
 def printable(text):
-    """A message as it is printed: whatever controls a terminal is escaped. A compiler's words have several lines."""
+    """Lines of another program as they are printed: whatever controls a terminal is escaped."""
     return "".join(c if c == "\n" else escaped(c) for c in text)
 
 
@@ -48,11 +48,15 @@ def _print_anything():
 
 
 class ToolError(Exception):
-    """What was wrong, where, and what to do about it; shown to the user as is."""
+    """What was wrong, where, and what to do about it: one line. words: of another program, such as a compiler, in lines."""
 
-    def __init__(self, message, exit_code=2):
-        super().__init__(message)
-        self.exit_code = exit_code
+    def __init__(self, message, exit_code=2, words=""):
+        super().__init__(f"{message}\n{words}" if words else message)
+        self.message, self.exit_code, self.words = message, exit_code, words
+
+    def shown(self):
+        """The message as it is printed."""
+        return one_line(self.message) + (f"\n{printable(self.words)}" if self.words else "")
 
 
 class Ended(KeyboardInterrupt):
@@ -133,9 +137,7 @@ def run_main(main):
         _begin()
         code = main(sys.argv[1:])
     except ToolError as error:
-        # Whose line breaks they are cannot be told where an argument has one.
-        shown = one_line if any("\n" in argument for argument in sys.argv[1:]) else printable
-        print(f"error: {shown(str(error))}", file=sys.stderr)
+        print(f"error: {error.shown()}", file=sys.stderr)
         code = error.exit_code
     except KeyboardInterrupt as error:
         number = getattr(error, "number", signal.SIGINT)

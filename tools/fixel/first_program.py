@@ -76,7 +76,7 @@ def _run(library, program, more, *flags, row_bytes=WIDTH):
                    *flags, f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
         done = children.run(command, text=True)
         if done.returncode != 0:
-            raise ToolError(f"{program} cannot be compiled with {library}: {done.stderr.strip()}")
+            raise ToolError(f"{program} cannot be compiled with {library}", words=done.stderr.strip())
         ran = children.run([f"{folder}/frame"])
     if ran.returncode != 0 or len(ran.stdout) != more + row_bytes * HEIGHT:
         raise ToolError(f"{program} drew nothing: it ended with {ran.returncode}", exit_code=1)

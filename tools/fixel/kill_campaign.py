@@ -92,7 +92,7 @@ class Campaign:
         while process.poll() is None and not wanted():
             passed = watch.check()
             if passed:
-                raise ToolError(f"{command} does not end: {passed}; it says: {self.said()}", exit_code=1)
+                raise ToolError(f"{command} does not end: {passed}", exit_code=1, words=self.said())
             time.sleep(0.01)
 
     def said(self):
@@ -108,7 +108,7 @@ class Campaign:
         if process.poll() is None:
             process.terminate()
         elif process.returncode:
-            raise ToolError(f"{command} fails without a kill: {self.said()}", exit_code=1)
+            raise ToolError(f"{command} fails without a kill", exit_code=1, words=self.said())
         process.wait()
 
     def prepare(self, commands):
@@ -118,7 +118,7 @@ class Campaign:
                 process = self.start(command, name)
                 self.wait(command, process)
                 if process.returncode:
-                    raise ToolError(f"{command} fails without a kill: {self.said()}", exit_code=1)
+                    raise ToolError(f"{command} fails without a kill", exit_code=1, words=self.said())
             self.images[name] = (self.folder / "out" / "flash" / "board.bin").read_bytes()
             self.frames[name] = hashes(self.folder / "out" / "run" / "board.fxld")
         (self.folder / "boot.bin").write_bytes(self.images["new"])

@@ -59,14 +59,19 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
                     for i in range(_STEPS) for j in range(_STEPS - i)])
 
 
+def count_texts(blob):
+    """How many compressed texts a PNG may have."""
+    return sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt")))
+
+
 def _weight(opened, blob):
     """How many times the work of a plain image one takes, and its compressed texts: a JPEG may have thousands of scans, and
     a PNG thousands of texts."""
-    if opened.format in ("JPEG", "MPO"):    # MPO: several of them in one file. A scan of arithmetic coding takes several times as long
+    if opened.format in ("JPEG", "MPO"):    # MPO: a JPEG that holds more. A scan of arithmetic coding takes longer
         return 1 + blob.count(b"\xff\xda") / (8 if b"\xff\xca" in blob else 32), 0
     if opened.format == "BMP":      # which may be run-length coded: Pillow reads such rows in Python
         return 4, 0
-    return 1, sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt"))) if opened.format == "PNG" else 0
+    return 1, count_texts(blob) if opened.format == "PNG" else 0
 
 
 def decode(blob, name, work=None):
