@@ -81,12 +81,12 @@ def run(elf, code, plugin, directory, scene=None, frames=None, detail=False, tim
                                f"addr={program.scene_base:#x},force-raw=on"]
     ending = emulator.emulate(program, options, directory, timeout, _alive(directory))
     if ending.code != exit_code("DONE"):
-        raise ToolError(f"{elf}: {describe(ending)}{last_lines(ending.output)}", exit_status(ending))
+        raise ToolError(f"{elf}: {describe(ending)}", exit_status(ending), last_lines(ending.output))
     try:
         counts = parse((directory / COUNTS).read_text(encoding="ascii"))
     except OSError as error:
-        raise ToolError(f"{elf}: the counting plugin left no counts"
-                        f"{last_lines(ending.output)}", exit_code=1) from error
+        raise ToolError(f"{elf}: the counting plugin left no counts", exit_code=1,
+                        words=last_lines(ending.output)) from error
     counts.regions = [instructions - MARKER_CALL for instructions in counts.regions]
     return ending.output, counts
 

@@ -80,8 +80,8 @@ def exit_status(ending):
 
 
 def last_lines(text, count=30):
-    lines = text.strip().splitlines()[-count:]
-    return "".join(f"\n  | {line}" for line in lines)
+    """The end of what a program printed, as words of an error."""
+    return "\n".join(f"  | {line}" for line in text.strip().splitlines()[-count:])
 
 
 def require_done(ending, agreed, marker, board):
@@ -94,4 +94,4 @@ def require_done(ending, agreed, marker, board):
         what = "it ended as agreed but did not print its end marker"
     elif ending.code == 0 and board == firmware.HOST:
         what = "it ended without its end marker"
-    raise ToolError(f"board {board} failed: {what}{last_lines(ending.output)}", exit_status(ending))
+    raise ToolError(f"board {board} failed: {what}", exit_status(ending), last_lines(ending.output))

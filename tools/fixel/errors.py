@@ -54,6 +54,10 @@ class ToolError(Exception):
         super().__init__(f"{message}\n{words}" if words else message)
         self.message, self.exit_code, self.words = message, exit_code, words
 
+    def with_words(self, words):
+        """The same error, with more words of another program."""
+        return ToolError(self.message, self.exit_code, "\n".join(filter(None, (self.words, words))))
+
     def shown(self):
         """The message as it is printed."""
         return one_line(self.message) + (f"\n{printable(self.words)}" if self.words else "")

@@ -90,5 +90,5 @@ def read_memory(program, image, timeout=30.0):
                 execute.kill(process)
         except ToolError as error:
             words.seek(0)
-            raise ToolError(f"{QEMU} could not read the flash back: {error}", exit_code=1,
-                            words=words.read().rstrip()) from error
+            raise ToolError(f"{QEMU} could not read the flash back: {error.message}", 1,
+                            error.words).with_words(words.read().rstrip()) from error

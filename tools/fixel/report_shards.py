@@ -86,7 +86,7 @@ def _run(command):
         text = run_program(command)
     except ToolError as error:
         words = " ".join(str(word) for word in command)
-        raise ToolError(f"{error} (command: {words})", error.exit_code) from error
+        raise ToolError(f"{error.message} (command: {words})", error.exit_code, error.words) from error
     try:
         return json.loads(text)
     except ValueError as error:

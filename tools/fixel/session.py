@@ -34,7 +34,7 @@ class Session:
             self.machine.execute("cont")
         except ToolError as error:
             self.close()
-            raise ToolError(f"{error}{last_lines(self.text())}", error.exit_code) from error
+            raise error.with_words(last_lines(self.text())) from error
         except BaseException:
             self.close()
             raise
@@ -54,12 +54,12 @@ class Session:
                 return answer
             if code is not None:
                 ending = Ending(code, self.text(), "", 0)
-                raise ToolError(f"board {self.program.board} ended before {what}: "
-                                f"{describe(ending)}{last_lines(ending.output)}", exit_code=1)
+                raise ToolError(f"board {self.program.board} ended before {what}: {describe(ending)}", exit_code=1,
+                                words=last_lines(ending.output))
             passed = limit.check()
             if passed:
-                raise ToolError(f"board {self.program.board}: no {what}: {passed}"
-                                f"{last_lines(self.text())}", exit_code=1)
+                raise ToolError(f"board {self.program.board}: no {what}: {passed}", exit_code=1,
+                                words=last_lines(self.text()))
             time.sleep(POLL)
 
     def wait_for_text(self, text, timeout=60.0):
@@ -72,8 +72,8 @@ class Session:
         while self._process.poll() is None:
             passed = limit.check()
             if passed:
-                raise ToolError(f"board {self.program.board} did not end: {passed}"
-                                f"{last_lines(self.text())}", exit_code=1)
+                raise ToolError(f"board {self.program.board} did not end: {passed}", exit_code=1,
+                                words=last_lines(self.text()))
             time.sleep(POLL)
         return self._process.returncode
 

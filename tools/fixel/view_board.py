@@ -115,7 +115,7 @@ class Board:
             self._limit = limits.Watch(self._process.pid, HANG, HANG)
             self._resumed = self._machine.resume()  # nobody reads its stream yet
         except ToolError as error:
-            raise ToolError(f"{error}{last_lines(self.text())}", error.exit_code) from error
+            raise error.with_words(last_lines(self.text())) from error
 
     # --- while it runs --------------------------------------------------------------
 
@@ -126,15 +126,15 @@ class Board:
         code = self._process.poll()
         if code is not None:
             ending = Ending(code, self.text(), "", 0)
-            raise ToolError(f"board {self.program.board} ended: {describe(ending)}{last_lines(ending.output)}",
-                            exit_status(ending))
+            raise ToolError(f"board {self.program.board} ended: {describe(ending)}",
+                            exit_status(ending), last_lines(ending.output))
         self._resumed()
         if getattr(self._keys, "error", None):
             raise self._keys.error
         passed = self._limit.check()
         if passed:
-            raise ToolError(f"board {self.program.board} hangs: no frame came: {passed}"
-                            f"{last_lines(self.text())}", exit_code=1)
+            raise ToolError(f"board {self.program.board} hangs: no frame came: {passed}", exit_code=1,
+                            words=last_lines(self.text()))
         return True
 
     def text(self):
