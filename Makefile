@@ -245,7 +245,7 @@ TEST_UNITS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(fil
 TEST_PROGRAMS := $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
 # For tools: a board, the folder of its unit tests, their names; a board, the unit tests that it has no room for.
-# tools/fixel/units.py says why not their paths.
+# tools/fixel/check/units.py says why not their paths.
 UNIT_OPTIONS = $(foreach board,$(1),--board-units $(board) $(BOARD_UNITS_FOLDER.$(board)) $(basename $(notdir $(BOARD_UNITS.$(board)))) \
     $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
 HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units $(folder) $(notdir $(filter $(folder)%,$(UNITY_TESTS))))

@@ -6,7 +6,7 @@ Writes the report bench.md, bench.json, and plots. Two runs give the same figure
 measured, 1 a program of the bench failed or drew a wrong picture, 2 the bench could not be run.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -16,9 +16,10 @@ import pathlib
 import subprocess
 import sys
 
-from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, children, output,
-                   parallel, qemu, scratch)
-from fixel.errors import ToolError, one_line, run_main
+from fixel.base import children, output, parallel, scratch
+from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run
+from fixel.board import qemu
+from fixel.base.errors import ToolError, one_line, run_main
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
 # The share of pixels in which a renderer may differ from the library: the listing has no near plane, and

@@ -6,7 +6,7 @@ Exit: 0 no figure of Fixel is worse by more than the threshold, 1 a figure is wo
 is nothing to compare. --accept makes the run the baseline, and renews the tables of docs/performance.md.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -14,10 +14,11 @@ import argparse
 import pathlib
 import sys
 
-from fixel import bench_page, bench_plan, output
-from fixel.errors import ToolError, one_line, run_main
-from fixel.programs import read_json
-from fixel.table import coloured, table
+from fixel.base import output
+from fixel.bench import bench_page, bench_plan
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.board.programs import read_json
+from fixel.base.table import coloured, table
 
 KEY = ("workload", "renderer", "core")
 MEASURES = ("instructions", "text_bytes", "ram_bytes", "stack_bytes")

@@ -7,7 +7,7 @@ has no room for another scene, the table says why. Exit: 0 all frames equal the 
 1 not, 2 there was nothing to compare with.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -20,10 +20,12 @@ import sys
 import threading
 
 import scene as scene_tool
-from fixel import dump, emulator, firmware, fleet, methods, output, scratch, units
-from fixel.errors import ToolError, one_line, run_main
-from fixel.progress import Progress
-from fixel.table import coloured, table
+from fixel.base import output, scratch
+from fixel.board import dump, emulator, firmware, fleet, methods
+from fixel.check import units
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.progress import Progress
+from fixel.base.table import coloured, table
 
 
 def make_scenes(sources, build, folder):

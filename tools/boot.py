@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: MIT
 """Boots a board from its flash image and fetches its frame dump."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
 import argparse
 
-from fixel.emulator import run
-from fixel.errors import one_line, run_main
-from fixel.progress import Progress
+from fixel.board.emulator import run
+from fixel.base.errors import one_line, run_main
+from fixel.base.progress import Progress
 
 
 def positive(text):

@@ -6,7 +6,7 @@ Writes clippers.json and clippers.html (one self-contained page). Exit: 0 every 
 every core drew the frames of the host, 1 not, 2 the comparison could not be run.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -14,10 +14,12 @@ import argparse
 import pathlib
 import sys
 
-from fixel import clippers_page, clippers_plan, clippers_rows, clippers_run, output, parallel, qemu, scratch
-from fixel.errors import ToolError, one_line, run_main
-from fixel.programs import read_json
-from fixel.table import coloured
+from fixel.base import output, parallel, scratch
+from fixel.bench import clippers_page, clippers_plan, clippers_rows, clippers_run
+from fixel.board import qemu
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.board.programs import read_json
+from fixel.base.table import coloured
 
 PATTERNS = ["clippers.html", "clippers.json"]
 FRAMES_MAX = 100_000

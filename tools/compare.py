@@ -5,7 +5,7 @@
 Exit: 0 equal, 1 different, 2 cannot be compared.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -22,10 +22,12 @@ import warnings
 import numpy
 from PIL import Image, UnidentifiedImageError
 
-from fixel import dump, output, picture, reading, texture_image
-from fixel.errors import ToolError, one_line, run_main
-from fixel.progress import steps
-from fixel.table import coloured, table
+from fixel.base import output, picture, reading
+from fixel.board import dump
+from fixel.model import texture_image
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.progress import steps
+from fixel.base.table import coloured, table
 
 PNG_MAX = 64 << 20      # bytes of a PNG
 DUMP_MAX = 1 << 30      # bytes of a frame dump

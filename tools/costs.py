@@ -7,7 +7,7 @@ execute for them, with the memory of a large board down to that of a small one. 
 1 a program failed.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -18,9 +18,12 @@ import sys
 import numpy as np
 
 import scene as scene_tool
-from fixel import bench_plan, bench_run, costs, fleet, image, methods, output, parallel, qemu, scratch
-from fixel.errors import ToolError, run_main
-from fixel.table import table
+from fixel.base import output, parallel, scratch
+from fixel.bench import bench_plan, bench_run, costs
+from fixel.board import fleet, methods, qemu
+from fixel.image import image
+from fixel.base.errors import ToolError, run_main
+from fixel.base.table import table
 
 FRAMES = 30         # of each scene, at most
 LOOKS_BYTES = 65536     # more than motions, light and surfaces of a scene take

@@ -8,7 +8,7 @@ A journal beside the programs keeps what is done: the tool skips a kernel that t
 already compared with as many inputs.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -22,9 +22,10 @@ import re
 import threading
 import time
 
-from fixel import ending as endings
-from fixel import emulator, firmware, output, qemu, scratch
-from fixel.errors import ToolError, run_main
+from fixel.board import ending as endings
+from fixel.base import output, scratch
+from fixel.board import emulator, firmware, qemu
+from fixel.base.errors import ToolError, run_main
 
 TIMEOUT = 3600.0    # seconds of CPU time for a kernel
 THOUSANDS_MAX = 1000000

@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: MIT
 """Draws the first program (examples/cube), or another example, on this machine and writes its picture."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
 
-from fixel import first_program, output, picture
-from fixel.errors import run_main
+from fixel.base import output, picture
+from fixel.report import first_program
+from fixel.base.errors import run_main
 
 
 def main(argv):

@@ -2,17 +2,17 @@
 # SPDX-License-Identifier: MIT
 """Writes a program and a scene to a board: to its persistent flash image, or by a debug probe to the real one."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
 import argparse
 import itertools
 
-from fixel import probe
-from fixel.errors import ToolError, one_line, run_main
-from fixel.flash import flash
-from fixel.table import table
+from fixel.board import probe
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.board.flash import flash
+from fixel.base.table import table
 
 
 def sectors(sizes):

@@ -5,7 +5,7 @@
     font.py FONT.bdf -o OUT.h [--name NAME] [--characters FIRST-LAST]
         FIRST-LAST: codes of Latin-1, 32-126 by default"""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -14,9 +14,10 @@ import os
 import re
 import sys
 
-from fixel import bdf, c_scene, c_text, output
-from fixel.errors import ToolError, one_line, run_main
-from fixel.reading import quoted
+from fixel.base import output
+from fixel.image import bdf, c_scene, c_text
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.reading import quoted
 
 BYTES_MAX = 65535       # of all pictures: fxl_glyph.first_byte
 

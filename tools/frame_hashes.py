@@ -9,7 +9,7 @@ under the CRC-32 of its image. If an image has a record already, it must draw th
 Exit: 0 all scenes have records, 1 an image draws other frames than its record, 2 the tool could not run.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -18,9 +18,11 @@ import pathlib
 import sys
 
 import scene as scene_tool
-from fixel import dump, frame_hashes, scratch
-from fixel.errors import ToolError, one_line, run_main
-from fixel.programs import run_program
+from fixel.base import scratch
+from fixel.board import dump
+from fixel.check import frame_hashes
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.board.programs import run_program
 
 
 def drawn_by_host(image, build, folder):

@@ -12,7 +12,7 @@ no command alters one.
 Exit: 0 nothing found, 1 findings (each kept as a file), 2 could not run.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -27,9 +27,9 @@ import subprocess
 import sys
 import time
 
-from fixel import children, output
-from fixel.errors import ToolError, run_main
-from fixel.table import coloured
+from fixel.base import children, output
+from fixel.base.errors import ToolError, run_main
+from fixel.base.table import coloured
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"

@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: MIT
 """Opens a debugger on a board's program, powered on from its flash image and stopped at main."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
 import argparse
 
 from boot import positive
-from fixel.debugger import debug
-from fixel.errors import run_main
+from fixel.board.debugger import debug
+from fixel.base.errors import run_main
 
 
 def main(argv):

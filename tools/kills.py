@@ -6,7 +6,7 @@ After each kill another command runs. Then there must be no process and no file 
 whole, the old one or the new one. Exit: 0 so it was, 1 not.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -16,11 +16,12 @@ import signal
 import sys
 
 import scene as scene_tool
-from fixel import kill_campaign, output, scratch
-from fixel.arguments import whole_number
-from fixel.errors import run_main
-from fixel.progress import Progress
-from fixel.table import coloured, table
+from fixel.base import output, scratch
+from fixel.check import kill_campaign
+from fixel.base.arguments import whole_number
+from fixel.base.errors import run_main
+from fixel.base.progress import Progress
+from fixel.base.table import coloured, table
 
 COMMANDS = ("run", "flash", "boot", "view", "view-stream", "report")
 SCENE = "scenes/tiny.toml"

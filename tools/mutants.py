@@ -6,14 +6,14 @@
 
 A mutant is killed where a unit test of the host fails with it, or where a replay of the fuzzer's corpus has answers
 that are not on record; it survives where all pass. One that no compiler takes, or that leaves the machine code as it
-was, is no mistake and is not counted. fixel.mutate says which mistakes there are. Mutants are compiled and run in copies under --build, never in the checkout.
+was, is no mistake and is not counted. fixel.check.mutate says which mistakes there are. Mutants are compiled and run in copies under --build, never in the checkout.
 The library of each is a shared object, so that only the mutated sources are compiled, and no test but those
 that include a mutated header. A test is run where the program that make links of it holds the mutated source.
 Tests that take more than --slow seconds of CPU time are left out. Writes all mutants as JSON. Exit: 0 done,
 1 a test fails without a mutant, or fewer than --least per cent were killed, 2 could not run.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -32,16 +32,17 @@ import sys
 import threading
 import time
 
-from fixel import children, limits, mutate, output
-from fixel.errors import ToolError, run_main
-from fixel.progress import Progress, steps
+from fixel.base import children, limits, output
+from fixel.check import mutate
+from fixel.base.errors import ToolError, run_main
+from fixel.base.progress import Progress, steps
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 MUTATED = ("lib/src/*/*.[ch]", "lib/extra/*/*.[ch]", "lib/kernels/portable/*.[ch]")
 COMPILED = ("lib/src/*/*.c", "lib/extra/*/*.c", "lib/kernels/*.c", "lib/kernels/*/*.c")
 SOURCES = "lib"
 LIBRARY = "libmutant.so"
-CPU_WORDS = "of CPU time"           # of fixel.limits, where a test took too much
+CPU_WORDS = "of CPU time"           # of fixel.base.limits, where a test took too much
 NICE = 3
 CPU_LEAST, CPU_TIMES = 5.0, 10      # a test's limit of CPU time: so many times what it takes, at least
 PLAIN = re.compile(r"-fsanitize=\S+|-fno-sanitize-recover=\S+|-M\w+|-g\b|-W\S+|-O\d")

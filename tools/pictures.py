@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Makes a picture of a document: frames of `make run` or `make wire`, or of frame dumps, side by side."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -12,9 +12,10 @@ import re
 
 from PIL import Image
 
-from fixel import dump, output, picture
-from fixel.errors import ToolError, run_main
-from fixel.reading import quoted
+from fixel.base import output, picture
+from fixel.board import dump
+from fixel.base.errors import ToolError, run_main
+from fixel.base.reading import quoted
 
 FRAMES = "30,45,105"       # of the plaza
 GAP = 8

@@ -5,7 +5,7 @@
 Exit: 0 the board has room for the scene, 1 it has not, 2 there is no prediction.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -16,9 +16,11 @@ import sys
 
 import run as run_tool
 import scene as scene_tool
-from fixel import costs, image, memory_needed, output, scratch
-from fixel.errors import ToolError, one_line, run_main
-from fixel.table import coloured, table
+from fixel.base import output, scratch
+from fixel.bench import costs
+from fixel.image import image, memory_needed
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.table import coloured, table
 
 
 def board_of(options, known):

@@ -5,7 +5,7 @@
 Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.toml).
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -13,10 +13,12 @@ import argparse
 import pathlib
 import sys
 
-from fixel import bench_plan, bench_run, flame, output, places, qemu, scratch
-from fixel.errors import ToolError, one_line, run_main
-from fixel.progress import Progress
-from fixel.table import table
+from fixel.base import output, scratch
+from fixel.bench import bench_plan, bench_run, flame, places
+from fixel.board import qemu
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.progress import Progress
+from fixel.base.table import table
 
 PATTERNS = ["flame.svg", "stacks.txt", "profile.json"]
 ROWS = 24       # of a table on the terminal; all are in profile.json

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Records the live window for the README: a walk through the plaza, by keys, in a headless browser."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -14,9 +14,10 @@ import time
 
 from PIL import Image
 
-from fixel import browser, output
-from fixel.errors import ToolError, one_line, run_main
-from fixel.progress import steps
+from fixel.base import output
+from fixel.view import browser
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.progress import steps
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
 FORMATS = [(540, 128), (540, 96), (500, 96), (460, 64), (400, 64)]  # pixels across, colours; the first that fits

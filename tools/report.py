@@ -7,7 +7,7 @@ same report on every machine. --only measures some claims, with as many samples 
 claims.json. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 the report could not be made.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -15,12 +15,13 @@ import argparse
 import pathlib
 import sys
 
-from fixel import (output, report_claims, report_frames, report_page, report_plots, report_scale,
-                   report_shards, report_stages, scratch)
-from fixel.arguments import whole_number
-from fixel.errors import ToolError, one_line, run_main
-from fixel.programs import read_json
-from fixel.table import coloured, table
+from fixel.base import output, scratch
+from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
+                          report_stages)
+from fixel.base.arguments import whole_number
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.board.programs import read_json
+from fixel.base.table import coloured, table
 
 PATTERNS = ["report.html", "report.json"]
 SAMPLES_MAX = 10 ** 12

@@ -7,7 +7,7 @@ explained; 1 not; 2 the run could not be made; 124 the program hung; 134 the cor
 of the program that failed (boards/contract/system.h).
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -20,13 +20,15 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel import close_faces, dump, emulator, firmware, flash, methods, output, picture, scratch, wires
-from fixel import image as scene_image
-from fixel.errors import ToolError, one_line, run_main
-from fixel.programs import HostPrograms
-from fixel.progress import Progress, steps
-from fixel.reading import quoted
-from fixel.table import coloured, table
+from fixel.base import output, picture, scratch
+from fixel.board import dump, emulator, firmware, flash, methods, wires
+from fixel.model import close_faces
+from fixel.image import image as scene_image
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.board.programs import HostPrograms
+from fixel.base.progress import Progress, steps
+from fixel.base.reading import quoted
+from fixel.base.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]

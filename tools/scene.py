@@ -10,7 +10,7 @@
         an image as a texture of a program's RGB565 frames
     scene.py info OUT.fxls [--json]"""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -22,9 +22,12 @@ import re
 import sys
 import time
 
-from fixel import c_scene, c_texture, framing, image, image_header, image_lens, image_ranges, image_surface, model_file, output, path, texture, toml_scene, tree
-from fixel.errors import ToolError, one_line, run_main
-from fixel.reading import quoted
+from fixel.base import output
+from fixel.image import c_scene, image, image_header, image_lens, image_ranges, image_surface
+from fixel.model import model_file
+from fixel.scene import c_texture, framing, path, texture, toml_scene, tree
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.reading import quoted
 
 QUIET_SECONDS = 2.0
 

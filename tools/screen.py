@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Saves a picture of an emulated board's screen after the last frame."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -12,11 +12,12 @@ import pathlib
 from PIL import Image
 
 import scene as scene_tool
-from fixel import firmware, flash, methods, output, picture, scratch
-from fixel.errors import ToolError, one_line, run_main
-from fixel.image import load
-from fixel.progress import Progress
-from fixel.session import Session
+from fixel.base import output, picture, scratch
+from fixel.board import firmware, flash, methods
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.image.image import load
+from fixel.base.progress import Progress
+from fixel.board.session import Session
 from run import frame_count, make_scene_image
 
 DEVICE = "screen"       # what an added display is called

@@ -11,7 +11,7 @@ Works on copies under DIR/seeded_bugs and never in the checkout.
 Exit: 0 all caught, 1 a bug survived (or a test fails without one), 2 could not run.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -27,11 +27,11 @@ import sys
 import threading
 
 import equality
-from fixel import bugs as records
-from fixel import children, limits, sampling
-from fixel.errors import ToolError, run_main
-from fixel.progress import Progress
-from fixel.table import coloured, table
+from fixel.check import bugs as records
+from fixel.base import children, limits, sampling
+from fixel.base.errors import ToolError, run_main
+from fixel.base.progress import Progress
+from fixel.base.table import coloured, table
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 # What make needs to build the library's tests.

@@ -6,7 +6,7 @@ Also checks on the Cortex-M0 build that the library links neither floating point
 symbols, and by linking all of it with the compiler's own helpers alone. Exit 1 if the check fails.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -18,9 +18,11 @@ import sys
 from elftools.elf.elffile import ELFFile
 
 import scene as scene_tool
-from fixel import firmware, fleet, linked_size, output, scratch, stack
-from fixel.errors import ToolError, one_line, run_main
-from fixel.table import coloured, table
+from fixel.base import output, scratch
+from fixel.bench import linked_size, stack
+from fixel.board import firmware, fleet
+from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.table import coloured, table
 
 # What the library may ask of its surroundings: C's memory functions, which
 # freestanding gcc may call by itself, and libgcc's helpers for whole numbers.

@@ -4,11 +4,11 @@
 
 Prints a line for each suite, the whole output of failures, and which tests were left out because a board has
 no room for them. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
-test failed, 1 a test failed or nothing ran. Limits are on CPU time and on sleep (fixel.limits), not on wall
+test failed, 1 a test failed or nothing ran. Limits are on CPU time and on sleep (fixel.base.limits), not on wall
 time.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -23,9 +23,11 @@ import threading
 import time
 import xml.etree.ElementTree
 
-from fixel import emulator, limits, scratch, units
-from fixel.errors import ToolError, run_main
-from fixel.table import coloured
+from fixel.base import limits, scratch
+from fixel.board import emulator
+from fixel.check import units
+from fixel.base.errors import ToolError, run_main
+from fixel.base.table import coloured
 
 HOST_CPU = 300          # seconds of CPU time for one program
 BOARD_CPU = 300

@@ -7,7 +7,7 @@ Ctrl-C ends everything. Exit: 0 after Ctrl-C, 2 the board could not be started; 
 itself, with the exit code of its program.
 """
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
@@ -18,12 +18,13 @@ import pathlib
 import signal
 import webbrowser
 
-from fixel import firmware, flash, methods, output, scratch
-from fixel.errors import ENDINGS, ToolError, one_line, run_main
-from fixel.view_board import Board
-from fixel.view_pump import IDLE_RATE, Pump
-from fixel.view_server import Hub, Server, hello
-from fixel.view_reference import Reference
+from fixel.base import output, scratch
+from fixel.board import firmware, flash, methods
+from fixel.base.errors import ENDINGS, ToolError, one_line, run_main
+from fixel.view.view_board import Board
+from fixel.view.view_pump import IDLE_RATE, Pump
+from fixel.view.view_server import Hub, Server, hello
+from fixel.view.view_reference import Reference
 from run import make_scene_image
 from scene import parse_screen
 

@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: MIT
 """Draws a scene's path as wireframes on this machine, and compares them with double."""
 
-from fixel import interpreter
+from fixel.base import interpreter
 
 interpreter.choose()  # before the imports that need a package
 
 import argparse
 
 import scene as scene_tool
-from fixel import dump, output, picture, scratch
-from fixel.errors import one_line, run_main
-from fixel.programs import HostPrograms
-from fixel.progress import Progress, steps
+from fixel.base import output, picture, scratch
+from fixel.board import dump
+from fixel.base.errors import one_line, run_main
+from fixel.board.programs import HostPrograms
+from fixel.base.progress import Progress, steps
 from run import frame_count, make_scene_image
 
 PATTERNS = ["frame_*.png", "walk.gif", "summary.json"]

@@ -3,7 +3,7 @@
 # the host, $(BOARD_UNITS_FOLDER.<board>)/test_X.elf; $(BOARD_UNITS.<board>) are
 # all of a board that fit it. Objects are a core's; only linking is a board's.
 #
-# tools/test.py runs each by fixel.emulator.run_unit(elf) -> (passed, failed,
+# tools/test.py runs each by fixel.board.emulator.run_unit(elf) -> (passed, failed,
 # output). On a board a failing TEST_ASSERT ends one test; a fault, or a failed
 # assertion of the library, ends the program and counts as one test failed.
 

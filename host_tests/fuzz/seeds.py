@@ -12,8 +12,9 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
-from fixel import image, toml_scene, tree
-from fixel.errors import ToolError, run_main
+from fixel.image import image
+from fixel.scene import toml_scene, tree
+from fixel.base.errors import ToolError, run_main
 
 LARGEST = 8000          # bytes of a scene that is worth mutating
 POSES = 3               # that a seed has of its scene's path

@@ -68,7 +68,7 @@ def run_make(*arguments, **changes):
 def sampled(name, values, count):
     """So many of a test's parameters, in their order: what takes minutes whole. Other sources give another sample, and
     make test WHOLE=1 takes all."""
-    from fixel import sampling
+    from fixel.base import sampling
     values = list(values)
     if os.environ.get("FIXEL_WHOLE"):
         return values
@@ -109,7 +109,7 @@ def build():
 
 @pytest.fixture(scope="module")
 def chromium():
-    """A headless browser (fixel/browser.py)."""
-    from fixel import browser
+    """A headless browser (browser.py)."""
+    from fixel.view import browser
     with browser.chromium() as opened:
         yield opened

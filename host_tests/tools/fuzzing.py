@@ -7,7 +7,7 @@ import os
 
 from hypothesis import HealthCheck, seed, settings
 
-from fixel.errors import ToolError
+from fixel.base.errors import ToolError
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "150"))
 SEED = int(os.environ.get("FUZZ_SEED", "13"))

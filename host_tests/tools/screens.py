@@ -6,7 +6,7 @@ import pathlib
 
 import scene as scene_tool
 from board_programs import ROOT, built
-from fixel import dump, emulator, firmware, flash, session
+from fixel.board import dump, emulator, firmware, flash, session
 
 
 @dataclasses.dataclass(frozen=True)

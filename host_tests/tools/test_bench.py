@@ -13,9 +13,9 @@ from elftools.elf.elffile import ELFFile
 
 import bench as bench_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel import (bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, bench_terrain, image,
-                   link_map)
-from fixel.errors import ToolError
+from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, bench_terrain, link_map
+from fixel.image import image
+from fixel.base.errors import ToolError
 
 BASELINE, DOCUMENT = CHECKOUT / "bench/baseline.json", CHECKOUT / "docs/performance.md"
 ROW = {"workload", "renderer", "core", "instructions", "frame", "per_unit", "unit", "ratio_to_listing_double",

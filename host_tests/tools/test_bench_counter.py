@@ -7,9 +7,9 @@ import subprocess
 import pytest
 
 from conftest import CHECKOUT
-from fixel import bench_plan, bench_run, counter
-from fixel.errors import ToolError
-from fixel.machine_code import MachineCode
+from fixel.bench import bench_plan, bench_run, counter
+from fixel.base.errors import ToolError
+from fixel.bench.machine_code import MachineCode
 
 PLUGIN = "host/bench_counter.so"
 # A program of the double's: main at 100 calls f at 200, which calls g by a jump at its end.

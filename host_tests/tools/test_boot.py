@@ -14,8 +14,8 @@ import pytest
 
 import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
-from fixel import emulator, firmware, flash
-from fixel.errors import ToolError
+from fixel.board import emulator, firmware, flash
+from fixel.base.errors import ToolError
 
 FRAMES = 3
 

@@ -9,14 +9,15 @@ from conftest import run_cli
 from hypothesis import given, settings, strategies as st
 import pytest
 
-from fixel import image, tree, tree_faces
-from fixel.errors import ToolError
-from fixel.image import Face, Model, Object, SceneImage
-from fixel.image_tree import NONE, PLANARITY_MAX
-from fixel.mesh import Mesh, UNIT, cross, dot, minus, newell, shape
-from fixel.solids import make
-from fixel.toml_object import matrix
-from fixel.work import TreeWork
+from fixel.image import image
+from fixel.scene import tree, tree_faces
+from fixel.base.errors import ToolError
+from fixel.image.image import Face, Model, Object, SceneImage
+from fixel.image.image_tree import NONE, PLANARITY_MAX
+from fixel.model.mesh import Mesh, UNIT, cross, dot, minus, newell, shape
+from fixel.model.solids import make
+from fixel.scene.toml_object import matrix
+from fixel.scene.work import TreeWork
 
 ONE = 65536
 SQUARE_NORMAL = (0, 1 << 30, 0)

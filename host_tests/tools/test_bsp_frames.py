@@ -10,7 +10,9 @@ from conftest import CHECKOUT
 import pytest
 
 import scene as scene_tool
-from fixel import dump, image, toml_scene, tree
+from fixel.board import dump
+from fixel.image import image
+from fixel.scene import toml_scene, tree
 
 SCENES = {"plaza": ("all", 24), "w1": ("0", 20), "knot": ("all", 24), "w3": ("most", 1)}
 ROOM = 1 << 20

@@ -10,8 +10,8 @@ import pytest
 
 import scene as scene_tool
 from conftest import CHECKOUT
-from fixel import image
-from fixel.errors import ToolError
+from fixel.image import image
+from fixel.base.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
 SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),

@@ -12,7 +12,7 @@ import time
 import pytest
 
 from conftest import CHECKOUT, TOOLS, environment
-from fixel import children
+from fixel.base import children
 from viewers import assert_gone, children as started_by, runs
 
 
@@ -21,7 +21,7 @@ def tool(folder, body):
     file = folder / "tool.py"
     file.write_text("import pathlib, sys, time, threading, concurrent.futures\n"
                     f"sys.path.insert(0, {str(TOOLS)!r})\nfolder = pathlib.Path({str(folder)!r})\n"
-                    "from fixel import children\nfrom fixel.errors import run_main\n"
+                    "from fixel.base import children\nfrom fixel.errors import run_main\n"
                     f"def main(argv):\n{textwrap.indent(textwrap.dedent(body), '    ')}\n    return 0\nrun_main(main)\n",
                     encoding="utf-8")
     return [sys.executable, str(file)]
@@ -79,7 +79,7 @@ def test_a_killed_make_takes_its_tool_along(tmp_path):
 
 
 BUSY = """
-        from fixel import errors
+        from fixel.base import errors
         real = errors.signal.setitimer
         def slow(*words):
             errors.signal.setitimer = real
@@ -126,7 +126,7 @@ def test_a_signal_just_before_a_wait_counts(tmp_path, ending):
 def test_a_tool_that_cannot_clear_up_ends_all_the_same(tmp_path, ending):
     """A signal may come where it leaves a lock held that the clearing up needs."""
     body = """
-        from fixel import errors
+        from fixel.base import errors
         errors.LAST = 1.0
         lock = threading.Lock()
         try:

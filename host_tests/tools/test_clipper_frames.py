@@ -12,7 +12,7 @@ import pytest
 from conftest import CHECKOUT, sampled
 
 import scene as scene_tool
-from fixel import image
+from fixel.image import image
 
 CLIPPERS = ("view", "world", "normalised", "once", "half-spaces", "triangles", "near", "near-box", "left")
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "adversarial", "beam")

@@ -6,7 +6,7 @@ import re
 import pytest
 
 from board_programs import BOARD, EVERY_BOARD, built
-from fixel import emulator
+from fixel.board import emulator
 
 WRAP = 40               # instructions that the interrupt of a wrap takes, at most
 

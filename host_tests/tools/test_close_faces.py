@@ -5,7 +5,8 @@ import pytest
 from conftest import CHECKOUT
 
 import scene as scene_tool
-from fixel import close_faces, image
+from fixel.image import image
+from fixel.model import close_faces
 
 UNIT = close_faces.UNIT
 

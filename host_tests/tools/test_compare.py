@@ -13,7 +13,7 @@ from PIL import Image
 from test_input_bounds import run_bounded
 
 import compare as compare_tool
-from fixel import picture
+from fixel.base import picture
 
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
 

@@ -12,8 +12,8 @@ import pytest
 import clippers as clippers_tool
 import scene as scene_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel import clippers_page, clippers_plan, clippers_rows
-from fixel.errors import ToolError
+from fixel.bench import clippers_page, clippers_plan, clippers_rows
+from fixel.base.errors import ToolError
 
 ROW = {"clipper", "hidden", "scene", "board", "instructions", "text_bytes", "ram_bytes", "max_error_units",
        "pixels_differing", "pixels_unexplained"}

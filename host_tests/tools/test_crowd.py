@@ -5,7 +5,7 @@ import numpy
 from conftest import CHECKOUT
 from PIL import Image
 
-from fixel import first_program
+from fixel.report import first_program
 
 
 def test_the_crowd_is_that_of_the_document(build):

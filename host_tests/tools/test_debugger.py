@@ -18,7 +18,8 @@ import pytest
 import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import assert_one_sentence, environment, run_cli
-from fixel import flash, limits, qemu
+from fixel.base import limits
+from fixel.board import flash, qemu
 
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 

@@ -9,8 +9,8 @@ import numpy
 import pytest
 
 from conftest import CHECKOUT
-from fixel import controllers, grey, wires
-from fixel.wires import rgb565
+from fixel.board import controllers, grey, wires
+from fixel.board.wires import rgb565
 
 PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
 MOCK = CHECKOUT / "host_tests" / "displays"

@@ -10,8 +10,8 @@ from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fixel import dump
-from fixel.errors import ToolError
+from fixel.board import dump
+from fixel.base.errors import ToolError
 
 FRAMES = random_frames(3, 5, 7)
 WHOLE = dump_bytes(FRAMES)

@@ -11,8 +11,9 @@ import pytest
 import scene as scene_tool
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
-from fixel import c_names, c_scene, framing, image, memory_needed
-from fixel.errors import ToolError
+from fixel.image import c_names, c_scene, image, memory_needed
+from fixel.scene import framing
+from fixel.base.errors import ToolError
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]

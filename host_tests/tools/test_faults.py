@@ -11,7 +11,7 @@ import pytest
 from elftools.elf.elffile import ELFFile
 
 from board_programs import BOARD, EVERY_BOARD, built, fake_qemu
-from fixel import emulator
+from fixel.board import emulator
 
 ARMV6M, ARMV7M, ARMV8M = "microbit", BOARD, "mps2-an505"
 CORES = [ARMV6M, ARMV7M, ARMV8M]

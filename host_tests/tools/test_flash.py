@@ -14,8 +14,8 @@ import time
 import pytest
 
 from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
-from fixel import firmware, flash, qemu
-from fixel.errors import ToolError
+from fixel.board import firmware, flash, qemu
+from fixel.base.errors import ToolError
 
 
 @pytest.fixture(scope="module")

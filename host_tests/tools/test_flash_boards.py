@@ -5,8 +5,8 @@ import pytest
 
 import scene as scene_tool
 from board_programs import ROOT, built, scene_bytes
-from fixel import dump, emulator, firmware, flash
-from fixel.errors import ToolError
+from fixel.board import dump, emulator, firmware, flash
+from fixel.base.errors import ToolError
 
 BOARDS = sorted(path.parent.name for path in (ROOT / "boards").glob("*/board.mk"))
 EMULATED = [board for board in BOARDS if board != firmware.HOST]

@@ -14,7 +14,7 @@ import pytest
 import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import environment, run_cli
-from fixel import emulator, flash
+from fixel.board import emulator, flash
 
 # tools/flash.py, which gets SIGKILL before its Nth line in the files that write the image.
 KILLED_AT_LINE = """
@@ -32,7 +32,7 @@ def trace(frame, event, _):
     return trace
 sys.path.insert(0, "tools")
 import flash
-from fixel.errors import run_main
+from fixel.base.errors import run_main
 def main(argv):
     sys.settrace(trace)
     code = flash.main(argv)
@@ -49,7 +49,7 @@ resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 sys.path.insert(0, "tools")
 import flash
-from fixel.errors import run_main
+from fixel.base.errors import run_main
 run_main(flash.main)
 """
 LINES_MAX = 400

@@ -12,8 +12,8 @@ from hypothesis import given, strategies as st
 import font as font_tool
 from board_programs import ROOT
 from conftest import assert_one_sentence, run_cli
-from fixel import bdf
-from fixel.errors import ToolError
+from fixel.image import bdf
+from fixel.base.errors import ToolError
 from fuzzing import fuzzed, short_refusals, taken
 from test_export import COMPILERS, compiled, printed
 

@@ -11,7 +11,8 @@ import pytest
 
 import frame_hashes as hashes_tool
 import scene as scene_tool
-from fixel import dump, emulator, flash, frame_hashes
+from fixel.board import dump, emulator, flash
+from fixel.check import frame_hashes
 
 MODELS = CHECKOUT.parent / "shared" / "models"
 OWN = sorted((CHECKOUT / "scenes").glob("*.toml"))

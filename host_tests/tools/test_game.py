@@ -10,7 +10,7 @@ from board_programs import EVERY_BOARD, made
 from conftest import CHECKOUT, run_cli, run_make, sampled
 
 import scene as scene_tool
-from fixel import controllers, dump, emulator, firmware, flash, wires
+from fixel.board import controllers, dump, emulator, firmware, flash, wires
 
 SCENE = "examples/game/game.toml"
 SMALL = "128x64"

@@ -9,9 +9,9 @@ import pytest
 import trimesh
 
 import scene as scene_tool
-from fixel import gltf, gltf_check
-from fixel.errors import ToolError
-from fixel.mesh import UNIT
+from fixel.model import gltf, gltf_check
+from fixel.base.errors import ToolError
+from fixel.model.mesh import UNIT
 from model_files import SQUARE, TETRAHEDRON, glb, gltf as make, gltf_text, png
 
 TREE = [{"children": [1, 2], "translation": [3, -2, 1], "rotation": [0, 0.6, 0, 0.8]},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Greys: what tools/fixel/grey.py says, and that the library says the same."""
+"""Greys: what tools/fixel/board/grey.py says, and that the library says the same."""
 
 import ctypes
 import subprocess
@@ -8,7 +8,7 @@ import numpy
 import pytest
 
 from conftest import CHECKOUT
-from fixel import grey
+from fixel.board import grey
 
 PALETTE = numpy.random.default_rng(9).integers(0, 256, (256, 3), dtype=numpy.uint8)
 EVEN = numpy.repeat(numpy.arange(256, dtype=numpy.uint8)[:, None], 3, 1)

@@ -14,8 +14,8 @@ import pytest
 import scene as scene_tool
 from board_programs import BOARD, ROOT, built
 from conftest import run_make
-from fixel import emulator
-from fixel.wires import rgb565
+from fixel.board import emulator
+from fixel.board.wires import rgb565
 from test_displays import read_wires
 
 PAGE = (ROOT / "docs" / "hello.md").read_text(encoding="utf-8")

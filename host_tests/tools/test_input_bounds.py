@@ -22,8 +22,11 @@ from model_files import TETRAHEDRON, glb, gltf, png, stl
 from test_checkers import sealed
 from test_model_files import big_png, grid
 import scene as scene_tool
-from fixel import flash, gltf as gltf_reader, image, obj, toml_table
-from fixel.errors import ToolError
+from fixel.board import flash
+from fixel.image import image
+from fixel.model import gltf as gltf_reader, obj
+from fixel.scene import toml_table
+from fixel.base.errors import ToolError
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\n'

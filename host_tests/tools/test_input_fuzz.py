@@ -18,7 +18,9 @@ from PIL import Image
 import scene as scene_tool
 from conftest import CHECKOUT
 from fuzzing import fuzzed, short_refusals
-from fixel import image, texture_image, toml_billboard, toml_light, toml_model, toml_motion, toml_object, toml_scene, toml_texture
+from fixel.image import image
+from fixel.model import texture_image
+from fixel.scene import toml_billboard, toml_light, toml_model, toml_motion, toml_object, toml_scene, toml_texture
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
 
@@ -187,7 +189,7 @@ def test_any_name_of_a_scene(kind, stem):
 def _keys():
     """Every key that a table of a scene may have: the sets of names in what reads scenes, and the names of the sets."""
     found = {"count", "step"}
-    for source in sorted((CHECKOUT / "tools" / "fixel").glob("toml_*.py")):
+    for source in sorted((CHECKOUT / "tools" / "fixel" / "scene").glob("toml_*.py")):
         text = source.read_text(encoding="utf-8")
         found.update(*(re.findall("[a-z_]+", names) for names in re.findall(r"\{((?:\s*\"[a-z_]+\",?)+)", text)))
     return sorted(found)

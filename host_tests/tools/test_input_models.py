@@ -13,9 +13,9 @@ import pytest
 from conftest import CHECKOUT, TOOLS, environment
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
 from test_input_bounds import PATH, run_bounded
-from fixel import gltf_check, model_file, sources
-from fixel.errors import ToolError
-from fixel.reading import QUOTE_MAX, Beside
+from fixel.model import gltf_check, model_file, sources
+from fixel.base.errors import ToolError
+from fixel.base.reading import QUOTE_MAX, Beside
 
 CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
 FACES = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"

@@ -14,7 +14,8 @@ from test_checkers import sealed
 from test_input_bounds import run_bounded
 from test_input_work import noise, scene, textures
 import scene as scene_tool
-from fixel import image, image_billboard, image_header, image_surface, texture_image
+from fixel.image import image, image_billboard, image_header, image_surface
+from fixel.model import texture_image
 
 RECORDS = 6000
 

@@ -12,7 +12,9 @@ import numpy as np
 from PIL import Image
 import pytest
 
-from fixel import clusters, image, triangles, work
+from fixel.image import image
+from fixel.model import clusters, triangles
+from fixel.scene import work
 from model_files import gltf
 from test_input_bounds import BOX, run_bounded
 from test_input_together import box, item

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Short scene files that ask for much of several things, each of which would be fine alone: one budget holds for all
-(tools/fixel/work.py). The bounds are those of test_input_bounds.py."""
+(tools/fixel/scene/work.py). The bounds are those of test_input_bounds.py."""
 
 import re
 import tracemalloc
@@ -9,8 +9,9 @@ import pytest
 
 import scene as scene_tool
 from conftest import CHECKOUT
-from fixel import image, work
-from fixel.errors import ToolError
+from fixel.image import image
+from fixel.scene import work
+from fixel.base.errors import ToolError
 from test_input_bounds import assert_built, assert_refused
 from test_input_work import noise, scene
 

@@ -10,7 +10,7 @@ from board_programs import made
 from conftest import CHECKOUT, run_cli, sampled
 
 import scene as scene_tool
-from fixel.programs import HostPrograms
+from fixel.board.programs import HostPrograms
 
 # What the scene may cost in pixels that differ from double, of a million.
 SCENES = {"plaza": 10, "plaza-turned": 10, "spin": 10, "w1": 10, "w3": 10, "tiny": 10, "cube": 10}

@@ -9,7 +9,7 @@ import pytest
 
 from board_programs import built
 from conftest import run_cli
-from fixel import kill_campaign
+from fixel.check import kill_campaign
 from viewers import BOARDS
 
 KILLS, SEED = 8, 13

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from conftest import run_cli
 
-from fixel import dump
+from fixel.board import dump
 
 LIGHTS = ("day", "lamps", "dusk")
 EXPLAINED = 1 / 8192  # pixels from an edge: that of make run

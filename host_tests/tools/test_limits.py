@@ -8,7 +8,7 @@ import time
 import pytest
 from viewers import runs
 
-from fixel import limits
+from fixel.base import limits
 
 BURN = "while :; do :; done"
 HOUR = 3600.0

@@ -10,7 +10,7 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make, sampled
 
 import scene as scene_tool
-from fixel import fleet, methods
+from fixel.board import fleet, methods
 from test_run import walk
 
 KNOT = str(CHECKOUT / "scenes/knot.toml")   # beams that no order by distance draws right

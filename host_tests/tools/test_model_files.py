@@ -7,8 +7,9 @@ import zlib
 import pytest
 
 import scene as scene_tool
-from fixel import image, mesh, texture_image
-from fixel.errors import ToolError
+from fixel.image import image
+from fixel.model import mesh, texture_image
+from fixel.base.errors import ToolError
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
 
 PATH = "[path]\nkeys = [{ position = [0, 0, -4] }]\n"

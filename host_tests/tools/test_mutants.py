@@ -3,7 +3,7 @@
 
 import pytest
 
-from fixel import mutate
+from fixel.check import mutate
 
 CODE = """#include "a.h"
 #define ONE (1 + 1)

@@ -7,7 +7,8 @@ import numpy
 from conftest import CHECKOUT
 from PIL import Image
 
-from fixel import first_program, picture
+from fixel.base import picture
+from fixel.report import first_program
 
 
 def test_the_picture_is_that_of_the_document(build):

@@ -6,9 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from fixel import framing, image, mesh, obj, toml_scene
-from fixel.errors import ToolError
-from fixel.mesh import UNIT
+from fixel.image import image
+from fixel.model import mesh, obj
+from fixel.scene import framing, toml_scene
+from fixel.base.errors import ToolError
+from fixel.model.mesh import UNIT
 from test_scene_mesh import ONE, check_faces
 
 MODELS = Path(__file__).resolve().parents[3] / "shared" / "models"

@@ -12,9 +12,9 @@ import run as run_tool
 import scene as scene_tool
 from board_programs import BOARD, scene_bytes
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli
-from fixel import output, progress
-from fixel.errors import ToolError, one_line
-from fixel.symbols import Symbols
+from fixel.base import output, progress
+from fixel.base.errors import ToolError, one_line
+from fixel.board.symbols import Symbols
 
 ODD = "n\nerror: \x1b[31m"      # of a file's name
 SHOWN = "n\\nerror: \\x1b[31m"
@@ -113,7 +113,7 @@ def test_an_error_with_a_name_is_one_line(verb, words):
 
 def test_the_lines_of_a_compiler_stay(tmp_path):
     """What another program said keeps its line breaks; the message has none."""
-    script = ("import sys; sys.path.insert(0, 'tools'); from fixel import errors\n"
+    script = ("import sys; sys.path.insert(0, 'tools'); from fixel.base import errors\n"
               "def main(argv): raise errors.ToolError(argv[0], words='why\\nand where\\x1b')\n"
               "errors.run_main(main)\n")
     (tmp_path / "fail.py").write_text(script)

@@ -4,8 +4,8 @@
 import numpy
 import pytest
 
-from fixel import grey, oled
-from fixel.errors import ToolError
+from fixel.board import grey, oled
+from fixel.base.errors import ToolError
 from screens import flashed, screen_after
 
 BOARD = "lm3s6965evb"

@@ -6,8 +6,8 @@ import types
 import numpy
 import pytest
 
-from fixel import dump, emulator, grey, oled, session
-from fixel.errors import ToolError
+from fixel.board import dump, emulator, grey, oled, session
+from fixel.base.errors import ToolError
 from screens import flashed, screen_after
 
 BOARD = "mps2-an385"

@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-from fixel import report_claims
+from fixel.report import report_claims
 
 BOUNDS = {claim.id: claim.bound for claim in report_claims.CLAIMS if claim.id not in ("frame", "scale")}
 

@@ -11,8 +11,9 @@ import pytest
 import scene as scene_tool
 from board_programs import BOARD, built
 from conftest import CHECKOUT, TOOLS, assert_one_sentence, run_cli
-from fixel import emulator, flash, output
-from fixel.errors import ToolError
+from fixel.base import output
+from fixel.board import emulator, flash
+from fixel.base.errors import ToolError
 
 
 def fifo(path):

@@ -13,7 +13,8 @@ import predict as predict_tool
 import scene as scene_tool
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli
-from fixel import bench_plan, costs, dump, emulator, fleet, flash
+from fixel.bench import bench_plan, costs
+from fixel.board import dump, emulator, flash, fleet
 
 SCENES = ("scenes/spin.toml", "scenes/knot.toml", "examples/game/game.toml")
 BOARDS = ("microbit", "mps2-an385")

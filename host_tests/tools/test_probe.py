@@ -15,7 +15,7 @@ import pytest
 import scene as scene_tool
 from board_programs import ROOT, built
 from conftest import assert_one_sentence, environment, run_cli
-from fixel import firmware, probe
+from fixel.board import firmware, probe
 
 DONE = "** Programming Started **\n** Programming Finished **\n** Verified OK **\n"
 

@@ -10,11 +10,11 @@ import xml.etree.ElementTree
 import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel import bench_plan, counter, cycles, flame, places, thumb
-from fixel.debug_lines import DebugLines
-from fixel.errors import ToolError
-from fixel.machine_code import MachineCode
-from fixel.thumb import Instruction
+from fixel.bench import bench_plan, counter, cycles, flame, places, thumb
+from fixel.bench.debug_lines import DebugLines
+from fixel.base.errors import ToolError
+from fixel.bench.machine_code import MachineCode
+from fixel.bench.thumb import Instruction
 
 CROSS = "arm-none-eabi-"
 SVG = "{http://www.w3.org/2000/svg}"

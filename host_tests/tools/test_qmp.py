@@ -10,8 +10,8 @@ import threading
 import pytest
 from PIL import Image
 
-from fixel import emulator, qmp
-from fixel.errors import ToolError
+from fixel.board import emulator, qmp
+from fixel.base.errors import ToolError
 
 
 @pytest.fixture

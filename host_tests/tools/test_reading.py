@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import scene as scene_tool
-from fixel import reading
-from fixel.errors import ToolError
+from fixel.base import reading
+from fixel.base.errors import ToolError
 
 MOST = 80
 TEXTS = st.one_of(st.text(max_size=200), st.text(alphabet="\x1b\n\"\\\u202ea", max_size=200),

@@ -15,8 +15,8 @@ from fractions import Fraction
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-from fixel import report_claims, report_frames, report_plots, report_scale, report_shards, report_stages
-from fixel.errors import ToolError
+from fixel.report import report_claims, report_frames, report_plots, report_scale, report_shards, report_stages
+from fixel.base.errors import ToolError
 
 SAMPLES = 4000
 CHROMIUM = pathlib.Path("/usr/bin/chromium")

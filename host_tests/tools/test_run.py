@@ -17,7 +17,8 @@ from PIL import Image
 
 import run as run_tool
 import scene as scene_tool
-from fixel import dump, emulator, scratch
+from fixel.base import scratch
+from fixel.board import dump, emulator
 
 SCENE = "scenes/tiny.toml"
 FRAMES = 4

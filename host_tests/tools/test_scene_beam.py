@@ -10,8 +10,9 @@ import sys
 import pytest
 
 from conftest import CHECKOUT, run_make
-from fixel import image, image_beam, toml_scene
-from fixel.errors import ToolError
+from fixel.image import image, image_beam
+from fixel.scene import toml_scene
+from fixel.base.errors import ToolError
 from test_scene_image import patched
 
 ROOM = """

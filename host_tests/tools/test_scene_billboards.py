@@ -8,8 +8,10 @@ import pytest
 from PIL import Image
 
 from conftest import CHECKOUT, run_cli
-from fixel import dump, image, toml_scene
-from fixel.errors import ToolError
+from fixel.board import dump
+from fixel.image import image
+from fixel.scene import toml_scene
+from fixel.base.errors import ToolError
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOARD = '[[billboards]]\nname = "b"\npattern = "tree"\npixels = [5, 6]\nsize = [2, 3]\n'

@@ -12,9 +12,12 @@ import pytest
 import frame_hashes as hashes_tool
 import scene as scene_tool
 from conftest import CHECKOUT, run_cli
-from fixel import clusters, dump, image, image_cluster, toml_scene
-from fixel.errors import ToolError
-from fixel.programs import run_program
+from fixel.board import dump
+from fixel.image import image, image_cluster
+from fixel.model import clusters
+from fixel.scene import toml_scene
+from fixel.base.errors import ToolError
+from fixel.board.programs import run_program
 from test_scene_image import patched
 
 GLOBE = """

@@ -7,9 +7,9 @@ import zlib
 from hypothesis import given, settings, strategies as st
 import pytest
 
-from fixel import image, image_keys, image_lens
-from fixel.errors import ToolError
-from fixel.image import Face, Model, Object, SceneImage
+from fixel.image import image, image_keys, image_lens
+from fixel.base.errors import ToolError
+from fixel.image.image import Face, Model, Object, SceneImage
 
 UP = (0, 1 << 30, 0)
 SQUARE = [(-65536, 0, -65536), (-65536, 0, 65536), (65536, 0, 65536), (65536, 0, -65536)]

@@ -7,9 +7,11 @@ import math
 from hypothesis import assume, given, settings, strategies as st
 import pytest
 
-from fixel import convex, image, mesh, palette, solids
-from fixel.mesh import UNIT, Mesh
-from fixel.toml_object import matrix
+from fixel.image import image
+from fixel.model import convex, mesh, solids
+from fixel.scene import palette
+from fixel.model.mesh import UNIT, Mesh
+from fixel.scene.toml_object import matrix
 
 ONE = [[Fraction(i == j) for j in range(3)] for i in range(3)]
 CLOSED = sorted(set(solids.SOLIDS) - {"tile", "disc", "floor", "band", "torus", "island"})

@@ -8,8 +8,9 @@ import struct
 import pytest
 
 from conftest import CHECKOUT
-from fixel import image, image_turn, toml_scene
-from fixel.errors import ToolError
+from fixel.image import image, image_turn
+from fixel.scene import toml_scene
+from fixel.base.errors import ToolError
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'

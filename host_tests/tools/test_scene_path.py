@@ -5,8 +5,9 @@ from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
 
-from fixel import path, quantity
-from fixel.path import Key
+from fixel.model import quantity
+from fixel.scene import path
+from fixel.scene.path import Key
 
 TURN = 1 << 32
 

@@ -7,8 +7,9 @@ import pytest
 from PIL import Image
 
 from conftest import CHECKOUT, run_cli
-from fixel import image, image_surface, light_palette, surfaces, texture, toml_scene
-from fixel.errors import ToolError
+from fixel.image import image, image_surface
+from fixel.scene import light_palette, surfaces, texture, toml_scene
+from fixel.base.errors import ToolError
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'

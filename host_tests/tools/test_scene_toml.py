@@ -10,8 +10,9 @@ import sys
 
 import pytest
 
-from fixel import c_scene, image, image_lens, toml_object, toml_scene
-from fixel.errors import ToolError
+from fixel.image import c_scene, image, image_lens
+from fixel.scene import toml_object, toml_scene
+from fixel.base.errors import ToolError
 
 ROOT = Path(__file__).resolve().parents[2]
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
@@ -243,7 +244,7 @@ def test_the_documents_examples_compile(tmp_path):
 
 def test_the_document_names_every_key():
     text = (ROOT / "docs" / "scenes.md").read_text()
-    source = (ROOT / "tools" / "fixel" / "toml_scene.py").read_text()
+    source = (ROOT / "tools" / "fixel" / "scene" / "toml_scene.py").read_text()
     keys = set(toml_object.KEYS) | toml_scene.TOP_KEYS | set(image.KEYS)
     for group in re.findall(r"\{(\"[a-z_]+\"(?:, \"[a-z_]+\")+)\}", source):
         keys |= set(re.findall(r"[a-z_]+", group))

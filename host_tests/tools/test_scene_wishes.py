@@ -7,9 +7,12 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from test_surface_frames import built, drawn, judged
 
-from fixel import dump, image, image_header, island, mesh, parts, solids, surfaces, toml_scene
-from fixel.errors import ToolError
-from fixel.programs import HostPrograms
+from fixel.board import dump
+from fixel.image import image, image_header
+from fixel.model import island, mesh, solids
+from fixel.scene import parts, surfaces, toml_scene
+from fixel.base.errors import ToolError
+from fixel.board.programs import HostPrograms
 from test_scene_mesh import ONE
 
 # A bar through a ball, and a ring about it.

@@ -14,12 +14,12 @@ import time
 import pytest
 
 from conftest import CHECKOUT, TOOLS
-from fixel import scratch
+from fixel.base import scratch
 
 MAKER = f"""
 import pathlib, sys, time
 sys.path.insert(0, {str(TOOLS)!r})
-from fixel import scratch
+from fixel.base import scratch
 scratch.JOURNALS, place = map(pathlib.Path, sys.argv[1:])
 with scratch.folder("made", place) as folder, scratch.file("made", place) as (path, file):
     (folder / "inside").mkdir()

@@ -8,8 +8,9 @@ import subprocess
 import pytest
 from conftest import CHECKOUT, run_cli
 
-from fixel import bugs, sampling
-from fixel.errors import ToolError
+from fixel.base import sampling
+from fixel.check import bugs
+from fixel.base.errors import ToolError
 
 SAMPLE = 5
 

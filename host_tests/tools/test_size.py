@@ -8,7 +8,7 @@ import subprocess
 import pytest
 
 import size as size_tool
-from fixel import linked_size, stack
+from fixel.bench import linked_size, stack
 
 CROSS = "arm-none-eabi-"
 PURE = """

@@ -8,9 +8,9 @@ import pytest
 import trimesh
 
 import scene as scene_tool
-from fixel import stl
-from fixel.errors import ToolError
-from fixel.mesh import UNIT
+from fixel.model import stl
+from fixel.base.errors import ToolError
+from fixel.model.mesh import UNIT
 from model_files import stl as make, stl_text
 
 

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT, run_cli, sampled
 
-from fixel import dump
+from fixel.board import dump
 
 SCENES = ("scenes/room.toml", "host_tests/fuzz/scenes/surfaces.toml")
 FRAMES = "12"

@@ -10,8 +10,8 @@ import pytest
 from elftools.elf.elffile import ELFFile
 
 from board_programs import BOARD, ROOT, built
-from fixel import emulator, ending, flash
-from fixel.symbols import Symbols
+from fixel.board import emulator, ending, flash
+from fixel.board.symbols import Symbols
 
 SOURCE = "firmware/faults/core_cases.c"
 ENDLESS = "firmware/faults/ending_cases.c"
@@ -126,7 +126,7 @@ def image(tmp_path_factory, faults):
 def test_with_what_a_tool_ends(image, faults, tmp_path, monkeypatch, capsys, case, code):
     """The program's own code where it has one."""
     import boot  # tools/boot.py
-    from fixel.errors import run_main
+    from fixel.base.errors import run_main
 
     real = emulator.run
     monkeypatch.setattr(boot, "run", lambda *arguments: real(*arguments, extra=[case]))

@@ -10,8 +10,8 @@ import pytest
 
 from test_input_bounds import PATH, TRIES, run_bounded, slowness
 import scene as scene_tool
-from fixel import framing, tree, tree_faces, work
-from fixel.errors import ToolError
+from fixel.scene import framing, tree, tree_faces, work
+from fixel.base.errors import ToolError
 
 
 def planted(folder, name, objects):

@@ -7,7 +7,7 @@ import numpy
 import pytest
 from conftest import CHECKOUT
 
-from fixel import first_program
+from fixel.report import first_program
 
 EXAMPLE = CHECKOUT / "examples" / "turn" / "main.c"
 FRAMES = 121    # a whole turn, and the first frame of the next

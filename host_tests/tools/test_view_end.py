@@ -13,7 +13,7 @@ import time
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, environment, run_cli
 
-from fixel import browser
+from fixel.view import browser
 from viewers import BOARDS, HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, \
     own_build, own_port, plaza, ready
 

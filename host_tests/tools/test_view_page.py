@@ -18,8 +18,8 @@ from conftest import assert_one_sentence, run_cli
 
 import scene as scene_tool
 from board_programs import ROOT, built
-from fixel import browser
-from fixel.errors import ToolError
+from fixel.view import browser
+from fixel.base.errors import ToolError
 from viewers import BOARDS, HEIGHT, WIDTH, left, own_build, plaza, port_of, ready
 
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js

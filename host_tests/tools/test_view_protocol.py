@@ -8,10 +8,10 @@ import numpy
 import pytest
 from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
 
-from fixel import firmware
-from fixel.errors import ToolError
-from fixel.view_stream import KeyFile, Stream
-from fixel.view_window import Window
+from fixel.board import firmware
+from fixel.base.errors import ToolError
+from fixel.view.view_stream import KeyFile, Stream
+from fixel.view.view_window import Window
 
 WIDTH, HEIGHT = 32, 24
 SLOTS = (4096, 8192)

@@ -11,11 +11,11 @@ import aiohttp
 import pytest
 from view_bench import Bench, HEIGHT, HELLO, WIDTH, bench_test, frame, read_frame, settled
 
-from fixel import view_guard
-from fixel.errors import ToolError
-from fixel.view_pump import Pump
-from fixel.view_server import MESSAGE_MAX, Server, UNSEEN_MAX
-from fixel.view_reference import Answer
+from fixel.view import view_guard
+from fixel.base.errors import ToolError
+from fixel.view.view_pump import Pump
+from fixel.view.view_server import MESSAGE_MAX, Server, UNSEEN_MAX
+from fixel.view.view_reference import Answer
 
 
 # --- who may look on ----------------------------------------------------------------

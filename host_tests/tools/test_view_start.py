@@ -9,11 +9,11 @@ import pytest
 
 import scene as scene_tool
 from board_programs import ROOT, built
-from fixel import firmware, flash, qmp
-from fixel.errors import ToolError
-from fixel.session import Session
-from fixel.view_board import Board
-from fixel.view_stream import Stream
+from fixel.board import firmware, flash, qmp
+from fixel.base.errors import ToolError
+from fixel.board.session import Session
+from fixel.view.view_board import Board
+from fixel.view.view_stream import Stream
 
 DELAY = 2.0     # seconds; 0.05 were enough for the FIFO to fill
 

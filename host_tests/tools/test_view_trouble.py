@@ -14,9 +14,9 @@ import zlib
 import pytest
 from view_bench import Bench, bench_test, frame, read_frame, settled
 
-from fixel import view_trouble
-from fixel.view_server import MESSAGE_MAX
-from fixel.view_trouble import Troubles
+from fixel.view import view_trouble
+from fixel.view.view_server import MESSAGE_MAX
+from fixel.view.view_trouble import Troubles
 
 KEY = base64.b64encode(bytes(16))
 UPGRADE = (b"Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: " + KEY +

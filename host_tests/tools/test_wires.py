@@ -10,8 +10,8 @@ import pytest
 from board_programs import made
 from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 
-from fixel import controllers, dump, wires
-from fixel.errors import ToolError
+from fixel.board import controllers, dump, wires
+from fixel.base.errors import ToolError
 
 
 def run_driver(out, driver, screen, board="host", frames=6, **changes):

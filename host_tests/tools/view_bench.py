@@ -8,8 +8,8 @@ import struct
 import aiohttp
 import numpy
 
-from fixel import dump
-from fixel.view_server import Hub, Server
+from fixel.board import dump
+from fixel.view.view_server import Hub, Server
 
 WIDTH, HEIGHT = 8, 4
 HELLO = {"type": "hello", "board": "made-up", "judged": True}

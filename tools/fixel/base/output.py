@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Results appear whole or not at all: written beside their place, moved there at the end."""
+
+import contextlib
+import json
+import os
+import pathlib
+import stat
+
+from fixel.base import scratch
+from fixel.base.errors import ToolError
+
+# What a name may stand for that is no file, and no tool replaces.
+KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISSOCK, "a socket"),
+         (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"))
+
+
+def _unwritable(path, error):
+    return ToolError(f"{path}: cannot be written: {error.strerror or error}")
+
+
+def not_a_file(path):
+    """What is at a path, as words, where it is neither a file nor absent. Symbolic links are followed."""
+    try:
+        mode = os.stat(path).st_mode
+    except FileNotFoundError:
+        return None
+    return next((words for is_kind, words in KINDS if is_kind(mode)), None)
+
+
+def target_of(path):
+    """The file that a result replaces: path itself, or what the symbolic link there leads to, so that the link
+    stays. A path at which there is something else is refused."""
+    try:
+        found = not_a_file(path)
+    except OSError as error:
+        raise _unwritable(path, error) from error
+    if found:
+        raise ToolError(f"{path}: cannot be written: it is {found}; name a file")
+    return pathlib.Path(os.path.realpath(path))
+
+
+@contextlib.contextmanager
+def replaced_folder(path, patterns):
+    """Yields a new empty folder whose files become those of path when the block ends well.
+
+    Where the block fails, path stays as it was, or absent. In a folder that is
+    already there the files of the run before (those that match patterns) go,
+    and anything else stays: it may be somebody's work.
+    """
+    path = pathlib.Path(path)
+    try:
+        if path.exists() and not path.is_dir():
+            raise ToolError(f"{path}: cannot be written: it is there and is not a folder")
+        with scratch.folder("results", _nearest_folder(path)) as new:
+            yield new
+            new.chmod(0o777 & ~_umask())
+            _put_in_place(new, path, patterns)
+    except OSError as error:
+        raise _unwritable(path, error) from error
+
+
+def make_folder(path):
+    """A folder, made if it is not there."""
+    try:
+        pathlib.Path(path).mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise ToolError(f"{path}: is there and is not a folder") from error
+    except OSError as error:
+        raise ToolError(f"{path}: the folder cannot be made: {error.strerror}") from error
+
+
+def _nearest_folder(path):
+    """path, or the nearest folder above it that exists: the same file system, so renames work."""
+    while not path.exists():
+        path = path.parent
+    return path
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _put_in_place(new, path, patterns):
+    """Moves the files of new to path; what patterns name last goes first and comes last, so that
+    a folder that holds it is whole."""
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        new.rename(path)
+        return
+    for pattern in reversed(patterns):
+        for stale in path.glob(pattern):
+            stale.unlink()
+    for pattern in patterns:
+        for file in sorted(new.glob(pattern)):
+            os.replace(file, path / file.name)
+
+
+def replace(path, data, check=None, durable=False):
+    """Puts bytes in a file's place in one step: a kill at any moment leaves the old file or the new one. check:
+    is called with the path of the new file before that; its answer is the answer, and what it raises leaves the
+    file as it was. durable: a power cut, too, leaves one of both."""
+    target = target_of(path)
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with scratch.file("output", target.parent) as (new, file):
+            file.write(data)
+            file.flush()
+            if durable:
+                os.fsync(file.fileno())
+            new.chmod(0o666 & ~_umask())    # a temporary file nobody else may read
+            answer = check(new) if check else None
+            os.replace(new, target)
+        if durable:
+            _sync_folder(target.parent)
+        return answer
+    except OSError as error:
+        raise ToolError(f"{_unwritable(path, error)}; it is unchanged") from error
+
+
+def _sync_folder(folder):
+    """Makes a rename last over a power cut, too."""
+    handle = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def write_file(path, data):
+    """Writes bytes or text as a whole file."""
+    replace(path, data.encode() if isinstance(data, str) else data)
+
+
+def write_json(path, value):
+    """Writes a value as indented JSON."""
+    write_file(path, json.dumps(value, indent=2) + "\n")

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""Temporary files and folders of the tools, and the removal of those that a killed tool left.
+
+A process that makes some keeps a journal in build/.scratch of the checkout: a file with their paths. A path
+is written there before anything is made at it. The process holds a lock on its journal for as long as it
+lives, so a journal without a lock is that of a dead process: the next command removes what its paths name, and
+then the journal. If the checkout cannot be written, there is no journal, and what a killed tool left stays.
+"""
+
+import atexit
+import contextlib
+import fcntl
+import os
+import pathlib
+import re
+import secrets
+import shutil
+import tempfile
+import threading
+
+JOURNALS = pathlib.Path(__file__).resolve().parents[3] / "build" / ".scratch"
+NAME = re.compile(r"\.fixel-[a-z]+-[0-9a-f]{16}")    # nothing else is ever removed
+END = b"\0"     # of a path in a journal
+
+
+def _lock(path, flags):
+    """A journal's file, locked; None where another process has it, or it has no name any more."""
+    handle = os.open(path, flags | os.O_RDWR | os.O_CLOEXEC, 0o600)
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if os.fstat(handle).st_nlink:
+            return handle
+    except BlockingIOError:
+        pass
+    except BaseException:
+        os.close(handle)
+        raise
+    os.close(handle)
+    return None
+
+
+class _Journal:
+    """The paths that this process must remove."""
+
+    def __init__(self):
+        self._guard = threading.Lock()
+        self._handle = self._file = None
+        self._process = os.getpid()
+        self._paths = set()
+
+    def _open(self):
+        """Makes the file. A command that cleans up may take a new one, which nobody holds yet, for a dead
+        process's: then there is another."""
+        JOURNALS.mkdir(parents=True, exist_ok=True)
+        self._handle = None
+        while self._handle is None:
+            self._file = JOURNALS / f"{os.getpid()}-{secrets.token_hex(8)}"
+            self._handle = _lock(self._file, os.O_CREAT | os.O_EXCL | os.O_APPEND)
+        for path in self._paths:
+            self._write(path)
+
+    def _write(self, path):
+        left = os.fsencode(path) + END
+        while left:
+            left = left[os.write(self._handle, left):]
+
+    def add(self, path):
+        with self._guard:
+            if self._process != os.getpid():    # after a fork
+                self._handle, self._paths, self._process = None, set(), os.getpid()
+            self._paths.add(path)
+            with contextlib.suppress(OSError):
+                if self._handle is None or not os.fstat(self._handle).st_nlink:     # never made, or `make clean`
+                    self._open()
+                else:
+                    self._write(path)
+
+    def drop(self, path):
+        self._paths.discard(path)
+
+    def close(self):
+        """Removes what is left, and the journal."""
+        if self._process == os.getpid() and _remove_all(list(self._paths)) and self._handle is not None:
+            self._file.unlink(missing_ok=True)
+
+
+_journal = _Journal()
+atexit.register(_journal.close)
+
+
+def _remove(path):
+    """Whether nothing is at a path any more."""
+    if NAME.fullmatch(os.path.basename(path)):
+        with contextlib.suppress(OSError):
+            if os.path.isdir(path) and not os.path.islink(path):
+                shutil.rmtree(path, ignore_errors=True)
+            elif os.path.lexists(path):
+                os.unlink(path)
+        return not os.path.lexists(path)
+    return True
+
+
+def _remove_all(paths):
+    """Whether nothing is at any of them any more."""
+    return not [path for path in paths if not _remove(path)]
+
+
+def remove_left_over():
+    """Removes what dead processes left."""
+    for file in JOURNALS.glob("*-*"):
+        with contextlib.suppress(OSError):
+            handle = _lock(file, 0)
+            if handle is not None:
+                with open(handle, "rb") as paths:
+                    *whole, _ = paths.read().split(END)     # behind the last one: nothing, or a part of a path
+                    if _remove_all(map(os.fsdecode, whole)):
+                        file.unlink()
+
+
+def _new_path(what, parent):
+    """A path that nothing is at, in the journal."""
+    path = os.path.join(os.path.abspath(parent or tempfile.gettempdir()), f".fixel-{what}-{secrets.token_hex(8)}")
+    _journal.add(path)
+    return path
+
+
+@contextlib.contextmanager
+def _gone_at_the_end(path):
+    try:
+        yield
+    finally:
+        if _remove(path):
+            _journal.drop(path)
+
+
+@contextlib.contextmanager
+def folder(what, parent=None):
+    """A new folder, removed with what is in it at the end. what: a word for its name. parent: where it is; None:
+    where temporary files are."""
+    path = _new_path(what, parent)
+    with _gone_at_the_end(path):
+        os.mkdir(path, 0o700)
+        yield pathlib.Path(path)
+
+
+@contextlib.contextmanager
+def file(what, parent=None):
+    """A new file: (its path, it, open for writing bytes). It is removed at the end if it still has that name."""
+    path = _new_path(what, parent)
+    with _gone_at_the_end(path), open(os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o600), "wb") as handle:
+        yield pathlib.Path(path), handle

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""What frames cost: counted instructions, cycles, sizes, stacks, predictions, and the comparison of clippers."""

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""The project's goals (bench/goals.toml) beside what was measured."""
+
+import pathlib
+import tomllib
+
+from fixel.base.errors import ToolError
+
+GOALS = pathlib.Path(__file__).resolve().parents[3] / "bench" / "goals.toml"
+OURS = "fixel"
+SCREEN = 320 * 240   # pixels of each workload
+
+
+def _row(result, goal, renderer=OURS, core=None):
+    """The row of a goal's workload; None where it was not measured."""
+    for row in result["rows"]:
+        if (row["workload"], row["renderer"], row["core"]) == (goal["workload"], renderer, core or goal["core"]):
+            return row
+    return None
+
+
+def _frame(result, goal):
+    row = _row(result, goal)
+    return row and (row["frame"]["mean"], None)
+
+
+def _variant(result, goal):
+    """A mean frame of the library built otherwise, or with other memory."""
+    for row in result["variants"]:
+        if all(row[key] == goal[key] for key in ("variant", "workload", "core")):
+            return row["frame"], f"{row['by_fixel']:.2f} times -O2 in one band"
+    return None
+
+
+def _conversion(result, goal):
+    """What a variant adds to a frame, for each pixel of the screen."""
+    row, shown = _row(result, goal), _variant(result, goal)
+    return row and shown and ((shown[0] - row["frame"]["mean"]) / SCREEN, None)
+
+
+def _by_workload(result, goal):
+    """A mean frame by that of another workload on the same core."""
+    row, other = _row(result, goal), _row(result, {**goal, "workload": goal["other"]})
+    return row and other and (row["frame"]["mean"] / other["frame"]["mean"],
+                              f"{row['frame']['mean']:,} of {other['frame']['mean']:,}")
+
+
+def _worst(result, goal):
+    row = _row(result, goal)
+    return row and (row["frame"]["max"] / row["frame"]["mean"], f"{row['frame']['max']:,} at worst")
+
+
+def _share(result, goal):
+    row, other = _row(result, goal), _row(result, goal, goal["renderer"], goal["renderer_core"])
+    return row and other and (row["frame"]["mean"] / other["frame"]["mean"],
+                              f"{row['frame']['mean']:,} of {other['frame']['mean']:,}")
+
+
+def _worst_share(result, goal):
+    """The largest share of another renderer's mean frame, of all scenes that both draw, and which it is."""
+    rows = [row for row in result["rows"] if row["frame"]]
+    others = {row["workload"]: row["frame"]["mean"] for row in rows
+              if (row["renderer"], row["core"]) == (goal["renderer"], goal["renderer_core"])}
+    shares = {row["workload"]: row["frame"]["mean"] / others[row["workload"]] for row in rows
+              if (row["renderer"], row["core"]) == (OURS, goal["core"]) and row["workload"] in others}
+    return _worst_of(shares)
+
+
+def peer_frames(result, peer):
+    """{workload: mean frame} of what stands beside a peer of the plan: a variant, or the library as measured."""
+    if "variant" in peer:
+        return {row["workload"]: row["frame"] for row in result["variants"]
+                if (row["variant"], row["core"]) == (peer["variant"], peer["core"])}
+    return {row["workload"]: row["frame"]["mean"] for row in result["rows"]
+            if row["frame"] and (row["renderer"], row["core"]) == (OURS, peer["core"])}
+
+
+def _worst_by_peer(result, goal):
+    """The largest share of a peer's frame, of all scenes that both draw, and which it is."""
+    (peer,) = [peer for peer in result["peers"] if peer["name"] == goal["peer"]]
+    return _worst_of({name: frame / peer["frames"][name] for name, frame in peer_frames(result, peer).items()
+                      if name in peer["frames"]})
+
+
+def _worst_of(shares):
+    if not shares:
+        return None
+    ordered = sorted(shares, key=shares.get, reverse=True)
+    return shares[ordered[0]], ", ".join(f"{name} {shares[name]:.3f}" for name in ordered[:4])
+
+
+def _unit(result, goal):
+    row = _row(result, goal)
+    return row and (row["per_unit"], None)
+
+
+def _against(result, goal):
+    """The largest ratio of a core's figure to another's, and whose it is."""
+    ours = {(row["core"], row["workload"]): row["per_unit"] for row in result["rows"] if row["renderer"] == OURS}
+    ratios = [(number / ours[goal["other"], workload], workload) for (core, workload), number in ours.items()
+              if core == goal["core"] and (goal["other"], workload) in ours]
+    if not ratios:
+        return None
+    slower = sorted((pair for pair in ratios if pair[0] > goal["most"]), reverse=True)
+    return max(ratios)[0], ", ".join(f"{name} {ratio:.3f}" for ratio, name in slower[:4]) or max(ratios)[1]
+
+
+def place_of(axis):
+    """What grows along an axis: the key of a row."""
+    return next((key for key in ("pixels", "faces") if axis.startswith(key)), "objects")
+
+
+def _growth(result, goal):
+    """The slope of the last step by that of the first: 1 is a straight line, less grows more slowly."""
+    places = place_of(goal["axis"])
+    points = [(row[places], row["instructions"]) for row in result["growth"] if row["axis"] == goal["axis"]]
+    if len(points) < 3:
+        return None
+    slopes = [(new[1] - old[1]) / (new[0] - old[0]) for old, new in zip(points, points[1:])]
+    return slopes[-1] / slopes[0], f"{slopes[0]:,.2f}, then {slopes[-1]:,.2f} for each {places[:-1]} more"
+
+
+def _size(result, goal):
+    for size in result["sizes"]:
+        if (size["core"], size["renderer"], size["flags"]) == (goal["core"], OURS, goal["flags"]):
+            return size
+    return None
+
+
+def _code(result, goal):
+    size = _size(result, goal)
+    return size and (size["code"] + size["constants"], f"and {size['run_time']:,} of run-time library")
+
+
+def _helpers(result, goal):
+    size = _size(result, goal)
+    return size and (len(size["helpers"]), ", ".join(size["helpers"]) or None)
+
+
+def _stack(result, goal):
+    rows = [(row["stack_bytes"], row["workload"]) for row in result["rows"]
+            if row["renderer"] == OURS and row["core"] == goal["core"] and row["stack_bytes"] is not None
+            and row["workload"] not in goal["but"]]
+    return max(rows) if rows else None
+
+
+def _ram(result, goal):
+    row = _row(result, goal)
+    return row and (row["ram_bytes"], None)
+
+
+def _renderer(result, goal):
+    size = result["renderer_bytes"].get(goal["core"])
+    return size and (size, None)
+
+
+FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
+           "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "code": _code,
+           "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
+
+
+def measure(result, path=GOALS):
+    """[{goal, most, figure, met, note, beside, account}]: figure and met are None where a goal was not
+    measured, say for want of a board."""
+    with open(path, "rb") as file:
+        goals = tomllib.load(file)["goals"]
+    rows = []
+    for goal in goals:
+        if goal["figure"] not in FIGURES:
+            raise ToolError(f"{path}: '{goal['figure']}' is no figure; there are: {', '.join(FIGURES)}")
+        figure, note = FIGURES[goal["figure"]](result, goal) or (None, None)
+        rows.append({"goal": goal["name"], "most": goal["most"],
+                     "figure": round(figure, 4) if isinstance(figure, float) else figure,
+                     "met": None if figure is None else figure <= goal["most"], "note": note,
+                     "beside": goal.get("beside"), "account": goal.get("account")})
+    return rows

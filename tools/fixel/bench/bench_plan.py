@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""What the bench measures: bench/bench.toml, and the programs and scenes that it needs."""
+
+import pathlib
+import tomllib
+
+import scene as scene_tool
+from fixel.base import output
+from fixel.bench import bench_textured, bench_turned
+from fixel.image import image
+from fixel.base.errors import ToolError
+
+CORES = ("m0", "m3", "m4f", "m55")
+NAMES = {"m0": "Cortex-M0", "m3": "Cortex-M3", "m4f": "Cortex-M4F", "m55": "Cortex-M55"}
+PLAN = pathlib.Path(__file__).resolve().parents[3] / "bench" / "bench.toml"
+DOUBLE = "listing-double"
+
+
+class Plan:
+    """The plan, and where its programs are built."""
+
+    def __init__(self, build):
+        self.build = pathlib.Path(build)
+        with PLAN.open("rb") as file:
+            data = tomllib.load(file)
+        self.workloads = {each["name"]: each for each in data["workloads"]}
+        self.renderers = {each["name"]: each for each in data["renderers"]}
+        self.kernels = {each["name"]: each for each in data["kernels"]}
+        self.variants = {each["name"]: each for each in data["variants"]}
+        self.peers = data["peers"]
+        self.growth, self.stages = data["growth"], data["stages"]
+
+    @property
+    def counter(self):
+        """The counting plugin."""
+        return self.build / "host" / "bench_counter.so"
+
+    def program(self, core, name):
+        """A program of the bench."""
+        return self.build / "bench" / core / f"{name}.elf"
+
+    def workload(self, name):
+        """A workload by its name, or a ToolError that says which there are."""
+        if name not in self.workloads:
+            raise ToolError(f"there is no workload '{name}'; the workloads are: {', '.join(self.workloads)}")
+        return self.workloads[name]
+
+    def keep(self, names):
+        """Leaves out all workloads but these."""
+        self.workloads = {name: self.workload(name) for name in names}
+
+    def runs(self, cores):
+        """(core, workload, renderer) of everything to be drawn."""
+        return [(core, workload, renderer) for core in cores for workload in self.workloads
+                for renderer, entry in self.renderers.items()
+                if workload in entry.get("only", self.workloads) and
+                renderer in self.workloads[workload].get("by", self.renderers)]
+
+    def variant_runs(self, cores):
+        """(core, workload, variant) of everything to be drawn by the variants."""
+        return [(core, workload, name) for name, entry in self.variants.items()
+                for core, workload in self.planned(entry, cores)]
+
+    def planned(self, entry, cores):
+        """(core, workload) that an entry with both asks for and that are measured."""
+        return [(core, workload) for core in entry["cores"] if core in cores
+                for workload in entry["workloads"] if workload in self.workloads]
+
+
+def compile_scene(workload, folder):
+    """A workload's scene image in a folder: (file, scene)."""
+    file = pathlib.Path(folder) / f"{workload['name']}.fxls"
+    compiled, _ = scene_tool.build(workload["scene"], file)
+    if "turned" in workload:
+        compiled = bench_turned.turned(compiled, workload["turned"])
+        save_scene(compiled, file)
+    if workload.get("textured", False):
+        compiled = bench_textured.compile_file(workload["scene"])
+        save_scene(compiled, file)
+    return file, compiled
+
+
+def faces_of(scene):
+    """How many faces a scene places, seen or not."""
+    return sum(len(scene.models[each.model].faces) for each in scene.objects)
+
+
+def units_of(workload, scene):
+    """How many units a frame of a workload has."""
+    return scene.width * scene.height if workload["unit"] == "pixel" else faces_of(scene)
+
+
+def save_scene(scene, file):
+    """A scene as an image file."""
+    output.write_file(file, image.pack(scene))
+    return file

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""Runs the programs of the bench: what drawing the workloads and running the kernels took."""
+
+import dataclasses
+import pathlib
+import re
+
+import numpy
+
+from fixel.base import scratch
+from fixel.bench import bench_plan, bench_terrain, counter, cycles, places
+from fixel.board import dump, emulator
+from fixel.bench.debug_lines import DebugLines
+from fixel.base.errors import ToolError
+from fixel.bench.machine_code import MachineCode
+
+TIMEOUT = 300.0     # seconds of CPU time without a new frame; kernels print nothing on the way
+CLEAR_OF_VIEW = 200 * 65536     # 16.16: farther from W1's eye than its far plane
+HARDLY_MOVED = 64               # 16.16: a thousandth of a unit
+
+
+@dataclasses.dataclass
+class Drawn:
+    """Frames drawn by a renderer: instructions of each, pixels, and what the program said."""
+    instructions: list
+    pixels: numpy.ndarray
+    memory: int
+    stack: int
+
+
+def _said(pattern, output, elf):
+    found = re.search(pattern, output, re.MULTILINE)
+    if found is None:
+        raise ToolError(f"{elf}: did not print '{pattern}'", exit_code=1)
+    return int(found[1])
+
+
+def draw(plan, core, renderer, scene, frames=None):
+    """Draws a scene image."""
+    elf = plan.program(core, renderer)
+    with scratch.folder("bench") as folder:
+        output, counts = counter.run(elf, MachineCode(elf), plan.counter, folder, scene, frames,
+                                     timeout=TIMEOUT)
+        drawn = dump.read_dump(folder / emulator.DUMP_NAME)
+    if len(counts.regions) != len(drawn.frames) or not drawn.frames:
+        raise ToolError(f"{elf}: {len(counts.regions)} regions, {len(drawn.frames)} frames", exit_code=1)
+    return Drawn(counts.regions, numpy.stack([frame.pixels for frame in drawn.frames]),
+                 _said(r"^bench: memory (\d+)$", output, elf), _said(r"^bench: stack (\d+)$", output, elf))
+
+
+def profile(plan, core, renderer, scene, frames=None):
+    """(Profile, frames): a scene drawn with every place counted."""
+    elf = plan.program(core, renderer)
+    code = MachineCode(elf)
+    with scratch.folder("profile") as folder:
+        _, counts = counter.run(elf, code, plan.counter, folder, scene, frames, detail=True, timeout=TIMEOUT)
+    taken = places.Profile(code, counts, DebugLines(elf), cycles.models(core))
+    # The call of the end marker is the region's last instruction, and nobody's work.
+    expected = sum(counts.regions) + counter.MARKER_CALL * len(counts.regions)
+    if taken.total.instructions != expected:
+        raise ToolError(f"{elf}: the places add up to {taken.total.instructions:,} instructions, "
+                        f"the regions to {expected:,}; the plugin has a bug", exit_code=1)
+    return taken, len(counts.regions)
+
+
+def kernels(plan, core):
+    """{name: (instructions, units)} of the kernels and the limits."""
+    elf = plan.program(core, "kernels")
+    with scratch.folder("bench") as folder:
+        output, counts = counter.run(elf, MachineCode(elf), plan.counter, folder, timeout=TIMEOUT)
+    said = re.findall(r"^bench: kernel (\S+) (\d+)$", output, re.MULTILINE)
+    if len(said) != len(counts.regions):
+        raise ToolError(f"{elf}: {len(counts.regions)} regions, {len(said)} kernels", exit_code=1)
+    if {name for name, _ in said} != set(plan.kernels):
+        strange = {name for name, _ in said} ^ set(plan.kernels)
+        raise ToolError(f"bench/bench.toml and bench/firmware/kernel_list.c differ in: "
+                        f"{', '.join(sorted(strange))}")
+    return {name: (instructions, int(units))
+            for (name, units), instructions in zip(said, counts.regions)}
+
+
+def more_cubes(scene, factor, culled):
+    """A scene with so many times its objects: the new ones far behind the far plane, or in the very
+    places of the old ones, as good as."""
+    def copy(item, number):
+        x, y, z = item.centre
+        centre = (x + number * CLEAR_OF_VIEW, y, z) if culled else (x, y, z + number * HARDLY_MOVED)
+        return dataclasses.replace(item, centre=centre)
+    return dataclasses.replace(scene, objects=[copy(item, number) for number in range(factor)
+                                               for item in scene.objects])
+
+
+def resized(scene, width, height):
+    """A scene on another screen; the field of view stays."""
+    return dataclasses.replace(scene, width=width, height=height)
+
+
+def growth_scenes(plan, folder):
+    """[(axis, factor, scene, file)] of the scenes that show how costs grow."""
+    growth = plan.growth
+    _, scene = bench_plan.compile_scene({"name": "growth", "scene": growth["scene"]}, folder)
+    made = [("cubes culled", factor, more_cubes(scene, factor, True)) for factor in growth["cubes"]]
+    made += [("cubes seen", factor, more_cubes(scene, factor, False)) for factor in growth["cubes"]]
+    smallest = growth["screens"][0]
+    made += [("pixels", width * height // (smallest[0] * smallest[1]), resized(scene, width, height))
+             for width, height in growth["screens"]]
+    made += [(axis, faces // growth["faces"][0], bench_terrain.terrain(scene, faces, patch))
+             for axis, patch in (("faces, one model", None), ("faces, patches", growth["patch_cells"]))
+             for faces in growth["faces"]]
+    return [(axis, factor, each, bench_plan.save_scene(
+                each, pathlib.Path(folder) / f"{re.sub('[ ,]+', '-', axis)}-{factor}.fxls"))
+            for axis, factor, each in made]
+
+
+def grow(plan, entry):
+    """A row of the growth table."""
+    axis, factor, scene, file = entry
+    drawn = draw(plan, plan.growth["core"], "fixel", file)
+    counts = drawn.instructions
+    return {"axis": axis, "factor": factor, "core": plan.growth["core"], "objects": len(scene.objects),
+            "faces": bench_plan.faces_of(scene), "pixels": scene.width * scene.height, "frames": len(counts),
+            "instructions": round(sum(counts) / len(counts))}

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""From the counts of every place to functions, lines, and stacks of calls."""
+
+import collections
+import dataclasses
+import pathlib
+import re
+import tomllib
+
+from fixel.bench import thumb
+
+# Groups of kinds, for people.
+GROUPS = {"multiply": ("multiply", "multiply add"),
+          "long multiply": ("long multiply", "long multiply add"), "divide": ("divide",),
+          "load": ("load", "load multiple", "load to pc", "float load", "float load multiple"),
+          "store": ("store", "store multiple", "float store", "float store multiple"),
+          "branch": ("branch", "branch conditional", "branch exchange", "table branch", "call",
+                     "call register", "pop to pc"),
+          "float": ("float", "float multiply add", "float divide", "float root"), "vector": ("vector",)}
+GROUP_OF = {kind: group for group, kinds in GROUPS.items() for kind in kinds}
+INLINED = "(inlined)"
+# A kernel in assembly has its core in its name, and the stage of the portable one.
+CORES = re.compile(r"_(?:armv6m|armv7m|mve)$")
+LIBRARY = tuple(map(pathlib.PurePath, ("lib/src", "lib/extra", "lib/kernels")))
+OTHERS = "beside the library"
+STAGES = pathlib.Path(__file__).resolve().parents[3] / "bench" / "stages.toml"
+BEFORE_RETURN = 2   # bytes: an address within the call
+
+
+def stem_of(file):
+    """The name of a source file of the library, without a core."""
+    return CORES.sub("", pathlib.PurePath(file).stem)
+
+
+@dataclasses.dataclass
+class Sum:
+    """Instructions, and estimated cycles {model: [least, most]}."""
+    instructions: int = 0
+    cycles: dict = dataclasses.field(default_factory=dict)
+
+    def add(self, times, cycles):
+        self.instructions += times
+        for name, (least, most) in cycles.items():
+            total = self.cycles.setdefault(name, [0, 0])
+            total[0] += least
+            total[1] += most
+
+
+class Stages:
+    """The stages of the pipeline (bench/stages.toml)."""
+
+    def __init__(self, path=STAGES):
+        with open(path, "rb") as file:
+            data = tomllib.load(file)
+        entries = data["stages"]
+        self.shared = set(data["shared"])
+        self.what = {entry["name"]: entry["what"] for entry in entries}
+        self.of_function = {name: entry["name"] for entry in entries for name in entry["functions"]}
+        self.of_file = {stem: entry["name"] for entry in entries for stem in entry["files"]}
+
+    def of(self, names, files):
+        """The stage of a stack of functions, outermost first. files: {function: its file}."""
+        innermost = None
+        for name in reversed(names):
+            file = pathlib.PurePath(files.get(name, ""))
+            stem = stem_of(file)
+            if file.suffix == ".h" or stem in self.shared or \
+                    not any(folder in file.parents for folder in LIBRARY):
+                continue
+            if innermost not in (None, stem):
+                break
+            innermost = stem
+            if name in self.of_function:
+                return self.of_function[name]
+        return OTHERS if innermost is None else self.of_file.get(innermost, innermost)
+
+
+class Profile:
+    """What each function, line and stack took, over all frames together.
+
+    own[name], inclusive[name]: itself, and with all that it calls; inlined[name]: how much of own was
+    inlined into others; entered[name]: how often its first instruction ran. stacks[(names...)]: Sum. stages[name], staged[stage, name]: instructions of a
+    stage of the pipeline, and of a function there.
+    """
+
+    def __init__(self, code, counts, lines, models, stages=None):
+        self.total = Sum()
+        self.groups = collections.Counter()
+        self.taken = collections.Counter()
+        self.own, self.inclusive = collections.defaultdict(Sum), collections.defaultdict(Sum)
+        self.inlined, self.lines = collections.Counter(), collections.defaultdict(Sum)
+        self.stacks, self.stages = collections.defaultdict(Sum), collections.Counter()
+        self.staged = collections.Counter()
+        self.pipeline = stages or Stages()
+        self.code, self.debug, self.models = code, lines, models
+        self.scopes = {}
+        self.starts = {function.start for function in code.functions}
+        self.entered = collections.Counter()
+        for function in code.functions:
+            lines.file_of(function.name, function.start)
+        paths = self._paths(counts)
+        for node, block, times, left in counts.visits:
+            self._add_block(paths[node], counts.blocks[block], times, left)
+
+    def _paths(self, counts):
+        """{node: names from the root inward}: functions, and what was inlined about each call."""
+        paths = {0: ()}
+        for node, (parent, function, back) in counts.nodes.items():
+            about = self._inlined_at(back - BEFORE_RETURN) if back else ()
+            known = function < len(self.code.functions)
+            paths[node] = (*paths[parent], *about, self.code.functions[function].name if known else "?")
+        return paths
+
+    def _add_block(self, path, block, times, left):
+        address, sizes = block
+        for place, size in enumerate(sizes):
+            self._add(path, address, times, left if place + 1 == len(sizes) else 0)
+            address += size
+
+    def _inlined_at(self, address):
+        if address not in self.scopes:
+            self.scopes[address] = tuple(f"{name} {INLINED}" for name in self.debug.inlined(address))
+        return self.scopes[address]
+
+    def _add(self, path, address, times, left):
+        instruction = self.code.instruction(address)
+        cycles = {name: model.cycles(instruction, times, left) for name, model in self.models.items()}
+        self.total.add(times, cycles)
+        self.groups[GROUP_OF.get(instruction.kind, "other")] += times
+        if instruction.kind == "branch conditional":
+            self.taken["taken"] += left
+            self.taken["not taken"] += times - left
+        stack = path + self._inlined_at(address)
+        self.stacks[stack].add(times, cycles)
+        names = [name.removesuffix(f" {INLINED}") for name in stack]
+        self.own[names[-1]].add(times, cycles)
+        if address in self.starts:
+            self.entered[path[-1]] += times
+        if stack[-1].endswith(INLINED):
+            self.inlined[names[-1]] += times
+        stage = self.pipeline.of(names, self.debug.files)
+        self.stages[stage] += times
+        self.staged[stage, names[-1]] += times
+        for name in set(names):
+            self.inclusive[name].add(times, cycles)
+        line = self.debug.line(address)
+        self.lines[line or f"{path[-1]} (no source)"].add(times, cycles)
+
+
+def in_order(pipeline, names):
+    """Names of stages in the order of the pipeline, strange ones last."""
+    known = list(pipeline.what)
+    return sorted(names, key=lambda name: (known.index(name) if name in known else len(known), name))
+
+
+def as_json(profile, frames):
+    """Plain data, the largest first; numbers are of all frames together."""
+    def rows(sums, key):
+        ordered = sorted(sums.items(), key=lambda item: (-item[1].instructions, item[0]))
+        return [{key: name, "instructions": each.instructions, "cycles_estimate": each.cycles}
+                for name, each in ordered]
+    functions = rows(profile.own, "function")
+    for row in functions:
+        row["inclusive"] = profile.inclusive[row["function"]].instructions
+        row["inlined"] = profile.inlined[row["function"]]
+        row["entered"] = profile.entered[row["function"]]
+    for name in profile.inclusive.keys() - profile.own.keys():
+        functions.append({"function": name, "instructions": 0, "cycles_estimate": {},
+                          "inclusive": profile.inclusive[name].instructions, "inlined": 0,
+                          "entered": profile.entered[name]})
+    return {"frames": frames, "instructions": profile.total.instructions,
+            "cycles_estimate": profile.total.cycles,
+            "kinds": {group: profile.groups[group] for group in [*GROUPS, "other"]},
+            "stages": [{"stage": name, "instructions": profile.stages[name]}
+                       for name in in_order(profile.pipeline, profile.stages)],
+            "branches_conditional": {"taken": profile.taken["taken"],
+                                     "not_taken": profile.taken["not taken"]},
+            "functions": functions, "lines": rows(profile.lines, "line")}
+
+
+assert all(kind in thumb.KINDS for kind in GROUP_OF)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Programs that run: emulated boards and the host, their flash, displays, dumps, debuggers and probes."""

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""A frame dump while a board writes it, and whether it is whole in the end.
+What is in it, fixel.board.dump reads."""
+
+import struct
+import zlib
+
+from fixel.base.errors import ToolError
+
+HEAD = struct.Struct("<4sHHHHI768s")
+VERSION = 2
+FRAME_EXTRA = 32 + 48  # bytes around a frame's pixels
+TAIL = struct.Struct("<4sII")
+
+
+def shape(path):
+    """(frames, bytes) that a dump's head announces; None before it is there."""
+    try:
+        with open(path, "rb") as file:
+            head = file.read(HEAD.size)
+    except OSError:
+        return None
+    if len(head) < HEAD.size:
+        return None
+    magic, version, width, height, _, frames, _ = HEAD.unpack(head)
+    if magic != b"FXLD" or version != VERSION:
+        return None
+    return frames, HEAD.size + frames * (width * height + FRAME_EXTRA) + TAIL.size
+
+
+def check(path, frames):
+    """Whether a dump is whole: length, tail, checksum."""
+    announced = shape(path)
+    if announced is None:
+        raise ToolError("the board was done but left no frame dump", exit_code=1)
+    if announced[0] != frames or path.stat().st_size != announced[1]:
+        raise ToolError(f"the board's dump is not whole: {path.stat().st_size} bytes, "
+                        f"{announced[1]} expected for {announced[0]} frames", exit_code=1)
+    crc = 0
+    left = announced[1] - 4
+    with path.open("rb") as file:
+        while left > 0:
+            block = file.read(min(left, 1 << 20))
+            crc = zlib.crc32(block, crc)
+            left -= len(block)
+        (stated,) = struct.unpack("<I", file.read(4))
+    if stated != crc:
+        raise ToolError("the board's dump is damaged: its checksum does not match", exit_code=1)
+
+
+def watch(path, progress):
+    """A watch for fixel.execute: news is the dump's size."""
+    announced = None
+
+    def look():
+        nonlocal announced
+        part = path.with_name(path.name + ".part")  # the host's name for it
+        current = part if part.exists() else path
+        announced = announced or shape(current)
+        size = current.stat().st_size if current.exists() else 0
+        if announced is None:
+            return size, None
+        frames, total = announced
+        if progress:
+            each = max(1, (total - HEAD.size - TAIL.size) // max(1, frames))
+            progress(min(frames, max(0, size - HEAD.size) // each), frames)
+        return size, "it writes more than it announced" if size > total else None
+
+    return look

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""Powering on a board: QEMU for an emulated one, the program itself for the host.
+
+A run has succeeded only if it ended as fixel.board.ending demands AND its dump is
+whole.
+"""
+
+import contextlib
+import dataclasses
+import os
+import pathlib
+import re
+
+from fixel.base import output, scratch
+from fixel.board import dump_file, firmware, qemu, qmp, wires
+from fixel.board.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
+from fixel.base.errors import ToolError
+from fixel.board.execute import OUTPUT_MAX, execute
+from fixel.board.qemu import find_qemu
+from fixel.board.symbols import Symbols
+
+# What its callers need of the parts.
+__all__ = ["CONTRACT", "Ending", "OUTPUT_MAX", "RunResult", "check_image", "describe", "emulate", "exit_code",
+           "exit_meanings", "find_qemu", "run", "run_text", "run_unit", "walk_options"]
+
+DUMP_NAME = "frames.fxld"  # as the boards write it, in the directory they start in
+MARKER = re.compile(r"^walk: done (\d+) frames$", re.MULTILINE)
+UNIT_MARKER = "unittest: done"
+
+
+@dataclasses.dataclass(frozen=True)
+class RunResult:
+    board: str
+    cpu: str
+    frames: int
+    seconds: float
+    output: str
+
+
+def emulate(program, options, directory, timeout, watch=None):
+    """Runs a program on its emulated board; an Ending, in which the functions
+    of a fault or a hang are named."""
+    with qmp.Channel() as channel:
+        command = qemu.command(program, *options, *channel.options)
+        ending = execute(command, directory, timeout, watch, channel.fds,
+                         lambda process: qemu.where(channel, program, process))
+    return dataclasses.replace(ending, output=Symbols(program.path).name_faults(ending.output))
+
+
+def check_image(program, image):
+    """Refuses an image that does not hold this very program."""
+    try:
+        found = output.not_a_file(image)
+        if found:
+            raise ToolError(f"cannot read the flash image {image}: it is {found}; name a file")
+        data = pathlib.Path(image).read_bytes()
+    except OSError as error:
+        raise ToolError(f"cannot read the flash image {image}: {error.strerror}; "
+                        f"run 'make flash BOARD={program.board}'") from error
+    if program.hosted:
+        return
+    if len(data) != program.image_size:
+        raise ToolError(f"{image} is not a flash image of board {program.board}: "
+                        f"{len(data)} bytes, {program.image_size} expected")
+    for address, content in program.segments:
+        offset = program.offset(address)
+        if data[offset:offset + len(content)] != content:
+            raise ToolError(f"{image} does not hold {program.path}: "
+                            f"run 'make flash BOARD={program.board}'")
+
+
+@contextlib.contextmanager
+def work_directory(dump):
+    """A directory beside the dump, so that a rename can put it in place."""
+    with contextlib.ExitStack() as stack:
+        try:
+            dump.parent.mkdir(parents=True, exist_ok=True)
+            folder = stack.enter_context(scratch.folder("boot", dump.parent))
+        except OSError as error:
+            raise ToolError(f"cannot write into {dump.parent}: {error.strerror}") from error
+        yield folder
+
+
+def walk_options(program, image, frames=None, live=False, extra=()):
+    """What QEMU is told to walk from a flash image."""
+    words = ["walk"] + ([f"frames={frames}"] if frames else []) + (["live"] if live else [])
+    return ["-icount", "shift=0", *qemu.semihosting([*words, *extra]), *qemu.loader(program, image)]
+
+
+def power_on(program, image, frames, timeout, live, extra, directory, watch):
+    if program.hosted:
+        command = [str(program.path.resolve()), str(image.resolve()), DUMP_NAME, str(frames or 0)]
+        return execute(command, directory, timeout, watch)
+    return emulate(program, walk_options(program, image, frames, live, extra), directory, timeout, watch)
+
+
+def put_in_place(part, target):
+    """A whole file of a run that succeeded."""
+    try:
+        os.replace(part, target)
+    except FileNotFoundError as error:
+        raise ToolError(f"the board was done but left no {part.name}", exit_code=1) from error
+    except OSError as error:
+        raise ToolError(f"cannot write {target}: {error.strerror}") from error
+
+
+def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=False, extra=(), record=None):
+    """Powers a board on from its flash image and fetches its frame dump, and the record of its display's wires
+    where one is wanted.
+
+    frames: how many, None or 0 for the whole path. timeout: seconds of CPU
+    time, or of sleep, without anything new in the dump after which the board counts as hung.
+    progress(done, total) is called as frames come. extra: more words for the
+    program. record: where the wires' is to be. Answers a RunResult, or raises ToolError and leaves the dump as it
+    was before.
+    """
+    image, dump = pathlib.Path(image), output.target_of(dump)
+    program = firmware.load(elf, board)
+    check_image(program, image)
+    agreed = 0 if program.hosted else exit_code("DONE")
+    with work_directory(dump) as directory:
+        part = directory / DUMP_NAME
+        ending = power_on(program, image, frames, timeout, live, extra, directory,
+                          dump_file.watch(part, progress))
+        marker = require_done(ending, agreed, MARKER, board)
+        done = int(marker.group(1))
+        if frames and done != frames:
+            raise ToolError(f"board {board} drew {done} frames, {frames} were asked for", exit_code=1)
+        dump_file.check(part, done)
+        if progress:
+            progress(done, done)
+        put_in_place(part, dump)
+        if record:
+            put_in_place(directory / wires.NAME, record)
+    return RunResult(program.board, program.cpu, done, ending.seconds, ending.output)
+
+
+def run_text(elf, arguments=(), timeout=60.0, icount=True):
+    """Runs a program without a flash image, for what it prints; an Ending."""
+    program = firmware.load(elf)
+    options = [*(["-icount", "shift=0"] if icount else []), *qemu.semihosting(arguments),
+               "-kernel", str(program.path.resolve())]
+    with scratch.folder("board") as directory:
+        return emulate(program, options, directory, timeout)
+
+
+def run_unit(elf, timeout=300.0):
+    """Runs one Unity program on its emulated board: (passed, failed, output).
+
+    A program that does not get to its end counts as one failure more; the
+    output then ends with a line that says why."""
+    ending = run_text(elf, ["unittest"], timeout, icount=False)
+    passed = len(re.findall(r":PASS\s*$", ending.output, re.MULTILINE))
+    failed = len(re.findall(r":FAIL\b", ending.output))
+    expected = exit_code("TEST") if failed else exit_code("DONE")
+    if ending.code == expected and UNIT_MARKER in ending.output:
+        return passed, failed, ending.output
+    return passed, failed + 1, f"{ending.output}\n{elf}: {describe(ending)}\n"

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: MIT
+"""The record of a display's wires (docs/formats.md, section 5): the pictures that a controller made of it, beside those
+that were drawn."""
+
+import hashlib
+import struct
+
+import numpy
+
+from fixel.board import controllers, grey
+from fixel.board.controllers import require
+from fixel.base.errors import ToolError
+
+NAME = "wires.bin"  # as boards write it, in the folder they start in
+HEAD = struct.Struct("<cI")
+# Of the glass of each driver, the longer side first. Only those of colour turn.
+GLASS = {"st7789": (320, 240), "ili9341": (320, 240), "st7735": (160, 128), "ssd1306": (128, 64), "sh1106": (128, 64)}
+MONO = ("ssd1306", "sh1106")
+
+
+def records(file):
+    """(kind, bytes) of all that went over the wires, from an open file."""
+    while True:
+        head = file.read(HEAD.size)
+        if not head:
+            return
+        require(len(head) == HEAD.size, "their record is cut off")
+        kind, size = HEAD.unpack(head)
+        data = file.read(size)
+        require(len(data) == size, "their record is cut off")
+        yield kind, data
+
+
+def read(file, model):
+    """Plays the record of an open file to a model of fixel.board.controllers; after each whole frame, its picture."""
+    frames = 0
+    for kind, data in records(file):
+        if kind == b"C":
+            model.take_command(data)
+        elif kind == b"D":
+            model.take_data(data)
+        elif kind == b"P":
+            model.pause(int.from_bytes(data, "little"))
+        elif kind == b"F":
+            model.finish()
+            require(int.from_bytes(data, "little") == frames, f"after frame {frames - 1} comes another than {frames}")
+            frames += 1
+            yield model.picture()
+        else:
+            require(False, f"their record has an unknown part {kind!r}")
+    model.finish()
+
+
+def rgb565(palette):
+    """A palette (256 x 3) in 16 bits an entry."""
+    red, green, blue = (palette[:, axis].astype(numpy.uint16) for axis in range(3))
+    return (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
+
+
+def shown(driver, pixels, palette):
+    """What the glass is to show of a frame: the frame in its middle, black around it."""
+    height, width = pixels.shape
+    long, short = GLASS[driver]
+    glass = numpy.zeros((long, short) if height > width and driver not in MONO else (short, long), numpy.uint16)
+    top, left = ((outer - inner) // 2 for outer, inner in zip(glass.shape, pixels.shape))
+    top -= top % 8 if driver in MONO else 0
+    glass[top:top + height, left:left + width] = \
+        grey.levels(pixels, palette, 1) if driver in MONO else rgb565(palette)[pixels]
+    return glass
+
+
+def check_size(driver, width, height):
+    """Refuses frames that are larger than the glass."""
+    long, short = GLASS[driver]
+    sides = (width, height) if driver in MONO else (max(width, height), min(width, height))
+    if sides[0] > long or sides[1] > short:
+        raise ToolError(f"frames of {width}x{height} do not fit the {long}x{short} of DRIVER={driver}: "
+                        f"SCREEN={long}x{short} draws smaller ones")
+
+
+def compare(path, driver, drawn, progress=None):
+    """How many of a dump's frames the wires show as they were drawn, and a SHA-256 of each picture from the wires."""
+    equal, hashes = 0, []
+    with open(path, "rb") as file:
+        for picture in read(file, controllers.MODELS[driver]()):
+            require(len(hashes) < len(drawn.frames), "more frames come than were drawn")
+            wanted = shown(driver, drawn.frames[len(hashes)].pixels, drawn.palette)
+            equal += picture.shape == wanted.shape and bool((picture == wanted).all())
+            hashes.append(hashlib.sha256(picture.astype("<u2").tobytes()).hexdigest())
+            if progress:
+                progress(len(hashes), len(drawn.frames))
+    require(len(hashes) == len(drawn.frames), f"{len(hashes)} frames come, and {len(drawn.frames)} were drawn")
+    return equal, hashes

@@ -1,0 +1,298 @@
+# SPDX-License-Identifier: MIT
+"""A scene as one C header: constant tables in the layout of lib/include/fixel/scene.h, valid C11 and C++11.
+
+The header says everything that a check of the scene would compute, so a program that draws the
+scene links no check."""
+
+import itertools
+import re
+
+from fixel.image import (c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_header, image_keys,
+                         memory_needed)
+from fixel.image.c_text import braces, comment, split64, table
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
+from fixel.image.image_tree import SORTED
+
+NAME_MAX = 40       # a C compiler need not read more than 63 letters of a name
+KINDS = {image.CONVEX: "FXL_MODEL_CONVEX", SORTED: "FXL_MODEL_SORTED"}
+BEAM_KINDS = {image_beam.POINT: "FXL_BEAM_POINT", image_beam.DIRECTION: "FXL_BEAM_DIRECTION"}
+
+
+def check_name(name):
+    """Refuses a name that no C identifier may begin with."""
+    wrong = ("must begin with a letter, and have only letters of English, digits and _"
+             if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name) else
+             f"is longer than {NAME_MAX} letters" if len(name) > NAME_MAX else
+             "has __, which C++ keeps for itself" if "__" in name else
+             "begins with fxl, which the library keeps for itself" if name.lower().startswith("fxl") else "")
+    if wrong:
+        raise ToolError(f"the name {quoted(name)} {wrong}: give another with --name, like --name "
+                        f"{suggestion(name)}")
+
+
+def suggestion(name):
+    """A name that is like this one and may be used."""
+    plain = re.sub("[^A-Za-z0-9]+", "_", name).strip("_")
+    if not plain[:1].isalpha() or plain.lower().startswith("fxl"):
+        plain = f"scene_{plain}"
+    return plain[:NAME_MAX].rstrip("_")
+
+
+def _count(number, one):
+    """3, "face" -> "3 faces"."""
+    plural = {"vertex": "vertices"}.get(one, one + "s")
+    return f"{number:,} {one if number == 1 else plural}"
+
+
+class _Tables:
+    """The scene's tables as text, and what a model says of its place in them."""
+
+    def __init__(self, scene, name):
+        self.scene, self.name = scene, name
+        self.vertices, self.indices, self.faces, self.models, self.bounds, self.clusters = [], [], [], [], [], []
+        for model in scene.models:
+            self._add(model)
+
+    def _add(self, model):
+        first_bounds = len(self.bounds) if model.kind == SORTED else 0
+        self.models.append(braces(len(self.vertices), len(model.vertices), len(self.faces), len(model.faces),
+                                  KINDS[model.kind], 0, len(self.clusters) + 1 if model.clusters else 0,
+                                  image.radius_of(model.vertices), first_bounds))
+        self.clusters += map(_cluster, model.clusters)
+        self.vertices += [braces(*vertex) for vertex in model.vertices]
+        for face in model.faces:
+            self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, 0))
+            self.indices += map(str, face.corners)
+            if model.kind == SORTED:
+                height, *box = image_keys.key_of(model, face)
+                self.bounds.append(braces(*split64(height), *box))
+
+    def _table(self, kind, what, items, about):
+        return table(kind, f"{self.name}_{what}", items, about)
+
+    def text(self):
+        """All tables that the scene has."""
+        made = [
+            self._table("fxl_point", "vertices", self.vertices,
+                        "x, y, z in 16.16, relative to the centre of the instance."),
+            self._table("uint16_t", "indices", self.indices,
+                        "Numbers of vertices within the model, clockwise as seen from the front."),
+            self._table("fxl_face", "faces", self.faces,
+                        "Normal in 2.30, first index, count of vertices, colour, reserved."),
+            self._table("fxl_model", "models", self.models,
+                        "First vertex, vertices, first face, faces, kind, reserved, first cluster, radius in "
+                        "16.16, first face bounds."),
+            self._table("fxl_instance", "instances",
+                        [braces(braces(*item.centre), item.model, item.layer, 0) for item in self.scene.objects],
+                        "Centre in 16.16, model, layer, recolour."),
+        ]
+        if self.bounds:
+            made.append(self._table("fxl_face_bounds", "face_bounds", self.bounds,
+                                    "Of the faces of sorted models: normal . first vertex, low and high word; "
+                                    "minimum + maximum in x, y, z."))
+        if self.scene.tree:
+            made.append(self._table("fxl_bsp_node", "bsp_nodes", list(map(_node, self.scene.tree.nodes)),
+                                    "Normal, distance (low and high word); front, back, parent; first face, "
+                                    "faces, reserved; centre and radius of the sphere."))
+        if self.clusters:
+            made.append(self._table("fxl_cluster", "clusters", self.clusters,
+                                    "Centre and radius of the sphere; axis, cutoff and apex of the cone; faces, "
+                                    "reserved."))
+        if self.scene.turns:
+            made.append(self._table("fxl_turn", "turns", list(map(_turn, self.scene.turns)),
+                                    "Of the last instances: the rows of the orientation in 2.30, scale in 16.16."))
+        if self.scene.beams:
+            made += [self._table("fxl_beam", "beams", list(map(_beam, self.scene.beams)),
+                                 "Point or direction, kind, count of planes, reserved; each plane's normal "
+                                 "and distance (low and high word)."),
+                     self._table("uint8_t", "lit", list(map(str, self.scene.lit)),
+                                 "For each colour, the one that it has in a beam.")]
+        return made
+
+    def record(self):
+        """The fxl_scene."""
+        name, scene = self.name, self.scene
+
+        def rows(there, what, *more):
+            return ", ".join(map(str, (f"{name}_{what}" if there else "NULL", *more)))
+        entries = [
+            ", ".join(f"{name}_{what}" for what in ("vertices", "indices", "faces", "models", "instances")),
+            ", ".join(str(len(part)) for part in (self.vertices, self.indices, self.faces, self.models,
+                                                  scene.objects)),
+            f"{memory_needed.order_needed(scene)} /* order_needed */",
+            rows(self.bounds, "face_bounds", len(self.bounds)),
+            rows(scene.tree, "bsp_nodes", len(scene.tree.nodes) if scene.tree else 0,
+                 scene.tree.object if scene.tree else 0),
+            rows(scene.beams, "beams", len(scene.beams)),
+            rows(scene.beams, "lit"),
+            rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
+            rows(scene.turns, "turns", len(scene.objects) - len(scene.turns) if scene.turns else 0,
+                 "&fxl_turned_instances" if scene.turns else "NULL"),
+            "0 /* instance_capacity */",
+        ]
+        return "\n".join([f"static const fxl_scene {name}_scene = {{",
+                          ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])
+
+
+def _turn(turn):
+    return braces(braces(*(braces(*turn.rows[i:i + 3]) for i in (0, 3, 6))), turn.scale)
+
+
+def _hex(angle):
+    return f"0x{angle:08X}u"
+
+
+def _motion(motion, first_key):
+    return braces(*map(_hex, motion.steps), braces(*motion.axis), *map(_hex, motion.spin), motion.radius,
+                  *map(_hex, motion.circle), braces(*motion.extent), *motion.scales, first_key, len(motion.keys),
+                  motion.parent, motion.repeats, 0)
+
+
+def _key(key):
+    return braces(key.frame, braces(*key.centre), *map(_hex, key.angles), key.scale)
+
+
+def _motions(scene, name):
+    """The motions, for fxl_motion_begin, and how much memory they want."""
+    if not scene.motions:
+        return []
+    keys = [key for motion in scene.motions for key in motion.keys]
+    firsts = itertools.accumulate((len(motion.keys) for motion in scene.motions), initial=0)
+    return [
+        table("fxl_motion", f"{name}_motions", list(map(_motion, scene.motions, firsts)),
+              "Steps of yaw, pitch and roll; axis, start and step of the spin; radius, start and step of the circle; "
+              "extent; least and largest scale; first key, keys, parent, whether it repeats, reserved."),
+        table("fxl_motion_key", f"{name}_motion_keys", list(map(_key, keys)),
+              "Frame, centre, yaw, pitch, roll, scale."),
+        "\n".join([*comment("For fxl_motion_begin, with a copy of the scene, and as many instances and turns of memory."),
+                   f"#define {name.upper()}_INSTANCES {len(scene.objects)}",
+                   f"#define {name.upper()}_TURNS     {len(scene.turns)}",
+                   f"static const fxl_motion_set {name}_motion = {{",
+                   f"{c_text.INDENT}{name}_motions, {len(scene.motions)}, {name}_motion_keys, {len(keys)}", "};", ""])]
+
+
+def _light(scene, name):
+    """The light, for fxl_renderer_set_light, and its ramp."""
+    light = scene.light
+    if light is None:
+        return []
+    points = [braces(braces(*place), reach, strength) for *place, reach, strength in light.points]
+    entries = [f"{light.ambient}, {light.strength}, {braces(*light.direction)}", braces(*points or ["{0, 0, 0}, 0, 0"]),
+               ", ".join(map(str, [len(points), *light.fog, f"{name}_ramp", len(light.ramp)]))]
+    return [table("uint8_t", f"{name}_ramp", [str(entry) for level in light.ramp for entry in level],
+                  "For each level from dark to full, 256 entries: the colour of each colour."),
+            "\n".join([*comment("For fxl_renderer_set_light: ambient, strength and direction in 2.30; point lights; their "
+                                "count, fog's near and far in 16.16, ramp, levels."),
+                       f"static const fxl_light_settings {name}_light = {{",
+                       ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])]
+
+
+def _node(node):
+    return braces(braces(*node.normal), *split64(node.distance), node.front, node.back, node.parent,
+                  node.first_face, node.face_count, 0, braces(*node.centre), node.radius)
+
+
+def _cluster(cluster):
+    return braces(braces(*cluster.centre), cluster.radius, braces(*cluster.axis), f"{cluster.cutoff}u",
+                  braces(*cluster.apex), cluster.face_count, 0)
+
+
+def _beam(beam):
+    planes = beam.planes + [(0, 0, 0, 0)] * (image_beam.PLANES_MAX - len(beam.planes))
+    return braces(braces(*beam.source), BEAM_KINDS[beam.kind], len(beam.planes), 0,
+                  braces(*(braces(braces(*normal), *split64(distance)) for *normal, distance in planes)))
+
+
+def _pose(pose):
+    position, angles = pose[:3], pose[3:]
+    return braces(braces(*position), *map(_hex, angles))
+
+
+def _palette(scene, name):
+    used = max((i for i, entry in enumerate(scene.palette) if any(entry)), default=0) + 1
+    about = "Red, green, blue of each colour" + (f"; those from {used} on are black." if used < 256 else ".")
+    return table("uint8_t", f"{name}_palette", [braces(*entry) for entry in scene.palette[:used]],
+                 about, (256, 3))
+
+
+def _reserved(scene, name):
+    """Where the entries begin that the scene keeps for its program."""
+    first = len(scene.palette) - scene.reserved
+    return ["\n".join([*comment(f"The palette's entries from here on are the program's: {scene.reserved} of them, "
+                                "which no face has."), f"#define {name.upper()}_RESERVED {first}", ""])] if scene.reserved else []
+
+
+def _signed(value):
+    """A number as an expression of C that nothing about it takes apart."""
+    return f"({value})" if value < 0 else str(value)
+
+
+def _view(scene, name, frames):
+    """The lens, the first pose, and the path if it was asked for."""
+    config = braces(scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
+                    scene.background)
+    first = scene.path[0] if scene.path_kind == image.POSES else scene.start
+    made = ["\n".join([*comment("The scene's own view, for fxl_renderer_init: width, height, field of view, "
+                                "near, far, inset, background."),
+                       f"static const fxl_config {name}_config = {config};", "",
+                       *comment("The scene's first pose: x, y, z in 16.16, yaw, pitch, roll."),
+                       f"static const fxl_pose {name}_start =", f"{c_text.INDENT}{_pose(first)};", ""])]
+    if scene.centre:
+        made.append("\n".join([*comment("The scene's lens is off-centre. After fxl_renderer_init call "
+                                        f"fxl_renderer_set_centre(&renderer, {name.upper()}_CENTRE_X, "
+                                        f"{name.upper()}_CENTRE_Y)."),
+                               f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
+                               f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
+    if scene.visibility == image_header.BY_DEPTH:
+        made.append("\n".join([*comment("The scene is to be drawn with a depth buffer: fxl_renderer_set_depth."), ""]))
+    if frames:
+        made.append("\n".join([f"#define {name.upper()}_FRAMES {len(scene.path)}", "",
+                               table("fxl_pose", f"{name}_path", list(map(_pose, scene.path)),
+                                     "The scene's path, a pose for each frame.")]))
+    return made
+
+
+def printable(text):
+    """A file's name within a comment."""
+    return "".join(letter if letter.isprintable() and letter != "\\" else "?" for letter in text)
+
+
+def _memory(scene, name):
+    return "\n".join([
+        *comment(f"uint64_t of memory for fxl_renderer_init. With {name.upper()}_MEMORY, the display list holds "
+                 "every polygon of any frame, and the vertex cache every vertex of the largest model. With less, "
+                 "a frame takes longer and has the same pixels. "
+                 f"{name.upper()}_MEMORY_LEAST is the least that fxl_renderer_init takes."),
+        f"#define {name.upper()}_MEMORY       {memory_needed.most(scene)}",
+        f"#define {name.upper()}_MEMORY_LEAST {memory_needed.least(scene)}", ""])
+
+
+def _capacity(scene, name):
+    """Refuses a build of the library that cannot draw a face of the scene."""
+    most = max(len(face.corners) for model in scene.models for face in model.faces)
+    return "\n".join([f"#if FXL_FACE_VERTICES_MAX < {most}",
+                      f'#error "{name} has a face of {most} vertices: FXL_POLYGON_CAPACITY must be at least '
+                      f'{most + 8}"', "#endif", ""])
+
+
+def header(scene, name, source, frames=False):
+    """The text of a header. source: the name of the file that the scene comes from. frames: with the
+    scene's path as poses."""
+    check_name(name)
+    if frames and scene.path_kind != image.POSES:
+        raise ToolError(f"{source}: the path is keys that a player holds down, not poses, and only poses "
+                        "can be exported: leave out --frames")
+    tables = _Tables(scene, name)
+    holds = ", ".join([_count(len(tables.vertices), "vertex"), _count(len(tables.faces), "face"),
+                       _count(len(tables.models), "model"), _count(len(scene.objects), "instance")])
+    guard = f"{name.upper()}_SCENE_H"
+    return "\n".join([
+        *comment(f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so "
+                 "no program need call fxl_scene_check."),
+        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", *([c_surfaces.INCLUDE] if scene.surfaces else []),
+        *([c_billboards.INCLUDE] if scene.billboards else []), "",
+        _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
+        *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
+        *c_billboards.text(scene, name),
+        *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])

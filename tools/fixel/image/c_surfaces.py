@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""The surfaces of a scene as text of C: constant tables in the layout of lib/include/fixel/extra/surfaces.h."""
+
+import collections
+import itertools
+
+from fixel.image import image_surface
+from fixel.image.c_text import braces, comment, table
+
+INCLUDE = '#include <fixel/extra/surfaces.h>'
+FORMATS = {image_surface.BITS_8: "FXL_TEXTURE_8", image_surface.BITS_4: "FXL_TEXTURE_4"}
+
+
+def _numbers(blob):
+    return [str(byte) for byte in blob]
+
+
+def _pieces(textures, name):
+    """Tables of texels and of colours, each once; {bytes: its name}."""
+    made, names, numbers = [], {}, collections.Counter()
+    for texture in textures:
+        for blob, what in ((texture.texels, "texels"), (texture.colours, "texel_colours")):
+            if blob and blob not in names:
+                names[blob] = f"{name}_{what}_{numbers[what]}"
+                numbers[what] += 1
+                made.append(table("uint8_t", names[blob], _numbers(blob)))
+    return made, names
+
+
+def _texture(texture, names):
+    colours = names[texture.colours] if texture.colours else "NULL"
+    return braces(names[texture.texels], colours, texture.log_width, texture.log_height, FORMATS[texture.format],
+                  texture.flags, texture.key, texture.levels, 0)
+
+
+def _mapped(mapped):
+    return braces(mapped.surface, braces(*mapped.normals), braces(*mapped.corners), 0,
+                  braces(*(braces(*texel) for texel in mapped.texels)))
+
+
+def _tables(scene, name, names):
+    """[(member, table's name or NULL, its text or "", rows)] in the order of fxl_surface_set's first members."""
+    surfaces, numbers = scene.surfaces, {}
+    faces = [face.mapped for model in scene.models for face in model.faces]
+    face_map = ["0" if each is None else str(numbers.setdefault(each, len(numbers) + 1)) for each in faces]
+    rows = [("textures", "fxl_texture", [_texture(each, names) for each in surfaces.textures],
+             "Texels, colours, log2 of width and of height, format, flags, key, levels, reserved."),
+            ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, braces(0, 0, 0))
+                                      for each in surfaces.surfaces], "Texture, division, flags, opacity, reserved."),
+            ("mapped_faces", "fxl_mapped_face", [_mapped(each) for each in numbers],
+             "Surface; normals; corners; reserved; texels u, v at the corners in 16.16."),
+            ("face_map", "uint16_t", face_map, "For each face its mapped face, counted from 1; 0: none."),
+            ("normals", "fxl_direction", [braces(*each) for each in surfaces.normals], "Of corners, in 2.30."),
+            ("blend", "uint8_t", _numbers(itertools.chain(*surfaces.blend)),
+             "What a blended colour shows over each other: 256 for each.")]
+    return [(f"{name}_{what}" if items else "NULL", table(kind, f"{name}_{what}", items, about) if items else "", len(items))
+            for what, kind, items, about in rows]
+
+
+def text(scene, name):
+    """The tables and the record of a scene's surfaces; nothing without."""
+    if scene.surfaces is None:
+        return []
+    pieces, names = _pieces(scene.surfaces.textures, name)
+    (textures, *_), (looks, *_), (mapped, *_), (face_map, *_), (normals, *_), (blend, *_) = tables = _tables(scene, name, names)
+    counts = [tables[i][2] for i in (0, 1, 2, 4)]
+    entries = [", ".join([textures, looks, mapped, face_map, normals]), ", ".join(map(str, counts)),
+               f"{blend}, {scene.surfaces.blend_first}, {len(scene.surfaces.blend)}"]
+    return [*pieces, *(made for _, made, _ in tables if made),
+            "\n".join([*comment("For fxl_renderer_set_surfaces."), f"static const fxl_surface_set {name}_surfaces = {{",
+                       ",\n".join(f"    {entry}" for entry in entries), "};", ""])]

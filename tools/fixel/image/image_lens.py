@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""The lens of a scene image: the ranges that the loader asks for (SPEC.md, section 3.1)."""
+
+import math
+import struct
+
+from fixel.image.image_tree import fail
+
+SCREEN_MAX = 1024
+FOV_MIN, FOV_MAX = 119304648, 1789569706
+NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
+CENTRE = struct.Struct("<2i")       # behind the header of an image whose lens is off-centre
+
+
+def focal_pixels(width, fov):
+    """The focal length that the library will use, in pixels."""
+    return width / 2 / math.tan(fov * math.pi / 2 ** 32)
+
+
+def middle(width, height):
+    """The middle of the screen in the image's integers: the centre of every other lens."""
+    return width << 15, height << 15
+
+
+def check_centre(width, height, fov, inset, centre):
+    """The range of the centre (x, y), in the image's integers."""
+    if inset:
+        fail("range", f"inset = {inset / 65536:.6g}: a lens that is off-centre has no inset")
+    focal = round(focal_pixels(width, fov) * 65536)
+    for value, at, extent, name in zip(centre, middle(width, height), (width, height), "xy"):
+        most = min(3 * extent << 15, 4 * focal)
+        if abs(value - at) > most:
+            fail("range", f"the centre's {name} = {value / 65536:.6g} is farther from the middle of the screen, "
+                 f"{at / 65536:g}, than {most / 65536:.6g} pixels: one and a half screens, or four focal lengths")
+
+
+def check(width, height, fov, near, far, inset):
+    """The lens's ranges, in the image's integers."""
+    if not (1 <= width <= SCREEN_MAX and 1 <= height <= SCREEN_MAX):
+        fail("range", f"a screen of {width}x{height} is outside 1..{SCREEN_MAX}")
+    if not FOV_MIN <= fov <= FOV_MAX:
+        fail("range", f"a field of view of {fov * 360 / 2**32:.4g} degrees is outside 10..150")
+    if near < NEAR_MIN:
+        fail("range", f"near = {near / 65536:.6g} is below 1/256")
+    if far > FAR_MAX:
+        fail("range", f"far = {far / 65536:.6g} is above 32767")
+    if not 0 <= inset <= INSET_MAX:
+        fail("range", f"inset = {inset / 65536:.6g} is outside 0..1")
+    if near + 2 * inset >= far:
+        fail("range", f"near + 2 inset = {(near + 2 * inset) / 65536:.6g} is not below "
+             f"far = {far / 65536:.6g}")

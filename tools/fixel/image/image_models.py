@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""The models and objects of a scene image: their records, packed, read and checked."""
+
+from dataclasses import dataclass, field
+from math import isqrt
+import struct
+
+from fixel.image import image_keys, image_surface
+from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
+
+CONVEX = 0
+FACE_VERTICES_MAX = 24
+PLANARITY_MAX = 4
+PLACED_MAX = 4_000_000          # vertices of the models of all instances
+
+VERTEX = struct.Struct("<3i")
+CORNER = struct.Struct("<H")
+FACE = struct.Struct("<3iIBBH")
+MODEL = struct.Struct("<4IBBHiI")
+OBJECT = struct.Struct("<3iHBB")
+
+
+@dataclass
+class Face:
+    normal: tuple       # 2.30
+    corners: tuple      # numbers of vertices within the model, clockwise from the front
+    colour: int
+    mapped: image_surface.Mapped = None     # its surface
+
+
+@dataclass
+class Model:
+    vertices: list      # (x, y, z) in 16.16, relative to the object's centre
+    faces: list
+    kind: int = CONVEX
+    clusters: list = field(default_factory=list)    # over all faces, or none
+
+
+@dataclass
+class Object:
+    centre: tuple       # 16.16
+    model: int
+    layer: int = 0
+
+
+def radius_of(vertices):
+    """The least radius about the origin that holds every vertex, in 16.16."""
+    square = max((x * x + y * y + z * z for x, y, z in vertices), default=0)
+    return 1 + isqrt(square - 1) if square else 0
+
+
+def tables(models_of_scene):
+    """Vertices, corners, faces and models as packed bytes, the keys of sorted models' faces, and the clusters."""
+    vertices, corners, faces, models, keys, clusters = [], [], [], [], [], []
+    for model in models_of_scene:
+        models.append(MODEL.pack(len(vertices), len(model.vertices), len(faces),
+                                 len(model.faces), model.kind, 0, 1 + len(clusters) if model.clusters else 0,
+                                 radius_of(model.vertices),
+                                 len(keys) if model.kind == SORTED else 0))
+        vertices += [VERTEX.pack(*vertex) for vertex in model.vertices]
+        for face in model.faces:
+            faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, 0))
+            corners += face.corners
+        if model.kind == SORTED:
+            keys += [image_keys.KEY.pack(*image_keys.key_of(model, face)) for face in model.faces]
+        clusters += [cluster.pack() for cluster in model.clusters]
+    return [vertices, struct.pack(f"<{len(corners)}H", *corners), faces, models], keys, clusters
+
+
+def check_coordinates(point, what):
+    if max(point) > COORDINATE_MAX or min(point) < -COORDINATE_MAX:
+        fail("range", f"{what} ({', '.join(f'{c / 65536:.6g}' for c in point)}) "
+             "leaves -8191..8191")
+
+
+def check_plane(normal, points, what):
+    """A face's normal and planarity, with the loader's integers."""
+    u, v, w = normal
+    if abs(u * u + v * v + w * w - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
+        fail("normal", f"the normal of {what} is not of unit length")
+    x, y, z = points[0]
+    for a, b, c in points:
+        height = u * (a - x) + v * (b - y) + w * (c - z)
+        if abs(height) > PLANARITY_MAX << 30:
+            fail("planarity", f"a vertex of {what} lies {height / 2**46:.3g} units off its plane")
+
+
+def check_faces(faces, corners):
+    for i, (*_, first, count, _, reserved) in enumerate(faces):
+        if reserved:
+            fail("reserved", f"face {i}: a reserved field is not zero")
+        if not 3 <= count <= FACE_VERTICES_MAX:
+            fail("count", f"face {i}: {count} vertices are outside 3..{FACE_VERTICES_MAX}")
+        if first + count > len(corners):
+            fail("index", f"face {i} reaches past the table of indices")
+
+
+def read_models(models, vertices, corners, faces):
+    result, extras, vertex, face = [], [], 0, 0
+    for i, (first_vertex, vertex_count, first_face, face_count, kind, reserved, first_cluster, radius,
+            first_key) in enumerate(models):
+        if kind not in (CONVEX, SORTED) or reserved:
+            fail("reserved", f"model {i}: unknown kind or reserved field not zero")
+        if not 0 <= radius <= RADIUS_MAX:
+            fail("range", f"model {i}: a radius of {radius / 65536:.6g} is outside 0..28375")
+        if not 3 <= vertex_count <= 65535 or not 1 <= face_count <= 65535:
+            fail("count", f"model {i}: {vertex_count} vertices, {face_count} faces")
+        if (first_vertex, first_face) != (vertex, face):
+            fail("index", f"model {i} does not begin where the one before it ends")
+        vertex, face = vertex + vertex_count, face + face_count
+        if vertex > len(vertices) or face > len(faces):
+            fail("index", f"model {i} reaches past the vertices or the faces")
+        own = []
+        for number, (*normal, first, count, colour, _) in \
+                enumerate(faces[first_face:first_face + face_count], first_face):
+            outline = corners[first:first + count]
+            if max(outline) >= vertex_count:
+                fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
+            own.append(Face(tuple(normal), outline, colour))
+        result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
+        extras.append((radius, first_key, first_cluster))
+    if (vertex, face) != (len(vertices), len(faces)):
+        fail("count", f"{len(vertices)} vertices and {len(faces)} faces, but the models have {vertex} and {face}")
+    return result, extras
+
+
+def check_vertices(models):
+    """A model may have no instance: its vertices lie within twice the range."""
+    for i, model in enumerate(models):
+        if any(abs(c) > 2 * COORDINATE_MAX for vertex in model.vertices for c in vertex):
+            fail("range", f"a vertex of model {i} is farther than {2 * 8191} from its origin")
+
+
+def check_radii(models, extras):
+    for i, (model, (radius, *_)) in enumerate(zip(models, extras)):
+        if radius_of(model.vertices) > radius:
+            fail("radius", f"a vertex of model {i} lies farther from its origin than "
+                 f"{radius / 65536:.6g}, the model's radius")
+
+
+def read_objects(objects, models):
+    result, placed = [], 0
+    for i, (*centre, model, layer, reserved) in enumerate(objects):
+        if reserved:
+            fail("reserved", f"instance {i}: a reserved field is not zero")
+        if model >= len(models):
+            fail("index", f"instance {i}: model {model} of {len(models)}")
+        check_coordinates(centre, f"the centre of instance {i}")
+        placed += len(models[model].vertices)
+        if placed > PLACED_MAX:
+            fail("count", f"instance {i}: the instances' models have more than {PLACED_MAX:,} vertices together")
+        result.append(Object(tuple(centre), model, layer))
+    return result
+
+
+def check_extents(objects, models):
+    """Every vertex of every object; a model's bounding box stands for all."""
+    boxes = {}
+    for i, item in enumerate(objects):
+        if item.model not in boxes:
+            axes = list(zip(*models[item.model].vertices))
+            boxes[item.model] = [[min(a) for a in axes], [max(a) for a in axes]]
+        for end in boxes[item.model]:
+            check_coordinates([c + e for c, e in zip(item.centre, end)], f"a vertex of instance {i}")

@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: MIT
+"""The surfaces of a scene image: what the loader asks of them (docs/formats.md, section 1.12)."""
+
+from dataclasses import dataclass, field
+import struct
+
+from fixel.image.image_ranges import Ranges
+from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, fail
+
+TABLE_MAX = 65535
+TEXELS_MAX = 16 << 20           # bytes of all textures
+LOG_MAX, LEVELS_MAX = 8, 9
+TEXEL_MAX = 16383 << 16         # of a texture coordinate, in 16.16
+BITS_8, BITS_4 = 0, 1           # formats
+CLAMP, KEYED = 1, 2             # flags of a texture
+DIVIDE_16, DIVIDE_8, DIVIDE_1, AFFINE = range(4)
+LIT, BLENDED = 1, 2             # flags of a surface
+OPAQUE = 16
+
+TEXTURE = struct.Struct("<2I6BH")
+TEXEL = struct.Struct("<B")
+SURFACE = struct.Struct("<H3B3B")
+MAPPED = struct.Struct("<4H3BB6i")
+MAP = struct.Struct("<H")
+NORMAL = struct.Struct("<3i")
+BLEND = struct.Struct("<256B")      # of the blend table: what a colour shows over each other one
+# Textures, texels, surfaces, mapped faces, face map, normals, blend table: offset, count; its first colour; reserved.
+HEADER = struct.Struct("<16I")
+TABLES = [("textures", TEXTURE, 1, TABLE_MAX), ("texels", TEXEL, 1, TEXELS_MAX), ("surfaces", SURFACE, 1, TABLE_MAX),
+          ("mapped faces", MAPPED, 1, TABLE_MAX), ("face map", MAP, 1, 1_000_000),
+          ("normals of corners", NORMAL, 1, TABLE_MAX), ("blend table", BLEND, 1, 256)]
+NEEDED = {"surfaces", "mapped faces", "face map"}       # of a scene that has surfaces
+assert (TEXTURE.size, SURFACE.size, MAPPED.size, HEADER.size) == (16, 8, 36, 64)
+
+
+@dataclass(frozen=True)
+class Texture:
+    """Palette indices of all levels, one after the other, row by row."""
+    log_width: int
+    log_height: int
+    texels: bytes               # as the image has them
+    colours: bytes = b""        # of a texture of 4 bits: 16 palette indices
+    format: int = BITS_8
+    flags: int = 0
+    key: int = 0                # palette index
+    levels: int = 1
+
+
+@dataclass(frozen=True)
+class Surface:
+    """What faces look like."""
+    texture: int = 0            # counted from 1; 0: the face's own colour
+    division: int = DIVIDE_16
+    flags: int = 0
+    opacity: int = OPAQUE
+
+
+@dataclass(frozen=True)
+class Mapped:
+    """How a surface lies on a face."""
+    surface: int
+    corners: tuple              # three of the face's, in rising order
+    texels: tuple               # (u, v) at these, in 16.16
+    normals: tuple = (0, 0, 0)  # numbers of normals at these
+
+
+@dataclass
+class Surfaces:
+    """The surfaces of a scene. What faces have of them stands with the faces: image.Face.mapped."""
+    textures: list = field(default_factory=list)
+    surfaces: list = field(default_factory=list)
+    normals: list = field(default_factory=list)     # (x, y, z) in 2.30
+    blend_first: int = 0        # palette index
+    blend: list = field(default_factory=list)       # for each colour from that on 256 palette indices
+    texture_names: list = field(default_factory=list, compare=False)    # of the textures, in turn; an image has none
+
+
+def level_size(texture, level):
+    """Width and height in texels."""
+    least = 1 if texture.format == BITS_4 else 0
+    return 1 << max(least, texture.log_width - level), 1 << max(0, texture.log_height - level)
+
+
+def texel_bytes(texture):
+    """Bytes of all levels."""
+    texels = sum(width * height for width, height in (level_size(texture, i) for i in range(texture.levels)))
+    return texels // 2 if texture.format == BITS_4 else texels
+
+
+def tables(surfaces, models):
+    """Textures, texels, surfaces, mapped faces, face map and normals as packed bytes; empty without surfaces."""
+    if surfaces is None:
+        return [[] for _ in TABLES]
+    blob, placed, textures, numbers, face_map = bytearray(), {}, [], {}, []
+
+    def place(table):
+        """Where the bytes are: textures of equal texels share them."""
+        if table not in placed:
+            placed[table] = len(blob)
+            blob.extend(table)
+        return placed[table]
+
+    for one in surfaces.textures:
+        textures.append(TEXTURE.pack(place(one.texels), place(one.colours) if one.colours else 0, one.log_width,
+                                     one.log_height, one.format, one.flags, one.key, one.levels, 0))
+    for face in (face for model in models for face in model.faces):
+        face_map.append(MAP.pack(numbers.setdefault(face.mapped, len(numbers) + 1) if face.mapped else 0))
+    mapped = [MAPPED.pack(one.surface, *one.normals, *one.corners, 0, *(c for texel in one.texels for c in texel))
+              for one in numbers]
+    if len(mapped) > TABLE_MAX:
+        fail("count", f"{len(mapped):,} faces with surfaces that lie differently are more than {TABLE_MAX:,}; use smaller "
+             "models")
+    return [textures, bytes(blob),
+            [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, 0, 0, 0) for one in surfaces.surfaces],
+            mapped, face_map, [NORMAL.pack(*normal) for normal in surfaces.normals],
+            [bytes(row) for row in surfaces.blend]]
+
+
+# --- reading -------------------------------------------------------------------------------------
+
+def _read_texture(fields, number, texels):
+    at, colours, log_width, log_height, kind, flags, key, levels, reserved = fields
+    what = f"texture {number}"
+    if max(log_width, log_height) > LOG_MAX or not 1 <= levels <= LEVELS_MAX:
+        fail("range", f"{what}: its size or its number of levels is out of range")
+    made = Texture(log_width, log_height, b"", b"", kind, flags, key, levels)
+    size = texel_bytes(made)
+    if at + size > len(texels.blob) or kind == BITS_4 and colours + 16 > len(texels.blob):
+        fail("offset", f"{what} reaches outside the texels of the image")
+    if kind != BITS_4 and colours:
+        fail("reserved", f"{what} has 8 bits, but a place of colours")
+    return Texture(log_width, log_height, texels.at(at, size), texels.at(colours, 16) if kind == BITS_4 else b"",
+                   kind, flags, key, levels), reserved
+
+
+def _check_texture(texture, reserved, number):
+    """The library's check of a texture."""
+    what = f"texture {number}"
+    if texture.format > BITS_4 or texture.flags > CLAMP | KEYED or reserved:
+        fail("reserved", f"{what}: a flag, a format or a reserved field is not what it may be")
+    if texture.format == BITS_4 and not texture.log_width or \
+            texture.levels > max(texture.log_width, texture.log_height) + 1:
+        fail("range", f"{what}: it is too narrow, or has too many levels")
+
+
+def _read_surface(fields, number, textures, blend):
+    texture, division, flags, opacity, *reserved = fields
+    if texture > textures:
+        fail("index", f"surface {number}: texture {texture} of {textures}")
+    if not 1 <= opacity <= OPAQUE:
+        fail("range", f"surface {number}: an opacity of {opacity} is outside 1..{OPAQUE}")
+    if flags & BLENDED and not blend:
+        fail("argument", f"surface {number} is blended, and there is no blend table")
+    if division > AFFINE or flags > LIT | BLENDED or any(reserved):
+        fail("reserved", f"surface {number}: a flag or a reserved field is not what it may be")
+    return Surface(texture, division, flags, opacity)
+
+
+def _on_one_line(a, b, c):
+    p, q = [y - x for x, y in zip(a, b)], [y - x for x, y in zip(a, c)]
+    return all(p[i - 1] * q[i] == p[i] * q[i - 1] for i in range(3))
+
+
+def _read_mapped(fields, number, surfaces, model, face):
+    """The record of a face that it is used by. surfaces: a Surfaces."""
+    surface, *rest = fields
+    normals, corners, reserved, coordinates = tuple(rest[:3]), tuple(rest[3:6]), rest[6], rest[7:]
+    what = f"mapped face {number}"
+    if reserved:
+        fail("reserved", f"{what}: a reserved field is not zero")
+    if surface >= len(surfaces.surfaces) or not corners[0] < corners[1] < corners[2] < len(face.corners):
+        fail("index", f"{what}: its surface or a corner does not exist")
+    if surfaces.surfaces[surface].flags & LIT and max(normals) >= len(surfaces.normals):
+        fail("index", f"{what}: a normal does not exist")
+    if _on_one_line(*(model.vertices[face.corners[corner]] for corner in corners)):
+        fail("degenerate", f"{what}: its corners are on one line")
+    if any(abs(c) > TEXEL_MAX for c in coordinates):
+        fail("range", f"{what}: a texture coordinate leaves -16383..16383")
+    return Mapped(surface, corners, tuple(zip(coordinates[::2], coordinates[1::2])), normals)
+
+
+def read(found, blend_first, models):
+    """The surfaces of the tables of an image, None where there are none; gives the faces theirs. found: as in TABLES."""
+    textures, texels, surfaces, mapped, face_map, normals, blend = found
+    if not face_map:
+        return None
+    ranges = Ranges(texels)
+    placed = [_read_texture(fields, i, ranges) for i, fields in enumerate(textures)]
+    if blend_first > 255 or len(blend) > 256 - blend_first:
+        fail("count", f"a blend table of {len(blend)} colours from {blend_first} on")
+    for i, (texture, reserved) in enumerate(placed):
+        _check_texture(texture, reserved, i)
+    made = Surfaces([texture for texture, _ in placed],
+                    [_read_surface(fields, i, len(placed), blend) for i, fields in enumerate(surfaces)], normals,
+                    blend_first, [list(row) for row in blend])
+    for i, normal in enumerate(normals):
+        if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:
+            fail("normal", f"normal {i} of a corner is not of unit length")
+    faces = ((model, face) for model in models for face in model.faces)
+    for i, (number, (model, face)) in enumerate(zip(face_map, faces)):
+        if number > len(mapped):
+            fail("index", f"face {i}: mapped face {number} of {len(mapped)}")
+        if number:
+            face.mapped = _read_mapped(mapped[number - 1], number - 1, made, model, face)
+    return made

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""How much memory fxl_renderer_init is given for a scene: the library's division of the block, in Python.
+
+The block holds, in this order: the order of drawing; the vertex cache, in at most a quarter of the
+rest; the display list, in all that is left. host_tests/tools/test_export.py compares the figures
+with what the library made of a block."""
+
+from fixel.image import image_surface
+from fixel.image.image_tree import SORTED
+
+ORDER_ENTRY = 12        # bytes of an fxl_order_entry
+CACHED_VERTEX = 40      # bytes of an fxl_cached_vertex
+WORD = 4                # bytes of a word of the display list
+CLIP_PLANES = 6         # each adds at most one vertex to a convex polygon
+UNIT = 8                # the block is an array of uint64_t
+
+
+def order_needed(scene):
+    """Entries of the order of drawing: the instances, and the faces of the largest sorted model."""
+    sorted_faces = [len(model.faces) for model in scene.models if model.kind == SORTED]
+    return len(scene.objects) + max(sorted_faces, default=0)
+
+
+def display_list_words(vertices):
+    """FXL_DISPLAY_LIST_WORDS: of a polygon with so many vertices."""
+    return 2 + 2 * vertices
+
+
+def _up(size, unit):
+    return -(-size // unit) * unit
+
+
+def cache_entries(vertices):
+    """Entries of a cache that holds so many vertices: a power of two."""
+    return 1 << (vertices - 1).bit_length()
+
+
+def surface_words(scene, face):
+    """Words of a face's polygon beside its outline: the gradients of 1/z and, per attribute, of u, v and light
+    (lib/extra/surfaces/surface_polygon.c)."""
+    if face.mapped is None:
+        return 0
+    surface = scene.surfaces.surfaces[face.mapped.surface]
+    attributes = (2 if surface.texture else 0) + (1 if surface.flags & image_surface.LIT else 0)
+    return 4 + 6 * (1 + attributes)
+
+
+def most_words(scene):
+    """Words of a display list that holds every polygon of any frame: each face of each instance is
+    turned to the eye and cut by every plane."""
+    of_model = [sum(display_list_words(len(face.corners) + CLIP_PLANES) + surface_words(scene, face) for face in model.faces)
+                for model in scene.models]
+    return sum(of_model[item.model] for item in scene.objects)
+
+
+def least(scene):
+    """The uint64_t without which fxl_renderer_init answers FXL_E_CAPACITY: the order of drawing alone."""
+    return _up(ORDER_ENTRY * order_needed(scene), UNIT) // UNIT
+
+
+def most(scene):
+    """The uint64_t beyond which no frame becomes quicker: all polygons fit the display list, and all
+    vertices of the largest model the cache."""
+    cache = CACHED_VERTEX * cache_entries(max(len(model.vertices) for model in scene.models))
+    rest = max(4 * cache, cache + WORD * most_words(scene))
+    return least(scene) + _up(rest, UNIT) // UNIT

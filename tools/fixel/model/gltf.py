@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: MIT
+"""Reading glTF 2.0, as .gltf and .glb: triangles of all nodes of the scene, base colours, base textures, texture
+coordinates, colours of vertices.
+
+The project has a reader of its own. Readers for all formats trust their files: they allocate what a header promises,
+leave out what they do not understand, and name neither node nor accessor. host_tests/tools/test_gltf.py compares this
+one with trimesh."""
+
+import math
+
+import numpy as np
+
+from fixel.model import gltf_check
+from fixel.base.errors import ToolError
+from fixel.model.mesh import Mesh
+from fixel.model.sources import Sources
+from fixel.model.stl import COORDINATE_LIMIT, exact
+from fixel.model.surface import Material, Surfaces
+
+_CONVENTION = ("right-handed and counter-clockwise, as glTF is: z was negated and every outline reversed")
+_FLOATS = (gltf_check.FLOAT,)
+_PARTS = (gltf_check.FLOAT, 5121, 5123)     # of a coordinate or a colour, the whole ones normalised
+_TRIANGLES, _STRIP, _FAN = 4, 5, 6
+_MODES = range(7)
+FACES_MAX = 16_384          # of all nodes: a face takes few bytes of such a file
+READ_MAX = 250_000          # vertices and indices of the parts of all nodes
+PARTS_MAX = 8192            # of all nodes, which take about 0.1 ms each
+
+
+# --- nodes ------------------------------------------------------------------------
+
+def _rotation(values, where, checked):
+    """The matrix of a quaternion x, y, z, w."""
+    length = math.sqrt(sum(each * each for each in values))
+    if not 0.5 < length < 2:
+        checked.fail(where, "rotation is not of unit length: the file is damaged")
+    x, y, z, w = (each / length for each in values)
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                     [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+
+
+def _matrix(checked, node, where):
+    """A node's matrix of 4x4, from itself to its parent."""
+    if "matrix" in node:
+        matrix = np.array(gltf_check.numbers(checked, node, "matrix", 16, where)).reshape(4, 4).T
+        if (matrix[3] != (0, 0, 0, 1)).any():
+            checked.fail(where, "the last row of matrix is not 0, 0, 0, 1: the file is damaged")
+        return matrix
+    matrix = np.eye(4)
+    if "rotation" in node:
+        matrix[:3, :3] = _rotation(gltf_check.numbers(checked, node, "rotation", 4, where), where, checked)
+    if "scale" in node:
+        matrix[:3, :3] *= gltf_check.numbers(checked, node, "scale", 3, where)
+    if "translation" in node:
+        matrix[:3, 3] = gltf_check.numbers(checked, node, "translation", 3, where)
+    return matrix
+
+
+# --- materials --------------------------------------------------------------------
+
+def _srgb(linear):
+    """A part 0..1 of light as 0..255 of a screen."""
+    linear = min(max(linear, 0.0), 1.0)
+    return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
+
+
+def _name(entry, number):
+    """A material's name, or its number."""
+    name = entry.get("name")
+    return name if isinstance(name, str) else str(number)
+
+
+class _Materials:
+    """The materials of a file, each read when a part asks for it."""
+
+    def __init__(self, checked):
+        self.checked, self.found, self.images = checked, {}, {}
+
+    def _image(self, number):
+        if number not in self.images:
+            self.images[number] = self.checked.image(number)
+        return self.images[number]
+
+    def _texture(self, base, where):
+        """(image, number of the texture coordinates); the image is None without one."""
+        if "baseColorTexture" not in base:
+            return None, 0
+        info = base["baseColorTexture"]
+        if not isinstance(info, dict):
+            self.checked.fail(where, "baseColorTexture is no object: the file is damaged")
+        _, texture = self.checked.entry("textures", info, "index", where)
+        image, _ = self.checked.entry("images", texture, "source", where)
+        return self._image(image), self.checked.whole(info, "texCoord", where, 0, 7)
+
+    def get(self, part, where):
+        """(Material, number of the texture coordinates) of a part."""
+        checked = self.checked
+        if "material" not in part:
+            return self.found.setdefault(None, (Material("none"), 0))
+        number, entry = checked.entry("materials", part, "material", where)
+        if number not in self.found:
+            where, base = checked.label("material", number), entry.get("pbrMetallicRoughness", {})
+            if not isinstance(base, dict):
+                checked.fail(where, "pbrMetallicRoughness is no object: the file is damaged")
+            factor = gltf_check.numbers(checked, base, "baseColorFactor", 4, where) if "baseColorFactor" in base else [1] * 4
+            image, coordinates = self._texture(base, where)
+            self.found[number] = (Material(_name(entry, number), tuple(map(_srgb, factor[:3])),
+                                           1.0 if entry.get("alphaMode", "OPAQUE") == "OPAQUE" else min(max(factor[3], 0), 1),
+                                           image), coordinates)
+        return self.found[number]
+
+
+# --- parts ------------------------------------------------------------------------
+
+def _triangles(checked, part, count, where):
+    """Numbers of vertices, three a row; None for a part that has no faces."""
+    mode = checked.whole(part, "mode", where, _TRIANGLES, max(_MODES))
+    if mode < _TRIANGLES:
+        return None
+    order = checked.accessor(part["indices"], where, ("SCALAR",), gltf_check.UNSIGNED)[:, 0] if "indices" in part \
+        else np.arange(count)
+    if len(order) and order.max() >= count:
+        checked.fail(where, f"indices name vertex {order.max():,} of {count:,}: the file is damaged")
+    if mode == _TRIANGLES:
+        if len(order) % 3:
+            checked.fail(where, f"{len(order):,} indices are no triangles: the file is damaged")
+        return order.reshape(-1, 3)
+    if mode == _FAN:
+        return np.column_stack([np.repeat(order[:1], max(len(order) - 2, 0)), order[1:-1], order[2:]])
+    strip = np.column_stack([order[:-2], order[1:-1], order[2:]])
+    strip[1::2, :2] = strip[1::2, 1::-1]    # every second one runs the other way
+    return strip
+
+
+def _positions(checked, attributes, where):
+    if "POSITION" not in attributes:
+        checked.fail(where, "it has no POSITION: the file is damaged")
+    points = checked.accessor(attributes["POSITION"], where, ("VEC3",), _FLOATS)
+    if len(points) > gltf_check.VERTICES_MAX:
+        checked.fail(where, f"{len(points):,} vertices are more than the limit of {gltf_check.VERTICES_MAX:,}; simplify it")
+    return points
+
+
+class _Reader:
+    """Collects the faces of all nodes."""
+
+    def __init__(self, checked, progress):
+        self.checked, self.progress = checked, progress
+        self.materials, self.numbers = _Materials(checked), {}
+        self.vertices, self.faces, self.places, self.surfaces = [], [], [], Surfaces()
+        self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
+
+    def _add_material(self, material, tint=None):
+        """The number of a material, as it is or with another colour."""
+        key = id(material), tint
+        if key not in self.numbers:
+            self.numbers[key] = len(self.surfaces.materials)
+            colour = material.colour if tint is None else tuple(round(a * b / 255) for a, b in zip(material.colour, tint))
+            self.surfaces.materials.append(Material(material.name, colour, material.opacity, material.image))
+        return self.numbers[key]
+
+    def _of_vertices(self, attributes, key, kinds, count, where):
+        """An attribute of the vertices, None if there is none."""
+        if key not in attributes:
+            return None
+        values = self.checked.accessor(attributes[key], where, kinds, _PARTS)
+        if len(values) != count:
+            self.checked.fail(where, f"{key} has {len(values):,} values for {count:,} vertices: the file is damaged")
+        return values
+
+    def _coordinates(self, attributes, material, number, count, where):
+        values = self._of_vertices(attributes, f"TEXCOORD_{number}", ("VEC2",), count, where) if material.image else None
+        return None if values is None else np.where(np.abs(values) <= 1e6, values, 0.0)
+
+    def part(self, part, matrix, where):
+        """A primitive of a mesh at a node."""
+        checked = self.checked
+        self._count_part(where)
+        attributes = part.get("attributes")
+        if not isinstance(attributes, dict):
+            checked.fail(where, "it has no attributes: the file is damaged")
+        points = _positions(checked, attributes, where)
+        triangles = _triangles(checked, part, len(points), where)
+        self._count_values(len(points) + (0 if triangles is None else triangles.size), where)
+        if triangles is None:
+            self.left_out += 1
+            return
+        if len(self.faces) + len(triangles) > FACES_MAX:
+            checked.fail(where, f"the model has more than {FACES_MAX:,} faces; simplify it or split it into several files")
+        material, number = self.materials.get(part, where)
+        uvs = self._coordinates(attributes, material, number, len(points), where)
+        tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
+        placed = self._placed(points, matrix, where)
+        self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
+
+    def _count_part(self, where):
+        self.parts += 1
+        self.checked.sources.work.take("primitives of glTF files", 1, f"{self.checked.name}: {where}")
+        if self.parts > PARTS_MAX:
+            self.checked.fail(where, f"the nodes have more than the limit of {PARTS_MAX:,} primitives together; join them, or "
+                              "use fewer nodes")
+
+    def _count_values(self, values, where):
+        self.read += values
+        self.checked.sources.work.take("values of glTF files", values, f"{self.checked.name}: {where}")
+        if self.read > READ_MAX:
+            self.checked.fail(where, f"the nodes read more than the limit of {READ_MAX:,} vertices and indices together; "
+                              "simplify the model, or give each mesh vertices of its own")
+
+    def _placed(self, points, matrix, where):
+        """The vertices in the scene."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            placed = points @ matrix[:3, :3].T + matrix[:3, 3]
+        wrong = np.argwhere(~(np.abs(placed) <= COORDINATE_LIMIT))
+        if len(wrong):
+            row, axis = wrong[0]
+            self.checked.fail(where, f"{'xyz'[axis]} of vertex {row} is {placed[row, axis]:g}; it must be within "
+                              f"{COORDINATE_LIMIT:,}")
+        return placed
+
+    def _count_work(self, triangles, tints, where):
+        work, place = self.checked.sources.work, f"{self.checked.name}: {where}"
+        work.take("triangles of glTF files", triangles, place)
+        work.take("triangles with colours of vertices", triangles if tints else 0, place)
+
+    def _add(self, points, triangles, material, uvs, tints, where, mirrored):
+        self._count_work(len(triangles), tints is not None, where)
+        used, corners = np.unique(triangles, return_inverse=True)
+        corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
+        self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
+        plain = self._add_material(material)
+        around = None if uvs is None else uvs[triangles[:, ::1 if mirrored else -1]].tolist()
+        for face, (three, outline) in enumerate(zip(triangles.tolist(), corners)):
+            if self.progress:
+                self.progress(f"{self.checked.name}: {where}")
+            self.faces.append(outline)
+            self.places.append(f"{self.checked.name}: {where}, triangle {face}")
+            number = plain if tints is None else \
+                self._add_material(material, tuple(_srgb(part) for part in tints[three, :3].mean(axis=0)))
+            self.surfaces.add(number, around and around[face])
+
+
+def _parts(checked, mesh, where):
+    parts = mesh.get("primitives")
+    if not isinstance(parts, list) or not all(isinstance(part, dict) for part in parts):
+        checked.fail(where, "primitives must be a list of objects: the file is damaged")
+    return parts
+
+
+def read(path, name=None, progress=None, sources=None):
+    """(mesh, notes). The name stands in messages. sources: those of the scene."""
+    name = name or str(path)
+    sources = sources or Sources()
+    checked = gltf_check.open_file(path, name, sources)
+    reader, matrices = _Reader(checked, progress), {None: np.eye(4)}
+    nodes = checked.rows("nodes")
+    for number, parent in gltf_check.walk(checked):
+        node, where = nodes[number], checked.label("node", number)
+        matrices[number] = matrices[parent] @ _matrix(checked, node, where)
+        if "mesh" in node:
+            chosen, mesh = checked.entry("meshes", node, "mesh", where)
+            for i, part in enumerate(_parts(checked, mesh, checked.label("mesh", chosen))):
+                reader.part(part, matrices[number], f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
+    if not reader.faces:
+        raise ToolError(f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
+    notes = [f"{name}: {_CONVENTION}"]
+    if reader.left_out:
+        notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
+    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, work=sources.work), notes

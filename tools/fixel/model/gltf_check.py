@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: MIT
+"""The frame of a glTF 2.0 file, checked: JSON, buffers, accessors, the tree of nodes."""
+
+import base64
+import binascii
+import json
+import os
+import struct
+import urllib.parse
+
+import numpy as np
+
+from fixel.base import reading
+from fixel.base.errors import ToolError
+from fixel.base.reading import Beside, quoted
+
+FILE_MAX = 64 << 20         # bytes, of the file and of its buffers together
+NODES_MAX, DEPTH_MAX = 8192, 1000
+VERTICES_MAX = 200_000      # of a primitive
+JSON_MAX = 8 << 20
+_GLB_HEAD, _CHUNK_HEAD = struct.Struct("<4sII"), struct.Struct("<II")
+_JSON, _BIN = 0x4E4F534A, 0x004E4942
+_COMPONENTS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+FLOAT, UNSIGNED = 5126, (5121, 5123, 5125)
+_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+_KNOWN_EXTENSIONS = ("KHR_materials_", "KHR_texture_transform", "KHR_lights_punctual")
+
+
+class Checked:
+    """A file's JSON and its buffers. What is asked for is checked first."""
+
+    def __init__(self, name, data, folder, binary, sources):
+        self.name, self.data, self.folder, self.binary, self.sources = name, data, folder, binary, sources
+        self.room, self.buffers, self.lists = FILE_MAX, {}, {}
+
+    # --- values -----------------------------------------------------------------
+
+    def fail(self, where, text):
+        raise ToolError(f"{self.name}: {where}: {text}")
+
+    def label(self, kind, number):
+        """"node 3 (\"wheel\")"."""
+        entry = self.data.get(kind + ("es" if kind == "mesh" else "s"), [])[number]
+        name = entry.get("name") if isinstance(entry, dict) else None
+        return f"{kind} {number}" + (f" ({quoted(name)})" if isinstance(name, str) and name else "")
+
+    def rows(self, key):
+        """A list of tables at the top, checked when it is first asked for."""
+        if key not in self.lists:
+            value = self.data.get(key, [])
+            if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
+                self.fail(key, "must be a list of objects: the file is damaged")
+            self.lists[key] = value
+        return self.lists[key]
+
+    def whole(self, table, key, where, default=None, most=1 << 31):
+        """A whole number 0..most."""
+        value = table.get(key, default)
+        if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+            self.fail(where, f"{key} is {quoted(value)}; it must be a whole number from 0 to {most:,}")
+        return value
+
+    def entry(self, kind, table, key, where):
+        """(number, entry) of another list that a table names by number."""
+        rows = self.rows(kind)
+        number = self.whole(table, key, where)
+        if number >= len(rows):
+            self.fail(where, f"{key} {number} does not exist; there are {len(rows)}")
+        return number, rows[number]
+
+    # --- bytes ------------------------------------------------------------------
+
+    def _embedded(self, uri, where):
+        """The bytes that a URI holds itself; None if it names a file."""
+        if not isinstance(uri, str):
+            self.fail(where, "uri is no text: the file is damaged")
+        if not uri.startswith("data:"):
+            return None
+        head, comma, text = uri.partition(",")
+        if not comma or not head.endswith(";base64"):
+            self.fail(where, "its data: is not in base64; save the model as GLB")
+        try:
+            return base64.b64decode(text, validate=True)
+        except (binascii.Error, ValueError):
+            self.fail(where, "its base64 is damaged; save the model anew")
+
+    def _beside(self, uri, where):
+        """The file of the model's folder that a URI names."""
+        name = urllib.parse.unquote(uri)
+        if "://" in name or name.startswith("/") or "\0" in name or ".." in name.split("/"):
+            self.fail(where, f"{quoted(name)} is not a file in the model's folder; put it there")
+        file = Beside(self.folder, name)
+        self.sources.count_name(file, f"{self.name}: {where}")
+        if not file.exists():
+            self.fail(where, f"there is no file {quoted(name)}; the path is taken from the model's folder")
+        return file
+
+    def _fetch(self, uri, where):
+        """The bytes of a buffer's URI."""
+        blob = self._embedded(uri, where)
+        return self.sources.read(self._beside(uri, where), max(self.room, 0), "simplify the model") if blob is None else blob
+
+    def image(self, number):
+        """The texture_image.Texture of an image."""
+        entry, where = self.rows("images")[number], self.label("image", number)
+        place = f"{self.name}: {where}"
+        if "bufferView" in entry:
+            return self.sources.image_of_bytes(self.view(entry, where)[0], place)
+        blob = self._embedded(entry.get("uri"), where)
+        if blob is None:
+            return self.sources.image_of_file(self._beside(entry["uri"], where), place)
+        return self.sources.image_of_bytes(blob, place)
+
+    def buffer(self, number):
+        """The bytes of a buffer, at least as many as it promises."""
+        if number not in self.buffers:
+            where, entry = self.label("buffer", number), self.rows("buffers")[number]
+            wanted = self.whole(entry, "byteLength", where, most=1 << 40)
+            if "uri" not in entry and (number or self.binary is None):
+                self.fail(where, "it names no file, and the file has no such part: it is damaged")
+            blob = self._fetch(entry["uri"], where) if "uri" in entry else self.binary
+            if len(blob) < wanted:
+                self.fail(where, f"{wanted:,} bytes are promised and {len(blob):,} are there: the file is damaged")
+            self.room -= len(blob)
+            if self.room < 0:
+                self.fail(where, f"the buffers have more than the limit of {FILE_MAX:,} bytes; simplify the model")
+            self.buffers[number] = memoryview(blob)[:wanted]    # whose slices are no copies
+        return self.buffers[number]
+
+    def view(self, table, where):
+        """(bytes, stride or 0) of a buffer view."""
+        _, view = self.entry("bufferViews", table, "bufferView", where)
+        number, _ = self.entry("buffers", view, "buffer", where)
+        blob = self.buffer(number)
+        start, length = self.whole(view, "byteOffset", where, 0), self.whole(view, "byteLength", where)
+        if start + length > len(blob):
+            self.fail(where, f"its buffer view reaches {start + length - len(blob):,} bytes past the buffer")
+        return blob[start:start + length], self.whole(view, "byteStride", where, 0, 252)
+
+    def accessor(self, number, where, kinds, components):
+        """The values of an accessor as a numpy array, a row each; normalised ones as doubles."""
+        rows = self.rows("accessors")
+        if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(rows):
+            self.fail(where, f"accessor {quoted(number)} does not exist; there are {len(rows)}")
+        table, where = rows[number], f"{where}: accessor {number}"
+        if "sparse" in table or "bufferView" not in table:
+            self.fail(where, "sparse accessors are not read; save the model without them")
+        kind, component = table.get("type"), table.get("componentType")
+        if kind not in kinds or component not in components:
+            self.fail(where, f"values of type {quoted(kind)} and component {quoted(component)} are not read here")
+        count = self.whole(table, "count", where, most=3 * VERTICES_MAX)
+        blob, stride = self.view(table, where)
+        numbers_of, width = np.dtype(_COMPONENTS[component]), _WIDTHS[kind]
+        size = numbers_of.itemsize * width
+        start, stride = self.whole(table, "byteOffset", where, 0), stride or size
+        if stride < size or (count and start + (count - 1) * stride + size > len(blob)):
+            self.fail(where, f"{count:,} values do not fit its {len(blob):,} bytes: the file is damaged")
+        values = np.ndarray((count, width), numbers_of, blob, start, (stride, numbers_of.itemsize)) if count else \
+            np.zeros((0, width), numbers_of)
+        if table.get("normalized") is True and numbers_of.kind != "f":
+            return values / float(np.iinfo(numbers_of).max)
+        return values.astype(float) if numbers_of.kind == "f" else values.astype(np.int64)
+
+
+def _glb(blob, name):
+    """(JSON's bytes, the binary part or None) of a GLB file."""
+    magic, version, length = _GLB_HEAD.unpack_from(blob)
+    if version != 2:
+        raise ToolError(f"{name}: a GLB file of version {version}; only 2 is read: save the model as glTF 2.0")
+    if length > len(blob):
+        raise ToolError(f"{name}: the header promises {length:,} bytes and {len(blob):,} are there: the file is damaged")
+    place, parts = _GLB_HEAD.size, {}
+    while place + _CHUNK_HEAD.size <= length:
+        size, kind = _CHUNK_HEAD.unpack_from(blob, place)
+        place += _CHUNK_HEAD.size
+        if place + size > length:
+            raise ToolError(f"{name}: a part promises {size:,} bytes and {length - place:,} are there: the file is damaged")
+        parts.setdefault(kind, blob[place:place + size])
+        place += size
+    if _JSON not in parts:
+        raise ToolError(f"{name}: the file has no part with JSON: it is damaged")
+    return parts[_JSON], parts.get(_BIN)
+
+
+def _parse(text, name):
+    if len(text) > JSON_MAX:
+        raise ToolError(f"{name}: {len(text):,} bytes of JSON are more than the limit of {JSON_MAX:,}; save the model as GLB, "
+                        "or simplify it")
+    try:
+        data = json.loads(text.decode("utf-8"))
+    except RecursionError:
+        raise ToolError(f"{name}: its JSON is nested deeper than any model's") from None
+    except json.JSONDecodeError as error:
+        raise ToolError(f"{name}:{error.lineno}: not JSON: {reading.shortened(error.msg)}") from None
+    except ValueError:
+        raise ToolError(f"{name}: its JSON is not UTF-8 text, or has a number of thousands of digits") from None
+    if not isinstance(data, dict):
+        raise ToolError(f"{name}: this is not a glTF file: its JSON is no object")
+    return data
+
+
+def open_file(path, name, sources):
+    """A Checked of a .gltf or .glb, of which nothing but the frame is checked."""
+    blob = sources.read(path, FILE_MAX, "simplify the model")
+    text, binary = _glb(blob, name) if blob[:4] == b"glTF" and len(blob) >= _GLB_HEAD.size else (blob, None)
+    data = _parse(text, name)
+    asset = data.get("asset")
+    version = asset.get("version") if isinstance(asset, dict) else None
+    if not isinstance(version, str) or not version.startswith("2."):
+        raise ToolError(f"{name}: asset: a glTF file of version {quoted(version)}; only 2.0 is read")
+    required = data.get("extensionsRequired", [])
+    for extension in required if isinstance(required, list) else [required]:
+        if not isinstance(extension, str) or not extension.startswith(_KNOWN_EXTENSIONS):
+            raise ToolError(f"{name}: the model requires the extension {quoted(extension)}, which is not read; save it "
+                            "without, for example without compression")
+    return Checked(name, data, os.path.dirname(path), binary, sources)
+
+
+def numbers(checked, table, key, count, where):
+    """A list of finite numbers."""
+    value = table[key]
+    if not isinstance(value, list) or len(value) != count or \
+            not all(isinstance(each, (int, float)) and not isinstance(each, bool) and
+                    abs(each) <= 1e12 for each in value):
+        checked.fail(where, f"{key} must be {count} numbers within 1e12: the file is damaged")
+    return [float(each) for each in value]
+
+
+def walk(checked):
+    """[(number, parent or None)] of the nodes of the scene, parents first. A node that is reached twice is refused."""
+    nodes, scenes = checked.rows("nodes"), checked.rows("scenes")
+    if len(nodes) > NODES_MAX:
+        checked.fail("nodes", f"{len(nodes):,} are more than the limit of {NODES_MAX:,}; join them")
+    checked.sources.work.take("nodes of glTF files", len(nodes), checked.name)
+    if scenes:
+        chosen = checked.whole(checked.data, "scene", "scene", 0)
+        if chosen >= len(scenes):
+            checked.fail("scene", f"{chosen} does not exist; there are {len(scenes)}")
+        roots = scenes[chosen].get("nodes", [])
+    else:
+        roots = list(range(len(nodes)))
+        roots = sorted(set(roots) - {each for node in nodes for each in _children(checked, node, "nodes")})
+    found, seen = [], set()
+    pending = [(number, None, 1) for number in reversed(_children(checked, {"children": roots}, "scene"))]
+    while pending:
+        number, parent, depth = pending.pop()
+        if number >= len(nodes):
+            checked.fail("nodes" if parent is None else checked.label("node", parent),
+                         f"node {number} does not exist; there are {len(nodes)}")
+        if number in seen:
+            checked.fail(checked.label("node", number), "it stands below itself or below two nodes, a cycle or a knot; "
+                         "give each node one parent")
+        if depth > DEPTH_MAX:
+            checked.fail(checked.label("node", number), f"it stands more than {DEPTH_MAX:,} nodes deep; flatten the model")
+        seen.add(number)
+        found.append((number, parent))
+        pending += [(child, number, depth + 1) for child in
+                    reversed(_children(checked, nodes[number], checked.label("node", number)))]
+    return found
+
+
+def _children(checked, node, where):
+    children = node.get("children", [])
+    if not isinstance(children, list) or not all(isinstance(each, int) and not isinstance(each, bool) and each >= 0
+                                                 for each in children):
+        checked.fail(where, "children must be a list of numbers of nodes: the file is damaged")
+    return children

@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: MIT
+"""Meshes: turned, scaled, rounded to 16.16, and cut into faces that the
+library takes: flat, convex, of 3 to 24 vertices, with exact normals.
+
+Everything is done in integers on the rounded vertices, so that what is decided
+here holds for the numbers that the library sees."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from math import isqrt, lcm
+
+from fixel.model import mend
+from fixel.base.errors import ToolError
+from fixel.image.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, Face
+from fixel.model.triangles import triangulate
+
+FACES_MAX = 65535       # of a model
+
+# A mesh's coordinates are integers in 1/UNIT: decimals of OBJ files stay exact.
+UNIT = 10 ** 18
+
+# How far, in 1/65536, a corner of a polygon may fall inside the line of its
+# neighbours: what rounding can do to corners on one line.
+DENT_MAX = 2
+
+
+@dataclass
+class Mesh:
+    """What a file or a solid gives: outlines clockwise as seen from the front."""
+    vertices: list
+    faces: list
+    places: list = field(default_factory=list)  # where each face stands, for messages
+    surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
+    uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
+    work: object = None         # the work.Work of the scene that has it
+
+    @cached_property
+    def extent(self):
+        """The length of the longest side of the box about its vertices."""
+        return max(max(axis) - min(axis) for axis in zip(*self.vertices))
+
+    @cached_property
+    def squares(self):
+        """The squares of the corners of its faces that a board draws, but for those of three or four, together."""
+        return sum(len(face) ** 2 for face in self.faces if 4 < len(face) <= FACE_VERTICES_MAX)
+
+
+@dataclass
+class Shape:
+    """A mesh as the library takes it. sources[i] is the number of the mesh's
+    face that face i came from; middle is the middle of the bounding box."""
+    vertices: list
+    faces: list
+    sources: list
+    notes: list
+    middle: tuple = (0, 0, 0)
+    half_height: int = 0
+    open_edges: int = 0
+
+
+def minus(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def newell(points):
+    """Twice the area, along the normal that points to the front: exact."""
+    x, y, z = points[0]
+    one, two, three = points[1]
+    one, two, three = one - x, two - y, three - z
+    u = v = w = 0
+    # One loop without calls: every face comes here several times.
+    for a, b, c in points[2:]:
+        a, b, c = a - x, b - y, c - z
+        u, v, w = u + two * c - three * b, v + three * a - one * c, w + one * b - two * a
+        one, two, three = a, b, c
+    return u, v, w
+
+
+def unit_normal(area):
+    """An integer vector at unit length in 2.30, each component to nearest."""
+    square = dot(area, area)
+    # Two more bits than needed, so that one rounding remains.
+    sizes = [(isqrt((value * value << 64) // square) + 2) >> 2 for value in area]
+    return tuple([size if value >= 0 else -size for size, value in zip(sizes, area)])
+
+
+def transform(mesh, matrix):
+    """The mesh's vertices times a 3x3 matrix of Fractions, as 16.16."""
+    common = lcm(*(entry.denominator for row in matrix for entry in row))
+    rows = [[int(entry * common) << 17 for entry in row] for row in matrix]
+    half = common * UNIT
+    whole = 2 * half
+    return [tuple((r[0] * x + r[1] * y + r[2] * z + half) // whole for r in rows)
+            for x, y, z in mesh.vertices]
+
+
+def rounding_error(mesh, matrix):
+    """The farthest that transform moves a coordinate, in units of 1/65536: a float of 0..1/2."""
+    common = lcm(*(entry.denominator for row in matrix for entry in row))
+    rows = [[int(entry * common) << 16 for entry in row] for row in matrix]
+    whole = common * UNIT
+    worst = max(min(left, whole - left) for r in rows for x, y, z in mesh.vertices
+                for left in [(r[0] * x + r[1] * y + r[2] * z) % whole])
+    return worst / whole
+
+
+def _merge(points):
+    """Distinct points, and for each old number the new one."""
+    numbers = {}
+    renamed = [numbers.setdefault(point, len(numbers)) for point in points]
+    return list(numbers), renamed
+
+
+def _outline(corners):
+    """Corners without those that repeat the one before."""
+    return [c for i, c in enumerate(corners) if c != corners[i - 1]]
+
+
+def is_flat(points, normal):
+    first = points[0]
+    return all(abs(dot(normal, minus(p, first))) <= PLANARITY_MAX << 30 for p in points)
+
+
+def is_convex_outline(points, area):
+    """Whether every corner lies on the inner side of every edge's line, but
+    for DENT_MAX."""
+    if len(points) == 4 and all(dot(cross(minus(b, a), minus(c, b)), area) >= 0 for a, b, c in
+                                zip(points, points[1:] + points[:1], points[2:] + points[:2])):
+        return True     # of four corners no edge has others than its neighbours
+    square = dot(area, area)
+    for i, b in enumerate(points):
+        edge = minus(b, points[i - 1])
+        limit = DENT_MAX * DENT_MAX * dot(edge, edge) * square
+        for p in points:
+            side = dot(cross(edge, minus(p, b)), area)
+            if side < 0 and side * side > limit:
+                return False
+    return True
+
+
+class _Counts:
+    """What happened to faces, told as one note a kind."""
+
+    def __init__(self):
+        self.found = {}
+
+    def add(self, text, place):
+        number, first = self.found.get(text, (0, place))
+        self.found[text] = number + 1, first
+
+    def notes(self, name):
+        return [f"{name}: {number} face{'s' if number > 1 else ''} {text}"
+                + (f" (first: {place})" if place else "")
+                for text, (number, place) in self.found.items()]
+
+
+def _pieces(corners, points, place, counts):
+    """A face of the mesh as pairs (corners, normal) that the library takes."""
+    corners = _outline(corners)
+    if len(corners) < 3:
+        counts.add("without area dropped", place)
+        return []
+    outline = [points[c] for c in corners]
+    area = newell(outline)
+    if area == (0, 0, 0):
+        counts.add("without area dropped", place)
+        return []
+    normal = unit_normal(area)
+    if len(corners) == 3:
+        return [(tuple(corners), normal)]
+    if len(corners) > FACE_VERTICES_MAX:
+        counts.add(f"of more than {FACE_VERTICES_MAX} vertices triangulated", place)
+    elif len(set(corners)) < len(corners) or not is_convex_outline(outline, area):
+        counts.add("with concave outlines triangulated", place)
+    elif not is_flat(outline, normal):
+        counts.add("that are not flat triangulated", place)
+    else:
+        return [(tuple(corners), normal)]
+    triangles, sound = triangulate(corners, points, area)
+    if not sound:
+        counts.add("whose outlines cross themselves cut into fans", place)
+    pieces = [(t, newell([points[c] for c in t])) for t in triangles]
+    return [(t, unit_normal(a)) for t, a in pieces if a != (0, 0, 0)]
+
+
+def _open_edges(faces):
+    """How many edges are not shared by two faces that agree on the front."""
+    balance = {}
+    for face in faces:
+        for a, b in zip(face.corners, face.corners[1:] + face.corners[:1]):
+            key, step = ((a, b), 1) if a < b else ((b, a), -1)
+            balance[key] = balance.get(key, 0) + step
+    return sum(1 for value in balance.values() if value)
+
+
+def _volume(vertices, faces):
+    """Six times the volume within; positive where fronts look outward."""
+    return sum(dot(vertices[face.corners[0]], newell([vertices[c] for c in face.corners]))
+               for face in faces)
+
+
+def turned(face):
+    """A face that looks the other way."""
+    return Face(tuple(-n for n in face.normal), face.corners[::-1], face.colour)
+
+
+def two_sided(made):
+    """The shape with each face once more, seen from behind."""
+    return replace(made, faces=made.faces + [turned(face) for face in made.faces], sources=made.sources * 2)
+
+
+def _check_size(points, name):
+    """Refuses what no place in the world has room for."""
+    ends = [(min(axis), max(axis)) for axis in zip(*points)]
+    if all(-2 * COORDINATE_MAX <= low and high <= 2 * COORDINATE_MAX for low, high in ends):
+        return
+    if all(high - low <= 2 * COORDINATE_MAX for low, high in ends):
+        far = max(max(-low, high) for low, high in ends) / 65536
+        raise ToolError(f"{name}: the model lies up to {far:.6g} units from its own origin, more than twice the world "
+                        "(-8191..8191): move it to the origin in the model, or make scale smaller")
+    raise ToolError(f"{name}: with this scale the model is larger than the world "
+                    "(-8191..8191); make scale smaller")
+
+
+def _mend(result, name):
+    """Turns faces that disagree with their neighbours about the front."""
+    wrong = mend.faces_to_turn(result.faces)
+    if wrong:
+        result.faces = [turned(face) if number in wrong else face for number, face in enumerate(result.faces)]
+        result.notes.append(f"{name}: {len(wrong):,} faces were turned round: they faced the other way than their "
+                            "neighbours")
+
+
+def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
+    """The mesh, transformed, as the library takes it; vertices still relative
+    to the mesh's origin. inside: turn every face inward. mends: turn faces that
+    disagree with their neighbours first."""
+    points, renamed = _merge(transform(mesh, matrix))
+    _check_size(points, name)
+    counts, faces, sources = _Counts(), [], []
+    for number, corners in enumerate(mesh.faces):
+        if progress:
+            progress(f"{name}: face {number} of {len(mesh.faces)}")
+        place = mesh.places[number] if mesh.places else ""
+        if mesh.work and len(corners) > FACE_VERTICES_MAX:
+            mesh.work.take("corners of faces cut", len(corners) ** 2, place)
+        pieces = _pieces([renamed[c] for c in corners], points, place, counts)
+        if mesh.work and len(pieces) > 1:
+            mesh.work.take("faces cut", len(pieces), place)
+        for outline, normal in pieces:
+            faces.append(Face(normal, outline, 0))
+            sources.append(number)
+        if len(faces) > FACES_MAX:
+            raise ToolError(f"{place or name}: the model has more than {FACES_MAX:,} faces with those that its faces "
+                            "are cut into; simplify it or split it into several objects")
+    if not faces:
+        raise ToolError(f"{name}: no face with any area is left; is scale too small?")
+    result = _used(points, faces, sources, counts.notes(name))
+    if mends:
+        _mend(result, name)
+    result.open_edges = _open_edges(result.faces)
+    if not result.open_edges and _volume(result.vertices, result.faces) < 0:
+        result.faces = [turned(face) for face in result.faces]
+        result.notes.append(f"{name}: the model was inside out (every front looked inward): "
+                            "its faces were turned round")
+    if inside:
+        result.faces = [turned(face) for face in result.faces]
+    return result
+
+
+def _used(points, faces, sources, notes):
+    """The shape with only those vertices that faces use."""
+    order = {}
+    for face in faces:
+        face.corners = tuple(order.setdefault(c, len(order)) for c in face.corners)
+    vertices = [points[c] for c in order]
+    low = [min(axis) for axis in zip(*vertices)]
+    high = [max(axis) for axis in zip(*vertices)]
+    middle = tuple((a + b) // 2 for a, b in zip(low, high))
+    return Shape(vertices, faces, sources, notes, middle, middle[1] - low[1])

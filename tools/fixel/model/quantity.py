@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Numbers of a scene file as exact fractions, and fractions as fixed point.
+
+A number may be written as an integer, a decimal or a string such as "-360/512",
+so that every rational can be said. Angles are degrees; "3/512 turn" is a part
+of a full turn. Nothing passes through floating point."""
+
+from decimal import Decimal, InvalidOperation
+from fractions import Fraction
+import re
+
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
+
+Q16_ONE = 1 << 16
+TURN = 1 << 32
+COORDINATE_MAX = 8191
+
+# Powers of ten outside this are a slip of the pen, and would make huge integers.
+EXPONENT_MAX = 18
+DIGITS_MAX = 24         # characters of a number
+
+_RATIONAL = re.compile(r"\s*([+-]?\d{1,18})\s*/\s*(\d{1,18})\s*")
+_DECIMAL = re.compile(r"\s*[+-]?(\d{1,18}(\.\d{0,18})?|\.\d{1,18})([eE][+-]?\d{1,2})?\s*")
+
+
+def decimal(text):
+    """A number of a TOML file; ValueError where it has too many digits or no exponent that there is."""
+    if len(text) > DIGITS_MAX:
+        raise ValueError("too many digits")
+    try:
+        return Decimal(text)
+    except InvalidOperation:
+        raise ValueError("no such exponent") from None
+
+
+def fraction(value, where):
+    """A TOML number, or a string that says one, as a Fraction."""
+    if isinstance(value, (bool, list, dict)) or value is None:
+        raise ToolError(f'{where}: expected a number (like 1.5 or "3/512"), found {quoted(value)}')
+    if isinstance(value, Fraction):
+        return value
+    if isinstance(value, str):
+        rational = _RATIONAL.fullmatch(value)
+        if rational and int(rational[2]) != 0:
+            return Fraction(int(rational[1]), int(rational[2]))
+        if not _DECIMAL.fullmatch(value):
+            raise ToolError(f'{where}: {quoted(value)} is not a number (like "1.5" or "-360/512")')
+        value = Decimal(value.strip())
+    elif isinstance(value, float):
+        value = Decimal(repr(value))
+    if isinstance(value, Decimal):
+        if not value.is_finite() or (value != 0 and abs(value.adjusted()) > EXPONENT_MAX):
+            raise ToolError(f"{where}: {quoted(value)} is out of every range")
+        return Fraction(value)
+    if isinstance(value, int):
+        if abs(value) >= 10 ** EXPONENT_MAX:
+            raise ToolError(f"{where}: the number is out of every range")
+        return Fraction(value)
+    raise ToolError(f"{where}: expected a number, found {quoted(value)}")
+
+
+def _times(value, numerator, denominator=1):
+    """A Fraction or float times a ratio, to the nearest integer, halves upward: the rounding of SPEC.md."""
+    above, below = value.as_integer_ratio()
+    above, below = above * numerator, below * denominator
+    return (2 * above + below) // (2 * below)
+
+
+def q16(value):
+    """A Fraction or float as 16.16."""
+    return _times(value, Q16_ONE)
+
+
+def q30(value):
+    """A Fraction or float as 2.30."""
+    return _times(value, 1 << 30)
+
+
+def shown(value):
+    """A Fraction for a message."""
+    return f"{float(value):.10g}"
+
+
+def in_range(value, low, high, where, unit=""):
+    """The Fraction, if low <= value <= high."""
+    if not low <= value <= high:
+        unit = f" {unit}" if unit else ""
+        raise ToolError(f"{where} = {shown(value)} is outside {shown(Fraction(low))}.."
+                        f"{shown(Fraction(high))}{unit}")
+    return value
+
+
+def vector(value, where):
+    """A list of three numbers."""
+    if not isinstance(value, list) or len(value) != 3:
+        raise ToolError(f"{where}: expected three numbers [x, y, z], found {quoted(value)}")
+    return tuple(fraction(item, f"{where}[{i}]") for i, item in enumerate(value))
+
+
+def position(value, where):
+    """A point of the world, each coordinate within the range of SPEC.md, section 3."""
+    point = vector(value, where)
+    for i, item in enumerate(point):
+        in_range(item, -COORDINATE_MAX, COORDINATE_MAX, f"{where}[{i}]", "world units")
+    return point
+
+
+def degrees(value, where):
+    """An angle in degrees; a string may end in "turn"."""
+    if isinstance(value, str) and value.strip().endswith("turn"):
+        return 360 * fraction(value.strip()[:-4], where)
+    return fraction(value, where)
+
+
+def angle(value):
+    """Degrees (a Fraction or float) as a binary angle; wraps."""
+    return _times(value, TURN, 360) % TURN

@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: MIT
+"""The built-in solids. Each fits the unit cube about the origin: height and
+diameter 1, middle (0, 0, 0). Outlines run clockwise as seen from outside."""
+
+import math
+
+from fixel.model import island
+from fixel.base.errors import ToolError
+from fixel.model.mesh import UNIT, Mesh
+
+SIDES_MAX = 64
+
+
+def _mesh(points, faces):
+    # Twelve decimals: what trigonometry leaves behind half a unit goes away.
+    vertices = [tuple(round(round(c, 12) * UNIT) for c in point) for point in points]
+    return Mesh(vertices, [list(face) for face in faces])
+
+
+def _ring(sides, radius, y):
+    """Corners about the y axis, clockwise from above, a flat side in front.
+    Four sides make the unit square; others lie on the circle."""
+    radius *= math.sqrt(2) if sides == 4 else 1
+    turns = [(i + 0.5) * 2 * math.pi / sides + math.pi for i in range(sides)]
+    return [(radius * math.sin(t), y, radius * math.cos(t)) for t in turns]
+
+
+def _walls(lower, upper, sides):
+    """Quads from the ring that begins at lower to the one at upper."""
+    return [(lower + i, lower + (i + 1) % sides, upper + (i + 1) % sides, upper + i)
+            for i in range(sides)]
+
+
+def box():
+    h = 0.5
+    points = [(-h, -h, -h), (h, -h, -h), (h, h, -h), (-h, h, -h),
+              (-h, -h, h), (h, -h, h), (h, h, h), (-h, h, h)]
+    faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 4, 7, 3), (1, 2, 6, 5), (3, 7, 6, 2), (0, 1, 5, 4)]
+    return _mesh(points, faces)
+
+
+def pyramid(sides=4):
+    points = _ring(sides, 0.5, -0.5) + [(0, 0.5, 0)]
+    faces = [(i, (i + 1) % sides, sides) for i in range(sides)]
+    return _mesh(points, faces + [tuple(range(sides))[::-1]])
+
+
+def prism(sides=6, taper=1.0):
+    points = _ring(sides, 0.5, -0.5) + _ring(sides, 0.5 * taper, 0.5)
+    caps = [tuple(range(sides, 2 * sides)), tuple(range(sides))[::-1]]
+    return _mesh(points, _walls(0, sides, sides) + caps)
+
+
+def band(sides=16, taper=1.0):
+    points = _ring(sides, 0.5, -0.5) + _ring(sides, 0.5 * taper, 0.5)
+    return _mesh(points, _walls(0, sides, sides))
+
+
+def sphere(sides=12, rings=6):
+    """Quads between parallels, triangles at the poles."""
+    points = []
+    for k in range(1, rings):
+        latitude = math.pi * k / rings - math.pi / 2
+        points += [(0.5 * math.cos(latitude) * math.sin(2 * math.pi * i / sides),
+                    0.5 * math.sin(latitude),
+                    0.5 * math.cos(latitude) * math.cos(2 * math.pi * i / sides))
+                   for i in range(sides)]
+    south, north = len(points), len(points) + 1
+    points += [(0, -0.5, 0), (0, 0.5, 0)]
+    last = (rings - 2) * sides
+    faces = [(south, (i + 1) % sides, i) for i in range(sides)]
+    for k in range(rings - 2):
+        faces += _walls(k * sides, (k + 1) * sides, sides)
+    faces += [(last + i, last + (i + 1) % sides, north) for i in range(sides)]
+    return _mesh(points, faces)
+
+
+def _hull(points):
+    """The faces of a convex solid, each the points on one supporting plane,
+    clockwise as seen from outside."""
+    found = {}
+    for a in range(len(points)):
+        for b in range(len(points)):
+            for c in range(len(points)):
+                if len({a, b, c}) < 3:
+                    continue
+                normal = _cross(_minus(points[b], points[a]), _minus(points[c], points[a]))
+                sides = [_dot(normal, _minus(p, points[a])) for p in points]
+                if _dot(normal, normal) > 1e-9 and max(sides) < 1e-9:
+                    on = [i for i, s in enumerate(sides) if s > -1e-9]
+                    found.setdefault(tuple(on), normal)
+    return [_clockwise(points, on, normal) for on, normal in sorted(found.items())]
+
+
+def _clockwise(points, on, normal):
+    middle = [sum(points[i][k] for i in on) / len(on) for k in range(3)]
+    u = _minus(points[on[0]], middle)
+    v = _cross(normal, u)
+    length = math.sqrt(_dot(normal, normal))
+    return sorted(on, key=lambda i: round(math.atan2(
+        _dot(_minus(points[i], middle), v) / length, _dot(_minus(points[i], middle), u)), 9)
+        % (2 * math.pi))
+
+
+def _minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def _cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def _dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def _regular(points):
+    """A regular solid whose circumscribed sphere has diameter 1."""
+    radius = math.sqrt(_dot(points[0], points[0]))
+    points = [[0.5 * c / radius for c in point] for point in points]
+    return _mesh(points, _hull(points))
+
+
+def tetrahedron():
+    return _regular([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
+
+
+def octahedron():
+    return _regular([(s * (i == 0), s * (i == 1), s * (i == 2)) for i in range(3)
+                     for s in (-1, 1)])
+
+
+def icosahedron():
+    g = (1 + math.sqrt(5)) / 2
+    return _regular([p for s in (-1, 1) for t in (-g, g)
+                     for p in ((0, s, t), (s, t, 0), (t, 0, s))])
+
+
+def dodecahedron():
+    g = (1 + math.sqrt(5)) / 2
+    cube = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    return _regular(cube + [p for s in (-1 / g, 1 / g) for t in (-g, g)
+                            for p in ((0, s, t), (s, t, 0), (t, 0, s))])
+
+
+def tile():
+    """A unit square in the plane y = 0 that faces up."""
+    return floor((1, 1))
+
+
+def disc(sides=24):
+    """A polygon in the plane y = 0 that faces up."""
+    return _mesh(_ring(sides, 0.5, 0), [tuple(range(sides))])
+
+
+def floor(cells=(8, 8)):
+    """A unit square of cells that faces up, numbered to and fro, so that two
+    colours in turn make a chequered floor."""
+    across, along = cells
+    points = [(i / across - 0.5, 0, j / along - 0.5) for j in range(along + 1)
+              for i in range(across + 1)]
+    faces = []
+    for j in range(along):
+        row = range(across) if j % 2 == 0 else reversed(range(across))
+        for i in row:
+            a = j * (across + 1) + i
+            faces.append((a, a + across + 1, a + across + 2, a + 1))
+    return _mesh(points, faces)
+
+
+def torus(sides=20, rings=10):
+    """A ring of so many sides; its tube has so many sides, and a quarter of the width."""
+    points = []
+    for i in range(sides):
+        along = 2 * math.pi * i / sides
+        for k in range(rings):
+            about = 2 * math.pi * (k + 0.5) / rings
+            radius = 0.375 + 0.125 * math.cos(about)
+            points.append((radius * math.sin(along), 0.5 * math.sin(about), radius * math.cos(along)))
+    faces = [(rings * i + k, rings * ((i + 1) % sides) + k, rings * ((i + 1) % sides) + (k + 1) % rings,
+              rings * i + (k + 1) % rings) for i in range(sides) for k in range(rings)]
+    return _mesh(points, faces)
+
+
+def cylinder(sides=16):
+    return prism(sides)
+
+
+def cone(sides=12):
+    return pyramid(sides)
+
+
+# The solids by name, and what each may be told beside its size.
+SOLIDS = {
+    "box": (box, ()), "pyramid": (pyramid, ("sides",)), "prism": (prism, ("sides", "taper")),
+    "cylinder": (cylinder, ("sides",)), "cone": (cone, ("sides",)),
+    "band": (band, ("sides", "taper")), "sphere": (sphere, ("sides", "rings")),
+    "tetrahedron": (tetrahedron, ()), "octahedron": (octahedron, ()),
+    "icosahedron": (icosahedron, ()), "dodecahedron": (dodecahedron, ()),
+    "tile": (tile, ()), "disc": (disc, ("sides",)), "floor": (floor, ("cells",)),
+    "torus": (torus, ("sides", "rings")), "island": (island.make, ("cells", "seed", "sea")),
+}
+
+
+def cells(name, options):
+    """About how many faces a solid is made of, at most."""
+    takes = SOLIDS[name][1]
+    return math.prod(options.get("cells", (16, 16))) if "cells" in takes else \
+        options.get("sides", 16) * (options.get("rings", 12) if "rings" in takes else 1)
+
+
+def make(name, options, where):
+    """The mesh of a solid; options as parsed numbers."""
+    maker, allowed = SOLIDS[name]
+    for key in options:
+        if key not in allowed:
+            takes = f"takes {', '.join(allowed)}" if allowed else "takes no such key"
+            raise ToolError(f'{where}: {key} means nothing for a {name}, which {takes}')
+    return maker(**options)

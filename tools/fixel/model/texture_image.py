@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""Images of textures, read by Pillow within limits."""
+
+import io
+import warnings
+
+import numpy as np
+from PIL import Image, PngImagePlugin, UnidentifiedImageError
+
+from fixel.base import reading
+from fixel.base.errors import ToolError
+from fixel.base.reading import shortened
+from fixel.scene.work import PictureWork
+
+FILE_MAX = 16 << 20     # bytes
+SIDE_MAX = 2048         # pixels
+FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
+EXIF_MAX, _EXIF = 64, b"Exif\0\0"
+COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
+PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
+_CHUNK = 1024           # triangles at a time
+_STEPS = 8              # a triangle's mean has samples at this many places along an edge
+_TOO_LARGE = f"; both sides must be 1..{SIDE_MAX}: make it smaller"
+
+
+class Texture:
+    """An image as rows of red, green, blue, alpha."""
+
+    def __init__(self, name, pixels):
+        self.name, self.pixels = name, pixels
+        self.pictures = {}      # made of it for textures (toml_images.py)
+        self.height, self.width = pixels.shape[:2]
+
+    def scaled(self, width, height):
+        """Its pixels in another size, each the mean of what it covers."""
+        return np.asarray(Image.fromarray(self.pixels).resize((width, height), Image.Resampling.BOX))
+
+    def _mean_of_triangles(self, corners):
+        """The mean colour of what lies in each triangle, of (count, 3 corners, 2) coordinates; the image repeats."""
+        first, along = corners[:, None, 0], corners[:, None, 1:] - corners[:, None, :1]
+        places = (first + along[:, :, 0] * _INSIDE[:, :1] + along[:, :, 1] * _INSIDE[:, 1:]) % 1.0
+        columns = np.minimum((places[:, :, 0] * self.width).astype(int), self.width - 1)
+        rows = np.minimum((places[:, :, 1] * self.height).astype(int), self.height - 1)
+        return self.pixels[rows, columns, :3].mean(axis=1)
+
+    def means(self, outlines):
+        """The mean colour of what lies between the corners of each outline, as a fan of triangles."""
+        fans = [[(outline[0], b, c) for b, c in zip(outline[1:], outline[2:])] for outline in outlines]
+        corners = np.array([three for fan in fans for three in fan], dtype=float)
+        found = np.concatenate([self._mean_of_triangles(corners[start:start + _CHUNK])
+                                for start in range(0, len(corners), _CHUNK)])
+        counts = np.array([len(fan) for fan in fans])
+        sums = np.add.reduceat(found, np.cumsum(counts) - counts, axis=0)
+        return list(map(tuple, (sums / counts[:, None]).round().astype(int).tolist()))
+
+
+# Places in a triangle, as parts of its two edges from the first corner.
+_INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS + 1))
+                    for i in range(_STEPS) for j in range(_STEPS - i)])
+
+
+def count_texts(blob):
+    """How many compressed texts a PNG may have."""
+    return sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt")))
+
+
+def _weight(opened, blob):
+    """How many times the work of a plain image one takes, and its compressed texts: a JPEG may have thousands of scans, and
+    a PNG thousands of texts."""
+    if opened.format in ("JPEG", "MPO"):    # MPO: a JPEG that holds more. A scan of arithmetic coding takes longer
+        return 1 + blob.count(b"\xff\xda") / (8 if b"\xff\xca" in blob else 32), 0
+    if opened.format == "BMP":      # which may be run-length coded: Pillow reads such rows in Python
+        return 4, 0
+    return 1, count_texts(blob) if opened.format == "PNG" else 0
+
+
+def decode(blob, name, work=None):
+    """The Texture in an image file's bytes. work: a work.Work, which counts it before it is done."""
+    if len(blob) > FILE_MAX:
+        raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
+    if blob[:2] in _PLAIN and blob.count(b"#") > COMMENTS_MAX:  # Pillow copies all that follows for each of them
+        raise ToolError(f"{name}: a PPM file of digits with more than {COMMENTS_MAX} comments; save it without")
+    if blob.count(_EXIF) > EXIF_MAX:    # Pillow takes quadratic time for them
+        raise ToolError(f"{name}: an image with more than {EXIF_MAX} segments of Exif; save it without")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            with Image.open(io.BytesIO(blob), formats=FORMATS) as opened:
+                width, height = opened.size
+                if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
+                    raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
+                if work:
+                    times, texts = _weight(opened, blob)
+                    work.take("pixels", times * width * height, name)
+                    work.take("texts in images", texts, name)
+                return Texture(name, np.asarray(opened.convert("RGBA")))
+    except ToolError:
+        raise
+    except Image.DecompressionBombError:
+        raise ToolError(f"{name}: an image of very many pixels{_TOO_LARGE}") from None
+    except Exception as error:      # Pillow's readers raise anything for a damaged file; one names its place in memory
+        why = "" if isinstance(error, UnidentifiedImageError) else f" ({shortened(str(error)) or type(error).__name__})"
+        raise ToolError(f"{name}: this image cannot be read{why}; "
+                        f"it must be a sound file of {', '.join(FORMATS[:-1])} or {FORMATS[-1]}") from None
+
+
+def read(path, name):
+    """The Texture in a file that a command names."""
+    blob = reading.read_whole(path, FILE_MAX, "make the image smaller")
+    work = PictureWork()
+    work.allow(path, len(blob))
+    return decode(blob, name, work)

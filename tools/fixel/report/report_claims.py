@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""The claims of Fixel, and whether the measurements satisfy them."""
+
+import dataclasses
+
+from fixel.report import report_shards
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    """A claim: its bound in its unit, and its text."""
+    id: str
+    bound: float
+    unit: str
+    words: str
+
+
+CLAIMS = (
+    Claim("matrix_entry", 2, "2^-30", "An entry of the camera's matrix, against the exact value "
+          "for the stated angles."),
+    Claim("matrix_entry_instance", 5, "2^-30", "An entry of the matrix of a turned and scaled instance "
+          "in the view, divided by the power of two not below the scale, against the exact value for the "
+          "camera's and the instance's angles."),
+    Claim("orientation_angles", 4, "2^-30", "An entry of an orientation made of three angles, against the exact value."),
+    Claim("orientation_axis", 4, "2^-30", "An entry of an orientation made of an axis and an angle, against the exact "
+          "value."),
+    Claim("orientation_look_at", 4, "2^-30", "An entry of an orientation that looks along a direction, against the "
+          "exact value."),
+    Claim("orientation_product", 0.501, "2^-30", "An entry of a product of two orientations, against the rotation "
+          "that is nearest to the exact product."),
+    Claim("orientation_parents", 1, "of its bound", "The centre, the scale and the orientation of an instance with up "
+          "to eight parents, against the exact ones, by the bounds for its depth."),
+    Claim("sine_cosine", 1, "2^-30", "A sine or cosine, against the exact one."),
+    Claim("vertex_unclipped", 0.55, "1/65536 pixel", "The place of an unclipped vertex on the screen, "
+          "against the exact place, given its coordinates, the camera's position and matrix."),
+    Claim("vertex_turned", 1, "of its bound", "A vertex of a turned and scaled instance in the view, against the exact "
+          "product of the camera's rows, the orientation and the scale as given, by the bound of the matrix's rounding. "
+          "Half of the orientations have rows at a corner of the tolerance."),
+    Claim("outline_clipped", 1.25, "1/65536 pixel", "The outline of a polygon clipped to all six planes: "
+          "distance to the exact outline, and back. Except polygons nearly parallel to a plane."),
+    Claim("coverage", 0, "pixels", "Pixels that are covered wrongly, or wrongly not covered, given the "
+          "vertices on the screen."),
+    Claim("watertight", 0, "pixels", "Gaps between two polygons that share an edge, and pixels that "
+          "both draw, clipped or not. Except pieces thinner than 1/65536 pixel that rounding "
+          "turned over."),
+    Claim("texel_divided", 1 / 256, "texel", "The texel that a pixel shows, divided at each pixel: how far it is "
+          "from the exact texture coordinates, given corners and matrix."),
+    Claim("texel_every_16", 0.54, "texel", "The same, divided every 16 columns or more often."),
+    Claim("texel_every_8", 0.54, "texel", "The same, divided every 8 columns or more often."),
+    Claim("texel_affine", 0.04, "texel", "The texel that a pixel shows without perspective: how far it is from the exact "
+          "affine function of the three corners' points on the screen."),
+    Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
+          "the exact light, given the lights, the corners and their normals."),
+    Claim("depth_16", 1, "of its bound", "The face that a pixel shows with a depth buffer of 16 bits, of two that cover it: "
+          "how much farther it is than the other, by the resolution of SPEC.md, section 10.6."),
+    Claim("depth_32", 1, "of its bound", "The same with 32 bits."),
+    Claim("frame", 1, "in 100,000 pixels", "Pixels of whole frames that differ from the reference "
+          "renderer in double. Each must lie within 1/8192 pixel of an edge."),
+    Claim("scale", 1, "in 100,000 pixels", "Pixels that change when W1 is scaled by 4, 16 or 64, with "
+          "its camera. Instructions must stay within 10 %."),
+)
+# Samples that a claim is about; on fewer samples it does not hold (docs/accuracy.md, section 3).
+FEWEST = {**{kind.what: kind.samples(report_shards.SAMPLES) for kind in report_shards.CLAIMS},
+          "frame": 500, "scale": 4}
+INSTRUCTIONS_PERCENT = 10
+PER = 100_000
+
+
+def _claim(claim, measured, samples, holds=True, **more):
+    return {"id": claim.id, "bound": claim.bound, "measured": measured, "unit": claim.unit,
+            "samples": samples, "holds": bool(measured <= claim.bound and holds), **more}
+
+
+def _oracle_claim(claim, tally, build):
+    return _claim(claim, tally["max"], tally["samples"], mean=tally["mean"], rms=tally["rms"],
+                  worst_input=tally["worst_input"], histogram=tally["histogram"],
+                  command=f"{build}/host/oracle {claim.id} --input \"{tally['worst_input']}\"")
+
+
+def _frame_claim(claim, frames, pixels):
+    differing = sum(frame["pixels_differing"] for frame in frames)
+    unexplained = sum(frame["pixels_unexplained"] for frame in frames)
+    tied = [frame["pixels_tied"] for frame in frames]   # null where the judge does not tell
+    distances = [frame["max_edge_distance_px"] for frame in frames
+                 if frame["max_edge_distance_px"] is not None]
+    return _claim(claim, PER * differing / pixels, len(frames), unexplained == 0, pixels=pixels,
+                  pixels_differing=differing, pixels_unexplained=unexplained,
+                  pixels_tied=None if None in tied else sum(tied),
+                  max_edge_distance_px=max(distances, default=None))
+
+
+def _scale_claim(claim, rows):
+    percent = max(row["instructions_percent"] for row in rows)
+    return _claim(claim, max(PER * row["pixels_differing"] / row["pixels"] for row in rows),
+                  sum(row["frames"] for row in rows), percent <= INSTRUCTIONS_PERCENT,
+                  instructions_percent=percent, instructions_bound_percent=INSTRUCTIONS_PERCENT)
+
+
+def judge(shards, frames, pixels, scales, build, fewer_asked):
+    """claims[] of the report, in the order of the table. fewer_asked: the caller asked for fewer samples than the
+    claims are about; otherwise a claim with too few samples fails."""
+    found = []
+    for claim in CLAIMS:
+        if claim.id == "frame":
+            found.append(_frame_claim(claim, frames, pixels))
+        elif claim.id == "scale":
+            found.append(_scale_claim(claim, scales))
+        else:
+            found.append(_oracle_claim(claim, report_shards.merge(shards[claim.id]), build))
+    return _hold_to_samples(found, fewer_asked)
+
+
+def judge_only(shards, build, fewer_asked):
+    """claims[] of those claims alone that there are shards of."""
+    return _hold_to_samples([_oracle_claim(claim, report_shards.merge(shards[claim.id]), build)
+                             for claim in CLAIMS if claim.id in shards], fewer_asked)
+
+
+def _hold_to_samples(found, fewer_asked):
+    for each in found:
+        each["samples_claimed"] = FEWEST[each["id"]]
+        each["holds"] = each["holds"] and each["samples"] > 0 and (fewer_asked or not is_short(each))
+    return found
+
+
+def is_short(claim):
+    """Whether there are fewer samples than the claim is about."""
+    return claim["samples"] < claim["samples_claimed"]
+
+
+def shortfall(report):
+    """The claims with fewer samples than they are about, as text; "" if there are none."""
+    return ", ".join(f"{claim['id']} {claim['samples']:,} of {claim['samples_claimed']:,}"
+                     for claim in report["claims"] if is_short(claim))
+
+
+def complaints(report):
+    """What failed, as sentences."""
+    found = [f"{claim['id']}: the bound is {claim['bound']:g}, the measured value is {claim['measured']:,.6g} "
+             f"({claim['unit']}){_why(claim)}"
+             for claim in report["claims"] if not claim["holds"]]
+    third = report.get("third_judge")
+    if third and third["pixels_unexplained"]:
+        found.append(f"the ray-cast oracle disagrees with the reference renderer on {third['pixels_unexplained']:,} pixels "
+                     f"of {third['scene']}")
+    return found
+
+
+def _why(claim):
+    """The reason why a claim fails that is not its bound."""
+    if is_short(claim):
+        return f"; {claim['samples']:,} samples are fewer than the {claim['samples_claimed']:,} that it is about"
+    if claim.get("pixels_unexplained"):
+        return f"; {claim['pixels_unexplained']:,} pixels are unexplained"
+    if claim.get("instructions_percent", 0) > INSTRUCTIONS_PERCENT:
+        return f"; instructions change by {claim['instructions_percent']:.1f} %"
+    return ""

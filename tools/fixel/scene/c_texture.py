@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""An image as a texture of 16 bits a texel, as text of C: lib/include/fixel/extra/rgb565.h."""
+
+import os
+
+import numpy as np
+
+from fixel.image import c_scene, image_surface
+from fixel.model import texture_image
+from fixel.scene import texture
+from fixel.image.c_text import braces, comment, table
+from fixel.base.errors import ToolError
+
+
+def codes_of(file, size):
+    """An image file's codes (texture.codes_of). size: (width, height) to scale it to, or None."""
+    name = c_scene.printable(os.path.basename(file))
+    opened = texture_image.read(file, name)
+    if size is None and not (texture.is_side(opened.width) and texture.is_side(opened.height)):
+        raise ToolError(f"{name}: an image of {opened.width} x {opened.height}; the sides of a texture are powers of two from "
+                        f"1 to {texture.SIDE_MAX}: let --size scale it, like --size 64x64")
+    pixels = opened.scaled(*size) if size else opened.pixels
+    return texture.codes_of(pixels, pixels[..., 3] < texture.OPAQUE_FROM)
+
+
+def texels_of(levels):
+    """(the texels of all levels by FXL_RGB565, the value of those that are not drawn or None)."""
+    codes = np.concatenate([level.ravel() for level in levels])
+    values, clear = codes >> 19 << 11 | (codes >> 10 & 63) << 5 | codes >> 3 & 31, codes < 0
+    if not clear.any():
+        return values.tolist(), None
+    taken = set(values[~clear].tolist())
+    key = next((number for number in range(1 << 16) if number not in taken), None)
+    return [key if is_clear else value for value, is_clear in zip(values.tolist(), clear.tolist())], key
+
+
+def header(file, name, size=None, levels=1, clamp=False):
+    """(the text of a header with the table of an image file's texels and its fxl_texture, texels)."""
+    c_scene.check_name(name)
+    made = texture.levels_of(codes_of(file, size), levels)
+    texels, key = texels_of(made)
+    flags = (image_surface.CLAMP if clamp else 0) | (image_surface.KEYED if key is not None else 0)
+    high, wide = made[0].shape
+    guard = f"{name.upper()}_TEXTURE_H"
+    about = f"{wide} x {high} texels of RGB565" + (f" and {len(made) - 1} smaller pictures" if len(made) > 1 else "") + \
+        (f"; those of 0x{key:04X} are not drawn" if key is not None else "")
+    record = braces(f"FXL_CAST(const uint8_t *, FXL_CAST(const void *, {name}_texels))", "NULL", wide.bit_length() - 1,
+                    high.bit_length() - 1, "FXL_TEXTURE_565", flags, 0, len(made), key or 0)
+    return "\n".join([
+        *comment(f"Written by tools/scene.py from {c_scene.printable(os.path.basename(file))}."),
+        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel/extra/rgb565.h>", "",
+        table("uint16_t", f"{name}_texels", [f"0x{texel:04X}" for texel in texels], about),
+        f"static const fxl_texture {name}_texture =\n    {record};", "", "#endif", ""]), len(texels)

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""Colours: names, baked light, and 256 palette entries for all of them."""
+
+import colorsys
+import difflib
+import re
+
+from PIL import ImageColor
+
+from fixel.base.errors import ToolError
+from fixel.base.reading import QUOTE_MAX, quoted
+
+ENTRIES = 256
+
+
+def parse(value, where):
+    """"#rgb", "#rrggbb" or a CSS name as (red, green, blue)."""
+    if isinstance(value, str):
+        if re.fullmatch(r"#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})", value):
+            return ImageColor.getrgb(value)[:3]
+        name = value.lower()
+        if name in ImageColor.colormap:
+            return ImageColor.getrgb(name)[:3]
+        near = difflib.get_close_matches(name[:QUOTE_MAX], ImageColor.colormap, 1)
+        hint = f'; did you mean "{near[0]}"?' if near else ""
+        raise ToolError(f'{where}: {quoted(value)} is not a colour (like "#d8a050" or "teal"){hint}')
+    raise ToolError(f'{where}: expected a colour like "#d8a050" or "teal", found {quoted(value)}')
+
+
+def wheel(index):
+    """A colour of its own for a palette index that a scene asks for by number."""
+    hue = index * 0.6180339887498949 % 1.0
+    value = (0.95, 0.80, 0.65)[index % 3]
+    return tuple(round(255 * c) for c in colorsys.hsv_to_rgb(hue, 0.55, value))
+
+
+class Light:
+    """One far light and an even glow. direction is the way the light travels."""
+
+    def __init__(self, direction, ambient, colour, sky):
+        length = sum(c * c for c in direction) ** 0.5
+        self.direction = [c / length for c in direction]
+        self.ambient = ambient
+        self.colour = [c / 255 for c in colour]
+        self.sky = [c / 255 for c in sky]
+
+    def bake(self, colour, normal):
+        """The colour of a face with this normal (2.30). The light falls off as
+        (1 + cosine)/2 to the power of 1.5, so that sides turned from it keep their
+        shape; the glow comes from above, and a face that looks down gets three
+        quarters of it."""
+        facing = -sum(d * n for d, n in zip(self.direction, normal)) / 2 ** 30
+        glow = self.ambient * (0.875 + 0.125 * normal[1] / 2 ** 30)
+        direct = (1 - self.ambient) * max(0.0, (1 + facing) / 2) ** 1.5
+        return tuple(min(255, max(0, round(c * (glow * s + direct * l))))
+                     for c, s, l in zip(colour, self.sky, self.colour))
+
+
+def lit(colour, strength, tint):
+    """A baked colour in a beam of light: what it sends back of the light comes to it."""
+    return tuple(min(255, round(c * (1 + strength * t / 255))) for c, t in zip(colour, tint))
+
+
+def _ranges(group):
+    """How far the colours of a group reach in red, green and blue."""
+    return [max(axis) - min(axis) for axis in zip(*group)]
+
+
+def median_cut(weights, count):
+    """Distinct colours merged into count groups: {colour: group's mean}."""
+    groups = [sorted(weights)]
+    spreads = [_ranges(groups[0])]
+    while len(groups) < count:
+        widest = max(range(len(groups)), key=lambda i: (max(spreads[i]), len(groups[i]), -i))
+        group, ranges = groups.pop(widest), spreads.pop(widest)
+        axis = ranges.index(max(ranges))
+        group.sort(key=lambda c: (c[axis], c))
+        middle = (group[0][axis] + group[-1][axis]) / 2
+        cut = sum(1 for c in group if c[axis] <= middle)
+        groups += [group[:cut], group[cut:]]
+        spreads += [_ranges(group[:cut]), _ranges(group[cut:])]
+    merged = {}
+    for group in groups:
+        total = sum(weights[c] for c in group)
+        mean = tuple(round(sum(weights[c] * c[k] for c in group) / total) for k in range(3))
+        merged.update(dict.fromkeys(group, mean))
+    return merged
+
+
+def allocate(background, wanted, reserved=()):
+    """Palette and index of each wanted colour. wanted counts faces by colour:
+    an int is a palette index asked for, a tuple is red, green, blue. reserved:
+    the colours of the last entries, which no face gets. Answers
+    (palette, {colour: index}, number of distinct baked colours that were
+    merged with others, or 0)."""
+    fixed = {c for c in wanted if isinstance(c, int)}
+    baked = {c: n for c, n in wanted.items() if not isinstance(c, int)}
+    end = ENTRIES - len(reserved)
+    palette = [background] + [(0, 0, 0)] * (end - 1) + list(reserved)
+    for index in fixed - {0}:
+        if index >= end:
+            raise ToolError(f"colour_index {index} is one of the entries {end}..{ENTRIES - 1} that palette.reserve "
+                            "keeps for the program")
+        palette[index] = wheel(index)
+    free = [i for i in range(1, end) if i not in fixed]
+    if baked and not free:
+        raise ToolError(f"colour_index and palette.reserve use up all {ENTRIES - 1} palette entries; "
+                        "nothing is left for objects with colour")
+    merged = {c: c for c in baked}
+    if len(baked) > len(free):
+        merged = median_cut(baked, len(free))
+    entries = {mean: free[i] for i, mean in enumerate(sorted(set(merged.values())))}
+    for mean, index in entries.items():
+        palette[index] = mean
+    indices = {c: entries[merged[c]] for c in baked}
+    indices.update({i: i for i in fixed})
+    return palette, indices, len(baked) if len(baked) > len(free) else 0

@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: MIT
+"""How surfaces lie on faces, and the records of a scene image that say so.
+
+A face's texture coordinates must be affine over it (docs/formats.md, section 1.12): a face of a file whose
+coordinates are not is cut into triangles."""
+
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+import functools
+from math import lcm
+
+from fixel.image import image_surface
+from fixel.scene import light_palette
+from fixel.base.errors import ToolError
+from fixel.image.image import Face
+from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
+from fixel.model.mesh import UNIT, cross, dot, minus, newell, transform, unit_normal
+from fixel.base.reading import quoted
+
+BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
+DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_surface.DIVIDE_1,
+             "affine": image_surface.AFFINE}
+
+
+@dataclass(frozen=True)
+class Paint:
+    """A texture as a scene asks for it, without its colours. Equal only if the same picture is."""
+    picture: object         # texture.Picture
+    bits: int
+    clamp: bool
+    name: str = field(default="", compare=False)    # for a program that is exported
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a face looks like, and where three of its corners are on the texture. colours: those that the picture's
+    become on this face, as red, green, blue; none without a texture. normals: at these corners, in 2.30, of what is lit."""
+    paint: Paint
+    colours: tuple
+    division: int
+    flags: int
+    opacity: int
+    corners: tuple
+    texels: tuple
+    normals: tuple = ()
+
+
+# --- coordinates ---------------------------------------------------------------------------------
+
+def box_axes(normal):
+    """(index, sign) of the axes along u and along v of a face, as one who looks at its front sees them: of the three
+    planes of a box the one that the face is nearest to."""
+    axis = max(range(3), key=lambda i: (abs(normal[i]), -i))
+    front = 1 if normal[axis] > 0 else -1
+    if axis == 0:
+        return (2, front), (1, -1)
+    if axis == 1:
+        return (0, 1), (2, -front)
+    return (0, -front), (1, -1)
+
+
+def box_coordinates(mesh, scale, inside, per_unit, offset):
+    """For each face of a mesh (u, v) in texels of each corner, by planes of a box about the mesh before it turns.
+    per_unit: texels a world unit."""
+    common = lcm(*(Fraction(s).denominator for s in scale))
+    sizes = [int(s * common) for s in scale]
+    points = [tuple(c * s for c, s in zip(vertex, sizes)) for vertex in mesh.vertices]  # in 1/(UNIT common)
+    # Integers up to the last step: a Fraction takes ten times as long.
+    texel, (left, above) = Fraction(per_unit) / (UNIT * common), map(Fraction, offset)
+    whole = lcm(texel.denominator, left.denominator, above.denominator)
+    step, left, above = int(texel * whole), int(left * whole), int(above * whole)
+    result = []
+    for face in mesh.faces:
+        outline = [points[c] for c in face]
+        (i, along), (j, down) = box_axes([n * (-1 if inside else 1) for n in newell(outline)])
+        result.append([(Fraction(along * step * p[i] + left, whole), Fraction(down * step * p[j] + above, whole))
+                       for p in outline])
+    return result
+
+
+def _over_one_denominator(values):
+    """(numerators, denominator) of Fractions."""
+    common = lcm(*[value.denominator for value in values])
+    return [value.numerator * (common // value.denominator) for value in values], common
+
+
+def _tiled_axis(values, side):
+    """The coordinates of a face's corners along one axis, moved and stretched to 0..side."""
+    numbers, _ = _over_one_denominator(values)
+    low, high, side = min(numbers), max(numbers), Fraction(side)
+    if high == low:
+        return [Fraction(0)] * len(values)
+    return [Fraction((number - low) * side.numerator, (high - low) * side.denominator) for number in numbers]
+
+
+def tiled(coordinates, size):
+    """The same, moved and stretched so that a face's bounding rectangle is so many texels."""
+    return [list(zip(*(_tiled_axis(axis, side) for axis, side in zip(zip(*face), size)))) for face in coordinates]
+
+
+def _backs(faces):
+    """For each face whether it is the back of one before it."""
+    seen = set()
+    for face in faces:
+        corners = frozenset(face.corners)
+        yield corners in seen
+        seen.add(corners)
+
+
+def smooth_normals(made):
+    """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
+    area. Fronts and backs have means of their own."""
+    totals, backs = {}, list(_backs(made.faces))
+    for face, back in zip(made.faces, backs):
+        area = newell([made.vertices[c] for c in face.corners])
+        for c in face.corners:
+            totals[c, back] = tuple(p + q for p, q in zip(totals.get((c, back), (0, 0, 0)), area))
+    normals = {key: unit_normal(total) if any(total) else None for key, total in totals.items()}
+    return [[normals[c, back] or face.normal for c in face.corners] for face, back in zip(made.faces, backs)]
+
+
+# --- faces ---------------------------------------------------------------------------------------
+
+@functools.lru_cache(1 << 14)      # a face comes here twice
+def _best_corners(points):
+    """Three corners of an outline, in rising order, whose triangle is the largest; of several the first. points: a
+    tuple."""
+    if len(points) == 3:
+        return 0, 1, 2
+    largest, best = -1, None
+    for i, (x, y, z) in enumerate(points[:-2]):
+        edges = [(a - x, b - y, c - z) for a, b, c in points[i + 1:]]
+        for j, (p, q, r) in enumerate(edges[:-1], i + 1):
+            for k, (a, b, c) in enumerate(edges[j - i:], j + 1):
+                u, v, w = q * c - r * b, r * a - p * c, p * b - q * a
+                square = u * u + v * v + w * w
+                if square > largest:
+                    largest, best = square, (i, j, k)
+    return best
+
+
+def _is_affine(points, coordinates, three):
+    """Whether every corner's coordinates are those that three of them give it."""
+    first, one, two = (points[i] for i in three)
+    e, f = minus(one, first), minus(two, first)
+    ee, ef, ff = dot(e, e), dot(e, f), dot(f, f)
+    whole = ee * ff - ef * ef
+    axes = [_over_one_denominator(axis) for axis in zip(*coordinates)]
+    for number, point in enumerate(points):
+        if number in three:
+            continue
+        pe, pf = dot(minus(point, first), e), dot(minus(point, first), f)
+        s, t = pe * ff - pf * ef, pf * ee - pe * ef     # of whole
+        for values, common in axes:
+            a, b, c = (values[i] for i in three)
+            bend = (a - values[number]) * whole + s * (b - a) + t * (c - a)
+            if abs(bend) * BEND_MAX.denominator > BEND_MAX.numerator * whole * common:
+                return False
+    return True
+
+
+def _source_coordinates(mesh, rows, made, coordinates):
+    """For each face of a shape the coordinates of its corners, from those of the mesh's face that it came from."""
+    points, result, last = transform(mesh, rows), [], None
+    for face, source in zip(made.faces, made.sources):
+        if source != last:      # the pieces of a face stand together
+            known, last = {points[c]: uv for c, uv in reversed(list(zip(mesh.faces[source], coordinates[source])))}, source
+        result.append([known[made.vertices[c]] for c in face.corners])
+    return result
+
+
+def spread(mesh, rows, made, coordinates):
+    """(shape, coordinates of each face's corners): a shape whose coordinates are affine over each face. made: the shape
+    of the mesh and of the matrix. coordinates: for each face of the mesh, of each corner; None where it has none."""
+    faces, sources, result = [], [], []
+    for face, source, found in zip(made.faces, made.sources, _source_coordinates(mesh, rows, made, coordinates)):
+        outline = tuple(made.vertices[c] for c in face.corners)
+        if len(outline) == 3 or _is_affine(outline, found, _best_corners(outline)):
+            pieces = [range(len(outline))]
+        else:
+            pieces = [(0, i, i + 1) for i in range(1, len(outline) - 1)]
+            pieces = [p for p in pieces if any(cross(minus(outline[p[1]], outline[0]), minus(outline[p[2]], outline[0])))]
+        for piece in pieces:
+            faces.append(Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
+            sources.append(source)
+            result.append([found[i] for i in piece])
+    return replace(made, faces=faces, sources=sources), result
+
+
+def _q16(value):
+    """A Fraction in 16.16, to nearest."""
+    return ((value.numerator << 17) + value.denominator) // (2 * value.denominator)
+
+
+def place(points, coordinates, paint, where):
+    """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
+    least coordinates are small. A paint without a picture has no texels."""
+    three = _best_corners(tuple(points))
+    if paint.picture is None:
+        return three, ((0, 0),) * 3
+    moved = (0, 0)
+    if not paint.clamp:
+        sides = paint.picture.width, paint.picture.height
+        moved = [min(axis) // side * side for axis, side in zip(zip(*coordinates), sides)]
+    texels = tuple([(_q16(u) - (moved[0] << 16), _q16(v) - (moved[1] << 16)) for u, v in map(coordinates.__getitem__, three)])
+    if any(abs(c) > image_surface.TEXEL_MAX for texel in texels for c in texel):
+        raise ToolError(f"{where}: a face is more than 16383 texels long; give fewer texels_per_unit, or divide the face")
+    return three, texels
+
+
+# --- records -------------------------------------------------------------------------------------
+
+def _pack_4(numbers):
+    flat = [number for row in numbers for number in row]
+    return bytes(low | high << 4 for low, high in zip(flat[::2], flat[1::2]))
+
+
+def _texture(paint, entries):
+    """The record of a paint. entries: the palette index of each of its colours. What is clear has index 0, the
+    background's, which no colour has."""
+    picture = paint.picture
+    flags = (image_surface.CLAMP if paint.clamp else 0) | (image_surface.KEYED if picture.has_clear else 0)
+    sides, count = (picture.width.bit_length() - 1, picture.height.bit_length() - 1), len(picture.levels)
+    if paint.bits == 4:
+        clear = len(entries)        # the first number that no colour has
+        texels = b"".join(_pack_4([[clear if n is None else n for n in row] for row in level]) for level in picture.levels)
+        return Texture(*sides, texels, bytes((list(entries) + [0] * 16)[:16]), image_surface.BITS_4, flags, 0, count)
+    texels = bytes(0 if n is None else entries[n] for level in picture.levels for row in level for n in row)
+    return Texture(*sides, texels, b"", image_surface.BITS_8, flags, 0, count)
+
+
+def blend_table(colours, sixteenths, blended):
+    """For each of these entries of the palette 256 others: what it shows over each, as fxl_blend_make_table has it."""
+    nearest = light_palette.Nearest(colours)
+    rows = [nearest.of_all([light_palette.between(under, colours[number], sixteenths, 16) for under in colours])
+            for number in blended]
+    return [[number if beneath == number else shown for beneath, shown in enumerate(row)] for number, row in zip(blended, rows)]
+
+
+class Records:
+    """Collects the textures and surfaces of a scene. indices: the palette index of each colour. work: a work.Work."""
+
+    def __init__(self, indices, work):
+        self.work, self.indices = work, indices
+        self.textures, self.surfaces, self.normals = {}, {}, {}
+        self.known = {}     # (paint, id of its colours): number of a texture, the colours
+        self.made, self.blended = Surfaces(), set()     # colours
+
+    def _texture(self, look):
+        """The number of a look's texture, counted from 1; 0 without one."""
+        if look.paint is None:
+            return 0
+        same = look.paint, id(look.colours)     # most faces of a paint share one object
+        if same not in self.known:
+            entries = tuple(self.indices[colour] for colour in look.colours)
+            key = look.paint, entries
+            if key not in self.textures:
+                texels = sum(len(level) * len(level[0]) for level in look.paint.picture.levels)
+                self.work.take("texels of textures", texels, f"texture {quoted(look.paint.name)}")
+                self.made.textures.append(_texture(look.paint, entries))
+                self.made.texture_names.append(look.paint.name)
+                self.textures[key] = len(self.made.textures)
+            self.known[same] = self.textures[key], look.colours     # which keeps the id its own
+        return self.known[same][0]
+
+    def mapped(self, look, own):
+        """The record of a face whose own colour is this; None without a look."""
+        if look is None:
+            return None
+        if look.flags & image_surface.BLENDED:
+            self.blended.update(look.colours or (own,))
+        surface = Surface(self._texture(look), look.division, look.flags, look.opacity)
+        if surface not in self.surfaces:
+            self.surfaces[surface] = len(self.made.surfaces)
+            self.made.surfaces.append(surface)
+        return Mapped(self.surfaces[surface], look.corners, look.texels,
+                      tuple(map(self._normal, look.normals)) if look.normals else (0, 0, 0))
+
+    def _normal(self, normal):
+        """The number of a corner's normal."""
+        if normal not in self.normals:
+            self.normals[normal] = len(self.made.normals)
+            self.made.normals.append(normal)
+        return self.normals[normal]
+
+    def result(self, colours, sixteenths):
+        """The surfaces; None if no face has one. colours: of the palette; sixteenths: what a blended colour shows of
+        itself."""
+        blended = {self.indices[colour] for colour in self.blended}
+        if blended:
+            first, end = min(blended), max(blended) + 1
+            self.work.take("colours blended", end - first, "blend")
+            self.made.blend_first = first
+            self.made.blend = blend_table(colours, sixteenths, range(first, end))
+        return self.made if self.made.surfaces else None

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
+
+from fractions import Fraction
+import math
+
+from fixel.base import reading
+from fixel.model import merge, model_file
+from fixel.base.errors import ToolError
+from fixel.model.mesh import UNIT, rounding_error, shape
+from fixel.base.reading import Beside, quoted
+from fixel.model.sources import Sources
+
+KEYS = {"obj", "model", "fit", "mend", "merge"}
+FIT_MAX = 16382
+
+
+class Files:
+    """The meshes of a scene's model files. A file is one however its name is spelled, so it is read once. Its key is its
+    name, or the Beside that stands for it in messages."""
+
+    def __init__(self, folder, work=None):
+        self.folder, self.sources = folder, Sources(work)
+        self.by_name, self.by_path, self.meshes = {}, {}, {}
+
+    def file(self, name):
+        """The Beside of a name: the same one for all names of a file that is read in the same way."""
+        if name not in self.by_name:
+            file = Beside(self.folder, name)
+            self.sources.count_name(file, file)
+            real = reading.identity(file)
+            reader = model_file.READERS.get(model_file.suffix_of(file), model_file.READERS[".obj"])
+            self.by_name[name] = self.by_path.setdefault((real, reader), file)
+        return self.by_name[name]
+
+    def _key(self, name):
+        return name if isinstance(name, Beside) else self.file(name)
+
+    def __contains__(self, name):
+        return self._key(name) in self.meshes
+
+    def __getitem__(self, name):
+        return self.meshes[self._key(name)]
+
+    def __setitem__(self, name, mesh):
+        self.meshes[self._key(name)] = mesh
+
+    def values(self):
+        """The mesh of each file."""
+        return self.meshes.values()
+
+
+def read(table, key, files, progress):
+    """(mesh, its Beside, notes) of an object's file; files: a Files with those that were read already."""
+    name = table.text(key)
+    if key == "obj" and model_file.is_model(name) and model_file.suffix_of(name) != ".obj":
+        raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
+    file = files.file(name)
+    if file in files:
+        return files[file], file, []
+    if not file.exists():
+        raise ToolError(f"{table.at(key)}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
+    reader = model_file.READERS[".obj"] if key == "obj" else model_file.reader_of(name)
+    mesh, notes = reader(file, None, progress, files.sources)
+    return mesh, file, notes
+
+
+def short(value):
+    """A positive Fraction with sixteen significant bits: they do, and make the same numbers everywhere."""
+    bits = 16 - math.frexp(value)[1]
+    return Fraction(round(value * Fraction(2) ** bits)) / Fraction(2) ** bits
+
+
+def fit(table, mesh):
+    """The scale that makes the model's largest extent so many units."""
+    wanted = table.number("fit", None, Fraction(1, 1000), FIT_MAX, "world units")
+    if "scale" in table:
+        raise ToolError(f"{table.where}: both fit and scale are given; keep one")
+    if mesh.extent == 0:
+        raise ToolError(f"{table.at('fit')}: the model has no extent: all its vertices are one point")
+    return (short(wanted * UNIT / mesh.extent),) * 3
+
+
+def wishes(table, name):
+    """(mend, merge) of an object with a file."""
+    default = model_file.holds_triangles(name)
+    return table.switch("mend", default), table.switch("merge", default)
+
+
+def make(mesh, rows, name, inside, wanted, progress):
+    """The shape of a file's mesh (mesh.shape), with a note that says how far rounding moved it. wanted: see wishes."""
+    mends, merges = wanted
+    made = shape(mesh, rows, name, inside, progress, mends)
+    if merges:
+        gone = merge.coplanar(made, mesh.surfaces.kind_of if mesh.surfaces else lambda source: 0, progress)
+        if gone:
+            made.notes.append(f"{name}: {gone:,} faces merged with neighbours in their plane; {len(made.faces):,} are left")
+    if mends or merges:
+        made.notes.append(f"{name}: {len(mesh.vertices):,} vertices welded to {len(made.vertices):,}; rounded to 16.16, a "
+                          f"coordinate is at most {rounding_error(mesh, rows):.2f}/65536 unit off")
+    return made

@@ -1,0 +1,400 @@
+# SPDX-License-Identifier: MIT
+"""Objects of a scene file: which mesh, where, how large, how turned, in which
+colours. Each becomes one or more placements of a coloured shape."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+import math
+
+from fixel.image import image
+from fixel.model import island, quantity, solids
+from fixel.scene import (palette, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
+                         toml_places, toml_texture)
+from fixel.base.errors import ToolError
+from fixel.model.convex import is_convex
+from fixel.model.mesh import FACES_MAX, shape, two_sided
+from fixel.base.reading import quoted
+from fixel.scene.toml_table import Table
+from fixel.model.turning import matrix
+
+KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "inside", "parts", "position",
+        "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
+        "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
+        "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
+SCALE_MAX = 16384
+PLACEMENTS_MAX = 65535
+
+
+@dataclass
+class Placement:
+    """A model put somewhere: colours are still wishes, an int for a palette
+    index and a tuple for red, green, blue."""
+    shape: object
+    colours: tuple
+    kind: int
+    centre: tuple
+    layer: int
+    moves: bool
+    clusters: bool
+    where: str
+    name: str = None
+    looks: tuple = ()       # a surfaces.Look or None for each face; none if no face has a surface
+    board: object = None    # a toml_billboard.Wish
+    life: object = None     # a toml_motion.Life, of what is turned; its centre is then without the rise
+
+
+def _scale(table):
+    value = table.data.get("scale", 1)
+    if isinstance(value, list):
+        scale = quantity.vector(value, table.at("scale"))
+    else:
+        scale = (quantity.fraction(value, table.at("scale")),) * 3
+    for item in scale:
+        if not 0 < item <= SCALE_MAX:
+            raise ToolError(f"{table.at('scale')} = {quantity.shown(item)} is outside "
+                            f"0..{SCALE_MAX} (0 not included)")
+    return scale
+
+
+def _rotation(table):
+    value = table.data.get("rotation", [0, 0, 0])
+    if not isinstance(value, list):
+        value = [value, 0, 0]
+    if len(value) != 3:
+        raise ToolError(f"{table.at('rotation')}: expected yaw or [yaw, pitch, roll] in degrees")
+    return tuple(quantity.degrees(v, f"{table.at('rotation')}[{i}]") for i, v in enumerate(value))
+
+
+def _solid_options(table):
+    options = {}
+    if "sides" in table:
+        options["sides"] = table.whole("sides", None, 3, solids.SIDES_MAX)
+    if "rings" in table:
+        options["rings"] = table.whole("rings", None, 2, solids.SIDES_MAX)
+    if "taper" in table:
+        options["taper"] = float(table.number("taper", None, Fraction(1, 100), 10))
+    if "cells" in table:
+        options["cells"] = table.wholes("cells", 2, 200)
+    if "seed" in table:
+        options["seed"] = table.whole("seed", None, 0, 65535)
+    if "sea" in table:
+        options["sea"] = float(table.number("sea", None, 0, Fraction(9, 10)))
+    return options
+
+
+def _parts(table):
+    """(across, along) of the parts that an object is divided into; None for one that is not."""
+    return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
+
+
+class Objects:
+    """Compiles the objects of one scene. files: a toml_model.Files. notes are told to the user, once each."""
+
+    def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None):
+        self.name, self.light = name, light
+        self.notes, self.progress = notes, progress
+        self.files, self.work, self.shapes, self.coloured, self.surfaces = files, files.sources.work, {}, {}, {}
+        self.textures, self.looks = textures or {}, {}
+        self.billboards, self.boards = billboards or {}, {}
+        self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
+        self.count = self.placed = 0    # objects, and their vertices
+
+    def mesh(self, table):
+        """(mesh, name, identity) of an object's solid or file."""
+        source = table.only_one("obj", "model", "solid")
+        if source == "solid":
+            for key in sorted(toml_model.KEYS - {"obj", "model"}):
+                if key in table:
+                    raise ToolError(f"{table.at(key)}: means nothing for a solid")
+            name = table.choice("solid", None, list(solids.SOLIDS))
+            options = _solid_options(table)
+            identity = (name, *sorted(options.items()))
+            if identity not in self.solids:
+                self.work.take("solids", 1, table.where)
+                self.work.take("cells of islands" if name == "island" else "cells of other solids", solids.cells(name, options),
+                               table.where)
+                self.solids[identity] = solids.make(name, options, table.where)
+            return self.solids[identity], table.where, identity
+        for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
+            if key in table:
+                raise ToolError(f"{table.at(key)}: means nothing for a file")
+        self.files[table.text(source)], name, notes = toml_model.read(table, source, self.files, self.progress)
+        self.notes += notes
+        return self.files[name], name, (name,)
+
+    def _shape(self, table, scale, rotation, look):
+        """The shape, whether it is convex, and where its corners are on its textures, computed once for each mesh, size,
+        turn and texture."""
+        mesh, name, identity = self.mesh(table)
+        inside = table.switch("inside", False)
+        rotation = tuple(a % 360 for a in rotation)
+        sides = self._sides(table)
+        scale = toml_model.fit(table, mesh) if "fit" in table else scale
+        wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
+        wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
+        key = (identity, scale, rotation, inside, sides, wanted, look.key)
+        if key not in self.shapes:
+            self._count_shape(mesh, wanted, table.where)
+            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
+            self.notes += made.notes
+            made = self._with_sides(made, sides, name, "solid" not in table)
+            convex, coordinates = is_convex(made.vertices, made.faces), None
+            if look.wanted():
+                made, coordinates = self._with_coordinates(look, mesh, (scale, rotation), made, inside, table.where)
+            self.shapes[key] = (made, convex, coordinates)
+        return self.shapes[key]
+
+    def _count_shape(self, mesh, wanted, where):
+        """Counts the work of a shape before it is made."""
+        for kind, count in (("shapes", 1), ("vertices", len(mesh.vertices)), ("faces", len(mesh.faces)),
+                            ("corners of faces with many", mesh.squares),
+                            ("faces merged", len(mesh.faces) if wanted[1] else 0)):
+            self.work.take(kind, count, where)
+
+    def _with_coordinates(self, look, mesh, turned, made, inside, where):
+        """The shape, in faces over which its texture coordinates are affine, and these."""
+        kind = "faces with textures" if any(look.paints) else "faces with light or opacity"
+        self.work.take("shapes with surfaces", 1, where)
+        self.work.take(kind, max(len(made.faces), len(mesh.faces)), where)
+        self.work.take("corners of surfaces", sum(len(face.corners) ** 3 for face in made.faces), where)
+        found = toml_texture.shape_of(look, mesh, matrix(*turned), made, turned[0], inside)
+        self.work.take(kind, len(found[0].faces) - len(made.faces), where)
+        return found
+
+    @staticmethod
+    def _sides(table):
+        """False, True, or "open": both sides only where the mesh is open."""
+        value = table.data.get("two_sided", False)
+        if not isinstance(value, bool) and value != "open":
+            raise ToolError(f"{table.at('two_sided')}: expected true, false or \"open\", found {quoted(value)}")
+        return value
+
+    def _with_sides(self, made, sides, name, told):
+        """The shape, with faces for both sides where they are wanted; told: says that the mesh is open."""
+        fits = 2 * len(made.faces) <= FACES_MAX
+        if sides is True and not fits:
+            raise ToolError(f"{name}: two_sided: twice {len(made.faces):,} faces are more than the limit of "
+                            f"{FACES_MAX:,}; simplify the model")
+        both = sides is True or (sides == "open" and made.open_edges > 0 and fits)
+        if made.open_edges and told:
+            why = "two_sided = true in a scene file shows both sides" if fits else \
+                f"both sides would be more than {FACES_MAX:,} faces"
+            self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: the model is open, and "
+                              "its faces show from " + ("both sides" if both else f"their fronts only ({why})"))
+        return two_sided(made) if both else made
+
+    def _kind(self, table, convex):
+        """Convex or sorted; checked where it is stated."""
+        stated = table.choice("kind", "", ["", "convex", "sorted"])
+        if stated == "convex" and not convex:
+            raise ToolError(f"{table.at('kind')}: this model is not convex (some vertices stand "
+                            "out in front of some face); leave kind away or say \"sorted\"")
+        if not stated and not convex:
+            self.notes.append(f"{table.where}: not convex, so its faces are sorted far to near")
+        return image.CONVEX if convex and stated != "sorted" else image.SORTED
+
+    def _wish(self, table, look):
+        """What colours an object's faces wish for, as a key of self.coloured. With textures: their mean colours."""
+        if "colour_index" in table:
+            return ("index", table.whole("colour_index", None, 1, 255) - 1, table.whole("colour_next", 0, 0, 254),
+                    table.whole("colour_step", 0, 0, 254))
+        for key in ("colour_step", "colour_next"):
+            if key in table:
+                raise ToolError(f"{table.at(key)}: needs colour_index")
+        if "colours" in table:
+            bases = tuple(palette.parse(c, f"{table.at('colours')}[{i}]")
+                          for i, c in enumerate(table.rows("colours")))
+            if table.data.get("solid") == "island":
+                mesh, _, identity = self.mesh(table)
+                colours = self._shared((identity, bases), lambda: island.by_height(mesh, bases))
+            else:
+                colours = self._shared((bases, look.images), lambda: bases, look)
+        elif look.images and "colour" not in table:
+            colours = look.images.colours
+        elif "colour" not in table and "solid" not in table and self.mesh(table)[0].surfaces:
+            colours = self._shared((self.mesh(table)[1], None), lambda: self._of_file(self.mesh(table)[1]))
+        else:
+            own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
+            bases = (own,) if "colour" in table else tuple(p.picture.mean if p else own for p in look.paints)
+            colours = self._shared((bases, look.images), lambda: bases, look)
+        return "shaded" if table.switch("shade", True) else "plain", colours
+
+    def _shared(self, key, make, look=None):
+        """The toml_images.Colours of a wish; the same object for the same wish. Under an image a face's own colour is
+        hardly ever seen: it takes no shade, so that few entries are its."""
+        if key not in self.shared:
+            covered = (look.images.covered,) if look and look.images else ()
+            self.shared[key] = toml_images.Colours(make(), *covered)
+        return self.shared[key]
+
+    def _of_file(self, name):
+        """The colours of a file's faces; the same object for the same file."""
+        if name not in self.surfaces:
+            surfaces = self.files[name].surfaces
+            self.surfaces[name] = tuple(surfaces.colours())
+            clear = sum(surfaces.materials[number].opacity < 1 for number in surfaces.of_face)
+            if clear:
+                self.notes.append(f"{name}: faces that are partly transparent are drawn opaque: {clear:,}")
+        return self.surfaces[name]
+
+    def _colours(self, made, wish, copy, clusters, where):
+        """What colour each face of a shape wishes for; the same object for the same wish."""
+        key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0, clusters
+        if key in self.coloured:
+            return self.coloured[key]
+        self.work.take("faces coloured", len(made.faces), where)
+        if wish[0] == "index":
+            _, first, then, step = wish
+            colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
+        elif wish[0] == "plain":
+            bases = wish[1].bases
+            colours = tuple(bases[s % len(bases)] for s in made.sources)
+        else:
+            bases, covered = wish[1].bases, wish[1].covered
+            colours = tuple(bases[s % len(bases)] if covered[s % len(covered)] else
+                            self.light.bake(bases[s % len(bases)], face.normal)
+                            for s, face in zip(made.sources, made.faces))
+        self.coloured[key] = colours
+        return colours
+
+    def _looks(self, made, coordinates, look, shaded, where):
+        """The looks of a shape's faces; the same object for the same wish."""
+        if coordinates is None:
+            return ()
+        changes = look.lit if isinstance(self.light, toml_light.RunTime) else shaded
+        key = id(made), look.key, changes
+        if key not in self.looks:
+            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, self.work, where)
+        return self.looks[key]
+
+    def _count_placed(self, vertices, where):
+        self.placed += vertices
+        if self.placed > image.PLACED_MAX:
+            raise ToolError(f"{where}: the objects have more than the limit of {image.PLACED_MAX:,} vertices together; "
+                            "use fewer copies or smaller models")
+
+    def _places(self, table):
+        """(position, extra yaw) of every placement, in order."""
+        count, rings = toml_places.count(table)
+        room = PLACEMENTS_MAX - self.count
+        if count > room:
+            raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
+                            f"{PLACEMENTS_MAX:,} objects, and {PLACEMENTS_MAX - room:,} stand before these")
+        self.count += count
+        self.work.take("copies", count, table.where)
+        self.work.take("places on rings or in positions", rings, table.where)
+        return toml_places.places(table)
+
+    def placements(self, data, number):
+        """All placements of the object that stands number-th in the file."""
+        name = data.get("name") if isinstance(data, dict) else None
+        where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
+        has_billboard = isinstance(data, dict) and "billboard" in data
+        self.work.take("objects", 1, where)
+        table = Table(data, where, toml_billboard.OBJECT_KEYS if has_billboard else KEYS)
+        if "name" in table:
+            table.text("name")
+        if has_billboard:
+            return self._billboards(table, name)
+        if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
+            raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
+        scale, rotation = _scale(table), _rotation(table)
+        anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
+        look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
+                                 lambda: self.mesh(table)[0], self.images)
+        layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
+        clusters = table.switch("clusters", False)
+        places = self._places(table)
+        life, turned, division = toml_motion.read(table, self.work), toml_places.ring_is_turned(table), _parts(table)
+        if division and (life or turned):
+            raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
+        if life or turned:
+            self.work.take("turned or moving objects", len(places), where)
+        shaped, coloured, result = {}, {}, []   # by yaw, and where copies differ by number too
+        for i, (position, yaw) in enumerate(places):
+            baked = 0 if turned else yaw
+            place = where + (f", copy {i}" if i else "")
+            if baked not in shaped:
+                self.work.take("copies that differ", len(places) > 1, place)
+                made, convex, coordinates = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]), look)
+                moved = made.middle if anchor != "origin" else (0, 0, 0)
+                self.work.take("vertices placed", len(made.vertices), place)
+                shaped[baked] = made, moved, self._kind(table, convex), coordinates, _ends(made, moved)
+            made, moved, kind, coordinates, ends = shaped[baked]
+            key = baked, i if "colour_next" in table else 0
+            if key not in coloured:
+                coloured[key] = (self._colours(made, wish, i, clusters, place),
+                                 self._looks(made, coordinates, look, wish[0] == "shaded", place))
+            colours, looks = coloured[key]
+            self._count_placed(len(made.vertices), place)
+            if clusters and kind != image.SORTED:
+                raise ToolError(f"{table.at('clusters')}: the faces of a convex model have no clusters; leave clusters "
+                                "away or say kind = \"sorted\"")
+            rise = made.half_height if anchor == "base" else 0
+            if life or turned:
+                own = (life or toml_motion.Life()).on_ring(yaw if turned else 0, rise)
+                result.append(Placement((made, moved), colours, kind, position, layer, True, clusters, place, name, looks,
+                                        life=own))
+                continue
+            centre = _centre(position, rise, ends, place)
+            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
+            if division:
+                result += self._parts_of(result.pop(), division, table, PLACEMENTS_MAX - self.count + len(places) - len(result))
+        self.count += len(result) - len(places)
+        return result
+
+    def _parts_of(self, whole, division, table, room):
+        """The placements of an object's parts, which are made once for each shape and colouring. room: how many more the
+        scene may have."""
+        key = id(whole.shape[0]), whole.shape[1], id(whole.colours), id(whole.looks), division
+        if key not in self.divided:
+            self.work.take("faces in parts", len(whole.colours), whole.where)
+            self.work.take("parts", min(len(whole.colours), math.prod(division)), whole.where)
+            self.divided[key] = parts.split(whole, division, table.data.get("kind") == "sorted")
+        divided = self.divided[key]
+        if len(divided) > room:
+            raise ToolError(f"{table.at('parts')}: the parts of all copies are more than the limit of {PLACEMENTS_MAX:,} "
+                            "objects of a scene; use fewer parts or copies")
+        self.work.take("copies", len(divided), whole.where)
+        return [part.placed(whole) for part in divided]
+
+    def _billboards(self, table, name):
+        """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""
+        wish = toml_billboard.of_object(table, self.billboards)
+        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table, self.work)
+        if toml_places.ring_is_turned(table):
+            raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
+        places = self._places(table)
+        self.work.take("turned or moving objects", len(places) if life else 0, table.where)
+        if wish not in self.boards:
+            self.work.take("texels of textures", wish.picture.width * wish.picture.height, table.where)
+            self.boards[wish] = toml_billboard.shape_of(wish), (wish.picture.mean,)
+        made, colours = self.boards[wish]
+        result = []
+        for i, (position, _) in enumerate(places):
+            place = table.where + (f", copy {i}" if i else "")
+            self._count_placed(len(made.vertices), place)
+            centre = position if life else _centre(position, 0, _ends(made, (0, 0, 0)), place)
+            result.append(Placement((made, (0, 0, 0)), colours, image.CONVEX, centre, layer, bool(life) or moves, False, place,
+                                    name, board=wish, life=life.on_ring(0, 0) if life else None))
+        return result
+
+
+def _ends(made, moved):
+    """The least and greatest x, y and z of a shape about the point that is placed."""
+    return [(min(axis) - c, max(axis) - c) for axis, c in zip(zip(*made.vertices), moved)]
+
+
+def _centre(position, rise, ends, where):
+    """The object's centre in 16.16, with every vertex inside the world."""
+    centre = [quantity.q16(value) for value in position]
+    for i, value in enumerate(centre):
+        if abs(value) > image.COORDINATE_MAX:
+            quantity.in_range(position[i], -8191, 8191, f"{where}: position[{i}]", "world units")
+    centre[1] += rise
+    for name, middle, along in zip("xyz", centre, ends):
+        for end in along:
+            if abs(middle + end) > image.COORDINATE_MAX:
+                quantity.in_range(Fraction(middle + end, 65536), -8191, 8191, f"{where}: a vertex, at {name}",
+                                  "world units")
+    return tuple(centre)

@@ -1,0 +1,380 @@
+# SPDX-License-Identifier: MIT
+"""From a scene file to a scene image. docs/scenes.md describes the file."""
+
+import collections
+from fractions import Fraction
+import math
+import os
+
+from fixel.image import image, image_beam, image_header, image_lens
+from fixel.model import clusters, quantity
+from fixel.scene import (default_path, light_palette, palette, texture, toml_billboard, toml_light, toml_model,
+                         toml_motion, toml_table, toml_texture)
+from fixel.scene import path as walk
+from fixel.base.errors import ToolError
+from fixel.image.image import Face, Model, Object, SceneImage
+from fixel.base.reading import shortened
+from fixel.scene.surfaces import Records
+from fixel.scene.toml_object import Objects
+from fixel.scene.toml_table import Table
+from fixel.scene.work import STEPS_A_BYTE
+
+FRAMES_MAX = 1_000_000      # of a path
+POSES_MAX = 32_768          # of keys or an orbit
+TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
+            "textures", "billboards"}
+_VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility"}
+VISIBILITIES = {image_header.BY_DEFAULT: "default", image_header.BY_DEPTH: "depth"}   # that a scene may ask for
+_PALETTE_KEYS = {"reserve", "colours", "blend"}
+
+
+def _centre(view, width, height, fov, inset):
+    """The lens's centre in the image's integers; None for the middle of the screen."""
+    if "centre" not in view:
+        return None
+    numbers = view.need("centre")
+    if not isinstance(numbers, list) or len(numbers) != 2:
+        raise ToolError(f"{view.at('centre')}: expected [x, y] in pixels, from the upper left corner of the screen")
+    centre = tuple(quantity.q16(quantity.in_range(quantity.fraction(number, view.at("centre")), -4096, 4096,
+                                                  view.at("centre"), "pixels")) for number in numbers)
+    if centre == image_lens.middle(width, height):
+        return None
+    try:
+        image_lens.check_centre(width, height, fov, inset, centre)
+    except ToolError as error:
+        raise ToolError(f"{view.at('centre')}: {error}") from error
+    return centre
+
+
+def _lens(top):
+    """width, height, fov, near, far, inset, centre in the image's integers."""
+    screen = top.table("screen", {"width", "height"})
+    width = screen.whole("width", 320, 1, image_lens.SCREEN_MAX)
+    height = screen.whole("height", 240, 1, image_lens.SCREEN_MAX)
+    view = top.table("view", _VIEW_KEYS)
+    if "focal" in view and "fov" in view:
+        raise ToolError(f"{view.where}: both fov and focal are given; keep one")
+    if "focal" in view:
+        focal = view.number("focal", None, Fraction(1, 1000), 10000, "pixels")
+        turns = Fraction(math.atan2(width / 2, float(focal)) / math.pi)
+        fov = 360 * turns
+        quantity.in_range(fov, 10, 150, f"{view.at('focal')}: the field of view that it gives",
+                          "degrees")
+    else:
+        fov = quantity.in_range(view.degrees("fov", 75), 10, 150, view.at("fov"), "degrees")
+    # 10 and 150 degrees are no whole binary angles; the range ends just inside.
+    fov = min(max(quantity.angle(fov), image_lens.FOV_MIN), image_lens.FOV_MAX)
+    near = view.number("near", Fraction(1, 4), Fraction(1, 256), 32767, "world units")
+    far = view.number("far", 256, Fraction(1, 256), 32767, "world units")
+    inset = view.number("inset", 0, 0, 1, "world units")
+    near, far, inset = quantity.q16(near), quantity.q16(far), quantity.q16(inset)
+    if near + 2 * inset >= far:
+        raise ToolError(f"{view.where}: near + 2 inset = {(near + 2 * inset) / 65536:g} is not "
+                        f"below far = {far / 65536:g}")
+    return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
+
+
+def _visibility(top):
+    """The visibility method that the scene asks for, in the image's integers."""
+    name = top.table("view", _VIEW_KEYS).choice("visibility", "default", list(VISIBILITIES.values()))
+    return next(number for number, known in VISIBILITIES.items() if known == name)
+
+
+def _on_screen(lens, screen):
+    """The lens on a screen of another width and height, with the same field of view. As the focal length, the centre's
+    distance from the middle grows with the width."""
+    width, height, centre = *lens[:2], lens[-1]
+    if centre:
+        before, after = image_lens.middle(width, height), image_lens.middle(*screen)
+        centre = tuple(at + (value - old) * screen[0] // width for value, old, at in zip(centre, before, after))
+        centre = None if centre == after else centre
+    return (*screen, *lens[2:-1], centre)
+
+
+def _check_poses(count, work, kind, where):
+    """Refuses more poses than the limit, and counts them."""
+    if count > POSES_MAX:
+        raise ToolError(f"{where}: {count:,} frames are more than the limit of {POSES_MAX:,} that are computed; steps may "
+                        f"have up to {FRAMES_MAX:,}")
+    work.take(kind, count, where)
+
+
+def _key(data, where):
+    key = Table(data, where, {"position", "yaw", "pitch", "roll", "look_at", "frames"})
+    if "look_at" in key and ("yaw" in key or "pitch" in key):
+        raise ToolError(f"{where}: look_at decides yaw and pitch; remove one or the other")
+    return walk.Key(key.position("position"), key.whole("frames", 1, 1, FRAMES_MAX),
+                    key.degrees("yaw"), key.degrees("pitch"), key.degrees("roll"),
+                    key.position("look_at") if "look_at" in key else None)
+
+
+def _gait(table):
+    gait = table.table("gait", {"acceleration", "friction", "speed_max", "turn"})
+    numbers = [quantity.q16(gait.number(key, default, 0, 256, "units a step")) for key, default in
+               (("acceleration", "0.05"), ("friction", "0.02"), ("speed_max", "0.4"))]
+    turn = quantity.in_range(gait.degrees("turn", 3), 0, 90, gait.at("turn"), "degrees a step")
+    return (*numbers, quantity.angle(turn))
+
+
+def _strides(table, work):
+    strides = []
+    work.take("steps of the path", len(table.rows("steps")), table.where)
+    for i, data in enumerate(table.rows("steps")):
+        step = Table(data, f"{table.at('steps')}[{i}]", {"keys", "frames"})
+        bits = 0
+        keys = step.need("keys")
+        if not isinstance(keys, list):
+            raise ToolError(f"{step.at('keys')}: expected a list like [\"forward\", \"left\"]")
+        for name in keys:
+            step_key = Table({"key": name}, step.at("keys"), {"key"})
+            bits |= image.KEYS[step_key.choice("key", None, list(image.KEYS))]
+        strides.append((bits, step.whole("frames", 1, 1, 65535)))
+    return strides
+
+
+def _start(table):
+    start = table.table("start", {"position", "yaw", "pitch", "roll"})
+    position = start.position("position") if "position" in start else (Fraction(0),) * 3
+    return (*(quantity.q16(c) for c in position),
+            *(quantity.angle(start.degrees(key)) for key in ("yaw", "pitch", "roll")))
+
+
+def _orbit(table, frames, work):
+    orbit = table.table("orbit", {"centre", "radius", "height", "frames", "start", "turns"})
+    centre = orbit.position("centre") if "centre" in orbit else (Fraction(0),) * 3
+    radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
+    height = orbit.number("height", 0, -16382, 16382, "world units")
+    count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
+    _check_poses(count, work, "poses of an orbit", table.at("orbit"))
+    poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
+                       orbit.number("turns", 1, -100, 100))
+    for i, pose in enumerate(poses):
+        if any(abs(c) > image.COORDINATE_MAX for c in pose[:3]):
+            raise ToolError(f"{table.at('orbit')}: frame {i} leaves -8191..8191")
+    return poses
+
+
+def _shortened(strides, frames):
+    result, left = [], frames
+    for keys, count in strides:
+        if left:
+            result.append((keys, min(count, left)))
+            left -= result[-1][1]
+    return result
+
+
+def _path(top, frames, work):
+    """(kind, entries, start, gait); no more than frames of them where asked. Without a path there are no entries: see
+    default_path."""
+    if "path" not in top:
+        return image.POSES, [], (0,) * 6, _gait(Table({}, top.at("path"), set()))
+    table = top.table("path", {"keys", "steps", "orbit", "start", "gait", "interpolation"})
+    style = table.only_one("keys", "steps", "orbit")
+    gait = _gait(table)
+    if style != "keys" and "interpolation" in table:
+        raise ToolError(f"{table.at('interpolation')}: belongs to keys")
+    if style == "steps":
+        strides = _strides(table, work)
+        total, kind, entries, start = sum(n for _, n in strides), image.STRIDES, strides, \
+            _start(table)
+    else:
+        if "start" in table:
+            raise ToolError(f"{table.at('start')}: belongs to steps; {style} say where they begin")
+        if style == "keys":
+            work.take("keys of the path", len(table.rows("keys")), table.where)
+            keys = [_key(data, f"{table.at('keys')}[{i}]")
+                    for i, data in enumerate(table.rows("keys"))]
+            smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
+            _check_poses(sum(key.frames for key in keys), work, "poses", table.at("keys"))
+            entries = walk.poses(keys, smooth, f"{table.where}: key")
+        else:
+            entries = _orbit(table, frames, work)
+        total, kind, start = len(entries), image.POSES, entries[0]
+    if total > FRAMES_MAX:
+        raise ToolError(f"{table.where}: {total:,} frames are more than {FRAMES_MAX:,}")
+    if frames and frames > total:
+        raise ToolError(f"{table.where}: {frames} frames are asked for, and the path has {total}")
+    if frames:
+        entries = entries[:frames] if kind == image.POSES else _shortened(entries, frames)
+    return kind, entries, start, gait
+
+
+def _beams(top):
+    """The beams of a scene, and what becomes of a colour in one: a function, or None."""
+    if "beams" not in top:
+        return [], None
+    rows = top.rows("beams")
+    if len(rows) > image_beam.BEAMS_MAX:
+        raise ToolError(f"{top.at('beams')}: {len(rows)} beams are more than "
+                        f"{image_beam.BEAMS_MAX}")
+    beams = []
+    for i, data in enumerate(rows):
+        beam = Table(data, f"{top.at('beams')}[{i}]", {"window", "position", "direction"})
+        corners = beam.rows("window")
+        if not 3 <= len(corners) < image_beam.PLANES_MAX:
+            raise ToolError(f"{beam.at('window')}: {len(corners)} corners are outside "
+                            f"3..{image_beam.PLANES_MAX - 1}")
+        window = [tuple(quantity.q16(c) for c in quantity.position(corner, beam.at("window")))
+                  for corner in corners]
+        if beam.only_one("position", "direction") == "position":
+            kind = image_beam.POINT
+            source = tuple(quantity.q16(c) for c in beam.position("position"))
+        else:
+            kind = image_beam.DIRECTION
+            way = quantity.vector(beam.need("direction"), beam.at("direction"))
+            whole = math.lcm(*(c.denominator for c in way))
+            if not any(way):
+                raise ToolError(f"{beam.at('direction')}: [0, 0, 0] is no direction")
+            source = image_beam.unit([int(c * whole) for c in way])
+        beams.append(image_beam.through_window(kind, source, window, beam.where))
+    glow = top.table("glow", {"strength", "colour"})
+    strength = float(glow.number("strength", Fraction(3, 2), 0, 16))
+    tint = palette.parse(glow.data.get("colour", "#fff0c8"), glow.at("colour"))
+    return beams, lambda colour: palette.lit(colour, strength, tint)
+
+
+def _reserved(top):
+    """The colours of the palette entries that no face gets; those without a colour of their own are black."""
+    table = top.table("palette", _PALETTE_KEYS)
+    given = table.rows("colours") if "colours" in table else []
+    if len(given) >= palette.ENTRIES:
+        raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than {palette.ENTRIES - 1}")
+    count = table.whole("reserve", len(given), 0, palette.ENTRIES - 1)
+    if len(given) > count:
+        raise ToolError(f"{table.at('colours')}: {len(given)} colours are more than reserve = {count}")
+    colours = [palette.parse(colour, f"{table.at('colours')}[{i}]") for i, colour in enumerate(given)]
+    return colours + [(0, 0, 0)] * (count - len(colours))
+
+
+def _blend(top):
+    """Sixteenths that a blended colour shows of itself."""
+    return top.table("palette", _PALETTE_KEYS).whole("blend", 8, 1, 16)
+
+
+def _count_colours(placements, lit):
+    wanted, times = {}, collections.Counter(id(placement.colours) for placement in placements)
+    for colours in {id(placement.colours): placement.colours for placement in placements}.values():
+        for colour in colours:
+            wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
+    looks = (look for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look)
+    for colour in {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}:
+        wanted[colour] = wanted.get(colour, 0) + 1
+    for colour in {c for board in {placement.board for placement in placements if placement.board} for c in board.picture.colours}:
+        wanted[colour] = wanted.get(colour, 0) + 1
+    if lit:
+        for colour in [c for c in wanted if not isinstance(c, int)]:
+            wanted[lit(colour)] = wanted.get(lit(colour), 0) + 1
+    return wanted
+
+
+def _lit_table(placements, indices, lit):
+    """For each colour of the palette, the one that it has in a beam."""
+    table = list(range(256))
+    for colour in {c for colours in {id(p.colours): p.colours for p in placements}.values() for c in colours}:
+        if lit and not isinstance(colour, int):
+            table[indices[colour]] = indices[lit(colour)]
+    return bytes(table)
+
+
+def _palette(background, placements, reserved, light, lit, work, where):
+    """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
+    is in a beam. The ramp of light at run time goes into the light."""
+    at_run_time = isinstance(light, toml_light.RunTime)
+    wanted = _count_colours(placements, None if at_run_time else lit)
+    work.take("colours of the palette", len(wanted) * (2 if lit else 1), where)
+    if at_run_time:
+        work.take("colours merged", light.levels * min(len(wanted), palette.ENTRIES) * (2 if lit else 1), where)
+        colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(background, wanted, reserved, light, lit)
+        return colours, indices, merged, in_beam
+    colours, indices, merged = palette.allocate(background, wanted, reserved)
+    return colours, indices, merged, _lit_table(placements, indices, lit)
+
+
+def _models(placements, indices, records, work):
+    """Models, objects, and of each model its billboard or None; equal models are made once. An object's position in
+    the list is its number in the order of drawing. records: a surfaces.Records; work: a work.Work."""
+    numbers, models, objects, boards = {}, [], [], []
+    for item in placements:
+        made, moved = item.shape
+        key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board)
+        if key not in numbers:
+            work.take("models", 1, item.where)
+            work.take("faces of models", len(made.faces), item.where)
+            work.take("corners of models", sum(len(face.corners) for face in made.faces), item.where)
+            work.take("faces with surfaces in models", len(item.looks), item.where)
+            work.take("faces of sorted models", len(made.faces) if item.kind == image.SORTED else 0, item.where)
+            work.take("faces in clusters", len(made.faces) if item.clusters else 0, item.where)
+            colours = tuple(indices[c] for c in item.colours)
+            vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
+            mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours)
+            faces = tuple((f.normal, f.corners, c, m) for f, c, m in zip(made.faces, colours, mapped))
+            # Meshes from different sources may come out the same.
+            content = (vertices, faces, item.kind, item.clusters, item.board)
+            if content not in numbers:
+                if len(vertices) > 65535 or len(faces) > 65535:
+                    raise ToolError(f"{item.where}: {len(vertices)} vertices and {len(faces)} "
+                                    "faces; a model has at most 65535 of each, so split it")
+                numbers[content] = len(models)
+                models.append(Model(list(vertices), [Face(*f) for f in faces], item.kind))
+                boards.append(item.board)
+                if item.clusters:
+                    clusters.divide(models[-1])
+            numbers[key] = numbers[content]
+        objects.append(Object(item.centre, numbers[key], item.layer))
+    return models, objects, boards
+
+
+def compile_data(data, name, folder, frames=None, progress=None, screen=None, files=None):
+    """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
+    width and height instead of the scene's, seen with the same field of view.
+    files: a toml_model.Files with what was read already."""
+    top = Table(data, name, TOP_KEYS)
+    lens = _lens(top)
+    if screen:
+        lens = _on_screen(lens, screen)
+    notes = []
+    background = palette.parse(data.get("background", "#101820"), top.at("background"))
+    files = files or toml_model.Files(folder)
+    work = files.sources.work
+    kind, entries, start, gait = _path(top, frames, work)
+    beams, lit = _beams(top)
+    reserved = _reserved(top)
+    light = toml_light.read(top)
+    pictures = texture.Pictures(folder, work)
+    objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
+                      toml_billboard.read(top, pictures))
+    placements = []
+    for number, item in enumerate(top.rows("objects")):
+        placements += objects.placements(item, number)
+    placements, turns, motions = toml_motion.settle(placements, work)
+    try:
+        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit, work, name)
+    except ToolError as error:
+        raise ToolError(f"{name}: {error}") from error
+    if merged:
+        notes.append(f"{name}: {merged} colours were merged into what the palette holds")
+    records = Records(indices, work)
+    models, placed, boards = _models(placements, indices, records, work)
+    scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
+    scene.centre, scene.visibility = lens[-1], _visibility(top)
+    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
+    scene.billboards = toml_billboard.result(boards, indices)
+    scene.lit = in_beam
+    scene.light = light.image if isinstance(light, toml_light.RunTime) else None
+    scene.reserved = len(reserved)
+    if not entries:
+        _check_poses(frames or default_path.FRAMES, work, "poses of an orbit", name)
+        scene.path, more = default_path.about(scene, frames, name)
+        scene.start = scene.path[0]
+        notes += more
+    scene.names = [item.name for item in placements]
+    scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
+    return scene, list(dict.fromkeys(notes))
+
+
+def compile_file(path, frames=None, progress=None, screen=None):
+    """A scene file -> (SceneImage, notes)."""
+    folder, data = os.path.dirname(path), toml_table.read(path)
+    files = toml_model.Files(folder)
+    files.sources.work.allow(path, os.path.getsize(path), STEPS_A_BYTE)
+    return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen, files)

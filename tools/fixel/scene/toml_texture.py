@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: MIT
+"""The textures of a scene file, and what its objects make of them."""
+
+from fractions import Fraction
+import functools
+
+from fixel.image import image_surface
+from fixel.model import quantity
+from fixel.scene import surfaces, texture, toml_images
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted, shortened
+from fixel.scene.surfaces import Look, Paint
+from fixel.scene.toml_table import Table
+
+KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
+        "smooth", *toml_images.KEYS}
+_ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
+TEXTURES_MAX = 256      # of a scene file
+TEXELS_MAX = 16384      # a world unit
+DIRECTIONS_MAX = 16     # in which the textured faces of an object look, if the tool's light changes their colours
+_LEVEL_COLOURS = 32     # of a texture of 8 bits with levels, where its own are not more
+
+
+def _side(value, where):
+    if isinstance(value, bool) or not isinstance(value, int) or not texture.is_side(value):
+        raise ToolError(f"{where}: {quoted(value)} is not a power of two from 1 to {texture.SIDE_MAX}")
+    return value
+
+
+def _pattern(row, pictures):
+    name = row.choice("pattern", None, list(texture.PATTERNS))
+    size = row.rows("size") if "size" in row else [32, 32]
+    if len(size) != 2:
+        raise ToolError(f"{row.at('size')}: expected [width, height]")
+    width, height = (_side(side, f"{row.at('size')}[{i}]") for i, side in enumerate(size))
+    return pictures.pattern(row, name, width, height)
+
+
+def _paint(data, where, pictures):
+    """(name, Paint) of an entry of textures."""
+    row = Table(data, where, _ROW_KEYS)
+    name, bits = row.text("name"), row.whole("bits", 8, 4, 8)
+    if bits not in (4, 8):
+        raise ToolError(f"{row.at('bits')}: 4 or 8, found {bits}")
+    if row.only_one("file", "pattern") == "file":
+        for key in ("size", "colours"):
+            if key in row:
+                raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
+        picture = pictures.file(row, row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX))
+    else:
+        if "most_colours" in row:
+            raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
+        picture = _pattern(row, pictures)
+    levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
+    if levels > 1:
+        most = 16 - picture.has_clear if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
+        picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1, row.where)
+    if bits == 4 and (len(picture.colours) + picture.has_clear > 16 or picture.width < 2):
+        raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
+                        "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
+    return name, Paint(picture, bits, row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp", name)
+
+
+def read(top, pictures):
+    """The textures of a scene by name. pictures: the scene's texture.Pictures."""
+    rows = top.rows("textures") if "textures" in top else []
+    if len(rows) > TEXTURES_MAX:
+        raise ToolError(f"{top.at('textures')}: {len(rows)} textures are more than {TEXTURES_MAX}")
+    paints = {}
+    for i, data in enumerate(rows):
+        name, paint = _paint(data, f"{top.at('textures')}[{i}]", pictures)
+        if name in paints:
+            raise ToolError(f"{top.at('textures')}[{i}]: there is a texture {quoted(name)} already")
+        paints[name] = paint
+    return paints
+
+
+class _Key(tuple):
+    """A tuple, perhaps a long one, whose hash is computed once."""
+
+    def __new__(cls, *values):
+        return super().__new__(cls, values)
+
+    def __hash__(self):
+        if not hasattr(self, "hash"):
+            self.hash = super().__hash__()
+        return self.hash
+
+
+class Wish:
+    """What an object says of its surfaces. paints: for each face of the mesh in turn; None: its colour alone.
+    light: the scene's; baked: whether the tool computes it. opacities: as paints. images: a toml_images.Images or None.
+    mesh_of: answers the object's mesh. known_images: those made before."""
+
+    def __init__(self, table, known, baked, mesh_of, known_images):
+        if "texture" in table and "textures" in table:
+            raise ToolError(f"{table.where}: both texture and textures are given; keep one")
+        names = [table.text("texture")] if "texture" in table else table.rows("textures") if "textures" in table else []
+        self.images = images = toml_images.read(table, mesh_of, known_images)
+        self.paints = images.paints if images else tuple(self._known(name, table, known) for name in names) or (None,)
+        self.division = self._division(table)
+        self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
+        self.blends = table.switch("blend", False)
+        self.smooth = table.switch("smooth", False)
+        self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
+        self._check_light(table, baked)
+        self.per_unit, self.tiles = self._scale(table)
+        self.own = {}
+        self.by_file = images is not None or self._goes_by_file(table)
+        offset = table.data.get("texel_offset", [0, 0])
+        if not isinstance(offset, list) or len(offset) != 2:
+            raise ToolError(f"{table.at('texel_offset')}: expected [u, v] in texels")
+        self.offset = tuple(quantity.fraction(c, table.at("texel_offset")) for c in offset)
+        for key in ("mapping", "texels_per_unit", "tiles", "texel_offset", "division"):
+            if key in table and self.paints == (None,):
+                raise ToolError(f"{table.at(key)}: means nothing without a texture")
+
+    def _check_light(self, table, baked):
+        if baked and (self.lit or self.smooth):
+            raise ToolError(f"{table.at('lit' if self.lit else 'smooth')}: the tool computes this scene's light; give "
+                            "[light] levels for light at run time")
+        if self.smooth and not self.lit:
+            raise ToolError(f"{table.at('smooth')}: means nothing for what is not lit")
+        if not table.switch("shade", True) and self.lit:
+            raise ToolError(f"{table.at('lit')}: shade = false says that light changes no colour")
+
+    @staticmethod
+    def _known(name, table, known):
+        if name == "":
+            return None
+        if not isinstance(name, str) or name not in known:
+            there = shortened(", ".join(sorted(known))) or "none"
+            raise ToolError(f"{table.where}: there is no texture {quoted(name)}; the scene's textures: {there}")
+        return known[name]
+
+    @staticmethod
+    def _division(table):
+        """How often the texture coordinates are divided; 0 where nothing is said."""
+        value = table.data.get("division", 0)
+        known = isinstance(value, (int, str)) and not isinstance(value, bool) and value in surfaces.DIVISIONS
+        if "division" in table and not known:
+            raise ToolError(f"{table.at('division')}: 16, 8, 1 or \"affine\", found {quoted(value)}")
+        return surfaces.DIVISIONS[value] if known else 0
+
+    @staticmethod
+    def _goes_by_file(table):
+        """Whether the texture coordinates are those of the model's file."""
+        by_file = table.choice("mapping", "box", ["box", "file"]) == "file"
+        for key in ("texels_per_unit", "tiles"):
+            if by_file and key in table:
+                raise ToolError(f"{table.at(key)}: belongs to mapping = \"box\"; a file has its own coordinates")
+        return by_file
+
+    @staticmethod
+    def _scale(table):
+        if "texels_per_unit" in table and "tiles" in table:
+            raise ToolError(f"{table.where}: both texels_per_unit and tiles are given; keep one")
+        if "texels_per_unit" in table:
+            return table.number("texels_per_unit", None, Fraction(1, 1024), TEXELS_MAX, "texels"), None
+        tiles = table.data.get("tiles", [1, 1])
+        if not isinstance(tiles, list) or len(tiles) != 2:
+            raise ToolError(f"{table.at('tiles')}: expected [across, down]")
+        return None, tuple(quantity.in_range(quantity.fraction(c, table.at("tiles")), Fraction(1, 256), 1024,
+                                             table.at("tiles")) for c in tiles)
+
+    @functools.cached_property
+    def key(self):
+        """Equal for wishes that give a shape the same surfaces."""
+        return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
+                    self.blends, self.lit, self.smooth, self.by_file)
+
+    def wanted(self):
+        """Whether any face has a surface."""
+        return self._has_plain_look() or self.paints != (None,)
+
+    def _has_plain_look(self):
+        """Whether a face without a texture has a surface."""
+        is_opaque = self.images.is_opaque if self.images else self.opacities == (image_surface.OPAQUE,)
+        return not is_opaque or self.blends or self.lit
+
+    def _flags(self):
+        return (image_surface.LIT if self.lit else 0) | (image_surface.BLENDED if self.blends else 0)
+
+    def paint_of(self, source):
+        """Of a face of the mesh."""
+        return self.paints[source % len(self.paints)]
+
+    def coordinates(self, mesh, scale, inside):
+        """For each face of a mesh the coordinates of its corners in texels."""
+        if self.by_file:
+            return self._of_file(mesh)
+        found = surfaces.box_coordinates(mesh, scale, inside, self.per_unit or Fraction(1), self.offset)
+        if self.tiles is None:
+            return found
+        result = []
+        for number, face in enumerate(found):
+            paint = self.paint_of(number)
+            size = (paint.picture.width, paint.picture.height) if paint else (1, 1)
+            fitted, = surfaces.tiled([face], [side * tiles for side, tiles in zip(size, self.tiles)])
+            result.append([tuple(c + o for c, o in zip(corner, self.offset)) for corner in fitted])
+        return result
+
+    def _of_file(self, mesh):
+        """Those of the model's file, which are 1 across a texture."""
+        result, found = [], mesh.uvs or (mesh.surfaces.uvs if mesh.surfaces else [])
+        for number, corners in enumerate(mesh.faces):
+            paint = self.paint_of(number)
+            size = (paint.picture.width, paint.picture.height) if paint else (0, 0)
+            known = found[number] if number < len(found) else None
+            if known is None and paint:
+                raise ToolError(f"{mesh.places[number] if mesh.places else 'the model'}: this face has no texture "
+                                "coordinates (vt); say mapping = \"box\", or give it some")
+            result.append([tuple(Fraction(c) * side + o for c, side, o in zip(uv, size, self.offset)) for uv in known]
+                          if known else [(Fraction(0),) * 2] * len(corners))
+        return result
+
+    def looks(self, made, coordinates, bake, work, where):
+        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal. work: a work.Work."""
+        normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
+        if not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
+            bake = keep
+        if bake is not keep:
+            work.take("colours of textures", sum(len(paint.picture.colours) for paint, _ in painted), where)
+
+        @functools.lru_cache(None)      # one object for all faces that look the same way
+        def baked(paint, normal):
+            return tuple(bake(colour, normal) for colour in paint.picture.colours)
+        return tuple(self._look(made, number, coordinates[number], normals[number], bake is not keep and baked, where)
+                     for number in range(len(made.faces)))
+
+    def _look(self, made, number, coordinates, normals, baked, where):
+        face, paint = made.faces[number], self.paint_of(made.sources[number])
+        opacity = self.opacities[made.sources[number] % len(self.opacities)]
+        points = [made.vertices[c] for c in face.corners]
+        if paint is None and not self._has_plain_look():
+            return None
+        corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
+        own = tuple(normals[i] for i in corners) if self.lit else ()
+        if paint is None:
+            return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
+        colours = baked(paint, face.normal) if baked else self._own_of(paint)
+        return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
+
+    def _own_of(self, paint):
+        """The colours of a paint; the same object for the same paint."""
+        return self.own.setdefault(paint, tuple(paint.picture.colours))
+
+
+def keep(colour, _normal):
+    """What a light that is not there makes of a colour."""
+    return colour
+
+
+_NO_PAINT = Paint(None, 8, True)
+
+
+def shape_of(wish, mesh, rows, made, scale, inside):
+    """(shape, coordinates) with the wish's surfaces."""
+    return surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
+
+

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""What the cuts of a tree left, as faces that the loader takes: with the vertices of their
+neighbours, not too many, flat, and in spheres."""
+
+from dataclasses import replace
+from math import isqrt
+
+from fixel.base.errors import ToolError
+from fixel.image.image import FACE_VERTICES_MAX, PLANARITY_MAX, Face
+from fixel.image.image_tree import NONE
+from fixel.model.mesh import cross, dot, minus, newell, unit_normal
+
+
+def share(lines, part):
+    """Puts the vertices of its lines into a part, and answers how many."""
+    ring, own, before = [], [], len(part.ring)
+    for i, vertex in enumerate(part.ring):
+        line = part.lines[i]
+        inner = lines.between(line, vertex, part.ring[(i + 1) % before])
+        ring += [vertex, *inner]
+        own += [line] * (1 + len(inner))
+    part.ring, part.lines = ring, own
+    return len(ring) - before
+
+
+def halve(lines, part, work, most=FACE_VERTICES_MAX):
+    """Parts of at most so many vertices, by diagonals between their vertices."""
+    count = len(part.ring)
+    if count <= most:
+        return [part]
+    work.take("diagonals of faces with many corners", count * (count - 3) // 2, "the tree")
+    best = None
+    for i, j, areas in _halves([lines.points[v] for v in part.ring], part.normal):
+        if min(areas) > 0 and (best is None or (min(areas), -i, -j) > best[0]):
+            best = (min(areas), -i, -j), i, j
+    if best is None:
+        raise ToolError(f"a face of object {part.group} is too thin for its {count} corners to be divided for a tree: "
+                        "give it fewer in the model, or leave it out of the tree's layers")
+    _, i, j = best
+    line = lines.line((part.ring[i], part.ring[j]))
+    pieces = []
+    for ring, own in ((part.ring[i:j + 1], part.lines[i:j] + [line]),
+                      (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
+        pieces += halve(lines, replace(part, ring=ring, lines=own), work, most)
+    return pieces
+
+
+def _halves(points, normal):
+    """Each diagonal of a ring, from vertex i to vertex j, with the areas of both halves: twice, and along the normal."""
+    count = len(points)
+    # The area of a ring is the sum over its edges of (a x b) . normal, which is b . (normal x a).
+    turned = [cross(normal, point) for point in points]
+    sums = [0]
+    for i in range(count):
+        sums.append(sums[i] + dot(points[(i + 1) % count], turned[i]))
+    for i in range(count):
+        for j in range(i + 2, min(count, i + count - 1)):
+            area = sums[j] - sums[i] + dot(points[i], turned[j])
+            yield i, j, (area, sums[count] - area)
+
+
+def flat_face(lines, part):
+    """The part as a face that the loader takes: its first vertex, and if need be its normal, is
+    chosen so that the others lie near its plane."""
+    points = [lines.points[v] for v in part.ring]
+    area = newell(points)
+    for normal in (part.normal, unit_normal(area) if area != (0, 0, 0) else part.normal):
+        along = [dot(normal, point) for point in points]
+        middle = (max(along) + min(along)) // 2
+        first = min(range(len(points)), key=lambda i: (abs(along[i] - middle), i))
+        if all(abs(value - along[first]) <= PLANARITY_MAX << 30 for value in along):
+            return Face(normal, tuple(part.ring[first:] + part.ring[:first]), part.colour)
+    raise ToolError(f"a face of object {part.group} is too far from flat to be cut for a tree: "
+                    "triangulate it in the model")
+
+
+def add_spheres(nodes, faces, points):
+    """To each node a sphere about its faces and the spheres below, from the last up. Its centre is
+    that of the box about all faces from the node down."""
+    below, boxes = [[] for _ in nodes], [[] for _ in nodes]
+    for number in range(len(nodes) - 1, -1, -1):
+        node = nodes[number]
+        own = [points[c] for face in faces[node.first_face:node.first_face + node.face_count]
+               for c in face.corners]
+        ends = own + boxes[number]
+        if ends:
+            node.centre = tuple((min(axis) + max(axis)) // 2 for axis in zip(*ends))
+        ways = [minus(point, node.centre) for point in own]
+        node.radius = max([_root(max((dot(way, way) for way in ways), default=0))] +
+                          [_root(dot(way, way)) + child.radius for child, way in
+                           ((child, minus(child.centre, node.centre)) for child in below[number])])
+        if node.parent != NONE:
+            below[node.parent].append(node)
+            boxes[node.parent] += [tuple(map(end, zip(*ends))) for end in (min, max) if ends]
+    # One that is hardly smaller than that above it is not worth asking: it becomes the same.
+    for node in nodes:
+        if node.parent != NONE and 4 * node.radius > 3 * nodes[node.parent].radius:
+            node.centre, node.radius = nodes[node.parent].centre, nodes[node.parent].radius
+
+
+def _root(square):
+    """The square root, upward."""
+    return 1 + isqrt(square - 1) if square else 0
+
+
+def check_sides(vertices, faces, nodes):
+    """How far, in units of 2^-46, a vertex of a face lies on the wrong side of a plane that it is
+    under: at most image_tree.PLANARITY_MAX << 30 in a sound tree."""
+    worst = 0
+    for node in nodes:
+        planes, at = [], node
+        while at.parent != NONE:
+            above = nodes[at.parent]
+            planes.append((1 if above.front != NONE and nodes[above.front] is at else -1, above))
+            at = above
+        for face in faces[node.first_face:node.first_face + node.face_count]:
+            for corner in face.corners:
+                for sign, above in planes:
+                    out = -sign * (dot(above.normal, vertices[corner]) - above.distance)
+                    worst = max(worst, out)
+    return worst

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""A board that is watched while it runs: powered on, asked for frames, told of keys, and ended.
+
+A board whose program says `window=` in its note shares memory with the viewer;
+any other streams its dump. The keys go where the board has them: into the
+window, into a file, or, where its note says `keys=`, to its emulated buttons.
+"""
+
+import concurrent.futures
+import pathlib
+import time
+
+from fixel.base import limits
+from fixel.board import emulator, qemu
+from fixel.board.ending import Ending, describe, exit_status, last_lines
+from fixel.base.errors import ToolError
+from fixel.board.execute import OUTPUT_MAX, kill
+from fixel.board.symbols import Symbols
+from fixel.view.view_stream import KEYS_NAME, KeyFile, Stream
+from fixel.view.view_window import Window
+
+ENDLESS = 0xFFFFFFFF    # frames
+HANG = 20.0             # seconds of CPU time, or of sleep, for a frame
+PRESSED_MIN = 0.35      # seconds: a tap that a board at 30 frames a second does not take for a bounce
+SETTLING = 20           # frames until a board has seen that its buttons are up, and that it is no bounce
+OUTPUT = "output.txt"
+
+
+class Buttons:
+    """The keys of a board that has some, pressed by QEMU's machine protocol. QEMU may answer only
+    after the next frame was fetched, so nobody waits here."""
+
+    def __init__(self, machine, names):
+        self._machine, self._names = machine, names     # names: bit -> QEMU's names of the keys
+        self._down = {}     # name -> when it was pressed
+        self._worker = concurrent.futures.ThreadPoolExecutor(1, "buttons")
+        self.error = None
+        self.awake = self._submit(self._wake)
+
+    def _submit(self, job, *arguments):
+        def remember(future):
+            if not future.cancelled() and future.exception() is not None:
+                self.error = future.exception()
+
+        future = self._worker.submit(job, *arguments)
+        future.add_done_callback(remember)
+        return future
+
+    def _wake(self):
+        """The emulated buttons read as pressed until each was pressed and let go."""
+        every = sorted({name for names in self._names.values() for name in names})
+        for down in (True, False):
+            for name in every:
+                self._machine.key(name, down)
+
+    def _press(self, wanted):
+        # At the same moment: an arrow that is let go after Ctrl would walk a step.
+        released, pressed = self._down.keys() - wanted, wanted - self._down.keys()
+        if released or pressed:
+            time.sleep(max([0.0, *(self._down.pop(name) + PRESSED_MIN - time.monotonic() for name in released)]))
+            self._machine.keys(released, pressed)
+            self._down.update(dict.fromkeys(pressed, time.monotonic()))
+
+    def hold(self, keys):
+        wanted = {name for bit, names in self._names.items() if keys & bit for name in names}
+        self._submit(self._press, wanted)
+
+    def close(self):
+        self._worker.shutdown(wait=True, cancel_futures=True)
+
+
+class Board:
+    """A running board. Frames are for one thread; hold and stop may come from another."""
+
+    def __init__(self, program, image, folder):
+        self.program, self.folder = program, pathlib.Path(folder)
+        self._process = self._machine = self._link = self._keys = None
+        self._closing = False
+        try:
+            self._start(image)
+        except BaseException:
+            self.close()
+            raise
+
+    # --- power on -------------------------------------------------------------------
+
+    def _start(self, image):
+        options = emulator.walk_options(self.program, image, ENDLESS, live=True)
+        if self.program.window_size:
+            self._link = self._keys = Window(self.folder / "window", self.program.window_size)
+            options += self._link.options
+        else:
+            self._link = Stream(self.folder / emulator.DUMP_NAME)
+            if not self.program.keys:
+                self._keys = KeyFile(self.folder / KEYS_NAME)
+        self._launch(options)
+        if self._keys is None:
+            self._keys = Buttons(self._machine, self.program.keys)
+        self.width, self.height, self.palette = self._link.open(self._check)
+        if isinstance(self._keys, Buttons):
+            self._settle()
+
+    def _settle(self):
+        """Lets the board draw until it believes its buttons."""
+        while not self._keys.awake.done():
+            self.frame()
+        for _ in range(SETTLING):
+            self.frame()
+
+    def _launch(self, options):
+        """In a session of its own, so that Ctrl-C reaches this tool alone."""
+        try:
+            with (self.folder / OUTPUT).open("wb") as output:
+                self._process, self._machine = qemu.start_stopped(self.program, options, self.folder, output,
+                                                                  start_new_session=True)
+            self._limit = limits.Watch(self._process.pid, HANG, HANG)
+            self._resumed = self._machine.resume()  # nobody reads its stream yet
+        except ToolError as error:
+            raise error.with_words(last_lines(self.text())) from error
+
+    # --- while it runs --------------------------------------------------------------
+
+    def _check(self, _waited):
+        """Whether a frame is still wanted; raises where none will come."""
+        if self._closing:
+            return False
+        code = self._process.poll()
+        if code is not None:
+            ending = Ending(code, self.text(), "", 0)
+            raise ToolError(f"board {self.program.board} ended: {describe(ending)}",
+                            exit_status(ending), last_lines(ending.output))
+        self._resumed()
+        if getattr(self._keys, "error", None):
+            raise self._keys.error
+        passed = self._limit.check()
+        if passed:
+            raise ToolError(f"board {self.program.board} hangs: no frame came: {passed}", exit_code=1,
+                            words=last_lines(self.text()))
+        return True
+
+    def text(self):
+        """What the board has printed, with the functions of a fault named."""
+        with (self.folder / OUTPUT).open("rb") as output:
+            text = output.read(OUTPUT_MAX).decode("utf-8", "replace")
+        return Symbols(self.program.path).name_faults(text)
+
+    def frame(self, waits=True):
+        """The next frame; None once the board is being stopped. waits: as in view_window.py."""
+        self._limit.renew()
+        return self._link.frame(self._check, waits)
+
+    def hold(self, keys):
+        """Which keys are held from now on, as bits of fixel/extra/player.h."""
+        self._keys.hold(keys)
+
+    def stop(self):
+        """Ends the board at once; whoever waits for a frame gets None."""
+        self._closing = True
+        if self._process is not None:
+            kill(self._process)
+
+    def close(self):
+        """Ends everything. Nobody may wait for a frame any more."""
+        self.stop()
+        if self._keys is not None and self._keys is not self._link:
+            self._keys.close()
+        if self._machine is not None:
+            self._machine.close()
+        if self._link is not None:
+            self._link.close()

@@ -1,0 +1,332 @@
+# SPDX-License-Identifier: MIT
+"""The live window's web server, for this machine alone: a page, and a websocket for each tab.
+
+To a tab: text messages {"type": "hello" | "ended", ...}, and frames as binary
+messages: u32 length of a JSON text, the text, the frame's pixels, the reference
+frame's pixels, its outlines; the text says how many bytes each of the three has.
+From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
+second}, {"type": "wants", "wants": bits}, {"type": "seen"} for each frame that
+it has shown. A tab is sent the newest frame, and another only when it has seen
+the one before the last: where it is slow it misses frames and lags behind none.
+
+Whoever has the address may look on: it holds a random token, which every request must name.
+"""
+
+import asyncio
+import base64
+import hmac
+import json
+import pathlib
+import secrets
+import struct
+
+from aiohttp import WSCloseCode, WSMsgType, web
+
+from fixel.view import view_reference
+from fixel.base.errors import ToolError
+from fixel.view.view_guard import Guard
+from fixel.view.view_pump import IDLE_RATE
+from fixel.view.view_trouble import Troubles
+
+HOST = "127.0.0.1"
+PORT = 8065             # after the chapter, where it is free and no other is asked for
+RATES = (30, 60, 0)     # frames a second; 0: as fast as it goes
+KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/extra/player.h
+WANTS_ALL = view_reference.FRAME | view_reference.OUTLINES
+UNSEEN_MAX = 2          # frames on their way to a tab
+MESSAGE_MAX = 4096      # bytes from a tab; SECURITY.md says so
+HEARTBEAT = 20.0        # seconds
+FAREWELL = 1.0          # seconds for the last words to a tab
+TOKEN_BYTES = 16        # 128 random bits
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "templates"
+FILES = {"/": ("view.html", "text/html"), "/view.js": ("view.js", "text/javascript"),
+         "/view_picture.js": ("view_picture.js", "text/javascript"), "/view.css": ("view.css", "text/css")}
+HEADERS = {"Content-Security-Policy": "default-src 'self'; img-src 'self' data:", "Cache-Control": "no-store",
+           "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer"}
+
+
+class Tab:
+    """One page that looks on."""
+
+    def __init__(self, socket):
+        self.socket = socket
+        self.keys = self.wants = self.unseen = 0
+        self.sent = None    # number of the last frame, and the parts of the reference that came with it
+        self.wake = asyncio.Event()
+
+    def take(self, message, hub):
+        """What the page says; ValueError where it makes no sense."""
+        kind = message.get("type")
+        if kind == "keys":
+            self.keys = bits(message.get("held"), KEYS_ALL)
+            hub.keys_changed()
+        elif kind == "wants":
+            wants = bits(message.get("wants"), WANTS_ALL)
+            self.wants = wants if hub.hello["judged"] else 0
+            hub.wants_changed()
+        elif kind == "rate":
+            hub.choose_rate(one_of(message.get("rate"), RATES))
+        elif kind == "seen":
+            self.unseen = max(0, self.unseen - 1)
+        else:
+            raise ValueError("not a message of the page's")
+        self.wake.set()
+
+
+def bits(value, every):
+    if type(value) is not int or value & ~every:    # a bool is an int, too
+        raise ValueError("not bits of that kind")
+    return value
+
+
+def one_of(value, every):
+    if type(value) is not int or value not in every:    # False == 0, 30.0 == 30
+        raise ValueError("not one of these numbers")
+    return value
+
+
+def first_part(path):
+    """What is between the first two slashes. A request may have a path without one: OPTIONS *, CONNECT host:port."""
+    return (path.split("/", 2) + [""])[1]
+
+
+class Hub:
+    """What the tabs share: the board's newest frame, the reference's newest answer, keys, rate. For the
+    thread of the event loop only."""
+
+    def __init__(self, hello, hold, ask, set_rate):
+        self.hello = hello
+        self._hold, self._ask, self._set_rate = hold, ask, set_rate
+        self.tabs = set()
+        self.rate = RATES[0]
+        self.frame = self.answer = None
+        self._wants = 0
+        self._packed = {}
+        self.error = None
+        self.ended = asyncio.Event()
+
+    # --- from the board ---------------------------------------------------------------
+
+    def show(self, frame):
+        """A new frame of the board's."""
+        self.frame = frame
+        if self._wants:
+            self._ask(frame, self._wants)
+        self._wake_all()
+
+    def compare(self, answer):
+        """The reference renderer's answer about a frame."""
+        self.answer = answer
+        self._wake_all()
+
+    def end(self, error=None):
+        """No more frames will come."""
+        if not self.ended.is_set():
+            self.error = error
+            self.ended.set()
+
+    # --- from the tabs ----------------------------------------------------------------
+
+    def keys_changed(self):
+        held = 0
+        for tab in self.tabs:
+            held |= tab.keys
+        self._hold(held)
+
+    def wants_changed(self):
+        self._wants = 0
+        for tab in self.tabs:
+            self._wants |= tab.wants
+        if self._wants and self.frame:
+            self._ask(self.frame, self._wants)
+
+    def choose_rate(self, rate):
+        self.rate = rate
+        self._pace()
+
+    def _pace(self):
+        self._set_rate(self.rate if self.tabs else IDLE_RATE)
+
+    def join(self, tab):
+        self.tabs.add(tab)
+        self._pace()
+        tab.wake.set()
+
+    def leave(self, tab):
+        self.tabs.discard(tab)
+        self.keys_changed()
+        self.wants_changed()
+        self._pace()
+
+    def _wake_all(self):
+        for tab in self.tabs:
+            tab.wake.set()
+
+    # --- to the tabs ------------------------------------------------------------------
+
+    def newest(self, tab):
+        """(what identifies it, message) of the newest that a tab can be shown; None where there is none
+        that it has not got."""
+        answer = self.answer
+        if not tab.wants:
+            answer, frame = None, self.frame
+        elif answer is None or tab.wants & ~given(answer):
+            return None     # the reference renderer is drawing it
+        else:
+            frame = answer.frame
+        if frame is None or tab.sent == (frame.number, given(answer)):
+            return None
+        key = (frame.number, given(answer))
+        if key not in self._packed:
+            self._packed = {key: pack(frame, answer, self.rate)}
+        return key, self._packed[key]
+
+
+def given(answer):
+    """The parts of an answer of the reference renderer, as bits."""
+    if answer is None:
+        return 0
+    return (view_reference.FRAME if answer.pixels else 0) | (view_reference.OUTLINES if answer.outlined else 0)
+
+
+def pack(frame, answer, rate):
+    """A frame as a binary message."""
+    double = answer.pixels if answer else b""
+    outlines = answer.outlines if answer else b""
+    text = json.dumps({"number": frame.number, "position": frame.position, "angles": frame.angles,
+                       "counters": frame.counters, "clamped": frame.clamped, "instructions": frame.instructions,
+                       "rate": rate, "given": given(answer),
+                       "bytes": [frame.pixels.size, len(double), len(outlines)]}).encode()
+    return b"".join((struct.pack("<I", len(text)), text, frame.pixels.tobytes(), double, outlines))
+
+
+def hello(program, scene, width, height, palette, judged=True):
+    """What a tab must know before the first frame. judged: the reference renderer can draw what the board draws."""
+    return {"type": "hello", "board": program.board, "cpu": program.cpu, "scene": str(scene), "width": width,
+            "height": height, "palette": base64.b64encode(palette).decode(), "rates": RATES,
+            "judged": judged}
+
+
+class Server:
+    """The server on a port of this machine."""
+
+    def __init__(self, hub):
+        self.hub = hub
+        self.port = None
+        self.token = secrets.token_urlsafe(TOKEN_BYTES)
+        application = web.Application(middlewares=[self._only_invited])
+        for path in FILES:
+            application.router.add_get(f"/{self.token}{path}", self._file)
+        application.router.add_get(f"/{self.token}/live", self._live)
+        self._runner = web.AppRunner(application, access_log=None, handle_signals=False,
+                                     shutdown_timeout=FAREWELL)
+        self._troubles = Troubles()
+        self._guard = self._listening = None
+
+    @property
+    def address(self):
+        """The page's."""
+        return f"http://{HOST}:{self.port}/{self.token}/"
+
+    async def open(self, port=None):
+        """Listens. port: None for the usual one, or any that is free."""
+        await self._runner.setup()
+        self._guard = Guard(self._runner.server, self._troubles)
+        for choice in ([port] if port else [PORT, 0]):
+            try:
+                self._listening = await self._guard.listen(HOST, choice)
+            except OSError as error:
+                if choice == port:
+                    raise ToolError(f"cannot listen on port {port} of {HOST}: {error.strerror}; "
+                                    "choose another with PORT=") from error
+                continue
+            self.port = self._listening.sockets[0].getsockname()[1]
+            self._troubles.listen()
+            return
+        raise ToolError(f"no port of {HOST} is free")
+
+    async def close(self):
+        """Says good-bye to the tabs and ends."""
+        error = self.hub.error
+        words = json.dumps({"type": "ended", "message": str(error) if error else ""})
+        if self._listening is not None:
+            self._listening.close()
+        await asyncio.gather(*(self._part(tab, words) for tab in list(self.hub.tabs)))
+        if self._guard is not None:
+            self._guard.close()
+        await self._runner.cleanup()
+        self._troubles.leave()
+
+    @staticmethod
+    async def _part(tab, words):
+        try:
+            async with asyncio.timeout(FAREWELL):
+                await tab.socket.send_str(words)
+                await tab.socket.close(code=WSCloseCode.GOING_AWAY)
+        except (TimeoutError, ConnectionError):
+            pass    # it went first
+
+    # --- requests ---------------------------------------------------------------------
+
+    @web.middleware
+    async def _only_invited(self, request, handler):
+        """Refuses who has not the token, pages of other origins, and names of ours that others made up."""
+        names = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
+        origin = request.headers.get("Origin")
+        if request.headers.get("Host") not in names or \
+                (origin is not None and origin.removeprefix("http://") not in names):
+            raise web.HTTPForbidden(text="this window is for this machine's own browser\n")
+        if not hmac.compare_digest(first_part(request.path).encode(errors="replace"), self.token.encode()):
+            raise web.HTTPForbidden(text="open the address that make view printed: it ends with a token\n")
+        self._guard.trust(request.transport)
+        return await handler(request)
+
+    @staticmethod
+    async def _file(request):
+        name, kind = FILES["/" + request.path.rsplit("/", 1)[1]]
+        return web.Response(text=(PAGE / name).read_text(encoding="utf-8"), content_type=kind, charset="utf-8",
+                            headers=HEADERS)
+
+    async def _live(self, request):
+        socket = web.WebSocketResponse(heartbeat=HEARTBEAT, max_msg_size=MESSAGE_MAX, compress=False)
+        try:
+            await socket.prepare(request)
+        except ValueError as error:     # of base64: a key that is not ASCII
+            raise web.HTTPBadRequest(text="not a websocket's key\n") from error
+        tab = Tab(socket)
+        await socket.send_str(json.dumps(self.hub.hello))
+        self.hub.join(tab)
+        feeder = asyncio.create_task(self._feed(tab))
+        try:
+            async for message in socket:
+                if not self._heed(tab, message):
+                    await socket.close(code=WSCloseCode.POLICY_VIOLATION, message=b"not understood")
+        finally:
+            feeder.cancel()
+            self.hub.leave(tab)
+        return socket
+
+    def _heed(self, tab, message):
+        """Whether a message of a tab's made sense."""
+        try:
+            said = json.loads(message.data) if message.type == WSMsgType.TEXT else None
+            if not isinstance(said, dict):
+                return False
+            tab.take(said, self.hub)
+        except (ValueError, RecursionError):    # the latter of JSON that is nested too deeply
+            return False
+        return True
+
+    async def _feed(self, tab):
+        """Sends a tab the newest, for as long as it is there."""
+        try:
+            while True:
+                await tab.wake.wait()
+                tab.wake.clear()
+                newest = self.hub.newest(tab) if tab.unseen < UNSEEN_MAX else None
+                if newest:
+                    tab.sent, message = newest
+                    tab.unseen += 1
+                    await tab.socket.send_bytes(message)
+        except ConnectionError:
+            pass    # it is gone; the other side of the socket sees to it

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""The viewer's side of the live window (docs/formats.md, section 3): memory that an emulated board shares.
+
+check(waited) is asked while nothing comes, with the seconds waited so far: it
+raises where the board has ended or hangs, and answers False where nobody wants
+the frame any more.
+"""
+
+import mmap
+import os
+import struct
+import time
+
+import numpy
+
+from fixel.board import dump
+from fixel.base.errors import ToolError
+
+MAGIC, INVITATION, VERSION = 0x574C5846, 0x57454956, 1
+MAGIC_AT, FORMAT_AT, FINISHED_AT, FRONT_AT = 0, 4, 20, 24
+INVITATION_AT, REQUESTED_AT, KEYS_AT, PALETTE_AT = 32, 36, 40, 48
+FORMAT = struct.Struct("<IHH2I")    # version, width, height, places of the slots
+WORD = struct.Struct("<I")
+FRAME = struct.Struct(f"<QII3i3I{len(dump.COUNTERS)}I")
+PIXELS_AT = -(-FRAME.size // 8) * 8 # in a slot
+MAPPED_MAX = 4 << 20                # bytes: two frames of the largest screen, and their heads
+AHEAD = 1 << 16                     # frames that a board is asked for that need not wait
+POLL = 0.0005                       # seconds
+
+
+class Window:
+    """A file that is a board's shared memory. What is read from it is checked: a program that went
+    astray may have written there."""
+
+    def __init__(self, path, size):
+        self.path, self.size = path, size
+        self.width = self.height = 0
+        self._slots = ()
+        self._shown = 0     # frames that were finished when one was last copied
+        try:
+            with open(path, "w+b") as file:
+                os.ftruncate(file.fileno(), size)   # sparse: only what is written takes room
+                self._memory = mmap.mmap(file.fileno(), min(size, MAPPED_MAX))
+        except OSError as error:
+            raise ToolError(f"cannot make {path}: {error.strerror}") from error
+        self._put(INVITATION_AT, INVITATION)
+
+    @property
+    def options(self):
+        """What QEMU must be told."""
+        path = str(self.path).replace(",", ",,")
+        return ["-object", f"memory-backend-file,id=window,size={self.size},mem-path={path},share=on",
+                "-machine", "memory-backend=window"]
+
+    def _word(self, offset):
+        return WORD.unpack_from(self._memory, offset)[0]
+
+    def _put(self, offset, value):
+        WORD.pack_into(self._memory, offset, value & 0xFFFFFFFF)
+
+    @staticmethod
+    def _wait(condition, check):
+        """Waits until condition() is something; None where nobody wants it any more."""
+        started = time.monotonic()
+        while not (found := condition()):
+            if not check(time.monotonic() - started):
+                return None
+            time.sleep(POLL)
+        return found
+
+    # --- the board's side -----------------------------------------------------------
+
+    def open(self, check):
+        """Waits for the board to open its side: (width, height, palette)."""
+        if not self._wait(lambda: self._word(MAGIC_AT) == MAGIC, check):
+            return None
+        version, width, height, *slots = FORMAT.unpack_from(self._memory, FORMAT_AT)
+        if version != VERSION:
+            raise ToolError(f"the board's window is of version {version}; this viewer reads version {VERSION}")
+        if not (1 <= width <= dump.SCREEN_MAX and 1 <= height <= dump.SCREEN_MAX):
+            raise ToolError(f"the board's window claims a screen of {width}x{height}")
+        room = PIXELS_AT + width * height
+        if min(slots) < PALETTE_AT + dump.PALETTE_BYTES or max(slots) + room > len(self._memory) \
+                or abs(slots[0] - slots[1]) < room:
+            raise ToolError(f"the board's window has its frames at {slots[0]} and {slots[1]}, where they cannot be")
+        self._slots, self.width, self.height = slots, width, height
+        return width, height, self._memory[PALETTE_AT:PALETTE_AT + dump.PALETTE_BYTES]
+
+    def copy(self):
+        """The newest finished frame; None where the board finished another meanwhile: it may have
+        begun to draw over what was copied."""
+        finished, front = self._word(FINISHED_AT), self._word(FRONT_AT)
+        if front >= len(self._slots):
+            raise ToolError(f"the board's window says that its frame is in slot {front}; there are two")
+        start = self._slots[front]
+        copied = self._memory[start:start + PIXELS_AT + self.width * self.height]
+        if self._word(FINISHED_AT) != finished:
+            return None
+        self._shown = finished
+        instructions, number, clamped, *rest = FRAME.unpack_from(copied)
+        pixels = numpy.frombuffer(copied, numpy.uint8, offset=PIXELS_AT).reshape(self.height, self.width)
+        return dump.Frame(number, tuple(rest[:3]), tuple(rest[3:6]), pixels,
+                          dict(zip(dump.COUNTERS, rest[6:])), clamped, instructions)
+
+    # --- the viewer's side ----------------------------------------------------------
+
+    def frame(self, check, waits=True):
+        """The next frame; None where nobody wants it any more. waits: the board is to begin no other
+        before it is asked again; without, it draws as fast as it can, and this is its newest."""
+        self._put(REQUESTED_AT, self._word(FINISHED_AT) + (1 if waits else AHEAD))
+        if not waits:
+            return self._wait(lambda: self._word(FINISHED_AT) != self._shown and self.copy(), check)
+        wanted = self._word(REQUESTED_AT)
+        return self._wait(lambda: self._word(FINISHED_AT) == wanted and self.copy(), check)
+
+    def hold(self, keys):
+        """Which keys are held, as bits of fixel/extra/player.h."""
+        self._put(KEYS_AT, keys)
+
+    def close(self):
+        self._memory.close()
