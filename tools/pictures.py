@@ -12,7 +12,7 @@ import re
 
 from PIL import Image
 
-from fixel.base import output, picture
+from fixel.base import output, picture, reading
 from fixel.board import dump
 from fixel.base.errors import ToolError, run_main
 from fixel.base.reading import quoted
@@ -29,13 +29,19 @@ def parse_frames(text):
     return list(map(int, numbers))
 
 
+def opened_picture(file):
+    """A picture that make run wrote, in red, green and blue."""
+    with reading.open_file(file) as opened, Image.open(opened) as made:
+        return made.convert("RGB")
+
+
 def of_run(folder, numbers):
     """Pictures of frames of make run."""
     files = [folder / f"frame_{number:04d}.png" for number in numbers]
     missing = [str(file) for file in files if not file.exists()]
     if missing:
         raise ToolError(f"{missing[0]} does not exist: run `make run` on its scene first")
-    return [Image.open(file).convert("RGB") for file in files]
+    return [opened_picture(file) for file in files]
 
 
 def of_dumps(files, numbers):

@@ -18,7 +18,7 @@ import sys
 from elftools.elf.elffile import ELFFile
 
 import scene as scene_tool
-from fixel.base import output, scratch
+from fixel.base import output, reading, scratch
 from fixel.bench import linked_size, stack
 from fixel.board import firmware, fleet
 from fixel.base.errors import ToolError, one_line, run_main
@@ -64,7 +64,7 @@ def archive_size(file, cross):
     with scratch.folder("size") as folder:
         stack.run([f"{cross}ar", "x", "--output", folder, str(file)])
         for member in sorted(pathlib.Path(folder).iterdir()):
-            with member.open("rb") as handle:
+            with reading.open_file(member) as handle:
                 for kind, size in sections_size(ELFFile(handle)).items():
                     total[kind] += size
     return total
@@ -87,7 +87,7 @@ def entry_name(elf):
 
 def measure_firmware(file, cross, usage_folders):
     """Flash, RAM, worst stack of a program."""
-    with open(file, "rb") as handle:
+    with reading.open_file(file) as handle:
         elf = ELFFile(handle)
         size, symbols, entry = sections_size(elf), symbols_of(elf), entry_name(elf)
     graph = stack.Graph(stack.disassemble(file, cross), stack.read_usage(*usage_folders),
@@ -166,7 +166,7 @@ def prove_pure(library, cross, core=PROOF_CORE):
         if complaint:
             wrong.append(f"it does not link by itself: {complaint}")
         else:
-            with program.open("rb") as handle:
+            with reading.open_file(program) as handle:
                 linked = sorted(symbols_of(ELFFile(handle)))
             wrong += [f"linked, it contains {name}" for name in linked if FORBIDDEN.match(name)]
     return {"core": core, "undefined": undefined, "linked_symbols": len(linked), "wrong": wrong,

@@ -91,6 +91,13 @@ def assert_one_sentence(done, *words, code=2):
         assert word in lines[0]
 
 
+@pytest.fixture(autouse=True)
+def nothing_is_read():
+    """Each test stands for a command of its own: what another one read is no input of it (reading.py)."""
+    from fixel.base import reading
+    reading._opened.clear()
+
+
 @pytest.fixture
 def checkout():
     """The root of the project."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Results appear whole or not at all: written beside their place, moved there at the end."""
+"""Results appear whole or not at all: written beside their place, moved there at the end. None of them replaces a file
+that this process has read as input."""
 
 import contextlib
 import json
@@ -7,12 +8,14 @@ import os
 import pathlib
 import stat
 
-from fixel.base import scratch
+from fixel.base import reading, scratch
 from fixel.base.errors import ToolError
 
 # What a name may stand for that is no file, and no tool replaces.
 KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISSOCK, "a socket"),
          (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"))
+
+_made = set()       # (device, inode) of each file that this process has put in place: it may write it again
 
 
 def _unwritable(path, error):
@@ -38,6 +41,20 @@ def target_of(path):
     if found:
         raise ToolError(f"{path}: cannot be written: it is {found}; name a file")
     return pathlib.Path(os.path.realpath(path))
+
+
+def refuse_input(target, path):
+    """Refuses a target that is a file which this process has opened as input, by any name. path: what messages call it."""
+    found = reading.identity(target)
+    if found in reading.opened() and found not in _made:
+        raise ToolError(f"{path}: cannot be written: this command has read it as input; name another file for the result")
+
+
+def move(new, target, path=None):
+    """Moves a finished file to its place, in one step. path: what messages call the target."""
+    refuse_input(target, path or target)
+    os.replace(new, target)
+    _made.add(reading.identity(target))
 
 
 @contextlib.contextmanager
@@ -90,9 +107,11 @@ def _put_in_place(new, path, patterns):
         path.parent.mkdir(parents=True, exist_ok=True)
         new.rename(path)
         return
-    for pattern in reversed(patterns):
-        for stale in path.glob(pattern):
-            stale.unlink()
+    old = [file for pattern in reversed(patterns) for file in path.glob(pattern)]
+    for stale in old:
+        refuse_input(stale, stale)
+    for stale in old:
+        stale.unlink()
     for pattern in patterns:
         for file in sorted(new.glob(pattern)):
             os.replace(file, path / file.name)
@@ -112,7 +131,7 @@ def replace(path, data, check=None, durable=False):
                 os.fsync(file.fileno())
             new.chmod(0o666 & ~_umask())    # a temporary file nobody else may read
             answer = check(new) if check else None
-            os.replace(new, target)
+            move(new, target, path)
         if durable:
             _sync_folder(target.parent)
         return answer

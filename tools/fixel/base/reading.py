@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Input files: regular ones of a bounded size, and pieces of them in messages."""
+"""Input files: regular ones of a bounded size, and pieces of them in messages.
+
+A tool opens its input here, so that the process knows which files it has read: output.py refuses to replace one of
+them. A process that reads for another one, such as the child that compiles a scene, sends opened() to it, and the other
+calls note_opened().
+"""
 
 import os
 import reprlib
@@ -13,19 +18,39 @@ _KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISCHR, 
           (stat.S_ISBLK, "a device"), (stat.S_ISSOCK, "a socket"))
 
 
-def _open(path):
-    """A regular file, opened; its size. A FIFO must not be waited for."""
+_opened = set()     # (device, inode)
+
+
+def opened():
+    """The (device, inode) of each input file that this process has opened, or was told of."""
+    return frozenset(_opened)
+
+
+def note_opened(files):
+    """Adds files that another process opened for this one, as its opened() has them."""
+    _opened.update((device, inode) for device, inode in files)
+
+
+def open_file(path):
+    """A regular file, opened as input for reading bytes."""
+    file, found = open_regular(path)
+    _opened.add((found.st_dev, found.st_ino))
+    return file
+
+
+def open_regular(path):
+    """(a regular file, opened for reading bytes, its os.stat_result). It does not count as input: the tool may replace
+    it. A FIFO must not be waited for."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
-        file = os.fdopen(descriptor, "rb") if stat.S_ISREG(os.fstat(descriptor).st_mode) else None
+        found = os.fstat(descriptor)
     except (OSError, ValueError) as error:
         words = getattr(error, "strerror", None) or "its name has a character that no name may have"
         raise ToolError(f"{path}: cannot be read ({words})") from error
-    if file:
-        return file, os.fstat(descriptor).st_size
-    mode = os.fstat(descriptor).st_mode
+    if stat.S_ISREG(found.st_mode):
+        return os.fdopen(descriptor, "rb"), found
     os.close(descriptor)
-    kind = next((name for test, name in _KINDS if test(mode)), "no regular file")
+    kind = next((name for test, name in _KINDS if test(found.st_mode)), "no regular file")
     raise ToolError(f"{path}: is {kind}; give a regular file")
 
 
@@ -56,23 +81,26 @@ def identity(path):
         return os.fspath(path)
 
 
+def _read(file, path, most):
+    try:
+        return file.read(most)
+    except OSError as error:
+        raise ToolError(f"{path}: cannot be read ({error.strerror})") from error
+
+
 def read_start(path, most):
     """The file's first bytes, at most so many."""
-    file, _ = _open(path)
-    with file:
-        try:
-            return file.read(most)
-        except OSError as error:
-            raise ToolError(f"{path}: cannot be read ({error.strerror})") from error
+    with open_file(path) as file:
+        return _read(file, path, most)
 
 
 def read_whole(path, most, advice):
-    """The file's bytes; one of more than so many is refused."""
-    file, size = _open(path)
-    file.close()
-    if size > most:
-        raise ToolError(f"{path}: {size:,} bytes are more than the limit of {most:,}; {advice}")
-    blob = read_start(path, most + 1)
+    """The file's bytes; one of more than so many is refused before it is read."""
+    with open_file(path) as file:
+        size = os.fstat(file.fileno()).st_size
+        if size > most:
+            raise ToolError(f"{path}: {size:,} bytes are more than the limit of {most:,}; {advice}")
+        blob = _read(file, path, most + 1)
     if len(blob) > most:
         raise ToolError(f"{path}: more than the limit of {most:,} bytes; {advice}")
     return blob

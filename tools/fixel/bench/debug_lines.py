@@ -10,6 +10,7 @@ from elftools.dwarf.descriptions import describe_form_class
 from elftools.dwarf.ranges import BaseAddressEntry
 from elftools.elf.elffile import ELFFile
 
+from fixel.base import reading
 from fixel.board import symbols
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -20,7 +21,7 @@ class DebugLines:
     files: {function: the file that it stands in}."""
 
     def __init__(self, path):
-        with open(path, "rb") as file:
+        with reading.open_file(path) as file:
             elf = ELFFile(file)
             self.rows, self.scopes, self.files = [], [], {}
             if elf.has_dwarf_info():

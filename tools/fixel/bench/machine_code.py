@@ -8,6 +8,7 @@ import pathlib
 from elftools.common.exceptions import ELFError
 from elftools.elf.elffile import ELFFile
 
+from fixel.base import reading
 from fixel.bench import thumb
 from fixel.base.errors import ToolError
 
@@ -28,11 +29,9 @@ class MachineCode:
     def __init__(self, path):
         self.path = pathlib.Path(path)
         try:
-            with self.path.open("rb") as file:
+            with reading.open_file(path) as file:
                 elf = ELFFile(file)
                 self._read(elf)
-        except OSError as error:
-            raise ToolError(f"cannot read {path}: {error.strerror}; build it again") from error
         except ELFError as error:
             raise ToolError(f"{path} is not an ELF file: {error}") from error
 

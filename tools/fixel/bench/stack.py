@@ -17,7 +17,7 @@ import struct
 
 from elftools.elf.elffile import ELFFile
 
-from fixel.base import children
+from fixel.base import children, reading
 from fixel.base.errors import ToolError
 
 SHF_ALLOC = 2
@@ -154,7 +154,7 @@ def addresses_taken(file, cross):
     library, by words in a program."""
     names = {name.split("+")[0].removeprefix(".text.") for name in ADDRESS.findall(run([f"{cross}objdump", "-r",
                                                                                       str(file)]))}
-    with open(file, "rb") as handle:
+    with reading.open_file(file) as handle:
         if handle.read(4) != b"\x7fELF":
             return names
         elf = ELFFile(handle)

@@ -11,11 +11,12 @@ import os
 import pathlib
 import re
 
-from fixel.base import output, scratch
+from fixel.base import output, reading, scratch
 from fixel.board import dump_file, firmware, qemu, qmp, wires
 from fixel.board.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
 from fixel.base.errors import ToolError
 from fixel.board.execute import OUTPUT_MAX, execute
+from fixel.image.image_header import IMAGE_MAX
 from fixel.board.qemu import find_qemu
 from fixel.board.symbols import Symbols
 
@@ -50,18 +51,19 @@ def emulate(program, options, directory, timeout, watch=None):
 def check_image(program, image):
     """Refuses an image that does not hold this very program."""
     try:
-        found = output.not_a_file(image)
-        if found:
-            raise ToolError(f"cannot read the flash image {image}: it is {found}; name a file")
-        data = pathlib.Path(image).read_bytes()
-    except OSError as error:
-        raise ToolError(f"cannot read the flash image {image}: {error.strerror}; "
-                        f"run 'make flash BOARD={program.board}'") from error
-    if program.hosted:
-        return
-    if len(data) != program.image_size:
-        raise ToolError(f"{image} is not a flash image of board {program.board}: "
-                        f"{len(data)} bytes, {program.image_size} expected")
+        file = reading.open_file(image)
+    except ToolError as error:
+        raise ToolError(f"cannot read the flash image: {error.message}; run 'make flash BOARD={program.board}'") from error
+    with file:
+        size = os.fstat(file.fileno()).st_size
+        if program.hosted:      # it reads the scene image itself, and refuses what is none
+            if size > IMAGE_MAX:
+                raise ToolError(f"{image} is no scene image: {size:,} bytes are more than its limit of {IMAGE_MAX:,}")
+            return
+        if size != program.image_size:
+            raise ToolError(f"{image} is not a flash image of board {program.board}: "
+                            f"{size} bytes, {program.image_size} expected")
+        data = file.read(size)
     for address, content in program.segments:
         offset = program.offset(address)
         if data[offset:offset + len(content)] != content:
@@ -97,7 +99,7 @@ def power_on(program, image, frames, timeout, live, extra, directory, watch):
 def put_in_place(part, target):
     """A whole file of a run that succeeded."""
     try:
-        os.replace(part, target)
+        output.move(part, target)
     except FileNotFoundError as error:
         raise ToolError(f"the board was done but left no {part.name}", exit_code=1) from error
     except OSError as error:
@@ -117,6 +119,7 @@ def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=
     image, dump = pathlib.Path(image), output.target_of(dump)
     program = firmware.load(elf, board)
     check_image(program, image)
+    output.refuse_input(dump, dump)     # before the board's time is spent
     agreed = 0 if program.hosted else exit_code("DONE")
     with work_directory(dump) as directory:
         part = directory / DUMP_NAME

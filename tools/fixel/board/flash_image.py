@@ -7,7 +7,7 @@ or the new one, never a mixture.
 """
 
 
-from fixel.base import output
+from fixel.base import output, reading
 from fixel.base.errors import ToolError
 
 ERASED = b"\xff"
@@ -15,16 +15,15 @@ ERASED = b"\xff"
 
 def read_old(program, image):
     """What the flash holds so far: the image file, or erased flash."""
-    try:
-        old = output.target_of(image).read_bytes()
-    except FileNotFoundError:
+    target = output.target_of(image)
+    if not target.exists():
         return ERASED * program.image_size
-    except OSError as error:
-        raise ToolError(f"cannot read {image}: {error.strerror}") from error
-    if len(old) != program.image_size:
-        raise ToolError(f"{image} is not a flash image of board {program.board}, or a damaged one: {len(old)} "
-                        f"bytes, {program.image_size} expected; delete it to begin with erased flash")
-    return old
+    file, found = reading.open_regular(target)
+    with file:
+        if found.st_size != program.image_size:
+            raise ToolError(f"{image} is not a flash image of board {program.board}, or a damaged one: {found.st_size} "
+                            f"bytes, {program.image_size} expected; delete it to begin with erased flash")
+        return file.read(found.st_size)
 
 
 def replace(image, data, check):

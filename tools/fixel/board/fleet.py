@@ -8,6 +8,7 @@ import statistics
 
 from elftools.elf.elffile import ELFFile
 
+from fixel.base import reading
 from fixel.board import dump, emulator, firmware, flash, methods
 from fixel.base.errors import ToolError
 
@@ -53,7 +54,7 @@ def sizes(elf_path):
 
     RAM is everything that is set aside when it starts, its stacks included."""
     program = firmware.load(elf_path)
-    with open(elf_path, "rb") as file:
+    with reading.open_file(elf_path) as file:
         table = ELFFile(file).get_section_by_name(".symtab")
         found = {name: table.get_symbol_by_name(name) for name in RAM_SYMBOLS}
     missing = [name for name, symbols in found.items() if not symbols]
@@ -68,7 +69,7 @@ def sizes(elf_path):
 
 def stack_reserved(elf_path):
     """Bytes that a board's program sets aside for its stack."""
-    with open(elf_path, "rb") as file:
+    with reading.open_file(elf_path) as file:
         return ELFFile(file).get_section_by_name(".symtab").get_symbol_by_name("fxl_stack_size")[0]["st_value"]
 
 

@@ -7,6 +7,7 @@ import struct
 
 import numpy
 
+from fixel.base import reading
 from fixel.board import controllers, grey
 from fixel.board.controllers import require
 from fixel.base.errors import ToolError
@@ -81,7 +82,7 @@ def check_size(driver, width, height):
 def compare(path, driver, drawn, progress=None):
     """How many of a dump's frames the wires show as they were drawn, and a SHA-256 of each picture from the wires."""
     equal, hashes = 0, []
-    with open(path, "rb") as file:
+    with reading.open_file(path) as file:
         for picture in read(file, controllers.MODELS[driver]()):
             require(len(hashes) < len(drawn.frames), "more frames come than were drawn")
             wanted = shown(driver, drawn.frames[len(hashes)].pixels, drawn.palette)
