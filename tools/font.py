@@ -49,16 +49,13 @@ def header(font, name, source, first, last):
             raise ToolError(f"{source}: the pictures of the characters take more than {BYTES_MAX:,} bytes; choose "
                             "fewer by --characters, or a smaller font")
     items = [records.get(code, records[unknown]) for code in range(there[0], last + 1)]
-    guard = f"{name.upper()}_FONT_H"
-    record = c_text.braces(f"{name}_bits", f"{name}_glyphs", len(items), there[0], unknown, font.line_height)
-    return "\n".join([
-        *c_text.comment(f"Written by tools/font.py from {c_scene.printable(source)}: characters {there[0]}..{last}, lines of "
-                        f"{font.line_height} pixels."),
-        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel/extra/overlay.h>", "",
-        c_text.table("uint8_t", f"{name}_bits", bits or ["0x00"]),
-        c_text.table("fxl_glyph", f"{name}_glyphs", items,
-                     "First byte, width, height, left, top, advance, 0."),
-        f"static const fxl_font {name}_font = {record};", "", "#endif", ""])
+    members = f"{name}_bits, {name}_glyphs, {len(items)}, {there[0]}, {unknown}, {font.line_height}"
+    return c_text.header(
+        f"Written by tools/font.py from {c_scene.printable(source)}: characters {there[0]}..{last}, lines of "
+        f"{font.line_height} pixels.", f"{name.upper()}_FONT_H", ["fixel/extra/overlay.h"],
+        [c_text.table("uint8_t", f"{name}_bits", bits or ["0x00"]),
+         c_text.table("fxl_glyph", f"{name}_glyphs", items, "First byte, width, height, left, top, advance, 0."),
+         c_text.record("fxl_font", f"{name}_font", [members])])
 
 
 def export(source, out, name=None, characters="32-126"):

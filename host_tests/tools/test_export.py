@@ -3,6 +3,7 @@
 say how much memory the library wants."""
 
 import functools
+import re
 import subprocess
 from types import SimpleNamespace
 
@@ -11,20 +12,23 @@ import pytest
 import scene as scene_tool
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
+from fixel.bench import costs
 from fixel.image import c_names, c_scene, image, memory_needed
 from fixel.scene import framing
 from fixel.base.errors import ToolError
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Werror"]
-COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11"], ["g++", "-std=c++11", "-Wold-style-cast"],
-             ["g++", "-std=c++20", "-Wold-style-cast"], ["clang++", "-std=c++11", "-Wold-style-cast"]]
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Wredundant-decls", "-Werror"]
+COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11", "-Wmissing-variable-declarations"],
+             ["g++", "-std=c++11", "-Wold-style-cast"], ["g++", "-std=c++17", "-Wold-style-cast"],
+             ["clang++", "-std=c++11", "-Wold-style-cast"], ["clang++", "-std=c++17", "-Wmissing-variable-declarations"]]
 # Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; turns and motions; light.
 SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
           "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
           "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None),
           "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
+          "sun": (ROOT / "host_tests" / "tools" / "sun.toml", None),
           "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None),
           "billboards": (ROOT / "host_tests" / "fuzz" / "scenes" / "billboards.toml", None)}
 
@@ -194,12 +198,68 @@ def test_a_header_holds_what_the_image_holds(exported):
 
 @pytest.mark.parametrize("compiler", COMPILERS, ids=lambda command: "-".join(command[:2]))
 def test_a_header_compiles_without_a_warning_where_nothing_of_it_is_used(exported, compiler):
-    for number, text in enumerate(['#include "scene.h"\n', f'#include "scene.h"\nconst fxl_scene *scene = &{exported.name}_scene;\n']):
+    used = f"extern const fxl_scene *scene;\nconst fxl_scene *scene = &{exported.name}_scene;\n"
+    declared = f"#define {exported.name.upper()}_SCENE_DECLARE\n"
+    for number, text in enumerate(['#include "scene.h"\n', f'#include "scene.h"\n{used}', f'{declared}#include "scene.h"\n{used}']):
         source = exported.folder / f"unit{number}.{'cpp' if '++' in compiler[0] else 'c'}"
         source.write_text(text, encoding="utf-8")
         done = subprocess.run([*compiler, *WARNINGS, "-fsyntax-only", source, "-I", ROOT / "lib" / "include"],
                               capture_output=True, text=True, check=False)
         assert (done.returncode, done.stderr) == (0, "")
+
+
+# A table's place, as one file of a program sees it.
+PLACES = """
+#include <stdio.h>
+#include "cube_scene.h"
+#ifdef __cplusplus
+extern "C"
+#endif
+void places_N(void);
+void places_N(void)
+{
+    printf("%p %p %p\\n", FXL_CAST(const void *, &cube_scene), FXL_CAST(const void *, cube_scene.vertices),
+           FXL_CAST(const void *, cube_palette));
+}
+"""
+PLACES_MAIN = "void places_0(void); void places_1(void); void places_2(void);\n" \
+              "int main(void) { places_0(); places_1(); places_2(); return 0; }\n"
+
+
+def linked_places(folder, declare, *options):
+    """The program of three files, two in C and one in C++, which all include the header; how often it holds the palette.
+    declare: with the tables in the first file alone."""
+    scene, _ = scene_tool.export(str(CUBE), str(folder / "cube_scene.h"), "cube")
+    (folder / "main.c").write_text(PLACES_MAIN, encoding="utf-8")
+    objects = []
+    for number, compiler in enumerate((["gcc", "-std=c11"], ["g++", "-std=c++17"], ["gcc", "-std=c11"])):
+        source = folder / f"places{number}.{'cc' if compiler[0] == 'g++' else 'c'}"
+        alone = "#define CUBE_SCENE_DECLARE\n" if declare and number else ""
+        source.write_text(alone + PLACES.replace("_N(", f"_{number}("), encoding="utf-8")
+        objects.append(source.with_suffix(".o"))
+        subprocess.run([*compiler, *WARNINGS, *options, f"-I{ROOT / 'lib' / 'include'}", "-c", source, "-o", objects[-1]], check=True)
+    subprocess.run(["gcc", "main.c", *objects, *options, "-Wl,--gc-sections", "-o", "main"], cwd=folder, check=True)
+    colours = b"".join(bytes(colour) for colour in scene.palette[:7])
+    return folder / "main", (folder / "main").read_bytes().count(colours)
+
+
+@pytest.mark.parametrize("declare, options", [(False, ["-fdata-sections"]), (True, [])], ids=["linker", "declarations"])
+def test_several_files_share_the_tables(tmp_path, declare, options):
+    program, copies = linked_places(tmp_path, declare, *options)
+    lines = printed(program).splitlines()
+    assert len(lines) == 3 and len(set(lines)) == 1 and copies == 1
+
+
+def test_without_sections_the_linker_keeps_what_no_file_uses(tmp_path):
+    """Why docs/hello.md names -fdata-sections, or the declarations."""
+    assert linked_places(tmp_path, False)[1] == 3
+
+
+def test_the_tables_may_follow_the_declarations(tmp_path):
+    scene_tool.export(str(CUBE), str(tmp_path / "cube_scene.h"), "cube")
+    text = '#define CUBE_SCENE_DECLARE\n#include "cube_scene.h"\n#undef CUBE_SCENE_DECLARE\n#include "cube_scene.h"\n' \
+           '#include "cube_scene.h"\nint main(void) { return cube_scene.face_count != 6; }\n'
+    assert subprocess.run([compiled(tmp_path, text)], check=False).returncode == 0
 
 
 # What the library makes of blocks of several sizes; then the path, with the block that the header asks for.
@@ -249,6 +309,14 @@ int main(void)
 """
 
 
+def test_the_header_names_three_sizes(exported):
+    text = (exported.folder / "scene.h").read_text(encoding="utf-8")
+    sizes = [int(re.search(rf"^#define {exported.name.upper()}_MEMORY{more} +(\d+)$", text, re.MULTILINE)[1])
+             for more in ("_LEAST", "", "_FAST")]
+    assert sizes == [size(exported.scene) for size in (memory_needed.least, memory_needed.moderate, memory_needed.most)]
+    assert all(f"{8 * size:,} bytes" in " ".join(text.split("#ifndef")[1].split(" * ")).replace("\n", "") for size in sizes)
+
+
 def divided(scene, units):
     """Cache entries and words of the display list, from the rule in words: the order of drawing first; of
     the rest a quarter at most for the cache, a power of two of entries and no more than the largest
@@ -265,7 +333,7 @@ def divided(scene, units):
 def test_the_library_divides_the_block_as_the_tool_says(exported):
     name = exported.name.upper()
     path = [f"-DPATH={name}_FRAMES"] if exported.frames else []
-    program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY",
+    program = compiled(exported.folder, MEMORY, f"-DNAME={exported.name}", f"-DMEMORY={name}_MEMORY_FAST",
                        f"-DLEAST={name}_MEMORY_LEAST", *path, *looks_of(exported.scene))
     rows = printed(program).splitlines()
     if exported.frames:
@@ -291,6 +359,40 @@ def test_with_one_unit_less_something_is_missing():
             entries, words = divided(scene, units)
             return entries >= vertices and words >= memory_needed.most_words(scene)
         assert is_enough(most) and not is_enough(most - 1)
+
+
+MODELS = [("plaza", "scenes/plaza.toml"), ("sphere", "scenes/w3.toml"), ("spin", "scenes/spin.toml"),
+          ("landscape", "scenes/landscape.toml"), ("loose", "scenes/c500.toml"), ("fine", "scenes/f32.toml"), ("lit", "scenes/lit.toml"), ("cube", CUBE)]
+
+
+def costs_of_memory(file, rows):
+    """Instructions of a mean frame on a Cortex-M3 with each of the three sizes, by what the library does."""
+    scene, known = image.load(file), costs.load()["cores"]["m3"]
+    band, taken = (rows or scene.height) * scene.width, []
+    for size in (memory_needed.least, memory_needed.moderate, memory_needed.most):
+        entries, words = divided(scene, size(scene))
+        # Light and motions have memory of their own. The limit of 0 words is written 1 byte.
+        limit = 4 * words * bool(rows) or 1
+        names, counts = costs.count(made("build/host/predict").parents[1], file, band, 0, 1 << 20, entries, limit, 6)
+        taken.append(costs.instructions(known, names, counts).mean())
+    return taken
+
+
+@pytest.mark.parametrize("rows, most_moderate, most_least", [(None, 1.2, 1.4), (16, 2.0, 9.0)], ids=["fxl_render", "bands"])
+def test_what_less_memory_costs(tmp_path, rows, most_moderate, most_least):
+    """The header's comment and docs/hello.md say so."""
+    ratios = []
+    for name, file in MODELS:
+        scene_tool.build(str(ROOT / file), tmp_path / f"{name}.fxls", 12 if str(file).endswith(".obj") else None)
+        scene = image.load(tmp_path / f"{name}.fxls")
+        least, moderate, most = costs_of_memory(tmp_path / f"{name}.fxls", rows)
+        ratios.append((moderate / most, least / most))
+        assert 0.999 <= moderate / most <= most_moderate and moderate <= 1.001 * least and least / most <= most_least, name
+        bytes_beside = 8 * (memory_needed.moderate(scene) - memory_needed.least(scene))
+        assert bytes_beside <= 10240 and memory_needed.least(scene) <= memory_needed.moderate(scene) <= memory_needed.most(scene)
+    # The bounds are not far from what is so.
+    found = [max(each) for each in zip(*ratios)]
+    assert found[0] >= (1.02 if rows is None else 1.6) and found[1] >= (1.15 if rows is None else 7), found
 
 
 def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):

@@ -64,7 +64,9 @@ THREADS = """
 #include "cube_scene.h"
 #ifdef LEAST
 #undef CUBE_MEMORY
+#undef CUBE_MEMORY_FAST
 #define CUBE_MEMORY CUBE_MEMORY_LEAST
+#define CUBE_MEMORY_FAST CUBE_MEMORY_LEAST
 #endif
 #define main two_cores
 #include "cores.c"

@@ -169,7 +169,16 @@ void test_a_frame_is_the_same_whatever_the_block(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels[0], WIDTH));
     TEST_ASSERT_TRUE(renderer.workspace.counters.drawn > 0);
+    /* One band is drawn without the list; its room is there for the next frame. */
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.frame.display_list.used);
+    TEST_ASSERT_TRUE(renderer.frame.display_list.capacity > 0);
     memcpy(other, pixels, sizeof pixels);
+    const fxl_band whole = {pixels[0], WIDTH, WIDTH, 0, HEIGHT};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    TEST_ASSERT_TRUE(renderer.frame.display_list.used > 0);
+    fxl_fill_band(&whole, 9);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &whole));
+    TEST_ASSERT_EQUAL_MEMORY(other, pixels, sizeof pixels);
     for (uint32_t size = 64; size < LARGE; size = size * 2 + 12) {
         if (fxl_renderer_init(&renderer, &scene, &config, block, size) == FXL_OK) {
             memset(pixels, 0xEE, sizeof pixels);

@@ -33,6 +33,21 @@ extern "C" {
 #define FXL_ALIGN_8           _Alignas(8)
 #endif
 
+/* Stands before the definition of a table in a header that the tools wrote. Each file that includes
+ * the header defines the table, and the linker keeps one of them. With another compiler exactly one
+ * file of a program may define the tables; the header says how the others declare them. */
+#if defined __GNUC__ && defined __cplusplus
+#define FXL_SHARED extern __attribute__((weak)) /* without extern, C++ keeps a constant to its file */
+#elif defined __GNUC__
+#define FXL_SHARED __attribute__((weak))
+#elif defined _MSC_VER
+#define FXL_SHARED __declspec(selectany)
+#elif defined __IAR_SYSTEMS_ICC__
+#define FXL_SHARED __weak
+#else
+#define FXL_SHARED
+#endif
+
 typedef int32_t fxl_q16_16; /* world units, pixels, texels; unit 1/65536 */
 typedef int32_t fxl_q2_30;  /* components of unit vectors, sines; unit 2^-30 */
 typedef uint32_t fxl_q1_31; /* fractions 0..1 inclusive; unit 2^-31 */

@@ -114,7 +114,11 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
                               .counters = &workspace->counters,
                               .way = fxl_way_of(renderer, true)};
     frame->state = FXL_FRAME_BEGUN;
-    if (!renderer->visibility->submit(&on) && in_bands && measures_rows(renderer)) {
+    const uint32_t capacity = frame->display_list.capacity;
+    frame->display_list.capacity = in_bands ? capacity : 0;
+    const bool is_whole = renderer->visibility->submit(&on);
+    frame->display_list.capacity = capacity;
+    if (!is_whole && in_bands && measures_rows(renderer)) {
         fxl_reach_measure(&on, frame);
         workspace->rest_counted = true;
     }

@@ -8,8 +8,9 @@
 /* Counts a call that is refused; answers its status. */
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
 
-/* fxl_frame_begin. in_bands: what the display list had no room for will be drawn in several bands,
- * for which it pays to measure the rows that it reaches. */
+/* fxl_frame_begin. in_bands: the frame will be drawn in several bands. Then it pays to measure the
+ * rows of what the display list had no room for. A frame of one band leaves the list empty: to
+ * write a polygon and read it once costs more instructions than to draw it at once. */
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands);
 
 /* Entries of a scene's order_needed that are for the instances, whatever instance_count becomes in

@@ -2,9 +2,9 @@
 """The billboards of a scene as text of C: constant tables in the layout of lib/include/fixel/extra/billboards.h."""
 
 from fixel.image import image_billboard
-from fixel.image.c_text import braces, comment, table
+from fixel.image.c_text import braces, record, table
 
-INCLUDE = '#include <fixel/extra/billboards.h>'
+INCLUDE = "fixel/extra/billboards.h"
 
 
 def _pieces(boards, name):
@@ -38,5 +38,5 @@ def text(scene, name):
             table("fxl_billboard", f"{name}_boards", sides, "Sprite; width, height and anchor in 16.16."),
             table("uint16_t", f"{name}_billboard_map", [str(number) for number in scene.billboards.model_map],
                   "For each model its billboard, counted from 1; 0: none."),
-            "\n".join([*comment("For fxl_renderer_set_billboards."), f"static const fxl_billboard_set {name}_billboards = {{",
-                       f"    {name}_boards, {len(boards)}, {name}_billboard_map", "};", ""])]
+            record("fxl_billboard_set", f"{name}_billboards", [f"{name}_boards, {len(boards)}, {name}_billboard_map"],
+                   "For fxl_renderer_set_billboards.")]

@@ -9,7 +9,7 @@ import re
 
 from fixel.image import (c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_header, image_keys,
                          memory_needed)
-from fixel.image.c_text import braces, comment, split64, table
+from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 from fixel.image.image_tree import SORTED
@@ -131,8 +131,7 @@ class _Tables:
                  "&fxl_turned_instances" if scene.turns else "NULL"),
             "0 /* instance_capacity */",
         ]
-        return "\n".join([f"static const fxl_scene {name}_scene = {{",
-                          ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])
+        return record("fxl_scene", f"{name}_scene", entries, "The scene, for fxl_renderer_init.")
 
 
 def _turn(turn):
@@ -165,11 +164,11 @@ def _motions(scene, name):
               "extent; least and largest scale; first key, keys, parent, whether it repeats, reserved."),
         table("fxl_motion_key", f"{name}_motion_keys", list(map(_key, keys)),
               "Frame, centre, yaw, pitch, roll, scale."),
-        "\n".join([*comment("For fxl_motion_begin, with a copy of the scene, and as many instances and turns of memory."),
+        "\n".join([*comment(f"For fxl_motion_begin with {name}_motion: a copy of the scene has as many instances and turns."),
                    f"#define {name.upper()}_INSTANCES {len(scene.objects)}",
-                   f"#define {name.upper()}_TURNS     {len(scene.turns)}",
-                   f"static const fxl_motion_set {name}_motion = {{",
-                   f"{c_text.INDENT}{name}_motions, {len(scene.motions)}, {name}_motion_keys, {len(keys)}", "};", ""])]
+                   f"#define {name.upper()}_TURNS     {len(scene.turns)}", ""]),
+        record("fxl_motion_set", f"{name}_motion", [f"{name}_motions, {len(scene.motions)}, {name}_motion_keys, {len(keys)}"],
+               "For fxl_motion_begin.")]
 
 
 def _light(scene, name):
@@ -178,14 +177,13 @@ def _light(scene, name):
     if light is None:
         return []
     points = [braces(braces(*place), reach, strength) for *place, reach, strength in light.points]
-    entries = [f"{light.ambient}, {light.strength}, {braces(*light.direction)}", braces(*points or ["{0, 0, 0}, 0, 0"]),
+    entries = [f"{light.ambient}, {light.strength}, {braces(*light.direction)}", braces(*points or ["{{0, 0, 0}, 0, 0}"]),
                ", ".join(map(str, [len(points), *light.fog, f"{name}_ramp", len(light.ramp)]))]
     return [table("uint8_t", f"{name}_ramp", [str(entry) for level in light.ramp for entry in level],
                   "For each level from dark to full, 256 entries: the colour of each colour."),
-            "\n".join([*comment("For fxl_renderer_set_light: ambient, strength and direction in 2.30; point lights; their "
-                                "count, fog's near and far in 16.16, ramp, levels."),
-                       f"static const fxl_light_settings {name}_light = {{",
-                       ",\n".join(c_text.INDENT + entry for entry in entries), "};", ""])]
+            record("fxl_light_settings", f"{name}_light", entries,
+                   "For fxl_renderer_set_light: ambient, strength and direction in 2.30; point lights; their "
+                   "count, fog's near and far in 16.16, ramp, levels.")]
 
 
 def _node(node):
@@ -206,7 +204,7 @@ def _beam(beam):
 
 def _pose(pose):
     position, angles = pose[:3], pose[3:]
-    return braces(braces(*position), *map(_hex, angles))
+    return ", ".join([braces(*position), *map(_hex, angles)])
 
 
 def _palette(scene, name):
@@ -230,14 +228,13 @@ def _signed(value):
 
 def _view(scene, name, frames):
     """The lens, the first pose, and the path if it was asked for."""
-    config = braces(scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
-                    scene.background)
+    config = ", ".join(map(str, (scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
+                                 scene.background)))
     first = scene.path[0] if scene.path_kind == image.POSES else scene.start
-    made = ["\n".join([*comment("The scene's own view, for fxl_renderer_init: width, height, field of view, "
-                                "near, far, inset, background."),
-                       f"static const fxl_config {name}_config = {config};", "",
-                       *comment("The scene's first pose: x, y, z in 16.16, yaw, pitch, roll."),
-                       f"static const fxl_pose {name}_start =", f"{c_text.INDENT}{_pose(first)};", ""])]
+    made = [record("fxl_config", f"{name}_config", [config],
+                   "The scene's own view, for fxl_renderer_init: width, height, field of view, near, far, inset, "
+                   "background."),
+            record("fxl_pose", f"{name}_start", [_pose(first)], "The scene's first pose: x, y, z in 16.16, yaw, pitch, roll.")]
     if scene.centre:
         made.append("\n".join([*comment("The scene's lens is off-centre. After fxl_renderer_init call "
                                         f"fxl_renderer_set_centre(&renderer, {name.upper()}_CENTRE_X, "
@@ -247,9 +244,9 @@ def _view(scene, name, frames):
     if scene.visibility == image_header.BY_DEPTH:
         made.append("\n".join([*comment("The scene is to be drawn with a depth buffer: fxl_renderer_set_depth."), ""]))
     if frames:
-        made.append("\n".join([f"#define {name.upper()}_FRAMES {len(scene.path)}", "",
-                               table("fxl_pose", f"{name}_path", list(map(_pose, scene.path)),
-                                     "The scene's path, a pose for each frame.")]))
+        made += [f"#define {name.upper()}_FRAMES {len(scene.path)}\n",
+                 table("fxl_pose", f"{name}_path", [braces(_pose(pose)) for pose in scene.path],
+                       "The scene's path, a pose for each frame.")]
     return made
 
 
@@ -259,13 +256,19 @@ def printable(text):
 
 
 def _memory(scene, name):
+    """Three sizes of the renderer's memory, and what each costs. host_tests/tools/test_export.py measures the costs."""
+    least, moderate, most = (getattr(memory_needed, size)(scene) for size in ("least", "moderate", "most"))
+    unit = memory_needed.UNIT
     return "\n".join([
-        *comment(f"uint64_t of memory for fxl_renderer_init. With {name.upper()}_MEMORY, the display list holds "
-                 "every polygon of any frame, and the vertex cache every vertex of the largest model. With less, "
-                 "a frame takes longer and has the same pixels. "
-                 f"{name.upper()}_MEMORY_LEAST is the least that fxl_renderer_init takes."),
-        f"#define {name.upper()}_MEMORY       {memory_needed.most(scene)}",
-        f"#define {name.upper()}_MEMORY_LEAST {memory_needed.least(scene)}", ""])
+        *comment("uint64_t of memory for fxl_renderer_init. A frame has the same pixels with each of the three. "
+                 f"{name.upper()}_MEMORY_FAST, {unit * most:,} bytes: no frame needs more. {name.upper()}_MEMORY, "
+                 f"{unit * moderate:,} bytes: fxl_render takes up to 1.2 times the instructions of {name.upper()}_MEMORY_FAST, "
+                 f"a frame in bands of 16 rows up to 2 times. {name.upper()}_MEMORY_LEAST, {unit * least:,} bytes, below which "
+                 "fxl_renderer_init answers FXL_E_CAPACITY: fxl_render takes up to 1.4 times, a frame in bands of 16 rows up "
+                 "to 9 times."),
+        f"#define {name.upper()}_MEMORY       {moderate}",
+        f"#define {name.upper()}_MEMORY_LEAST {least}",
+        f"#define {name.upper()}_MEMORY_FAST  {most}", ""])
 
 
 def _capacity(scene, name):
@@ -286,13 +289,11 @@ def header(scene, name, source, frames=False):
     tables = _Tables(scene, name)
     holds = ", ".join([_count(len(tables.vertices), "vertex"), _count(len(tables.faces), "face"),
                        _count(len(tables.models), "model"), _count(len(scene.objects), "instance")])
-    guard = f"{name.upper()}_SCENE_H"
-    return "\n".join([
-        *comment(f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so "
-                 "no program need call fxl_scene_check."),
-        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel.h>", *([c_surfaces.INCLUDE] if scene.surfaces else []),
-        *([c_billboards.INCLUDE] if scene.billboards else []), "",
-        _memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
-        *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
-        *c_billboards.text(scene, name),
-        *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name), "#endif", ""])
+    includes = ["fixel.h", *([c_surfaces.INCLUDE] if scene.surfaces else []),
+                *([c_billboards.INCLUDE] if scene.billboards else [])]
+    return c_text.header(
+        f"Written by tools/scene.py from {printable(source)}: {holds}. The tool has checked the scene, so no program need "
+        "call fxl_scene_check.", f"{name.upper()}_SCENE_H", includes,
+        [_memory(scene, name), _capacity(scene, name), *tables.text(), tables.record(),
+         *c_names.text(scene, name), *_motions(scene, name), *_light(scene, name), *c_surfaces.text(scene, name),
+         *c_billboards.text(scene, name), *_view(scene, name, frames), _palette(scene, name), *_reserved(scene, name)])

@@ -5,9 +5,9 @@ import collections
 import itertools
 
 from fixel.image import image_surface
-from fixel.image.c_text import braces, comment, table
+from fixel.image.c_text import braces, record, table
 
-INCLUDE = '#include <fixel/extra/surfaces.h>'
+INCLUDE = "fixel/extra/surfaces.h"
 FORMATS = {image_surface.BITS_8: "FXL_TEXTURE_8", image_surface.BITS_4: "FXL_TEXTURE_4"}
 
 
@@ -39,7 +39,7 @@ def _mapped(mapped):
 
 
 def _tables(scene, name, names):
-    """[(member, table's name or NULL, its text or "", rows)] in the order of fxl_surface_set's first members."""
+    """[(table's name or NULL, the table or None, rows)] in the order of fxl_surface_set's first members."""
     surfaces, numbers = scene.surfaces, {}
     faces = [face.mapped for model in scene.models for face in model.faces]
     face_map = ["0" if each is None else str(numbers.setdefault(each, len(numbers) + 1)) for each in faces]
@@ -53,7 +53,7 @@ def _tables(scene, name, names):
             ("normals", "fxl_direction", [braces(*each) for each in surfaces.normals], "Of corners, in 2.30."),
             ("blend", "uint8_t", _numbers(itertools.chain(*surfaces.blend)),
              "What a blended colour shows over each other: 256 for each.")]
-    return [(f"{name}_{what}" if items else "NULL", table(kind, f"{name}_{what}", items, about) if items else "", len(items))
+    return [(f"{name}_{what}" if items else "NULL", table(kind, f"{name}_{what}", items, about) if items else None, len(items))
             for what, kind, items, about in rows]
 
 
@@ -67,5 +67,4 @@ def text(scene, name):
     entries = [", ".join([textures, looks, mapped, face_map, normals]), ", ".join(map(str, counts)),
                f"{blend}, {scene.surfaces.blend_first}, {len(scene.surfaces.blend)}"]
     return [*pieces, *(made for _, made, _ in tables if made),
-            "\n".join([*comment("For fxl_renderer_set_surfaces."), f"static const fxl_surface_set {name}_surfaces = {{",
-                       ",\n".join(f"    {entry}" for entry in entries), "};", ""])]
+            record("fxl_surface_set", f"{name}_surfaces", entries, "For fxl_renderer_set_surfaces.")]

@@ -13,6 +13,7 @@ CACHED_VERTEX = 40      # bytes of an fxl_cached_vertex
 WORD = 4                # bytes of a word of the display list
 CLIP_PLANES = 6         # each adds at most one vertex to a convex polygon
 UNIT = 8                # the block is an array of uint64_t
+MODERATE = 10240        # bytes beside the order: a cache of 64 vertices, and 7,680 bytes of display list
 
 
 def order_needed(scene):
@@ -56,6 +57,11 @@ def most_words(scene):
 def least(scene):
     """The uint64_t without which fxl_renderer_init answers FXL_E_CAPACITY: the order of drawing alone."""
     return _up(ORDER_ENTRY * order_needed(scene), UNIT) // UNIT
+
+
+def moderate(scene):
+    """The uint64_t that the tools propose: never more than most, and at most MODERATE bytes beside the order."""
+    return min(most(scene), least(scene) + MODERATE // UNIT)
 
 
 def most(scene):

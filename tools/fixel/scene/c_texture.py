@@ -5,10 +5,10 @@ import os
 
 import numpy as np
 
-from fixel.image import c_scene, image_surface
+from fixel.image import c_scene, c_text, image_surface
 from fixel.model import texture_image
 from fixel.scene import texture
-from fixel.image.c_text import braces, comment, table
+from fixel.image.c_text import record, table
 from fixel.base.errors import ToolError
 
 
@@ -41,13 +41,11 @@ def header(file, name, size=None, levels=1, clamp=False):
     texels, key = texels_of(made)
     flags = (image_surface.CLAMP if clamp else 0) | (image_surface.KEYED if key is not None else 0)
     high, wide = made[0].shape
-    guard = f"{name.upper()}_TEXTURE_H"
     about = f"{wide} x {high} texels of RGB565" + (f" and {len(made) - 1} smaller pictures" if len(made) > 1 else "") + \
         (f"; those of 0x{key:04X} are not drawn" if key is not None else "")
-    record = braces(f"FXL_CAST(const uint8_t *, FXL_CAST(const void *, {name}_texels))", "NULL", wide.bit_length() - 1,
-                    high.bit_length() - 1, "FXL_TEXTURE_565", flags, 0, len(made), key or 0)
-    return "\n".join([
-        *comment(f"Written by tools/scene.py from {c_scene.printable(os.path.basename(file))}."),
-        f"#ifndef {guard}", f"#define {guard}", "", "#include <fixel/extra/rgb565.h>", "",
-        table("uint16_t", f"{name}_texels", [f"0x{texel:04X}" for texel in texels], about),
-        f"static const fxl_texture {name}_texture =\n    {record};", "", "#endif", ""]), len(texels)
+    members = [f"FXL_CAST(const uint8_t *, FXL_CAST(const void *, {name}_texels))", "NULL", wide.bit_length() - 1,
+               high.bit_length() - 1, "FXL_TEXTURE_565", flags, 0, len(made), key or 0]
+    return c_text.header(f"Written by tools/scene.py from {c_scene.printable(os.path.basename(file))}.",
+                         f"{name.upper()}_TEXTURE_H", ["fixel/extra/rgb565.h"],
+                         [table("uint16_t", f"{name}_texels", [f"0x{texel:04X}" for texel in texels], about),
+                          record("fxl_texture", f"{name}_texture", [", ".join(map(str, members))])]), len(texels)
