@@ -19,6 +19,7 @@ import scene as scene_tool
 from fixel.base import output, scratch
 from fixel.bench import costs
 from fixel.image import image, memory_needed
+from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.base.table import coloured, table
 
@@ -103,6 +104,7 @@ def main(argv):
     parser.add_argument("--without-surfaces", action="store_true", help="the board's program draws none")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(parser)
     parser.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
@@ -110,7 +112,7 @@ def main(argv):
     screen = scene_tool.parse_screen(options.screen) if options.screen else None
     output.make_folder(options.build)
     with scratch.folder("predict", options.build) as folder:
-        result = predict(options, run_tool.make_scene_image(options.scene, folder, options.frames, screen))
+        result = predict(options, run_tool.make_scene_image(options.scene, folder, options.frames, screen, bounded.limits_of(options)))
     if options.json == "-":
         print(json.dumps(result, indent=1))
     else:

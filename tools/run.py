@@ -24,6 +24,7 @@ from fixel.base import output, picture, scratch
 from fixel.board import dump, emulator, firmware, flash, methods, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
+from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
@@ -46,7 +47,7 @@ def check_frames(scene, wanted, there):
         raise ToolError(f"{scene}: path: {wanted} frames are asked for, and the path has {there}")
 
 
-def make_scene_image(scene, folder, frames, screen=None):
+def make_scene_image(scene, folder, frames, screen=None, limits=None):
     """The scene image of a .toml or a model, compiled into folder; an .fxls is one already."""
     if pathlib.Path(scene).suffix == ".fxls":
         if screen:
@@ -55,8 +56,7 @@ def make_scene_image(scene, folder, frames, screen=None):
             check_frames(scene, frames, scene_image.load(scene).frames)
         return pathlib.Path(scene)
     image = folder / "scene.fxls"
-    _, notes = scene_tool.build(scene, image, frames, screen)
-    for note in notes:
+    for note in scene_tool.build(scene, image, frames, screen, limits=limits).notes:
         print(f"  {one_line(note)}", file=sys.stderr)
     return image
 
@@ -255,7 +255,7 @@ def run(options, folder):
         # QEMU may be missing: say so before the scene takes its time.
         if options.board != firmware.HOST:
             emulator.find_qemu()
-        image = make_scene_image(options.scene, work, options.frames, options.screen)
+        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
         say_what_depth_confuses(image, options)
         name = methods.program(options)
         record = work / wires.NAME if options.driver else None
@@ -292,6 +292,7 @@ def main(argv):
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(parser)
     methods.add_options(parser)
     parser.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")
     parser.add_argument("--out", default="build/run", help="folder for the results")

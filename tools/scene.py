@@ -15,34 +15,18 @@ from fixel.base import interpreter
 interpreter.choose()  # before the imports that need a package
 
 import argparse
-import gc
 import json
 import os
 import re
 import sys
-import time
 
-from fixel.base import output
-from fixel.image import c_scene, image, image_header, image_lens, image_ranges, image_surface
-from fixel.model import model_file
-from fixel.scene import c_texture, framing, path, texture, toml_scene, tree
+from fixel.image import image, image_header, image_lens, image_surface
+from fixel.scene import path, texture, toml_scene
+from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.base.reading import quoted
-
-QUIET_SECONDS = 2.0
-
-
-class Progress:
-    """Tells on stderr what is being done, once it takes longer than is pleasant."""
-
-    def __init__(self):
-        self.next = time.monotonic() + QUIET_SECONDS
-
-    def __call__(self, text):
-        if time.monotonic() >= self.next:
-            print(f"scene: {one_line(text)}", file=sys.stderr, flush=True)
-            self.next = time.monotonic() + QUIET_SECONDS
-
+from fixel.scene import making
+from fixel.scene.making import build, export
 
 def parse_screen(text):
     """Width and height from "128x64"."""
@@ -60,60 +44,6 @@ def whole(text):
     return int(text)
 
 
-def compile_scene(scene, frames=None, screen=None, layers=None, framed=framing.WALK):
-    """Compiles a .toml or a model; answers the SceneImage and what there is to say about it. screen: width
-    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of). framed:
-    how a model is framed."""
-    is_model = model_file.is_model(scene)
-    if not is_model and model_file.suffix_of(scene) != ".toml":
-        raise ToolError(f"{scene}: a scene is a .toml file, or a model: {model_file.SUFFIXES}")
-    if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
-        raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
-    if is_model:
-        compiled, notes = framing.compile_model(scene, frames, Progress(), screen, framed)
-    else:
-        compiled, notes = toml_scene.compile_file(scene, frames, Progress(), screen)
-    if layers:
-        notes = notes + [plant(compiled, layers, scene)]
-    return compiled, notes
-
-
-def packed(compiled, name):
-    """The bytes of a scene's image, in which everything is checked."""
-    try:
-        return image.pack(compiled)
-    except ToolError as error:
-        raise ToolError(f"{name}: {error}") from error
-
-
-def build(scene, out, frames=None, screen=None, layers=None):
-    """Compiles a scene file into an image file; answers as compile_scene."""
-    compiled, notes = compile_scene(scene, frames, screen, layers)
-    blob = packed(compiled, scene)
-    output.write_file(out, blob)
-    compiled.size = len(blob)
-    return compiled, notes
-
-
-def export(scene, out, name=None, frames=None, screen=None, layers=None):
-    """Writes a scene, or a scene image, as a C header; answers as compile_scene. frames: with so many
-    poses of the path."""
-    stem, suffix = os.path.splitext(os.path.basename(scene))
-    name = stem if name is None else name
-    c_scene.check_name(name)
-    if suffix.lower() == ".fxls":
-        if frames or screen or layers:
-            raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
-                            "has its path, its screen and its tree already")
-        compiled, notes = image.load(scene), []
-        image_ranges.check_apart(compiled, scene)
-    else:
-        compiled, notes = compile_scene(scene, frames, screen, layers, framing.PROGRAM)
-        packed(compiled, scene)
-    output.write_file(out, c_scene.header(compiled, name, os.path.basename(scene), frames is not None))
-    return compiled, notes
-
-
 def make_texture(arguments):
     """Writes an image as a texture in C."""
     sides = re.fullmatch(r"([0-9]{1,3})x([0-9]{1,3})", arguments.size) if arguments.size else None
@@ -124,24 +54,9 @@ def make_texture(arguments):
     if not 1 <= arguments.levels <= image_surface.LEVELS_MAX:
         raise ToolError(f"--levels is {arguments.levels}; it must be from 1 to {image_surface.LEVELS_MAX}")
     name = arguments.name or os.path.splitext(os.path.basename(arguments.image))[0]
-    text, texels = c_texture.header(arguments.image, name, size, arguments.levels, arguments.clamp)
-    output.write_file(arguments.out, text)
+    texels = making.texture(arguments.image, arguments.out, name, size, arguments.levels, arguments.clamp,
+                            bounded.limits_of(arguments))
     print(f"{one_line(arguments.out)}: {name}_texture, {2 * texels:,} bytes of texels")
-
-
-def plant(compiled, layers, name):
-    """Gives a scene a tree; answers what there is to say about it."""
-    if compiled.billboards:
-        raise ToolError(f"{name}: --tree: a BSP tree draws no billboards, and this scene has some; leave --tree away")
-    if compiled.visibility == image_header.BY_DEPTH:
-        raise ToolError(f'{name}: view.visibility = "depth" asks for a depth buffer; remove it, or leave out --tree')
-    had_surfaces = compiled.surfaces is not None
-    try:
-        counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, Progress())
-    except ToolError as error:
-        raise ToolError(f"{name}: {error}") from error
-    left_out = "; surfaces are left out, because a tree draws faces in their own colours" if had_surfaces else ""
-    return f"{name}: tree: {counts.text()}{left_out}"
 
 
 def summary(scene):
@@ -217,11 +132,11 @@ def info(file, as_json):
 def arguments_of(argv):
     parser = argparse.ArgumentParser(prog="scene.py", description=__doc__.split("\n")[0])
     commands = parser.add_subparsers(dest="command", required=True)
-    making = commands.add_parser("build", help="compile a .toml or a model into a scene image")
+    building = commands.add_parser("build", help="compile a .toml or a model into a scene image")
     exporting = commands.add_parser("export", help="write a .toml, a model or a .fxls as a C header")
     exporting.add_argument("--c", action="store_true", required=True, help="as C, the only language there is")
     exporting.add_argument("--name", help="what the header's names begin with; without, the file's name")
-    for command in (making, exporting):
+    for command in (building, exporting):
         command.add_argument("scene")
         command.add_argument("-o", "--out", required=True)
         command.add_argument("--frames", type=whole, help="frames of the path; export writes no path without it")
@@ -235,6 +150,8 @@ def arguments_of(argv):
     drawing.add_argument("--size", help="width and height to scale it to, like 64x64")
     drawing.add_argument("--levels", type=whole, default=1, help="with smaller pictures for what is far, so many in all")
     drawing.add_argument("--clamp", action="store_true", help="beyond its edge it shows the texel of the edge")
+    for command in (building, exporting, drawing):
+        bounded.add_options(command)
     telling = commands.add_parser("info", help="say what is in a scene image")
     telling.add_argument("image")
     telling.add_argument("--json", action="store_true")
@@ -242,7 +159,6 @@ def arguments_of(argv):
 
 
 def main(argv):
-    gc.disable()    # a scene makes a million small objects, and no cycles: looking for these takes a sixth of the time
     arguments = arguments_of(argv)
     if arguments.command == "info":
         info(arguments.image, arguments.json)
@@ -250,18 +166,14 @@ def main(argv):
     if arguments.command == "texture":
         make_texture(arguments)
         return 0
-    screen = parse_screen(arguments.screen) if arguments.screen else None
+    limits, screen = bounded.limits_of(arguments), parse_screen(arguments.screen) if arguments.screen else None
     if arguments.command == "export":
-        compiled, notes = export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen,
-                                 arguments.tree)
-        size = os.path.getsize(arguments.out)
+        made = making.export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen, arguments.tree, limits)
     else:
-        compiled, notes = build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree)
-        size = compiled.size
-    for note in notes:
+        made = making.build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree, limits)
+    for note in made.notes:
         print(f"note: {one_line(note)}", file=sys.stderr)
-    print(f"{one_line(arguments.out)}: {size:,} bytes, {len(compiled.objects)} objects, "
-          f"{compiled.frames} frames", file=sys.stderr)
+    print(f"{one_line(arguments.out)}: {made.size:,} bytes, {made.objects} objects, {made.frames} frames", file=sys.stderr)
     return 0
 
 

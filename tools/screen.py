@@ -14,6 +14,7 @@ from PIL import Image
 import scene as scene_tool
 from fixel.base import output, picture, scratch
 from fixel.board import firmware, flash, methods
+from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.image.image import load
 from fixel.base.progress import Progress
@@ -29,7 +30,7 @@ def photograph(options, folder):
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")
-    scene = make_scene_image(options.scene, folder, options.frames, options.screen)
+    scene = make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
     frames = options.frames or load(scene).frames
     flash.flash(options.board, elf, scene, folder / "board.bin")
     device = ["-device", f"{options.device},id={DEVICE}"] if options.device else []
@@ -44,6 +45,7 @@ def main(argv):
     parser.add_argument("--board", required=True, help="an emulated board with a screen")
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(parser)
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     methods.add_options(parser)
     parser.add_argument("--device", help="a display to add to the board, in the words of QEMU's -device")

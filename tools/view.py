@@ -20,6 +20,7 @@ import webbrowser
 
 from fixel.base import output, scratch
 from fixel.board import firmware, flash, methods
+from fixel.base import bounded
 from fixel.base.errors import ENDINGS, ToolError, one_line, run_main
 from fixel.view.view_board import Board
 from fixel.view.view_pump import IDLE_RATE, Pump
@@ -75,7 +76,7 @@ def view(options):
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
     output.make_folder(options.build)
     with scratch.folder("view", options.build) as folder:
-        scene_image = make_scene_image(options.scene, folder, None, options.screen)
+        scene_image = make_scene_image(options.scene, folder, None, options.screen, bounded.limits_of(options))
         flash.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:
             try:
@@ -100,6 +101,7 @@ def main(argv):
     parser.add_argument("--board", required=True)
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(parser)
     methods.add_options(parser)
     parser.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
     parser.add_argument("--open", action="store_true", help="open the page in this machine's browser")

@@ -11,6 +11,7 @@ import argparse
 import scene as scene_tool
 from fixel.base import output, picture, scratch
 from fixel.board import dump
+from fixel.base import bounded
 from fixel.base.errors import one_line, run_main
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
@@ -28,7 +29,7 @@ def run(options, folder):
     """Draws and compares; the pictures go into folder. The summary."""
     output.make_folder(options.build)
     with scratch.folder("wire", options.build) as work:
-        image = make_scene_image(options.scene, work, options.frames, options.screen)
+        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
         with Progress("drawing wireframes, and judging them against double"):
             found = HostPrograms(options.build).wire(image, work / "wire.fxld", options.frames)
         drawn = dump.read_dump(work / "wire.fxld")
@@ -44,6 +45,7 @@ def main(argv):
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     parser.add_argument("--frames", help="number of frames (default: the whole path)")
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(parser)
     parser.add_argument("--out", default="build/wire", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)

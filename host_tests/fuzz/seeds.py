@@ -24,7 +24,7 @@ LENGTHS = (200, 400, 800, 2000)
 
 def scene_seeds(file):
     """An image of a scene file, once with a path of poses and once of strides."""
-    compiled, _ = toml_scene.compile_file(str(file), None, lambda text: None)
+    compiled, _ = toml_scene.compile_file(str(file))
     small = dataclasses.replace(compiled, width=64, height=48, palette=[(0, 0, 0)] * 256)
     start, path = small.start, small.path[:POSES] if small.path_kind == image.POSES else [small.start]
     yield image.pack(dataclasses.replace(small, path_kind=image.POSES, path=[start, start]))

@@ -14,8 +14,8 @@ from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
 from fixel.bench import costs
 from fixel.image import c_names, c_scene, image, memory_needed
-from fixel.scene import framing
 from fixel.base.errors import ToolError
+from fixel.scene import compiler
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Wredundant-decls", "-Werror"]
@@ -56,7 +56,7 @@ def exported(request, tmp_path_factory):
     """A scene's header, made from a .toml or .obj, and its image."""
     name, folder = request.param, tmp_path_factory.mktemp(request.param)
     file, layers = SCENES[name]
-    scene, _ = scene_tool.compile_scene(str(file), None, None, layers, framing.PROGRAM)
+    scene, _ = compiler.compile_scene(str(file), None, None, layers, "program")
     (folder / "scene.fxls").write_bytes(image.pack(scene))
     frames = len(scene.path) if scene.path_kind == image.POSES else None
     scene_tool.export(str(file), str(folder / "scene.h"), name, frames, None, layers)
@@ -351,7 +351,7 @@ def test_the_library_divides_the_block_as_the_tool_says(exported):
 def test_with_one_unit_less_something_is_missing():
     """most() is the least block that holds all."""
     for file, layers in SCENES.values():
-        scene, _ = scene_tool.compile_scene(str(file), None, None, layers, framing.PROGRAM)
+        scene, _ = compiler.compile_scene(str(file), None, None, layers, "program")
         most = memory_needed.most(scene)
         vertices = max(len(model.vertices) for model in scene.models)
 
@@ -407,14 +407,15 @@ def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):
 def test_a_scene_image_gives_the_same_tables(tmp_path):
     scene_tool.build(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "knot.fxls"), layers="all")
     scene_tool.export(str(tmp_path / "knot.fxls"), str(tmp_path / "image.h"))
-    scene, _ = scene_tool.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
+    scene_tool.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
+    scene, _ = compiler.compile_scene(str(ROOT / "scenes" / "knot.toml"), layers="all")
     names = "\n".join([*c_names.text(scene, "knot"), ""])     # which an image does not have
     read = [(tmp_path / name).read_text(encoding="utf-8") for name in ("image.h", "toml.h")]
     assert "knot.fxls" in read[0] and read[0].replace("knot.fxls", "knot.toml") == read[1].replace(names, "")
 
 
 def test_an_obj_is_seen_whole_by_the_eye_of_the_first_program(tmp_path):
-    scene, _ = scene_tool.export(str(CUBE), str(tmp_path / "cube.h"))
+    scene, _ = compiler.compile_scene(str(CUBE), framed="program")
     assert scene.objects[0].centre == (0, 0, 0)
     assert 131068 <= image.radius_of(scene.models[0].vertices) <= 131072
 
@@ -486,7 +487,8 @@ def test_names_of_objects_become_enumerations(tmp_path):
             '[[objects]]\nsolid = "tile"\n[[objects]]\nname = "gem red"\nsolid = "box"\nturn = 3\n' \
             "[[objects]]\nname = '\"*/'\nsolid = \"cone\"\n"
     (tmp_path / "scene.toml").write_text(scene, encoding="utf-8")
-    made, _ = scene_tool.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
+    scene_tool.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
+    made, _ = compiler.compile_scene(str(tmp_path / "scene.toml"))
     wanted = {"S_INSTANCE_GEM_RED": 0, "S_INSTANCE_PILLARS": 1, "S_INSTANCES_OF_PILLARS": 3, "S_INSTANCE_GEM_RED_2": 6,
               "S_MODEL_GEM_RED": made.objects[0].model, "S_MODEL_PILLARS": made.objects[1].model,
               "S_MODEL_GEM_RED_2": made.objects[6].model}
@@ -498,7 +500,9 @@ def test_names_of_objects_become_enumerations(tmp_path):
 
 
 def test_names_of_textures_and_of_their_objects_become_enumerations(tmp_path):
-    made, _ = scene_tool.export(str(ROOT / "host_tests" / "tools" / "surfaces.toml"), str(tmp_path / "scene.h"), "s")
+    file = str(ROOT / "host_tests" / "tools" / "surfaces.toml")
+    scene_tool.export(file, str(tmp_path / "scene.h"), "s")
+    made, _ = compiler.compile_scene(file)
     looks = {name: sorted({face.mapped.surface for face in made.models[item.model].faces if face.mapped})
              for name, item in zip(made.names, made.objects)}
     wanted = {"S_SURFACE_ROOM": looks["room"][0], "S_SURFACE_CRATE": looks["crate"][0],
@@ -514,21 +518,21 @@ def test_names_of_textures_and_of_their_objects_become_enumerations(tmp_path):
 
 
 def test_a_tree_takes_the_names_of_what_it_swallows(tmp_path):
-    scene, _ = scene_tool.compile_scene(str(ROOT / "scenes" / "knot.toml"), None, None, "all")
+    scene, _ = compiler.compile_scene(str(ROOT / "scenes" / "knot.toml"), None, None, "all")
     assert len(scene.names) == len(scene.objects) and scene.names[scene.tree.object] is None
 
 
 def test_a_scene_without_a_path_is_seen_from_all_sides(tmp_path):
     boxes = '[[objects]]\nsolid = "box"\nposition = [30, 2, 3]\n[[objects]]\nsolid = "sphere"\nscale = 9\nsize = 2\n'
     (tmp_path / "scene.toml").write_text(boxes, encoding="utf-8")
-    made, notes = scene_tool.compile_scene(str(tmp_path / "scene.toml"), 12)
+    made, notes = compiler.compile_scene(str(tmp_path / "scene.toml"), 12)
     image.unpack(image.pack(made))
     assert made.frames == 12 and made.start == made.path[0] and len({pose[3] for pose in made.path}) == 12
     assert any("no path is given: a circle about the scene, in 12 frames" in note for note in notes)
-    assert scene_tool.compile_scene(str(tmp_path / "scene.toml"))[0].frames == 60
+    assert compiler.compile_scene(str(tmp_path / "scene.toml"))[0].frames == 60
     for text, words in ((boxes.replace("30, 2, 3", "8000, 2, 3"), "would leave -8191..8191"),):
         (tmp_path / "scene.toml").write_text(text, encoding="utf-8")
         with pytest.raises(ToolError, match=words):
-            scene_tool.compile_scene(str(tmp_path / "scene.toml"))
+            compiler.compile_scene(str(tmp_path / "scene.toml"))
     (tmp_path / "scene.toml").write_text("[view]\nfar = 20\n" + boxes, encoding="utf-8")
-    assert any("view.far = " in note for note in scene_tool.compile_scene(str(tmp_path / "scene.toml"))[1])
+    assert any("view.far = " in note for note in compiler.compile_scene(str(tmp_path / "scene.toml"))[1])

@@ -8,10 +8,10 @@ import numpy
 import pytest
 import trimesh
 
-import scene as scene_tool
 from fixel.model import gltf, gltf_check
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
+from fixel.scene import compiler
 from model_files import SQUARE, TETRAHEDRON, glb, gltf as make, gltf_text, png
 
 TREE = [{"children": [1, 2], "translation": [3, -2, 1], "rotation": [0, 0.6, 0, 0.8]},
@@ -110,7 +110,7 @@ def test_images_and_buffers_beside_the_file(tmp_path):
 
 def test_a_mirrored_node_keeps_its_fronts_outside(tmp_path):
     (tmp_path / "model.glb").write_bytes(glb(*make(*TETRAHEDRON, nodes=[{"mesh": 0, "scale": [-1, 1, 1]}])))
-    compiled, notes = scene_tool.compile_scene(str(tmp_path / "model.glb"), 4)
+    compiled, notes = compiler.compile_scene(str(tmp_path / "model.glb"), 4)
     assert not any("turned round" in note or "inside out" in note for note in notes)
     assert compiled.models[0].kind == 0 and len(compiled.models[0].faces) == 4
 

@@ -15,12 +15,12 @@ import tempfile
 from hypothesis import given, strategies as st
 from PIL import Image
 
-import scene as scene_tool
 from conftest import CHECKOUT
 from fuzzing import fuzzed, short_refusals
 from fixel.image import image
 from fixel.model import texture_image
 from fixel.scene import toml_billboard, toml_light, toml_model, toml_motion, toml_object, toml_scene, toml_texture
+from fixel.scene import compiler
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
 
@@ -36,7 +36,7 @@ def check(name, data, *beside, layers=None):
             if file.suffix == ".fxls":
                 image.unpack(image.pack(image.load(file)))
             else:
-                compiled, more = scene_tool.compile_scene(str(file), layers=layers)
+                compiled, more = compiler.compile_scene(str(file), layers=layers)
                 notes += more
                 image.unpack(image.pack(compiled))
 
@@ -141,7 +141,7 @@ def test_any_materials(lines, picture):
             (file / "a.png").write_bytes(picture)
         (file / "m.obj").write_text("mtllib m.mtl\nusemtl a\n" + SOUND + "f 1/1 2/1 3/1\n")
         with short_refusals(folder) as notes:
-            notes += scene_tool.compile_scene(str(file / "m.obj"), None)[1]
+            notes += compiler.compile_scene(str(file / "m.obj"), None)[1]
 
 
 # --- names of files ----------------------------------------------------------------

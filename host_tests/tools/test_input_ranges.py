@@ -13,9 +13,9 @@ from conftest import CHECKOUT, run_cli
 from test_checkers import sealed
 from test_input_bounds import run_bounded
 from test_input_work import noise, scene, textures
-import scene as scene_tool
 from fixel.image import image, image_billboard, image_header, image_surface
 from fixel.model import texture_image
+from fixel.scene import compiler
 
 RECORDS = 6000
 
@@ -34,7 +34,7 @@ def with_table(blob, header, records, table):
 def overlapping(kind, folder):
     """An image of half a megabyte with records of 400 MB and more."""
     source = CHECKOUT / "scenes" / {"textures": "room.toml", "sprites": "grove.toml"}[kind]
-    compiled, _ = scene_tool.compile_scene(str(source))
+    compiled, _ = compiler.compile_scene(str(source))
     blob = bytearray(image.pack(compiled))
     if kind == "textures":
         at, table = image_header.LIGHT_HEADER_SIZE, bytes(87_384 + RECORDS)
@@ -76,7 +76,7 @@ def test_an_image_of_the_tools_is_exported(tmp_path, name):
 
 def test_many_small_textures_are_exported_in_time(tmp_path):
     """Their names were counted anew for each."""
-    compiled, _ = scene_tool.compile_scene(str(CHECKOUT / "scenes/room.toml"))
+    compiled, _ = compiler.compile_scene(str(CHECKOUT / "scenes/room.toml"))
     blob = bytearray(image.pack(compiled))
     count, at = 12_000, image_header.LIGHT_HEADER_SIZE
     table = b"".join(struct.pack("<Q", number) for number in range(count))

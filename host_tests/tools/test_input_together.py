@@ -7,11 +7,11 @@ import tracemalloc
 
 import pytest
 
-import scene as scene_tool
 from conftest import CHECKOUT
 from fixel.image import image
 from fixel.scene import work
 from fixel.base.errors import ToolError
+from fixel.scene import compiler
 from test_input_bounds import assert_built, assert_refused
 from test_input_work import noise, scene
 
@@ -94,7 +94,7 @@ def test_texels_take_little_memory(tmp_path):
     """Each was an object of its own while they were packed, which took a hundred bytes."""
     noise(tmp_path, "noise.png", 64)
     file = scene(tmp_path, NOISE + "".join(box(f"rotation = [{i}, {i}, {i}]", 'texture = "t0"') for i in range(60)))
-    compiled, _ = scene_tool.compile_scene(str(file))
+    compiled, _ = compiler.compile_scene(str(file))
     texels = sum(len(texture.texels) for texture in compiled.surfaces.textures)
     tracemalloc.start()
     image.pack(compiled)

@@ -6,10 +6,10 @@ import zlib
 
 import pytest
 
-import scene as scene_tool
 from fixel.image import image
 from fixel.model import mesh, texture_image
 from fixel.base.errors import ToolError
+from fixel.scene import compiler
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
 
 PATH = "[path]\nkeys = [{ position = [0, 0, -4] }]\n"
@@ -39,7 +39,7 @@ def compiled(tmp_path, objects, **files):
         name = name.replace("__", " ").replace("_", ".")
         (tmp_path / name).write_bytes(data.encode() if isinstance(data, str) else data)
     (tmp_path / "scene.toml").write_text(objects + PATH)
-    made, notes = scene_tool.compile_scene(str(tmp_path / "scene.toml"))
+    made, notes = compiler.compile_scene(str(tmp_path / "scene.toml"))
     image.unpack(image.pack(made))
     return made, notes
 

@@ -4,9 +4,9 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-import scene as scene_tool
 from fixel.base import reading
 from fixel.base.errors import ToolError
+from fixel.scene import compiler
 
 MOST = 80
 TEXTS = st.one_of(st.text(max_size=200), st.text(alphabet="\x1b\n\"\\\u202ea", max_size=200),
@@ -48,6 +48,6 @@ def test_the_names_that_there_are(tmp_path, table, row, use):
     file, name = tmp_path / "scene.toml", "\\u001b[31m" + "x" * 500
     file.write_text(f'[[{table}]]\nname = "{name}"\n{row}[[objects]]\n{use}\n')
     with pytest.raises(ToolError, match='there is no .* "none"') as refused:
-        scene_tool.compile_scene(str(file))
+        compiler.compile_scene(str(file))
     there = str(refused.value).split(f"the scene's {table}: ")[1]
     assert there.isprintable() and len(there) <= MOST, there

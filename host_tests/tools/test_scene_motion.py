@@ -11,6 +11,7 @@ from conftest import CHECKOUT
 from fixel.image import image, image_turn
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
+from fixel.scene import compiler
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
@@ -146,8 +147,7 @@ def test_a_chain_has_at_most_eight_parents(tmp_path):
 
 
 def test_a_tree_leaves_what_turns_alone():
-    from scene import compile_scene
-    scene, _ = compile_scene(str(CHECKOUT / "host_tests" / "fuzz" / "scenes" / "turns.toml"), layers="0")
+    scene, _ = compiler.compile_scene(str(CHECKOUT / "host_tests" / "fuzz" / "scenes" / "turns.toml"), layers="0")
     assert scene.tree.object == len(scene.objects) - len(scene.turns) - 1
     assert image.unpack(image.pack(scene)) == scene
 

@@ -7,10 +7,10 @@ import numpy
 import pytest
 import trimesh
 
-import scene as scene_tool
 from fixel.model import stl
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
+from fixel.scene import compiler
 from model_files import stl as make, stl_text
 
 
@@ -33,7 +33,7 @@ def test_triangles_as_trimesh_reads_them(tmp_path, pack):
 def test_a_model_stands_upright_and_looks_outward(tmp_path, pack):
     (tmp_path / "model.stl").write_bytes(pack([(-1, -1, 0), (1, -1, 0), (0, 1, 0), (0, 0, 5)],
                                               [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]))
-    compiled, notes = scene_tool.compile_scene(str(tmp_path / "model.stl"), 4)
+    compiled, notes = compiler.compile_scene(str(tmp_path / "model.stl"), 4)
     tops = [max(axis) - min(axis) for axis in zip(*compiled.models[0].vertices)]
     assert tops[1] == max(tops)             # STL's z is up
     assert not any("inside out" in note or "turned round" in note for note in notes)
@@ -43,7 +43,7 @@ def test_faces_that_look_the_wrong_way_are_turned(tmp_path):
     triangles = [(0, 2, 1), (0, 1, 3), (3, 2, 1), (2, 0, 3)]    # the third one
     points = [(-1, -1, 0), (1, -1, 0), (0, 1, 0), (0, 0, 5)]
     (tmp_path / "model.stl").write_bytes(make(points, triangles))
-    compiled, notes = scene_tool.compile_scene(str(tmp_path / "model.stl"), 4)
+    compiled, notes = compiler.compile_scene(str(tmp_path / "model.stl"), 4)
     assert any("1 faces were turned round" in note for note in notes)
     assert compiled.models[0].kind == 0     # convex: all fronts look outward
 

@@ -9,16 +9,16 @@ import time
 import pytest
 
 from test_input_bounds import PATH, TRIES, run_bounded, slowness
-import scene as scene_tool
-from fixel.scene import framing, tree, tree_faces, work
+from fixel.scene import tree, tree_faces, work
 from fixel.base.errors import ToolError
+from fixel.scene import compiler
 
 
 def planted(folder, name, objects):
     """A scene file; what its tree is made of, over all its objects: parts, lines and the budget."""
     file = folder / f"{name}.toml"
     file.write_text(f"view = {{ far = 4000 }}\n{objects}{PATH}", encoding="utf-8")
-    compiled, _ = scene_tool.compile_scene(str(file), None, None, None, framing.PROGRAM)
+    compiled, _ = compiler.compile_scene(str(file), None, None, None, "program")
     lines, budget = tree.Lines(), work.TreeWork()
     parts = tree.parts_of(compiled, range(len(compiled.objects)), (0, 0, 0), lines, budget)
     return file, parts, lines, budget

@@ -70,7 +70,8 @@ class Plan:
 def compile_scene(workload, folder):
     """A workload's scene image in a folder: (file, scene)."""
     file = pathlib.Path(folder) / f"{workload['name']}.fxls"
-    compiled, _ = scene_tool.build(workload["scene"], file)
+    scene_tool.build(workload["scene"], file)
+    compiled = image.load(file)
     if "turned" in workload:
         compiled = bench_turned.turned(compiled, workload["turned"])
         save_scene(compiled, file)

@@ -107,7 +107,8 @@ def compile_scene(plan, entry, folder, tree, frames=None):
     still is in a tree."""
     name = f"{entry['name']}-tree" if tree else entry["name"]
     whole = pathlib.Path(folder) / f"{name}-whole.fxls"
-    scene, _ = scene_tool.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else None)
+    scene_tool.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else None)
+    scene = image.load(whole)
     poses = scene.path
     if scene.path_kind != image.POSES:
         walked = pathlib.Path(folder) / f"{name}-whole.fxld"

@@ -61,6 +61,7 @@ def read(table, key, files, progress):
     if not file.exists():
         raise ToolError(f"{table.at(key)}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
     reader = model_file.READERS[".obj"] if key == "obj" else model_file.reader_of(name)
+    progress.stage(f"reading {file}")
     mesh, notes = reader(file, None, progress, files.sources)
     return mesh, file, notes
 

@@ -10,6 +10,7 @@ from fixel.image import image
 from fixel.model import island, quantity, solids
 from fixel.scene import (palette, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
                          toml_places, toml_texture)
+from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
 from fixel.model.mesh import FACES_MAX, shape, two_sided
@@ -92,7 +93,7 @@ class Objects:
 
     def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None):
         self.name, self.light = name, light
-        self.notes, self.progress = notes, progress
+        self.notes, self.progress = notes, progress or Quiet()
         self.files, self.work, self.shapes, self.coloured, self.surfaces = files, files.sources.work, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
@@ -135,6 +136,7 @@ class Objects:
         key = (identity, scale, rotation, inside, sides, wanted, look.key)
         if key not in self.shapes:
             self._count_shape(mesh, wanted, table.where)
+            self.progress.stage(table.where)
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)

@@ -11,6 +11,7 @@ from fixel.model import clusters, quantity
 from fixel.scene import (default_path, light_palette, palette, texture, toml_billboard, toml_light, toml_model,
                          toml_motion, toml_table, toml_texture)
 from fixel.scene import path as walk
+from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
 from fixel.base.reading import shortened
@@ -327,7 +328,8 @@ def _models(placements, indices, records, work):
 def compile_data(data, name, folder, frames=None, progress=None, screen=None, files=None):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
     width and height instead of the scene's, seen with the same field of view.
-    files: a toml_model.Files with what was read already."""
+    files: a toml_model.Files with what was read already. progress: a job.Report."""
+    progress = progress or Quiet()
     top = Table(data, name, TOP_KEYS)
     lens = _lens(top)
     if screen:
@@ -345,7 +347,9 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
                       toml_billboard.read(top, pictures))
     placements = []
     for number, item in enumerate(top.rows("objects")):
+        progress(f"{name}: object {number}")
         placements += objects.placements(item, number)
+    progress.stage(f"{name}: the palette and the models")
     placements, turns, motions = toml_motion.settle(placements, work)
     try:
         colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit, work, name)

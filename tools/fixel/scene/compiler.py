@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Compiles a scene file or a model in this process. Tools do it in a process under limits: fixel/scene/making.py."""
+
+from fixel.image import image, image_header
+from fixel.model import model_file
+from fixel.scene import framing, toml_scene, tree
+from fixel.base.job import Quiet
+from fixel.base.errors import ToolError
+
+FRAMINGS = {"walk": framing.WALK, "program": framing.PROGRAM}
+
+
+def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", report=None):
+    """Compiles a .toml or a model; answers the SceneImage and what there is to say about it. screen: width
+    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of). framed:
+    how a model is framed (FRAMINGS). report: a job.Report."""
+    report = report or Quiet()
+    is_model = model_file.is_model(scene)
+    if not is_model and model_file.suffix_of(scene) != ".toml":
+        raise ToolError(f"{scene}: a scene is a .toml file, or a model: {model_file.SUFFIXES}")
+    if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
+        raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
+    report.stage("reading the file")
+    if is_model:
+        compiled, notes = framing.compile_model(scene, frames, report, screen, FRAMINGS[framed])
+    else:
+        compiled, notes = toml_scene.compile_file(scene, frames, report, screen)
+    if layers:
+        report.stage("building the tree")
+        notes = notes + [plant(compiled, layers, scene, report)]
+    return compiled, notes
+
+
+def packed(compiled, name):
+    """The bytes of a scene's image, in which everything is checked."""
+    try:
+        return image.pack(compiled)
+    except ToolError as error:
+        raise ToolError(f"{name}: {error}") from error
+
+
+def plant(compiled, layers, name, report):
+    """Gives a scene a tree; answers what there is to say about it."""
+    if compiled.billboards:
+        raise ToolError(f"{name}: --tree: a BSP tree draws no billboards, and this scene has some; leave --tree away")
+    if compiled.visibility == image_header.BY_DEPTH:
+        raise ToolError(f'{name}: view.visibility = "depth" asks for a depth buffer; remove it, or leave out --tree')
+    had_surfaces = compiled.surfaces is not None
+    try:
+        counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, report)
+    except ToolError as error:
+        raise ToolError(f"{name}: {error}") from error
+    left_out = "; surfaces are left out, because a tree draws faces in their own colours" if had_surfaces else ""
+    return f"{name}: tree: {counts.text()}{left_out}"

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""Scene files into scene images or C headers, and images into textures: read and compiled in a process of their own, under
+limits (fixel/base/bounded.py), which leaves the result in a temporary file. This process puts it in place."""
+
+import os
+from dataclasses import dataclass
+
+from fixel.base import output, reading, scratch
+from fixel.base import bounded
+
+WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
+
+
+@dataclass(frozen=True)
+class Made:
+    """What was made of a scene: bytes of the result, and what there is to say about it."""
+    size: int
+    objects: int
+    frames: int
+    notes: list
+
+
+def _make(out, request, subject, limits):
+    """Has a job done and puts its result in place; answers what the job answers."""
+    with scratch.folder("compile") as folder:
+        file = folder / "result"
+        answer = bounded.run(WORKER, {**request, "out": str(file)}, subject, limits)
+        made, _ = reading.open_regular(file)
+        with made:
+            output.write_file(out, made.read())
+    return answer
+
+
+def build(scene, out, frames=None, screen=None, layers=None, limits=None):
+    """Compiles a scene file or a model into an image file; answers a Made. screen: width and height instead of the
+    scene's. layers: those that are to have a tree. limits: a bounded.Limits."""
+    request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk"}
+    return Made(**_make(out, request, scene, limits))
+
+
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None):
+    """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
+    stem = os.path.splitext(os.path.basename(scene))[0]
+    request = {"job": "export", "scene": os.fspath(scene), "name": stem if name is None else name, "frames": frames,
+               "screen": screen, "layers": layers, "framed": "program"}
+    return Made(**_make(out, request, scene, limits))
+
+
+def texture(image, out, name, size=None, levels=1, clamp=False, limits=None):
+    """Writes an image as a texture in C; answers the number of its texels."""
+    request = {"job": "texture", "image": os.fspath(image), "name": name, "size": size, "levels": levels, "clamp": clamp}
+    return _make(out, request, image, limits)["texels"]

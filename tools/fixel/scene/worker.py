@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""The program of the process in which scenes and images are read and compiled: fixel/scene/making.py starts it."""
+
+import os
+import signal
+import sys
+
+if __name__ == "__main__":
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)    # Ctrl-C comes to this process too, which then says nothing
+    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
+
+from fixel.image import c_scene, image, image_ranges
+from fixel.model import model_file
+from fixel.scene import c_texture
+from fixel.base import job
+from fixel.base.errors import ToolError
+from fixel.scene import compiler
+
+
+def _build(request, report):
+    """The scene image of a scene or a model, and what its caller tells of it."""
+    scene = request["scene"]
+    screen = request["screen"] and tuple(request["screen"])
+    compiled, notes = compiler.compile_scene(scene, request["frames"], screen, request["layers"], request["framed"], report)
+    report.stage("packing and checking the image")
+    return compiler.packed(compiled, scene), compiled, notes
+
+
+def build(request, report):
+    """A scene or a model as a scene image."""
+    blob, compiled, notes = _build(request, report)
+    return _written(request, blob, compiled, notes)
+
+
+def export(request, report):
+    """A scene, a model or a scene image as a C header."""
+    scene = request["scene"]
+    c_scene.check_name(request["name"])
+    if model_file.suffix_of(scene) == ".fxls":
+        if request["frames"] or request["screen"] or request["layers"]:
+            raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
+                            "has its path, its screen and its tree already")
+        report.stage("reading the scene image")
+        compiled, notes = image.load(scene), []
+        image_ranges.check_apart(compiled, scene)
+    else:
+        _, compiled, notes = _build(request, report)
+    report.stage("writing the header")
+    text = c_scene.header(compiled, request["name"], os.path.basename(scene), request["frames"] is not None)
+    return _written(request, text.encode(), compiled, notes)
+
+
+def texture(request, report):
+    """An image as a texture in C."""
+    report.stage("reading the image")
+    text, texels = c_texture.header(request["image"], request["name"], request["size"] and tuple(request["size"]),
+                                    request["levels"], request["clamp"])
+    _write(request, text.encode())
+    return {"texels": texels}
+
+
+def _write(request, data):
+    with open(request["out"], "wb") as file:
+        file.write(data)
+
+
+def _written(request, data, compiled, notes):
+    _write(request, data)
+    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": notes}
+
+
+if __name__ == "__main__":
+    job.serve(lambda request, report: {"build": build, "export": export, "texture": texture}[request["job"]](request, report))
