@@ -80,6 +80,7 @@ IMAGE     := $(BUILD)/flash/$(BOARD).bin
 FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
 FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
 SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
+FRESH_OPTION := $(if $(FRESH),--fresh)
 METHODS_OPTIONS := --program '$(PROGRAM)' $(if $(VISIBILITY),--visibility '$(VISIBILITY)') $(if $(CLIPPER),--clipper '$(CLIPPER)') $(if $(ROWS),--rows '$(ROWS)')
 
 # The record of a display's wires is what run reads.
@@ -100,11 +101,11 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT=]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
 	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(DRIVER),--driver '$(DRIVER)')
+	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(DRIVER),--driver '$(DRIVER)') $(FRESH_OPTION)
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
@@ -141,17 +142,17 @@ ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED= ONLY=]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED= ONLY= FRESH=1]
 	@tools/setup.sh report
 	@$(MAKE) $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS))
 	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
-	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') $(if $(ONLY),--only '$(ONLY)') \
+	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') $(if $(ONLY),--only '$(ONLY)') $(FRESH_OPTION) \
 	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
 
-wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= SCREEN= FRAMES= OUT=]
+wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= SCREEN= FRAMES= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(BUILD)/host/wire
-	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) \
+	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) $(FRESH_OPTION) \
 	    --out '$(if $(filter file,$(origin OUT)),$(BUILD)/wire,$(OUT))'
 
 PICTURE ?= $(BUILD)/screen/$(BOARD).png

@@ -15,12 +15,12 @@ import argparse
 import pathlib
 import sys
 
-from fixel.base import output, scratch
+from fixel.base import kept, output, scratch
 from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
 from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError, one_line, run_main
-from fixel.board.programs import read_json
+from fixel.board.programs import HostPrograms, read_json
 from fixel.base.table import coloured, table
 
 PATTERNS = ["report.html", "report.json"]
@@ -45,11 +45,12 @@ def gather(options, work):
     shards = report_shards.run_shards(build, kinds, options.samples, options.seed, options.processes)
     sources = [options.scene] if options.scene else report_frames.default_sources()
     found = report_frames.walks(sources, work, limit)
-    frames, pixels, shown = report_frames.judge_walks(build, found, work)
-    twins = report_stages.measure(build, found[0], options.samples, options.seed, work)
-    third = report_frames.cast_rays(build, found[0], work, RAY_FRAMES)
+    programs = HostPrograms(build, kept.Kept(build, options.fresh))
+    frames, pixels, shown = report_frames.judge_walks(programs, found, work)
+    twins = report_stages.measure(programs, found[0], options.samples, options.seed, work)
+    third = report_frames.cast_rays(programs, found[0], work, RAY_FRAMES)
     w1 = report_frames.walks([report_scale.SCENE], work, limit)[0].scene
-    scales = report_scale.measure(build, options.board, w1, work)
+    scales = report_scale.measure(programs, options.board, w1, work)
     report = {
         "samples": options.samples, "seed": options.seed, "board": options.board,
         "claims": report_claims.judge(shards, frames, pixels, scales, options.build,
@@ -136,6 +137,7 @@ def read_options(argv):
     parser.add_argument("--processes", default="0", help="processes at a time; 0: one for each core")
     parser.add_argument("--out", default="build/report")
     parser.add_argument("--build", default="build", help="folder that make builds in")
+    kept.add_option(parser)
     parser.add_argument("--picture", metavar="FILE",
                         help="only write the README's picture, from the report in --out")
     options = parser.parse_args(argv)

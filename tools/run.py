@@ -20,8 +20,8 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel.base import output, picture, scratch
-from fixel.board import dump, emulator, firmware, flash, methods, wires
+from fixel.base import kept, output, picture, scratch
+from fixel.board import drawing, dump, emulator, firmware, methods, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base import bounded
@@ -33,7 +33,6 @@ from fixel.base.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
 PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
-BOARD_TIMEOUT = 60.0    # seconds of CPU time without a new frame
 RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer path every second, third ...
 ORDER_ADVICE = """\
 Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
@@ -61,17 +60,13 @@ def make_scene_image(scene, folder, frames, screen=None, limits=None):
     return image
 
 
-def walk(board, build, scene_image, folder, frames, name=methods.WALK, record=None):
+def walk(board, options, image, folder, name, record=None, part="board"):
     """The dump that a board leaves after a program has run, and the board's core. record: where the wires' is to be."""
-    elf = methods.elf_of(board, build, name)
-    program = firmware.load(elf, board)
-    # The host has no flash: the scene image itself is what it boots from.
-    image = folder / f"{board}.bin"
-    flash.flash(board, elf, scene_image, image)
-    file = folder / f"{board}.fxld"
-    with Progress(f"drawing on {board} ({program.cpu})") as progress:
-        emulator.run(board, image, elf, file, frames, BOARD_TIMEOUT, progress, record=record)
-    return file, program.cpu
+    elf = methods.elf_of(board, options.build, name)
+    cpu = firmware.load(elf, board).cpu
+    with Progress(f"drawing on {board} ({cpu})") as progress:
+        return drawing.draw(options.kept, part, board, elf, image, folder, options.frames, progress=progress,
+                                 record=record), cpu
 
 
 def frames_equal(a, b):
@@ -200,7 +195,9 @@ def print_summary(summary, out):
             ["equal to host", summary["host_frames_equal"]],
             *([[f"from the wires of an {summary['driver']}",
                 f"{summary['wires_frames_equal']} of {summary['frames']} frames as they were drawn"]]
-              if summary["driver"] else [])]
+              if summary["driver"] else []),
+            *([["kept", f"{', '.join(summary['kept'])}: computed by an earlier command (FRESH=1 computes all)"]]
+              if summary["kept"] else [])]
     print(table(rows))
     good = passes(summary)
     empty = summary["frames_empty"]
@@ -218,7 +215,7 @@ def passes(summary):
 
 def judge(options, image, drawn, file, work):
     """What double and rays say of a dump: for summary.json, and the reference renderer's frames."""
-    programs = HostPrograms(options.build)
+    programs = HostPrograms(options.build, options.kept)
     names = names_told(options, scene_image.load(image))
     with Progress("judging against double"):
         verdict = programs.judge(image, file, work / "judge.json", work / "double.fxld",
@@ -262,11 +259,11 @@ def run(options, folder):
         if options.driver:
             scene = scene_image.load(image)
             wires.check_size(options.driver, scene.width, scene.height)
-        file, cpu = walk(options.board, options.build, image, work, options.frames, name, record)
+        file, cpu = walk(options.board, options, image, work, name, record)
         drawn = dump.read_dump(file)
         if not drawn.frames:
             raise ToolError(f"{options.scene}: the path has no frames")
-        hosted, _ = walk(firmware.HOST, options.build, image, work, options.frames, name) \
+        hosted, _ = walk(firmware.HOST, options, image, work, name, part="host") \
             if options.board != firmware.HOST else (file, cpu)
         equal = frames_equal(drawn, dump.read_dump(hosted))
         sent = compare_wires(options, record, drawn)
@@ -276,7 +273,7 @@ def run(options, folder):
             shutil.move(work / "double.fxld", folder / "double.fxld")
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
-    return summarise(options, cpu, drawn, equal) | sent | verdicts
+    return summarise(options, cpu, drawn, equal) | sent | verdicts | {"kept": options.kept.parts}
 
 
 def frame_count(text):
@@ -297,9 +294,11 @@ def main(argv):
     parser.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")
     parser.add_argument("--out", default="build/run", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
+    kept.add_option(parser)
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    options.kept = kept.Kept(options.build, options.fresh)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)

@@ -9,7 +9,7 @@ interpreter.choose()  # before the imports that need a package
 import argparse
 
 import scene as scene_tool
-from fixel.base import output, picture, scratch
+from fixel.base import kept, output, picture, scratch
 from fixel.board import dump
 from fixel.base import bounded
 from fixel.base.errors import one_line, run_main
@@ -31,13 +31,14 @@ def run(options, folder):
     with scratch.folder("wire", options.build) as work:
         image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
         with Progress("drawing wireframes, and judging them against double"):
-            found = HostPrograms(options.build).wire(image, work / "wire.fxld", options.frames)
+            store = kept.Kept(options.build, options.fresh)
+            found = HostPrograms(options.build, store).wire(image, work / "wire.fxld", work / "wire.json", options.frames)
         drawn = dump.read_dump(work / "wire.fxld")
     for frame in steps("writing pictures", drawn.frames):
         picture.palette_image(frame.pixels, drawn.palette).save(folder / f"frame_{frame.number:04d}.png")
     (folder / "walk.gif").write_bytes(
         picture.animation_bytes([frame.pixels for frame in drawn.frames], drawn.palette))
-    return {"scene": options.scene, **found}
+    return {"scene": options.scene, "kept": store.parts, **found}
 
 
 def main(argv):
@@ -48,6 +49,7 @@ def main(argv):
     bounded.add_options(parser)
     parser.add_argument("--out", default="build/wire", help="folder for the results")
     parser.add_argument("--build", default="build", help="folder that make builds in")
+    kept.add_option(parser)
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None

@@ -21,6 +21,8 @@ sys.path.insert(0, str(TOOLS))
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
+os.environ["FIXEL_KEPT"] = "no"     # the tests compute everything (kept.py)
+
 COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 
 

@@ -159,7 +159,7 @@ def test_a_board_that_does_not_count_is_no_division_by_zero(monkeypatch, tmp_pat
     frame = types.SimpleNamespace(instructions=0, pixels=None)
     monkeypatch.setattr(report_scale, "_draw", lambda *_: types.SimpleNamespace(frames=[frame], width=1, height=1))
     with pytest.raises(ToolError, match="did not count the instructions"):
-        report_scale.measure("build", "mps2-an385", types.SimpleNamespace(frames=1), tmp_path)
+        report_scale.measure(None, "mps2-an385", types.SimpleNamespace(frames=1), tmp_path)
 
 
 def test_scales_change_nothing(result):

@@ -25,7 +25,7 @@ FRAMES = 4
 KEYS = {"texel_pixels", "board", "cpu", "scene", "width", "height", "frames", "pixels", "pixels_differing",
         "pixels_unexplained", "worst_frame_differing", "max_edge_distance_px", "polygons",
         "instructions_per_frame", "frame_sha256", "host_frames_equal", "frames_empty", "visibility", "clipper", "program",
-        "order_wrong_pixels", "order_judged_pixels", "driver", "wires_frames_equal", "wires_frame_sha256"}
+        "order_wrong_pixels", "order_judged_pixels", "driver", "wires_frames_equal", "wires_frame_sha256", "kept"}
 
 
 def walk(out, board="mps2-an385", scene=SCENE, frames=FRAMES, **changes):
@@ -81,6 +81,7 @@ def test_summary_figures(result):
     summary, _, _ = result
     assert (summary["board"], summary["cpu"], summary["scene"]) == ("mps2-an385", "cortex-m3", SCENE)
     assert (summary["width"], summary["height"], summary["frames"]) == (128, 64, FRAMES)
+    assert summary["kept"] == [], "tests compute everything"
     assert summary["pixels"] == 128 * 64 * FRAMES
     assert summary["host_frames_equal"] is True and summary["pixels_unexplained"] == 0
     polygons = summary["polygons"]
@@ -191,8 +192,8 @@ def spoil(data):
 def test_frames_that_are_not_the_hosts_fail(build, tmp_path, monkeypatch):
     real = run_tool.walk
 
-    def spoiling(board, *arguments):
-        file, cpu = real(board, *arguments)
+    def spoiling(board, *arguments, **more):
+        file, cpu = real(board, *arguments, **more)
         if board == "host":
             file.write_bytes(spoil(file.read_bytes()))
         return file, cpu
@@ -207,8 +208,8 @@ def test_frames_that_are_not_the_hosts_fail(build, tmp_path, monkeypatch):
 def test_unexplained_pixels_fail(build, tmp_path, monkeypatch):
     real = run_tool.walk
 
-    def spoiling(board, *arguments):
-        file, cpu = real(board, *arguments)
+    def spoiling(board, *arguments, **more):
+        file, cpu = real(board, *arguments, **more)
         file.write_bytes(spoil(file.read_bytes()))
         return file, cpu
 

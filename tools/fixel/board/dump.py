@@ -47,6 +47,14 @@ class Dump:
     palette: numpy.ndarray  # 256 x 3, uint8
     frames: list
 
+    @property
+    def pictures_sha256(self):
+        """What the pictures are known by, and the poses that they were drawn from. Counters and instructions are
+        another matter: those of two boards differ."""
+        parts = [(frame.position, frame.angles, frame.sha256) for frame in self.frames]
+        head = (self.width, self.height, self.palette.tobytes())
+        return hashlib.sha256(repr((head, parts)).encode()).hexdigest()
+
 
 def frame_bytes(width, height):
     """Bytes that one frame takes in a dump."""

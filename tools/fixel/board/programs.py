@@ -7,7 +7,8 @@ import subprocess
 import sys
 import tempfile
 
-from fixel.base import children
+from fixel.base import children, kept
+from fixel.board import dump
 from fixel.base.errors import ToolError
 
 
@@ -42,35 +43,45 @@ def run_program(command):
 
 
 class HostPrograms:
-    """The programs under a build folder."""
+    """The programs under a build folder. store: a base.kept.Kept, which has what they gave earlier."""
 
-    def __init__(self, build):
-        self.host = pathlib.Path(build) / "host"
+    def __init__(self, build, store=None):
+        self.build, self.host = pathlib.Path(build), pathlib.Path(build) / "host"
+        self.kept = store or kept.Kept(build)
 
-    def judge(self, scene, dump, report, twin, methods=(), names=None):
-        """The judge's verdict on a dump; the reference renderer's frames go to the dump twin.
+    def judge(self, scene, file, report, twin, options=(), names=None):
+        """The judge's verdict on the dump in a file; the reference renderer's frames go to the dump twin.
 
-        methods: the options that name the clipper and the visibility method of the dump. names: a dump that gets the
-        names of the faces that the pixels show.
+        options: of the judge, such as those that name the clipper and the visibility method of the dump. names: a dump
+        that gets the names of the faces that the pixels show.
         """
-        run_program([self.host / "judge", scene, dump, "--json", report, "--twin", twin, *methods,
-                     *(["--names", names] if names else [])])
+        program = self.host / "judge"
+        more = [*options, *(["--names", names] if names else [])]
+        # Boards that draw the same pictures share the double frames: not the bytes of the dump, which has what it cost too.
+        self.kept.obtain(
+            "double", [program, pathlib.Path(scene), dump.read_dump(file).pictures_sha256, [*options], bool(names)],
+            [report, twin, *([names] if names else [])],
+            lambda: run_program([program, scene, file, "--json", report, "--twin", twin, *more]))
         return read_json(report)
 
     def raycast(self, scene, twin, report, every=1, names=None):
         """The ray-cast oracle's verdict on the reference frames, on one of `every`. names: "all" or "opaque", where twin
         has the names of such faces."""
-        run_program([self.host / "raycast", scene, twin, "--json", report, "--every", str(every),
-                     *(["--names", names] if names else [])])
+        program = self.host / "raycast"
+        self.kept.obtain(
+            "rays", [program, pathlib.Path(scene), pathlib.Path(twin), every, names], [report],
+            lambda: run_program([program, scene, twin, "--json", report, "--every", str(every),
+                                 *(["--names", names] if names else [])]))
         return read_json(report)
 
-    def wire(self, scene, dump, frames=None):
-        """A scene's path as wireframes into a dump; what the comparison with double found."""
-        text = run_program([self.host / "wire", scene, dump, *(["--frames", str(frames)] if frames else [])])
-        try:
-            return json.loads(text)
-        except ValueError as error:
-            raise ToolError(f"wire: its output is not the JSON agreed on: {error}") from error
+    def wire(self, scene, file, report, frames=None):
+        """A scene's path as wireframes into the dump in a file; what the comparison with double found, which goes to
+        the file report too."""
+        program = self.host / "wire"
+        self.kept.obtain("wireframes", [program, pathlib.Path(scene), frames or 0], [file, report],
+                         lambda: report.write_text(run_program(
+                             [program, scene, file, *(["--frames", str(frames)] if frames else [])]), encoding="utf-8"))
+        return read_json(report)
 
     def stage_errors(self, scene, samples, seed):
         """Differences between the library and the reference renderer at every stage boundary."""

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
 """QEMU's command line for a board's program, and what it shows of the emulated core."""
 
+import functools
 import pathlib
 import re
 import shutil
 
-from fixel.base import scratch
+from fixel.base import children, scratch
 from fixel.board import execute, qmp
 from fixel.base.errors import ToolError
 from fixel.board.symbols import Symbols
@@ -19,6 +20,12 @@ def find_qemu():
     if path is None:
         raise ToolError(f"{QEMU} is not installed: run 'sudo apt-get install qemu-system-arm'")
     return path
+
+
+@functools.cache
+def version():
+    """What QEMU says of its version."""
+    return children.run([find_qemu(), "--version"], text=True).stdout
 
 
 def escape(value):

@@ -61,7 +61,7 @@ class Campaign:
         self.log = self.folder / "log.txt"
         kept = {name: value for name, value in os.environ.items()
                 if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
-        self.environment = {**kept, "TMPDIR": str(self.folder / "tmp"), MARK: self.word}
+        self.environment = {**kept, "FIXEL_KEPT": "no", "TMPDIR": str(self.folder / "tmp"), MARK: self.word}
         self.samples = samples
         self.images, self.frames, self.times = {}, {}, {}
 

@@ -6,11 +6,9 @@ import pathlib
 
 import scene as scene_tool
 from fixel.base import output
-from fixel.board import dump
+from fixel.board import drawing, dump, firmware, methods
 from fixel.image import image
 from fixel.base.errors import ToolError
-from fixel.board.emulator import run as run_board
-from fixel.board.programs import read_json, run_program
 from fixel.base.progress import Progress
 
 SCENES = ("scenes/plaza.toml", "scenes/plaza-turned.toml", "scenes/spin.toml", "scenes/w1.toml", "scenes/w3.toml",
@@ -98,14 +96,13 @@ def default_sources():
     return [*SCENES, *(model for model in MODELS if pathlib.Path(model).exists())]
 
 
-def _judge(build, walk, folder):
-    """The board's dump of a walk, the reference renderer's, and the verdict."""
-    file, drawn, twin = (folder / name for name in ("walk.fxls", "board.fxld", "double.fxld"))
+def _judge(programs, walk, folder):
+    """The host's dump of a walk, the reference renderer's, and the verdict."""
+    file, twin = folder / "walk.fxls", folder / "double.fxld"
     output.write_file(file, image.pack(walk.scene))
-    run_board("host", file, build / "boards/host/walk", drawn)
-    run_program([build / "host/judge", file, drawn, "--json", folder / "judge.json",
-                 "--twin", twin, "--distance", str(DISTANCE)])
-    return dump.read_dump(drawn), dump.read_dump(twin), read_json(folder / "judge.json")
+    drawn = drawing.draw(programs.kept, "host", firmware.HOST, methods.elf_of(firmware.HOST, programs.build), file, folder)
+    verdict = programs.judge(file, drawn, folder / "judge.json", twin, ["--distance", str(DISTANCE)])
+    return dump.read_dump(drawn), dump.read_dump(twin), verdict
 
 
 def _check(walk, verdict, drawn, twin):
@@ -134,12 +131,12 @@ def _worst(shown):
     return list(by_scene.values())[:SHOWN]
 
 
-def judge_walks(build, found, folder):
+def judge_walks(programs, found, folder):
     """(frames[] of the report, how many pixels they have, the frames to show)."""
     frames, shown, pixels = [], [], 0
     with Progress("judging frames against double", sum(walk.scene.frames for walk in found)) as progress:
         for walk in found:
-            drawn, twin, verdict = _judge(build, walk, folder)
+            drawn, twin, verdict = _judge(programs, walk, folder)
             _check(walk, verdict, drawn, twin)
             frames += [_frame(walk, entry) for entry in verdict["frames"]]
             pixels += len(drawn.frames) * drawn.width * drawn.height
@@ -151,13 +148,11 @@ def judge_walks(build, found, folder):
     return frames, pixels, _worst(shown)
 
 
-def cast_rays(build, walk, folder, wanted):
+def cast_rays(programs, walk, folder, wanted):
     """The ray-cast oracle's verdict on about so many reference frames of a walk."""
     with Progress("casting rays"):
-        _judge(build, walk, folder)
-        every = max(1, walk.scene.frames // wanted)
-        run_program([build / "host/raycast", folder / "walk.fxls", folder / "double.fxld",
-                     "--json", folder / "rays.json", "--every", str(every)])
-    verdict = read_json(folder / "rays.json")
+        _judge(programs, walk, folder)
+        verdict = programs.raycast(folder / "walk.fxls", folder / "double.fxld", folder / "rays.json",
+                                   max(1, walk.scene.frames // wanted))
     return {"scene": walk.name, **{key: verdict[key] for key in
             ("frames_judged", "pixels", "pixels_differing", "pixels_unexplained")}}

@@ -4,7 +4,7 @@
 import dataclasses
 
 from fixel.base import output
-from fixel.board import dump, emulator, firmware, flash
+from fixel.board import drawing, dump, emulator, firmware, methods
 from fixel.image import image
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
@@ -31,17 +31,15 @@ def scaled(scene, factor):
         gait=(*times(scene.gait[:3]), scene.gait[3]))
 
 
-def _draw(build, board, scene, factor, folder, progress):
+def _draw(programs, board, scene, factor, folder, progress):
     """What the board draws of a scene at a scale."""
-    elf, file = build / "boards" / board / "walk.elf", folder / f"scale_{factor}.fxls"
+    file = folder / "scaled.fxls"
     output.write_file(file, image.pack(scaled(scene, factor)))
-    flash.flash(board, elf, file, folder / f"scale_{factor}.bin")
-    emulator.run(board, folder / f"scale_{factor}.bin", elf, folder / f"scale_{factor}.fxld",
-                 None, TIMEOUT, progress)
-    return dump.read_dump(folder / f"scale_{factor}.fxld")
+    return dump.read_dump(drawing.draw(programs.kept, "board", board, methods.elf_of(board, programs.build), file, folder,
+                                       timeout=TIMEOUT, progress=progress))
 
 
-def measure(build, board, scene, folder):
+def measure(programs, board, scene, folder):
     """[{scale, frames, pixels, pixels_differing, instructions_per_frame, instructions_percent}], against
     the first scale; the percentage is how far a frame's mean lies from the first scale's."""
     rows, first = [], None
@@ -51,7 +49,7 @@ def measure(build, board, scene, folder):
     emulator.find_qemu()
     with Progress(f"W1 at {len(SCALES)} scales on {board}", len(SCALES) * scene.frames) as progress:
         for place, factor in enumerate(SCALES):
-            drawn = _draw(build, board, scene, factor, folder,
+            drawn = _draw(programs, board, scene, factor, folder,
                           lambda done, _, before=place * scene.frames: progress(before + done))
             counts = [frame.instructions for frame in drawn.frames]
             if not all(counts):

@@ -4,7 +4,6 @@ random input from the whole allowed range."""
 
 from fixel.base import output
 from fixel.image import image
-from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress
 
 STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light", "turn")
@@ -13,13 +12,13 @@ KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", 
 SAMPLES_PER = 50
 
 
-def measure(build, walk, samples, seed, folder):
+def measure(programs, walk, samples, seed, folder):
     """A row for each stage and input."""
     file = folder / "twins.fxls"
     output.write_file(file, image.pack(walk.scene))
     count = max(1000, samples // SAMPLES_PER)
     with Progress(f"stages against double: {walk.name} and {count:,} random samples each"):
-        rows = HostPrograms(build).stage_errors(file, count, seed)
+        rows = programs.stage_errors(file, count, seed)
     order = {name: place for place, name in enumerate(STAGES)}
     rows.sort(key=lambda row: (order.get(row["stage"], len(order)), row["input"] != "scene"))
     # No row without samples: a scene without beams has none for light, an unclipped scene none for clip.
