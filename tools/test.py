@@ -3,7 +3,7 @@
 """Runs the tests: units on the host, the same units on emulated boards, the tools.
 
 Prints a line for each suite, the whole output of failures, and which tests were left out because a board has
-no room for them. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
+no room for them, and the ten files of tests that took the most CPU time. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
 test failed, 1 a test failed or nothing ran. Limits are on CPU time and on sleep (fixel.base.limits), not on wall
 time.
 """
@@ -32,6 +32,7 @@ from fixel.base.table import coloured
 HOST_CPU = 300          # seconds of CPU time for one program
 BOARD_CPU = 300
 PYTEST_CPU = 1800       # and for all that the tests of a file start
+SLOWEST = 10            # files of tests that are named
 QUIET = 20.0            # seconds without a line after which the one running is named
 TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests" / "tools"
 
@@ -43,6 +44,7 @@ class Outcome:
     failed: int = 0
     skipped: int = 0
     output: str = ""
+    cpu: float = 0.0    # seconds that it took, with all that it started
 
 
 def count_unity(text):
@@ -75,16 +77,16 @@ def run_host(program):
     elif done.returncode and not failed:
         failed += 1
         text += f"\n{program}: ended with {done.returncode} though nothing failed"
-    return Outcome(passed, failed, skipped, text)
+    return Outcome(passed, failed, skipped, text, done.cpu)
 
 
 def run_board(elf):
     """A Unity program on its emulated board."""
     try:
-        passed, failed, text = emulator.run_unit(elf, BOARD_CPU)
+        passed, failed, text, cpu = emulator.run_unit(elf, BOARD_CPU)
     except ToolError as error:
         return Outcome(failed=1, output=str(error))
-    return Outcome(passed, failed, count_unity(text)[2], text)
+    return Outcome(passed, failed, count_unity(text)[2], text, cpu)
 
 
 def run_pytest(file):
@@ -100,7 +102,7 @@ def run_pytest(file):
             done = limits.run(command, PYTEST_CPU, merge=True, text=True)
         except limits.LimitError as error:
             return Outcome(failed=1, output=f"{error.output}\n{error}")
-        return _pytest_outcome(report, done.returncode, done.stdout)
+        return dataclasses.replace(_pytest_outcome(report, done.returncode, done.stdout), cpu=done.cpu)
 
 
 def _pytest_outcome(report, code, text):
@@ -179,13 +181,19 @@ def run_all(suites, workers):
         return outcome
 
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        waiting = {pool.submit(one, *suite) for suite in suites}
-        outcomes = []
+        futures = [pool.submit(one, *suite) for suite in suites]
+        waiting = futures
         while waiting:
-            done, waiting = concurrent.futures.wait(waiting, timeout=1.0)
-            outcomes += [future.result() for future in done]
+            waiting = concurrent.futures.wait(waiting, timeout=1.0).not_done
             printer.remind()
-    return outcomes
+    return [future.result() for future in futures]
+
+
+def print_slowest(taken):
+    """The files of tests that took the most CPU time. taken: {name: seconds}."""
+    print(f"slowest of {sum(taken.values()):.0f} s of CPU:")
+    for name in sorted(taken, key=taken.get, reverse=True)[:SLOWEST]:
+        print(f"{taken[name]:8.1f} s  {name}")
 
 
 def main(argv):
@@ -200,12 +208,14 @@ def main(argv):
     options = parser.parse_args(argv)
     # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-    outcomes = run_all(all_suites(options), max(1, options.workers))
+    suites = all_suites(options)
+    outcomes = run_all(suites, max(1, options.workers))
     print_left_out(options)
     passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes)
                                for name in ("passed", "failed", "skipped"))
     if passed + failed == 0:
         print("no test ran", file=sys.stderr)
+    print_slowest({suite[0]: outcome.cpu for suite, outcome in zip(suites, outcomes)})
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or passed == 0 else 0
 

@@ -283,7 +283,7 @@ def test_a_reset_is_not_a_success(board):
 def test_unit_tests_that_do_not_end_as_agreed_have_failed(tmp_path, monkeypatch, script):
     elf = built(f"{ARMV7M}/unit/test_project.elf")
     monkeypatch.setenv("PATH", fake_qemu(tmp_path / "bin", script))
-    _, failed, output = emulator.run_unit(elf)
+    _, failed, output, _ = emulator.run_unit(elf)
     assert failed == 1
     # SIGTERM ends an emulator that is not up yet as any program: 143.
     assert any(words in output for words in ("emulator ended without the program's exit code", "exit 93",

@@ -36,7 +36,21 @@ def drive(*programs):
 def test_last_line_adds_up(tmp_path):
     code, lines, _ = drive(program(tmp_path, "one", GOOD, 0), program(tmp_path, "two", GOOD, 0))
     assert (code, lines[-1]) == (0, "4 passed, 0 failed")
-    assert len(lines) == 3
+    assert len(lines) == 6, "two programs, the slowest of them, the sum"
+
+
+def test_the_ten_slowest_are_named_by_their_cpu_time(tmp_path):
+    """Those that work, not those that wait; the slowest first. What they start counts."""
+    files = [program(tmp_path, f"quick{number}", GOOD, 0) for number in range(11)]
+    busy = ["i=0; while [ $i -lt {} ]; do i=$((i + 1)); done", "sh -c 'i=0; while [ $i -lt {} ]; do i=$((i + 1)); done'"]
+    for name, work in (("waits", "sleep 1"), ("works", busy[0].format(200_000)), ("starts", busy[1].format(800_000))):
+        files.append(program(tmp_path, name, GOOD, 0))
+        files[-1].write_text(files[-1].read_text().replace("exit", f"{work}\nexit"))
+    _, lines, _ = drive(*files)
+    first = next(number for number, line in enumerate(lines) if re.fullmatch(r"slowest of \d+ s of CPU:", line))
+    named = [re.fullmatch(r" +(\d+\.\d) s  host/(\w+)", line) for line in lines[first + 1:-1]]
+    assert [each[2] for each in named][:2] == ["starts", "works"] and len(named) == 10
+    assert float(named[0][1]) > float(named[1][1]) > 0
 
 
 def test_failure_is_shown_whole(tmp_path):
@@ -79,10 +93,10 @@ def test_what_a_board_has_no_room_for_is_said_and_not_counted(tmp_path):
     arguments = [*host_units(program(tmp_path, "one", GOOD, 0)), "--left-out", "small", "test_big", "test_long"]
     done = run_cli("test", "--only", "host/", *arguments)
     assert done.returncode == 0
-    assert done.stdout.splitlines()[1:] == [
+    assert [line for line in done.stdout.splitlines()[1:] if "slowest" not in line and "0.0 s" not in line] == [
         "left out: small: test_big, test_long (no room: boards/small/board.mk)", "2 passed, 0 failed"]
     done = run_cli("test", "--board", "host", *arguments)
-    assert done.stdout.splitlines()[1:] == ["2 passed, 0 failed"]
+    assert done.stdout.splitlines()[-1] == "2 passed, 0 failed" and "left out" not in done.stdout
 
 
 def test_one_board_alone(tmp_path):

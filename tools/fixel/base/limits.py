@@ -21,6 +21,7 @@ ASLEEP = 300.0      # seconds of sleep without output that are a hang
 BUSY = 0.05         # of a processor; a process that uses less, such as one that polls, sleeps
 LOOK = 1.0          # seconds between two looks: each reads what is known of every process
 LOOK_MAX = 1.0      # seconds of sleep that one look counts: this process may have been stopped itself
+FIRST_POLL = 0.0005 # seconds
 POLL = 0.05
 TICKS = os.sysconf("SC_CLK_TCK")
 
@@ -121,35 +122,44 @@ def kill_tree(process):
 
 def run(command, cpu, asleep=ASLEEP, merge=False, **options):
     """subprocess.run with captured output and no input, under limits: LimitError where one is passed.
-    merge: what it says on stderr comes with stdout."""
+    merge: what it says on stderr comes with stdout. The answer has the CPU seconds, cpu, too."""
     text = options.pop("text", False)
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         process = children.start(command, stdin=subprocess.DEVNULL, stdout=out,
                                  stderr=subprocess.STDOUT if merge else err, **options)
-        watch, why, size = Watch(process.pid, cpu, asleep), None, 0
+        watch, why, size, pause = Watch(process.pid, cpu, asleep), None, 0, FIRST_POLL
         try:
-            while not _ended(process) and not why:
+            while not has_ended(process) and not why:
+                time.sleep(pause)
+                pause = min(2 * pause, POLL)
                 new = os.fstat(out.fileno()).st_size + os.fstat(err.fileno()).st_size
                 if new != size:
                     size = new
                     watch.awake()
                 why = watch.check()
+            taken = cpu_of(process.pid)
         finally:
-            if process.poll() is None:
+            if not has_ended(process):
                 kill_tree(process.pid)
-                process.wait()
+            process.wait()
         said = [_content(file, text) for file in (out, err)]
     if why and process.returncode == -signal.SIGKILL:
         raise LimitError(f"{command[0]}: {why} and had not ended", said[0])
-    return subprocess.CompletedProcess(command, process.returncode, *said)
+    done = subprocess.CompletedProcess(command, process.returncode, *said)
+    done.cpu = taken
+    return done
 
 
-def _ended(process):
-    try:
-        process.wait(POLL)
-    except subprocess.TimeoutExpired:
-        return False
-    return True
+def has_ended(process):
+    """Whether a child has ended. Until somebody waits for it, cpu_of still knows what it used."""
+    return process.returncode is not None or \
+        os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+
+
+def cpu_of(process):
+    """CPU seconds of a process, and of those of its children that have ended."""
+    fields = _fields(f"/proc/{process}/stat")
+    return sum(map(int, fields[11:15])) / TICKS if fields else 0.0
 
 
 def _content(file, text):

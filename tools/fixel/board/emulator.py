@@ -148,7 +148,7 @@ def run_text(elf, arguments=(), timeout=60.0, icount=True):
 
 
 def run_unit(elf, timeout=300.0):
-    """Runs one Unity program on its emulated board: (passed, failed, output).
+    """Runs one Unity program on its emulated board: (passed, failed, output, CPU seconds).
 
     A program that does not get to its end counts as one failure more; the
     output then ends with a line that says why."""
@@ -157,5 +157,5 @@ def run_unit(elf, timeout=300.0):
     failed = len(re.findall(r":FAIL\b", ending.output))
     expected = exit_code("TEST") if failed else exit_code("DONE")
     if ending.code == expected and UNIT_MARKER in ending.output:
-        return passed, failed, ending.output
-    return passed, failed + 1, f"{ending.output}\n{elf}: {describe(ending)}\n"
+        return passed, failed, ending.output, ending.cpu
+    return passed, failed + 1, f"{ending.output}\n{elf}: {describe(ending)}\n", ending.cpu

@@ -23,13 +23,14 @@ BAD = 1       # any other ending that is no success
 @dataclasses.dataclass(frozen=True)
 class Ending:
     """How a program ended: its exit code (negative: a signal; None: it was
-    stopped, because of why), all that it printed, and after how long."""
+    stopped, because of why), all that it printed, after how long, and the CPU seconds that it took."""
 
     code: int | None
     output: str
     why: str
     seconds: float
     hung: bool = False  # it was stopped because nothing new came
+    cpu: float = 0.0
 
 
 def exit_meanings():

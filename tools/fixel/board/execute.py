@@ -44,7 +44,7 @@ def execute(command, directory, timeout, watch=None, inherited=(), where=None):
         process = start(command, directory, output, inherited)
         limit = limits.Watch(process.pid, timeout, timeout)
         try:
-            while process.poll() is None and not why:
+            while not limits.has_ended(process) and not why:
                 time.sleep(POLL)
                 news, why = watch() if watch else (None, None)
                 if news != seen:
@@ -55,7 +55,8 @@ def execute(command, directory, timeout, watch=None, inherited=(), where=None):
                     why, hung = f"nothing new came while {passed}: it hangs", True
                 if not why and log.stat().st_size > OUTPUT_MAX:
                     why = "it prints without end"
-            stopped = process.poll() is None
+            stopped = not limits.has_ended(process)
+            cpu = limits.cpu_of(process.pid)
             if stopped and where:
                 why = f"{why}\n{where(process.pid)}"
         finally:
@@ -64,5 +65,5 @@ def execute(command, directory, timeout, watch=None, inherited=(), where=None):
         text = output.read(OUTPUT_MAX).decode("utf-8", "replace")
     seconds = time.monotonic() - started
     if stopped:
-        return Ending(None, text, why, seconds, hung)
-    return Ending(process.returncode, text, "", seconds)
+        return Ending(None, text, why, seconds, hung, cpu)
+    return Ending(process.returncode, text, "", seconds, cpu=cpu)

@@ -142,6 +142,6 @@ def run_unit(elf):
     """One Unity program on its board."""
     name = pathlib.Path(elf).stem
     try:
-        return Units(name, *emulator.run_unit(elf, UNIT_TIMEOUT))
+        return Units(name, *emulator.run_unit(elf, UNIT_TIMEOUT)[:3])
     except ToolError as error:
         return Units(name, 0, 1, str(error))
