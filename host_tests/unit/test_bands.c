@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* One frame, whatever the bands and whatever the list's size. Small enough for
  * a board with 8 KB of RAM. */
+#include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 24,
@@ -30,20 +32,7 @@ static void start(uint32_t words, const fxl_clipper *clipper)
 
 static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
 {
-    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-}
-
-/* Before, between and beside the cubes, and mostly turned to some of them. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(-1, 1);
-    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-60, 60);
-    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
-    return pose;
+    frame_draw_band(&renderer, &renderer.workspace, frame, first, rows, BACKGROUND);
 }
 
 /* The whole frame into `whole`, without a list. */
@@ -78,7 +67,7 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
     uint32_t drawn = 0, spilled = 0, held = 0, full = 0;
     for (uint32_t round = 0; round < rounds; round++) {
         const fxl_clipper *clipper = unit_random() % 4 ? &fxl_clipper_view : &fxl_clipper_world;
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_about();
         fxl_counters counters = draw_whole(&pose, clipper);
         uint32_t without = counters.spilled;
         start((uint32_t)unit_between(0, unit_random() % 2 ? WORDS : WORDS / 4), clipper);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Billboards with surfaces and with a depth buffer, and the methods that they do not go with
  * (docs/extras/billboards.md, section 4). */
+#include "frame_bands.h"
 #include "tiny.h"
 
 enum {
@@ -111,12 +112,7 @@ static fxl_status add(const fxl_visibility *method)
 
 static void draw(uint8_t *frame, const fxl_pose *pose, uint16_t step)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + step)) {
-        const fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, row, step};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, frame, step, BACKGROUND);
 }
 
 static bool is_sprite(uint8_t pixel)

@@ -2,6 +2,7 @@
 /* Drawing by a tree: what hides what, with cubes that move through a cube. */
 #include "fixel/stage/visibility.h"
 #include "bsp_sight.h"
+#include "frame_bands.h"
 
 enum {
     WIDTH = BSP_WIDTH,
@@ -42,15 +43,12 @@ static void start_with(uint32_t words, const fxl_visibility *visibility, uint32_
 
 static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
 {
-    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_band(&renderer, &renderer.workspace, frame, first, rows, BACKGROUND);
 }
 
 static void draw(uint8_t *frame, const fxl_pose *pose)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    draw_rows(frame, 0, HEIGHT);
+    frame_draw_pose(&renderer, pose, frame, HEIGHT, BACKGROUND);
 }
 
 static fxl_pose shuffle(void)

@@ -2,6 +2,7 @@
 /* Drawing by a tree beside other layers, near to far, through the near plane, with a clipper that
  * gives several polygons a face, and with light. */
 #include "bsp_sight.h"
+#include "frame_bands.h"
 
 enum {
     WIDTH = BSP_WIDTH,
@@ -35,12 +36,7 @@ static void start(const fxl_visibility *visibility, const fxl_lens *lens)
 
 static void draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row, (uint16_t)rows};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
 /* Whatever comes first keeps its pixels. */

@@ -2,6 +2,7 @@
 /* A tree whose nodes have spheres of their own, and nodes on both sides: what is out of sight is
  * left out and counted, and all else is drawn as without a tree. */
 #include "bsp_scene.h"
+#include "frame_bands.h"
 
 enum {
     WIDTH = 24,
@@ -100,14 +101,7 @@ static void start(const fxl_visibility *visibility, const fxl_lens *lens, uint32
 
 static fxl_counters draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        const uint32_t left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(left < rows ? left : rows)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
     return renderer.workspace.counters;
 }
 

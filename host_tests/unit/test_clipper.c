@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The two clippers under their treaty, alone and in a renderer. */
+#include "frame_bands.h"
 #include "polygon_face.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 48,
@@ -260,15 +262,6 @@ static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
 }
 
-/* Between and beside the cubes, where many faces are cut. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(0, 2);
-    return pose;
-}
-
 /* A clipper that counts what it is asked, and answers what it is told to. */
 static uint32_t asked;
 static const fxl_clip_result *answer; /* null: what fxl_clip_by_view says */
@@ -322,19 +315,6 @@ void test_what_a_clipper_answers_is_counted(void)
     }
 }
 
-static bool is_near(const uint8_t *frame, int pixel, uint8_t colour)
-{
-    int x = pixel % WIDTH, y = pixel / WIDTH;
-    for (int j = y - 1; j <= y + 1; j++) {
-        for (int i = x - 1; i <= x + 1; i++) {
-            if (i >= 0 && i < WIDTH && j >= 0 && j < HEIGHT && frame[j * WIDTH + i] == colour) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 /* The two outlines are less than a hundredth of a pixel apart (near is 1/16, focal
  * 24 pixels), so a pixel differs only on an edge, with the other colour next to
  * it, and seldom. */
@@ -347,12 +327,12 @@ void test_both_clippers_draw_the_same_frames(void)
     start(1);
     set_clipper(1, &fxl_clipper_world);
     for (int round = 0; round < rounds; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_between();
         draw(&renderers[0], &pose, frames[0]);
         draw(&renderers[1], &pose, frames[1]);
         for (int i = 0; i < PIXELS; i++) {
             differing += frames[0][i] != frames[1][i];
-            apart += !is_near(frames[0], i, frames[1][i]);
+            apart += !frame_has_near(frames[0], WIDTH, HEIGHT, i, frames[1][i]);
         }
         const fxl_counters *a = &renderers[0].workspace.counters,
                            *b = &renderers[1].workspace.counters;
@@ -374,7 +354,7 @@ void test_the_cache_changes_no_pixel(void)
     };
     static fxl_cached_vertex caches[2][ENTRIES];
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_between();
         start(0);
         draw(&renderers[0], &pose, frames[0]);
         const fxl_counters counters = renderers[0].workspace.counters;
@@ -401,7 +381,7 @@ void test_the_clipper_may_change_between_frames(void)
     start(1);
     set_clipper(1, &fxl_clipper_world);
     for (int round = 0; round < 16; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_between();
         draw(&renderers[0], &pose, frames[0]);
         draw(&renderers[1], &pose, frames[1]);
         set_clipper(0, &fxl_clipper_world);

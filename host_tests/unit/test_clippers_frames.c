@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "clippers_list.h"
+#include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 48,
@@ -36,38 +38,9 @@ static void start(uint32_t list_words, uint32_t entries)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
 }
 
-static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
+static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (int row = 0; row < HEIGHT; row += rows) {
-        int left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-}
-
-/* Between and beside the cubes, where many faces are cut. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(0, 2);
-    return pose;
-}
-
-static bool is_near(const uint8_t *frame, int pixel, uint8_t colour)
-{
-    int x = pixel % WIDTH, y = pixel / WIDTH;
-    for (int j = y - 1; j <= y + 1; j++) {
-        for (int i = x - 1; i <= x + 1; i++) {
-            if (i >= 0 && i < WIDTH && j >= 0 && j < HEIGHT && frame[j * WIDTH + i] == colour) {
-                return true;
-            }
-        }
-    }
-    return false;
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
 static void set_clipper(const fxl_clipper *clipper, void *room)
@@ -84,7 +57,7 @@ void test_all_draw_the_same_frames(void)
     int differing = 0;
     uint32_t clipped = 0;
     for (int round = 0; round < rounds; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_between();
         start(LIST_WORDS, 0);
         draw(&pose, HEIGHT, frames[0]);
         uint32_t in = renderer.workspace.counters.in,
@@ -104,11 +77,11 @@ void test_all_draw_the_same_frames(void)
             TEST_ASSERT_EQUAL_UINT32(0, counters.refused);
             for (int i = 0; i < PIXELS; i++) {
                 differing += frames[0][i] != frames[1][i];
-                TEST_ASSERT_TRUE(is_near(frames[0], i, frames[1][i]));
+                TEST_ASSERT_TRUE(frame_has_near(frames[0], WIDTH, HEIGHT, i, frames[1][i]));
             }
             start((uint32_t)unit_between(0, 60), (uint32_t)unit_between(0, 9));
             set_clipper(clippers[which], &rooms[0].room);
-            draw(&pose, unit_between(1, HEIGHT), frames[2]);
+            draw(&pose, (uint32_t)unit_between(1, HEIGHT), frames[2]);
             TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], PIXELS);
             renderer.workspace.counters.spilled = counters.spilled;
             TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
@@ -126,7 +99,7 @@ void test_the_clipper_may_change_between_frames(void)
 {
     start(LIST_WORDS, 9);
     for (int round = 0; round < 40; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_between();
         int which = unit_between(0, CLIPPERS - 1), other = unit_between(0, CLIPPERS - 1);
         set_clipper(clippers[which], &rooms[0].room);
         draw(&pose, HEIGHT, frames[0]);
@@ -143,7 +116,7 @@ void test_every_frame_has_its_own_planes(void)
 {
     for (int i = 0; i < 4 * CLIPPERS; i++) { /* from some poses nothing is seen */
         const int which = i % CLIPPERS;
-        fxl_pose poses[2] = {random_pose(), random_pose()};
+        fxl_pose poses[2] = {tiny_pose_between(), tiny_pose_between()};
         start(LIST_WORDS, 9);
         set_clipper(clippers[which], &rooms[0].room);
         draw(&poses[0], HEIGHT, frames[0]);

@@ -3,6 +3,7 @@
  * every clipper and by methods that decide in another order. */
 #include "clippers_list.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 48,
@@ -80,15 +81,6 @@ static void draw_tiles(const fxl_pose *pose, const fxl_clipper *clipper,
     }
 }
 
-/* Between and beside the cubes, where many faces are cut. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(0, 2);
-    return pose;
-}
-
 static uint32_t drawn, differing;
 
 static void compare(const fxl_pose *pose, const fxl_clipper *clipper,
@@ -110,7 +102,7 @@ void test_tiles_are_the_picture(void)
 {
     drawn = differing = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_between();
         compare(&pose, NULL, &fxl_visibility_sorted);
     }
     TEST_ASSERT_EQUAL_UINT32(0, differing);
@@ -122,7 +114,7 @@ void test_tiles_by_every_clipper(void)
     for (int which = 0; which < CLIPPERS; which++) {
         drawn = differing = 0;
         for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-            const fxl_pose pose = random_pose();
+            const fxl_pose pose = tiny_pose_between();
             compare(&pose, clippers[which], &fxl_visibility_sorted);
         }
         TEST_ASSERT_EQUAL_UINT32(0, differing);
@@ -134,7 +126,7 @@ void test_tiles_by_the_clipper_in_the_world(void)
 {
     drawn = differing = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_between();
         compare(&pose, &fxl_clipper_world, &fxl_visibility_sorted);
     }
     TEST_ASSERT_TRUE(differing <= drawn / 1000);
@@ -148,7 +140,7 @@ void test_tiles_by_other_visibility_methods(void)
     for (int which = 0; which < 3; which++) {
         drawn = differing = 0;
         for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-            const fxl_pose pose = random_pose();
+            const fxl_pose pose = tiny_pose_between();
             compare(&pose, NULL, methods[which]);
         }
         TEST_ASSERT_EQUAL_UINT32(0, differing);
@@ -162,7 +154,7 @@ void test_a_renderer_moves_its_centre(void)
 {
     const fxl_lens lens = whole_lens();
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose(), other = random_pose();
+        const fxl_pose pose = tiny_pose_between(), other = tiny_pose_between();
         const fxl_q16_16 x = unit_between(Q16(-WIDTH), Q16(2 * WIDTH));
         const fxl_q16_16 y = unit_between(Q16(-HEIGHT), Q16(2 * HEIGHT));
         fxl_lens moved = lens;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Outlines over filled faces, against the frame without outlines. */
+#include "frame_bands.h"
 #include "tiny.h"
 
 enum {
@@ -32,11 +33,7 @@ static void start(const fxl_visibility *visibility)
 
 static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step)
 {
-    for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + step)) {
-        const fxl_band band = {frame[row], WIDTH, WIDTH, row, step};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_bands(&renderer, frame[0], step, BACKGROUND);
 }
 
 static void draw_pose(const fxl_visibility *visibility, const fxl_pose *pose,

@@ -3,7 +3,9 @@
  * pixels that show them. */
 #include <math.h>
 
+#include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 24,
@@ -32,21 +34,7 @@ static void start(uint32_t words, const fxl_clipper *clipper, const fxl_visibili
 
 static void draw(uint8_t frame[HEIGHT][WIDTH])
 {
-    for (uint16_t row = 0; row < HEIGHT; row += 4) {
-        const fxl_band band = {frame[row], WIDTH, WIDTH, row, 4};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-}
-
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(-1, 1);
-    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-60, 60);
-    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
-    return pose;
+    frame_draw_bands(&renderer, frame[0], 4, BACKGROUND);
 }
 
 /* Each instance in a frame of its own. */
@@ -91,7 +79,7 @@ void test_a_pick_is_the_pixel_that_was_drawn(void)
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
     uint32_t seen = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_about();
         const uint32_t words = unit_random() % 2 ? WORDS : 0;
         tiny = tiny_make();
         tiny->instances[0].model = unit_random() % 2; /* several with an order of their own */

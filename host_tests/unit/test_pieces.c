@@ -2,7 +2,9 @@
 /* Faces of which several polygons come: by their clipper, by their walk, by light. Counted
  * once, and in the list wholly or not at all. */
 #include "../../lib/src/draw/submit.h"
+#include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 24,
@@ -31,25 +33,8 @@ static void start(uint32_t words)
 /* In bands of so many rows, by what the renderer was told. */
 static fxl_counters draw(const fxl_pose *pose, uint8_t *frame, uint32_t rows)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        uint32_t left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(left < rows ? left : rows)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
     return renderer.workspace.counters;
-}
-
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z = unit_between(Q16(-6), Q16(4));
-    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-40, 40);
-    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
-    return pose;
 }
 
 static fxl_counters draw_plainly(const fxl_pose *pose)
@@ -130,7 +115,7 @@ void test_a_clipper_may_give_several_polygons(void)
     uint32_t full = 0, several = 0;
     spoilt = NULL;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw_plainly(&pose);
         start(LIST_WORDS);
         begin_count = 0;
@@ -231,7 +216,7 @@ void test_a_face_in_pieces_counts_once(void)
     in_pieces = fxl_visibility_sorted;
     in_pieces.submit = walk_in_pieces;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw_plainly(&pose);
         start((uint32_t)unit_between(0, LIST_WORDS));
         begin_count = 0;
@@ -277,7 +262,7 @@ void test_light_splits_the_faces_that_it_reaches(void)
     uint32_t lit = 0, dark = 0;
     asked = 0;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw_plainly(&pose);
         start((uint32_t)unit_between(0, LIST_WORDS));
         renderer.shader = &light;

@@ -2,6 +2,7 @@
 /* Bands that pass over what does not reach them: the same frames, and less work. */
 #include "fixel/extra/clippers.h"
 #include "fixel/extra/spans.h"
+#include "frame_bands.h"
 #include "tiny.h"
 
 enum {
@@ -115,9 +116,7 @@ static void start(const setting *with)
 
 static void draw_rows(fxl_workspace *workspace, uint8_t *frame, uint32_t first, uint32_t rows)
 {
-    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, workspace, &band));
+    frame_draw_band(&renderer, workspace, frame, first, rows, BACKGROUND);
 }
 
 /* In bands of so many rows, after begin. */

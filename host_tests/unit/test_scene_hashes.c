@@ -3,6 +3,7 @@
  * core: hashes on record, as in test_surface_hashes.c. */
 #include "bsp_sight.h"
 #include "cluster_scene.h"
+#include "frame_bands.h"
 #include "fixel/extra/spans.h"
 
 enum {
@@ -225,14 +226,7 @@ static void start(const fxl_clipper *clipper, const fxl_visibility *method, uint
 static uint32_t draw(const fxl_pose *pose)
 {
     const uint32_t rows = (uint32_t)unit_between(1, HEIGHT);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        const uint32_t left = HEIGHT - row;
-        const fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                               (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
     return unit_crc32(frame, sizeof frame) +
            31u * unit_crc32((const uint8_t *)&renderer.workspace.counters,
                             sizeof renderer.workspace.counters);

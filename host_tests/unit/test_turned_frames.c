@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Turned instances in a renderer: whole frames, with every clipper and method. */
 #include "clippers_list.h"
+#include "frame_bands.h"
 #include "fixel/extra/spans.h"
 #include "src/scene/face_bounds.h"
 #include "turns.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 48,
@@ -63,30 +65,9 @@ static void start(int which, uint32_t list_words, uint32_t entries, bool front_t
     }
 }
 
-static void draw_bands(int rows, uint8_t *frame)
+static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)
 {
-    for (int row = 0; row < HEIGHT; row += rows) {
-        int left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-}
-
-static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    draw_bands(rows, frame);
-}
-
-/* Between and beside the cubes, where many faces are cut. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z += Q16(5) * unit_between(0, 2);
-    return pose;
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
 /* Turns that leave the cubes about as large as they are. */
@@ -110,13 +91,13 @@ static fxl_counters counters_but_spilled(void)
 void test_turns_that_turn_nothing(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_between();
         const bool keyed = unit_between(0, 1);
         for (int which = 0; which < CLIPPERS + 2; which++) {
             const uint32_t words = (uint32_t)unit_between(0, LIST_WORDS);
             const bool front_to_back = unit_between(0, 1);
             const uint32_t first = (uint32_t)unit_between(0, TINY_INSTANCES - 1);
-            const int rows = unit_between(1, HEIGHT);
+            const uint32_t rows = (uint32_t)unit_between(1, HEIGHT);
             fxl_counters counters[2];
             for (int turned = 0; turned < 2; turned++) {
                 make(turned ? first : TINY_INSTANCES);
@@ -143,7 +124,7 @@ void test_turns_that_turn_nothing(void)
 void test_bands_of_turned_instances(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_between();
         make((uint32_t)unit_between(0, TINY_INSTANCES - 1));
         turn_all();
         for (int which = 0; which < CLIPPERS + 2; which++) {
@@ -155,7 +136,7 @@ void test_bands_of_turned_instances(void)
                                                       counters.drawn);
             TEST_ASSERT_EQUAL_UINT32(0, counters.refused);
             start(which, (uint32_t)unit_between(0, 60), (uint32_t)unit_between(0, 9), false);
-            draw(&pose, unit_between(1, HEIGHT), frames[1]);
+            draw(&pose, (uint32_t)unit_between(1, HEIGHT), frames[1]);
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
             const fxl_counters again = counters_but_spilled();
             TEST_ASSERT_EQUAL_MEMORY(&counters, &again, sizeof counters);
@@ -198,13 +179,13 @@ void test_front_to_back(void)
 {
     int differing = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_between();
         make(0);
         turn_all();
         start(CLIPPERS, LIST_WORDS, 9, false);
         draw(&pose, HEIGHT, frames[0]);
         start(CLIPPERS, (uint32_t)unit_between(0, LIST_WORDS), 9, true);
-        draw(&pose, unit_between(1, HEIGHT), frames[1]);
+        draw(&pose, (uint32_t)unit_between(1, HEIGHT), frames[1]);
         for (int i = 0; i < PIXELS; i++) {
             differing += frames[0][i] != frames[1][i];
         }
@@ -218,7 +199,7 @@ void test_clippers_agree(void)
     const int rounds = UNIT_REPEAT / 100;
     int differing = 0, drawn = 0;
     for (int round = 0; round < rounds; round++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_between();
         make(0);
         turn_all();
         start(CLIPPERS, LIST_WORDS, 9, false);
@@ -268,8 +249,8 @@ void test_orientations_in_sight_are_checked(void)
     uint32_t in_sight = 0, measured = 0;
     for (uint32_t round = 0; round < rounds; round++) {
         fxl_pose poses[2];
-        poses[0] = random_pose();
-        poses[1] = random_pose();
+        poses[0] = tiny_pose_between();
+        poses[1] = tiny_pose_between();
         const uint32_t number = round % TINY_INSTANCES;
         make(round % 2);
         turn_all();
@@ -290,7 +271,7 @@ void test_orientations_in_sight_are_checked(void)
             TEST_ASSERT_EQUAL_MEMORY(&before, &renderer.frame.view.camera, sizeof before);
             TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
         } else {
-            draw_bands(5, third);
+            frame_draw_bands(&renderer, third, 5, BACKGROUND);
             TEST_ASSERT_EQUAL_MEMORY(frames[0], third, PIXELS);
         }
         *turn = good;

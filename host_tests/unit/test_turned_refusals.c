@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A frame with turns that fxl_frame_begin refuses. The turns may have any values then, so no call
  * may read them: the frame before has ended. */
+#include "frame_bands.h"
 #include "turns.h"
 #include "tiny.h"
 
@@ -38,21 +39,9 @@ static void start(uint32_t first, uint32_t list_words)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
 }
 
-static void draw_bands(int rows, uint8_t *frame)
+static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)
 {
-    for (int row = 0; row < HEIGHT; row += rows) {
-        int left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-}
-
-static void draw(const fxl_pose *pose, int rows, uint8_t *frame)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    draw_bands(rows, frame);
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
 static void expect_refused(fxl_status status)
@@ -164,7 +153,7 @@ void test_a_refused_frame_without_turns_leaves_the_frame_before(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_begin(&renderer, NULL));
     tiny->scene.instance_count = renderer.instance_capacity + 1;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
-    draw_bands(HEIGHT, frames[1]);
+    frame_draw_bands(&renderer, frames[1], HEIGHT, BACKGROUND);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
 }
 

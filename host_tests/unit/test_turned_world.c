@@ -3,6 +3,7 @@
  * instance is drawn as a model of the rounded points would be. */
 #include "bsp_scene.h"
 #include "clippers_list.h"
+#include "frame_bands.h"
 #include "fixel/stage/visibility.h"
 #include "turns.h"
 
@@ -98,14 +99,7 @@ static void draw(fxl_scene *scene, const fxl_clipper *clipper, int method, bool 
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, light_room,
                                                          sizeof light_room));
     }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        const uint32_t left = HEIGHT - row;
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
+    frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
 static bool is_in_sight(void)

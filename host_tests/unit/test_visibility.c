@@ -2,7 +2,9 @@
 /* What hides what: front to back is back to front turned round, and the picture the same. */
 #include "../../lib/src/draw/submit.h"
 #include "counted_spans.h"
+#include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_poses.h"
 
 enum {
     WIDTH = 16,
@@ -41,9 +43,7 @@ static void start(const way *by)
 
 static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
 {
-    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
-    fxl_fill_band(&band, BACKGROUND);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    frame_draw_band(&renderer, &renderer.workspace, frame, first, rows, BACKGROUND);
 }
 
 /* In bands of so many rows. */
@@ -52,21 +52,8 @@ static fxl_counters draw(const way *by, const fxl_pose *pose, uint8_t *frame, ui
     start(by);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     memset(frame, 0, HEIGHT * WIDTH);
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        draw_rows(frame, row, row + rows > HEIGHT ? HEIGHT - row : rows);
-    }
+    frame_draw_bands(&renderer, frame, rows, BACKGROUND);
     return renderer.workspace.counters;
-}
-
-/* The three cubes, and often one behind another. */
-static fxl_pose random_pose(void)
-{
-    fxl_pose pose = unit_pose();
-    pose.position = unit_point(Q16(3));
-    pose.position.z = unit_between(Q16(-6), Q16(4));
-    pose.yaw = DEGREES(1) * (fxl_angle)unit_between(-40, 40);
-    pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-30, 30);
-    return pose;
 }
 
 /* Counters that every method has in common. */
@@ -91,7 +78,7 @@ void test_the_span_buffer_draws_the_same_picture(void)
         const way spans = {methods[round % 2],
                            (uint32_t)unit_between(0, round % 3 ? LIST_WORDS : 30),
                            (uint32_t)unit_between(FXL_SPAN_BUFFER_ROW(WIDTH), 12)};
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
         fxl_counters counters = draw(&spans, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
@@ -111,7 +98,7 @@ void test_each_pixel_is_written_once(void)
     uint32_t covered = 0, over = 0;
     for (uint32_t round = 0; round < rounds; round++) {
         const way sorted = {&fxl_visibility_sorted, 0, 0};
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         (void)draw(&sorted, &pose, frames[0], HEIGHT);
         const way spans = {counted_begin(writes, frames[1], sizeof writes),
                            round % 2 ? LIST_WORDS : 0, INTERVALS};
@@ -139,7 +126,7 @@ void test_front_to_back_is_the_exact_reverse(void)
         const way sorted = {&fxl_visibility_sorted, LIST_WORDS, 0};
         const way spans = {&fxl_visibility_spans, LIST_WORDS, INTERVALS};
         const fxl_rows all = {0, HEIGHT};
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_display_list_record record;
         uint32_t count = 0, place = 0;
         start(&sorted);
@@ -167,7 +154,7 @@ void test_a_full_pool_splits_the_band(void)
     const uint32_t rounds = UNIT_REPEAT / 100;
     uint32_t split = 0, twice = 0;
     for (uint32_t round = 0; round < rounds; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
         uint32_t before = UINT32_MAX;
         for (uint32_t intervals = FXL_SPAN_BUFFER_ROW(WIDTH); intervals < 2 * HEIGHT;
@@ -191,7 +178,7 @@ void test_refusals(void)
 {
     const way sorted = {&fxl_visibility_sorted, 0, 0};
     const uint32_t least = FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT);
-    fxl_pose pose = random_pose();
+    fxl_pose pose = tiny_pose_before();
     fxl_counters counters = draw(&sorted, &pose, frames[0], HEIGHT);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_renderer_set_visibility(NULL, &fxl_visibility_spans, room, least));
@@ -229,7 +216,7 @@ void test_two_renderers_do_not_know_of_each_other(void)
     start(&spans);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&other, &tiny->scene, &lens, &memory));
     for (int round = 0; round < 20; round++) {
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_band upper = {frames[0], WIDTH, WIDTH, 0, HEIGHT / 2}, lower = upper;
         lower.pixels += HEIGHT / 2 * WIDTH;
         lower.first_row = HEIGHT / 2;
@@ -252,7 +239,7 @@ void test_a_renderer_is_moved_within_a_frame(void)
                         {&fxl_visibility_spans, LIST_WORDS, FXL_SPAN_BUFFER_ROW(WIDTH)},
                         {&fxl_visibility_box, LIST_WORDS, 0}};
     for (uint32_t i = 0; i < 3; i++) {
-        const fxl_pose pose = random_pose();
+        const fxl_pose pose = tiny_pose_before();
         fxl_band upper = {frames[1], WIDTH, WIDTH, 0, HEIGHT / 2}, lower = upper;
         lower.pixels += HEIGHT / 2 * WIDTH;
         lower.first_row = HEIGHT / 2;
@@ -276,7 +263,7 @@ void test_boxes_draw_the_same_picture(void)
     const way sorted = {&fxl_visibility_sorted, LIST_WORDS, 0};
     for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
         const way boxes = {&fxl_visibility_box, (uint32_t)unit_between(0, LIST_WORDS), 0};
-        fxl_pose pose = random_pose();
+        fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
         fxl_counters counters = draw(&boxes, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
