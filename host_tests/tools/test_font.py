@@ -114,7 +114,7 @@ def test_what_is_right_of_the_width_is_not_drawn():
 
 def test_characters_are_chosen_and_the_unknown_one_is_among_them(tmp_path):
     assert "made_font = {\n    made_bits, made_glyphs, 4, 63, 63, 9\n}" in written(tmp_path, SOUND)
-    assert "made_font = {made_bits, made_glyphs, 2, 65, 65, 9}" in written(tmp_path, SOUND, "--characters", "64-70")
+    assert "made_font = {\n    made_bits, made_glyphs, 2, 65, 65, 9\n}" in written(tmp_path, SOUND, "--characters", "64-70")
     assert "other_font" in written(tmp_path, SOUND, "--name", "other")
     # A box stands in for the ascent and the descent.
     assert ", 63, 9}" in written(tmp_path, SOUND.replace("FONT_ASCENT 7\nFONT_DESCENT 2\n", ""))
