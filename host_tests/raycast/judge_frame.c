@@ -57,7 +57,7 @@ static uint8_t colour_of(const scene *s, world_hit hit)
 static bool shows(const viewpoint *v, double x, double y, uint8_t colour)
 {
     world_ray ray = ray_through(v, x, y);
-    world_hit hit = world_nearest(&v->s->world, &ray);
+    world_hit hit = world_nearest(&v->s->world, &ray, NULL);
     return colour_of(v->s, hit) == colour || (hit.found && world_shows(&v->s->world, &ray, colour));
 }
 
@@ -78,12 +78,15 @@ void judge_frame(scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels)
     viewpoint view = viewpoint_of(s, frame);
     scene_light(s, view.eye, ray_through(&view, s->width / 2.0, s->height / 2.0).direction);
     memset(v, 0, sizeof *v);
+    const world_polygon *guess = NULL; /* what the ray before met */
     for (uint32_t j = 0; j < s->height; j++)
         for (uint32_t i = 0; i < s->width; i++) {
             double x = i + 0.5, y = j + 0.5;
             uint8_t reference = frame->pixels[(size_t)j * s->width + i];
             world_ray ray = ray_through(&view, x, y);
-            uint8_t seen = colour_of(s, world_nearest(&s->world, &ray));
+            world_hit hit = world_nearest(&s->world, &ray, guess);
+            guess = hit.polygon;
+            uint8_t seen = colour_of(s, hit);
             if (pixels)
                 pixels[(size_t)j * s->width + i] = seen;
             if (seen == reference || world_shows(&s->world, &ray, reference))

@@ -20,7 +20,7 @@ typedef struct {
 /* A box around polygons first .. first + count - 1 (a leaf, count > 0), or around the two nodes
  * first and first + 1 (count 0). */
 typedef struct {
-    double low[3], high[3];
+    double bounds[2][3]; /* the low ones, the high ones */
     uint32_t first, count;
 } world_node;
 
@@ -42,13 +42,15 @@ typedef struct {
     bool found;
     double z;
     uint8_t colour;
+    const world_polygon *polygon; /* null where there is none */
 } world_hit;
 
 /* Computes planes and boxes. The caller must have filled in polygons and vertices. */
 void world_prepare(world *w);
 
-/* Finds the nearest polygon on the ray, whichever side faces it. */
-world_hit world_nearest(const world *w, const world_ray *ray);
+/* Finds the nearest polygon on the ray, whichever side faces it. guess: a polygon that the ray may
+ * meet, or null. What lies behind it is not looked at. */
+world_hit world_nearest(const world *w, const world_ray *ray, const world_polygon *guess);
 
 /* Tells whether a polygon of this colour lies no deeper than the nearest hit, to within 1e-6 of
  * its depth. Coplanar polygons have the same depth, so either may be drawn. */
