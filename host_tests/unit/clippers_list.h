@@ -14,4 +14,12 @@ static const fxl_clipper *const clippers[CLIPPERS] = {
     &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
     &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
 
+/* The family's clippers, then the two of the first chapter. */
+static inline const fxl_clipper *clipper_number(int which)
+{
+    return which < CLIPPERS    ? clippers[which]
+           : which == CLIPPERS ? &fxl_clipper_view
+                               : &fxl_clipper_world;
+}
+
 #endif

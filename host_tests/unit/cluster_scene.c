@@ -26,3 +26,19 @@ cluster_scene *cluster_make(void)
     made.tiny->scene.cluster_count = CLUSTERS;
     return &made;
 }
+
+void cluster_count(const cluster_scene *scene, const cluster_definition *definition,
+                   const fxl_view *view, uint32_t *outside, uint32_t *backfacing)
+{
+    uint32_t number = 6;
+    *outside = *backfacing = 0;
+    for (int c = 0; c < CLUSTERS; c++) {
+        const fxl_cluster *cluster = &scene->clusters[c];
+        const bool out = definition->is_outside(scene, view, cluster);
+        for (uint32_t i = 0; i < cluster->face_count; i++, number++) {
+            const fxl_face *face = &scene->tiny->faces[number];
+            *outside += out;
+            *backfacing += !out && !definition->is_front(scene, view, face);
+        }
+    }
+}

@@ -19,4 +19,15 @@ typedef struct {
  * have no cone, as +z and -z face away from each other. */
 cluster_scene *cluster_make(void);
 
+/* What the definition says of a cluster, and of a face, of the sorted cube. */
+typedef struct {
+    bool (*is_outside)(const cluster_scene *made, const fxl_view *view, const fxl_cluster *cluster);
+    bool (*is_front)(const cluster_scene *made, const fxl_view *view, const fxl_face *face);
+} cluster_definition;
+
+/* Of the sorted cube's faces: how many lie in clusters that are outside, and how many of the others
+ * do not face the eye. */
+void cluster_count(const cluster_scene *scene, const cluster_definition *definition,
+                   const fxl_view *view, uint32_t *outside, uint32_t *backfacing);
+
 #endif

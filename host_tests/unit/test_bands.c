@@ -3,7 +3,7 @@
  * a board with 8 KB of RAM. */
 #include "frame_bands.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 24,
@@ -21,12 +21,9 @@ static tiny_scene *tiny;
 
 static void start(uint32_t words, const fxl_clipper *clipper)
 {
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, TINY_INSTANCES + 6, words > 0 ? list : NULL, words, NULL, 0};
     tiny = tiny_make();
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
 }
 

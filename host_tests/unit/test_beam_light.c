@@ -2,7 +2,9 @@
 /* A renderer with a light: what lies in the beam is lit, all else is as before, in bands as
  * whole, and no pixel between lit and dark is left out or drawn twice. */
 #include "../../lib/extra/beams/lit_pieces.h"
+#include "painters.h"
 #include "tiny.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,
@@ -31,14 +33,12 @@ static void make(uint32_t words)
     const fxl_point lamp = {Q16(0.3), Q16(90), Q16(-3)};
     const fxl_direction slanted = {0, Q30(-0.6), Q30(0.8)};
     const fxl_memory memory = {order, 32, list, words, NULL, 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     tiny = tiny_make();
     for (int i = 0; i < 256; i++) {
         lit[i] = (uint8_t)(i + 100);
         same[i] = (uint8_t)i;
     }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beams[0]));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&slanted, window, 4, &beams[1]));
 }
@@ -147,35 +147,18 @@ void test_bands_and_lists_give_the_same_pixels(void)
     TEST_ASSERT_TRUE(bright > UNIT_REPEAT / 800);
 }
 
-/* Counts how often each pixel is painted. */
-static bool count_pixels(fxl_workspace *of, const fxl_screen_point *points, uint32_t count,
-                         uint8_t colour, const fxl_band *band)
-{
-    fxl_screen_polygon polygon = {.colour = colour, .count = (uint8_t)count};
-    fxl_span span;
-    memcpy(polygon.points, points, count * sizeof *points);
-    fxl_scan_begin(&polygon, band, &of->work.scan);
-    while (fxl_scan_next(&of->work.scan, &span)) {
-        for (int x = span.x0; x < span.x1; x++) {
-            drawn[span.y * WIDTH + x]++;
-        }
-    }
-    return true;
-}
-
 /* One cube alone, so that no pixel is painted twice without light. With light there may be
  * neither gaps nor pixels painted twice, but for a centre within a hair of the cube's outline,
  * which a crossing half a unit of 1/65536 beside it lets in or out. */
 void test_no_pixel_is_left_out_or_painted_twice(void)
 {
-    static const fxl_raster_backend counting = {.draw_polygon = count_pixels};
     int moved = 0, pixels = 0;
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
         const fxl_pose pose = any_pose();
         make(0);
         tiny->instances[1].centre.y = tiny->instances[2].centre.y = Q16(-7000);
         fxl_visibility method = fxl_visibility_sorted;
-        method.backend = &counting;
+        method.backend = painter_counting(drawn, WIDTH, 255);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
         memset(drawn, 0, sizeof drawn);
         draw(whole, &pose, HEIGHT);
@@ -193,31 +176,13 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
     TEST_ASSERT_TRUE(moved <= 1);
 }
 
-/* Whatever comes first keeps its pixels. */
-static bool paint_under(fxl_workspace *of, const fxl_screen_point *points, uint32_t count,
-                        uint8_t colour, const fxl_band *band)
-{
-    fxl_screen_polygon polygon = {.colour = colour, .count = (uint8_t)count};
-    fxl_span span;
-    memcpy(polygon.points, points, count * sizeof *points);
-    fxl_scan_begin(&polygon, band, &of->work.scan);
-    while (fxl_scan_next(&of->work.scan, &span)) {
-        for (int x = span.x0; x < span.x1; x++) {
-            uint8_t *pixel = &band->pixels[(span.y - band->first_row) * band->stride + x];
-            *pixel = *pixel == 0 ? colour : *pixel;
-        }
-    }
-    return true;
-}
-
 /* Near to far, the pieces of a face are drawn as far to near. */
 void test_near_to_far_gives_the_same_pixels(void)
 {
-    static const fxl_raster_backend under = {.draw_polygon = paint_under};
     fxl_visibility reverse = fxl_visibility_sorted;
     int bright = 0;
     reverse.front_to_back = true;
-    reverse.backend = &under;
+    reverse.backend = painter_under(0);
     for (int i = 0; i < UNIT_REPEAT / 200; i++) {
         const fxl_pose pose = any_pose();
         make(0);

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "tiny.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 32,
@@ -54,10 +55,8 @@ void tearDown(void)
 
 static void start(uint32_t words)
 {
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, TINY_INSTANCES, list, words, NULL, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
 }
 

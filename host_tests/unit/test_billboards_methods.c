@@ -3,6 +3,7 @@
  * (docs/extras/billboards.md, section 4). */
 #include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 32,
@@ -86,10 +87,8 @@ void tearDown(void)
 
 static void start(uint32_t words)
 {
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, TINY_INSTANCES, list, words, NULL, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
 /* A method; null: fxl_visibility_sorted. */

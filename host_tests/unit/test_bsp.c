@@ -3,6 +3,7 @@
 #include "fixel/stage/visibility.h"
 #include "bsp_sight.h"
 #include "frame_bands.h"
+#include "painters.h"
 
 enum {
     WIDTH = BSP_WIDTH,
@@ -170,31 +171,11 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
     TEST_ASSERT_TRUE(spilled > rounds / 20 && held > rounds / 20);
 }
 
-/* Whatever comes first keeps its pixels. */
-static bool paint_under(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
-                        uint8_t colour, const fxl_band *band)
-{
-    fxl_scan_box scan;
-    fxl_span span;
-    (void)by;
-    fxl_scan_box_begin(points, count, band, &scan);
-    while (fxl_scan_box_next(&scan, &span)) {
-        for (int32_t x = span.x0; x < span.x1; x++) {
-            uint32_t at = (uint32_t)((span.y - band->first_row) * band->stride + x);
-            if (band->pixels[at] == BACKGROUND) {
-                band->pixels[at] = colour;
-            }
-        }
-    }
-    return true;
-}
-
 void test_near_to_far_is_the_reverse_of_far_to_near(void)
 {
-    static const fxl_raster_backend under = {.draw_polygon = paint_under};
     fxl_visibility reverse = fxl_visibility_bsp;
     reverse.front_to_back = true;
-    reverse.backend = &under;
+    reverse.backend = painter_under(BACKGROUND);
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         const uint32_t workspace_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
         fxl_pose pose = shuffle();
@@ -208,29 +189,12 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
     }
 }
 
-/* Counts how often a pixel is painted with colours of objects that move. */
-static bool paint_counting(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
-                           uint8_t colour, const fxl_band *band)
-{
-    fxl_scan_box scan;
-    fxl_span span;
-    (void)by;
-    fxl_scan_box_begin(points, count, band, &scan);
-    while (fxl_scan_box_next(&scan, &span)) {
-        for (int32_t x = span.x0; x < span.x1 && colour <= 6; x++) {
-            times[(uint32_t)span.y * WIDTH + (uint32_t)x] += 1;
-        }
-    }
-    return true;
-}
-
 /* Cut or not, a pixel of a convex object is drawn once: no gap, and nothing twice. */
 void test_pieces_leave_no_gap_and_do_not_overlap(void)
 {
-    static const fxl_raster_backend counting = {.draw_polygon = paint_counting};
     fxl_visibility count_all = fxl_visibility_bsp;
     uint32_t covered = 0, most = 0;
-    count_all.backend = &counting;
+    count_all.backend = painter_counting(times, WIDTH, 6); /* colours of objects that move */
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = shuffle();
         made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};

@@ -3,6 +3,7 @@
  * gives several polygons a face, and with light. */
 #include "bsp_sight.h"
 #include "frame_bands.h"
+#include "painters.h"
 
 enum {
     WIDTH = BSP_WIDTH,
@@ -39,33 +40,15 @@ static void draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
     frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
-/* Whatever comes first keeps its pixels. */
-static bool paint_under(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
-                        uint8_t colour, const fxl_band *band)
-{
-    fxl_scan_box scan;
-    fxl_span span;
-    (void)by;
-    fxl_scan_box_begin(points, count, band, &scan);
-    while (fxl_scan_box_next(&scan, &span)) {
-        for (int32_t x = span.x0; x < span.x1; x++) {
-            uint8_t *pixel = &band->pixels[(span.y - band->first_row) * band->stride + x];
-            *pixel = *pixel == BACKGROUND ? colour : *pixel;
-        }
-    }
-    return true;
-}
-
 /* Cubes on layers 0, 1 and 2, the tree's on each of them in turn, each hiding some of the one
  * before. Near to far the layers come in reverse, and the same pixels win. */
 void test_layers_come_in_reverse_near_to_far(void)
 {
-    static const fxl_raster_backend under = {.draw_polygon = paint_under};
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     fxl_visibility reverse = fxl_visibility_bsp;
     reverse.front_to_back = true;
-    reverse.backend = &under;
+    reverse.backend = painter_under(BACKGROUND);
     for (uint32_t turn = 0; turn < 3; turn++) {
         made = bsp_make();
         for (uint32_t i = 0; i < TINY_INSTANCES; i++) {

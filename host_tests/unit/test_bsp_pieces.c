@@ -2,7 +2,7 @@
 /* The pieces of an object that a tree has cut have every vertex of their neighbours: their edges
  * cancel, bit for bit, and one outline is left. */
 #include "../../lib/extra/bsp/bsp_cut.h"
-#include "bsp_scene.h"
+#include "bsp_sight.h"
 
 enum {
     WIDTH = 64,
@@ -75,34 +75,13 @@ static uint32_t way_round(void)
     return length;
 }
 
-static fxl_q16_16 along(fxl_q2_30 right, fxl_q2_30 up, fxl_q2_30 forward, const fxl_point *v)
-{
-    return (fxl_q16_16)(((int64_t)right * v->x + (int64_t)up * v->y + (int64_t)forward * v->z +
-                         (1 << 29)) >>
-                        30);
-}
-
 /* A cube turned any way, through the tree's. */
 static bsp_scene *make_scene(void)
 {
     bsp_scene *made = bsp_make();
-    const fxl_pose pose = {{0, 0, 0}, unit_random(), unit_random(), unit_random()};
-    fxl_camera tilted;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &tilted));
-    const fxl_direction *const axes[3] = {&tilted.axes.right, &tilted.axes.up,
-                                          &tilted.axes.forward};
-    for (uint32_t i = 0; i < 8; i++) {
-        const fxl_point from = made->tiny->vertices[i];
-        made->tiny->vertices[i] =
-            (fxl_point){along(tilted.axes.right.x, tilted.axes.up.x, tilted.axes.forward.x, &from),
-                        along(tilted.axes.right.y, tilted.axes.up.y, tilted.axes.forward.y, &from),
-                        along(tilted.axes.right.z, tilted.axes.up.z, tilted.axes.forward.z, &from)};
-    }
-    for (uint32_t i = 0; i < 6; i++) {
-        const int32_t sign = i % 2 ? 1 : -1;
-        made->tiny->faces[i].normal =
-            (fxl_direction){axes[i / 2]->x * sign, axes[i / 2]->y * sign, axes[i / 2]->z * sign};
-    }
+    /* In this order, on every compiler. */
+    const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
+    bsp_tilt(made, yaw, pitch, roll);
     made->tiny->instances[0].centre =
         (fxl_point){unit_between(-Q16(1.5), Q16(1.5)), unit_between(-Q16(1.5), Q16(1.5)),
                     unit_between(Q16(8.5), Q16(11.5))};

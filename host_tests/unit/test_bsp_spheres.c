@@ -3,6 +3,7 @@
  * left out and counted, and all else is drawn as without a tree. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
+#include "painters.h"
 
 enum {
     WIDTH = 24,
@@ -246,33 +247,15 @@ void test_a_scene_moved_as_a_whole_looks_the_same(void)
     TEST_ASSERT_TRUE(cubes[0] > UNIT_REPEAT / 10 && cubes[1] > UNIT_REPEAT / 10);
 }
 
-/* Whatever comes first keeps its pixels. */
-static bool paint_under(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
-                        uint8_t colour, const fxl_band *band)
-{
-    fxl_scan_box scan;
-    fxl_span span;
-    (void)by;
-    fxl_scan_box_begin(points, count, band, &scan);
-    while (fxl_scan_box_next(&scan, &span)) {
-        for (int32_t x = span.x0; x < span.x1; x++) {
-            uint8_t *pixel = &band->pixels[(span.y - band->first_row) * band->stride + x];
-            *pixel = *pixel == BACKGROUND ? colour : *pixel;
-        }
-    }
-    return true;
-}
-
 /* The first node of the tree has three faces: the whole side -x in two colours, one over the other,
  * and a third over both. The last of them is seen, far to near as near to far. */
 void test_a_node_of_several_faces(void)
 {
-    static const fxl_raster_backend under = {.draw_polygon = paint_under};
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_pose pose = {{Q16(-5), 0, Q16(10)}, DEGREES(90), 0, 0};
     fxl_visibility reverse = fxl_visibility_bsp;
     reverse.front_to_back = true;
-    reverse.backend = &under;
+    reverse.backend = painter_under(BACKGROUND);
     for (int near_first = 0; near_first < 2; near_first++) {
         tiny = bsp_make()->tiny;
         for (uint32_t i = 1; i < 3; i++) {

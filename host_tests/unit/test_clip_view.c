@@ -2,6 +2,7 @@
 /* The rules of clipping in the view, worked out by hand; what a new vertex may
  * err by stands in test_clip_view_bounds.c. */
 #include "../../lib/src/clip/clip_stats.h"
+#include "plane_cases.h"
 #include "unit.h"
 
 /* World units of the view, exactly. */
@@ -39,32 +40,18 @@ static fxl_view_point at_wall(int plane, int64_t inside, int64_t aside)
     }
 }
 
-/* A polygon from whole numbers: so far inside a wall, so far along it. */
-static fxl_view_polygon flat(int plane, const int *numbers, uint8_t count)
+/* A polygon before a wall. */
+static fxl_view_polygon flat(int plane, const plane_polygon *from)
 {
     fxl_view_polygon polygon;
     memset(&polygon, 0, sizeof polygon);
     polygon.colour = 5;
-    polygon.count = count;
-    for (int i = 0; i < count; i++) {
-        int inside = numbers[2 * i], aside = numbers[2 * i + 1];
+    polygon.count = from->count;
+    for (int i = 0; i < from->count; i++) {
+        int inside = from->numbers[2 * i], aside = from->numbers[2 * i + 1];
         polygon.vertices[i].position = at_wall(plane, V(inside), V(aside));
     }
     return polygon;
-}
-#define NUMBERS(...) \
-    ((const int[]){__VA_ARGS__}), (sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2)
-
-/* The same outcome at each of the six walls, and nothing written. */
-static void expect_untouched(fxl_clip_result result, const int *numbers, size_t count)
-{
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count);
-        memset(&workspace.out, 0x5A, sizeof workspace.out);
-        TEST_ASSERT_EQUAL(
-            result, fxl_clip_view_to_plane(&polygon, &walls, plane, &workspace.out, distances));
-        TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &workspace.out, sizeof workspace.out);
-    }
 }
 
 static bool same_vertex(const fxl_view_vertex *a, const fxl_view_vertex *b)
@@ -74,11 +61,12 @@ static bool same_vertex(const fxl_view_vertex *a, const fxl_view_vertex *b)
 }
 
 /* Which vertex comes first is not laid down; their order is. */
-static void expect_same(const fxl_view_polygon *expected, const fxl_view_polygon *actual)
+static void expect_same(const char *name, const fxl_view_polygon *expected,
+                        const fxl_view_polygon *actual)
 {
     int first = 0;
-    TEST_ASSERT_EQUAL(expected->colour, actual->colour);
-    TEST_ASSERT_EQUAL(expected->count, actual->count);
+    TEST_ASSERT_EQUAL_MESSAGE(expected->colour, actual->colour, name);
+    TEST_ASSERT_EQUAL_MESSAGE(expected->count, actual->count, name);
     while (first + 1 < actual->count &&
            !same_vertex(&actual->vertices[first], &expected->vertices[0])) {
         first++;
@@ -86,76 +74,37 @@ static void expect_same(const fxl_view_polygon *expected, const fxl_view_polygon
     for (int i = 0; i < expected->count; i++) {
         TEST_ASSERT_TRUE_MESSAGE(
             same_vertex(&expected->vertices[i], &actual->vertices[(first + i) % actual->count]),
-            "another vertex");
+            name);
     }
 }
 
-static void expect_cut(const int *wanted, size_t wanted_count, const int *numbers, size_t count)
+/* The same outcome at each of the six walls. What is not cut writes nothing. */
+void test_cases_of_one_plane(void)
 {
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count);
-        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_view_to_plane(&polygon, &walls, plane,
-                                                               &workspace.out, distances));
-        polygon = flat(plane, wanted, (uint8_t)wanted_count);
-        expect_same(&polygon, &workspace.out);
+    for (int i = 0; i < PLANE_CASES * FXL_PLANE_COUNT; i++) {
+        const plane_case *one = &plane_cases[i / FXL_PLANE_COUNT];
+        const int plane = i % FXL_PLANE_COUNT;
+        fxl_view_polygon polygon = flat(plane, &one->polygon);
+        memset(&workspace.out, 0x5A, sizeof workspace.out);
+        TEST_ASSERT_EQUAL_MESSAGE(
+            one->result, fxl_clip_view_to_plane(&polygon, &walls, plane, &workspace.out, distances),
+            one->name);
+        if (one->result == FXL_CLIP_CUT) {
+            polygon = flat(plane, &one->left);
+            expect_same(one->name, &polygon, &workspace.out);
+        } else if (one->result != FXL_CLIP_DEGENERATE) {
+            TEST_ASSERT_EACH_EQUAL_HEX8_MESSAGE(0x5A, &workspace.out, sizeof workspace.out,
+                                                one->name);
+        }
     }
-}
-
-static void expect_degenerate(const int *numbers, size_t count)
-{
-    for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        fxl_view_polygon polygon = flat(plane, numbers, (uint8_t)count);
-        TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE, fxl_clip_view_to_plane(&polygon, &walls, plane,
-                                                                      &workspace.out, distances));
-    }
-}
-
-void test_wholly_inside_is_left_alone(void)
-{
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(1, 0, 3, 0, 3, 2));
-}
-
-void test_wholly_outside_is_left_alone(void)
-{
-    expect_untouched(FXL_CLIP_OUTSIDE, NUMBERS(-1, 0, -3, 0, -3, 2));
-}
-
-void test_touching_from_inside_is_inside(void)
-{
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 3, 0, 3, 2));
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 3, 2));
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 0, 2));
-}
-
-void test_touching_from_outside_is_degenerate(void)
-{
-    expect_degenerate(NUMBERS(0, 0, -3, 0, -3, 2));
-    expect_degenerate(NUMBERS(0, 0, 0, 2, -3, 2));
-}
-
-void test_a_square_is_halved(void)
-{
-    expect_cut(NUMBERS(0, 0, 4, 0, 4, 4, 0, 4), NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
-}
-
-void test_a_corner_is_cut_off(void)
-{
-    expect_cut(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), NUMBERS(-2, 2, 2, 4, 2, 0));
-}
-
-/* Through two vertices: each comes once. */
-void test_a_vertex_on_the_plane_is_not_repeated(void)
-{
-    expect_cut(NUMBERS(0, 4, 4, 0, 0, -4), NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
-    expect_cut(NUMBERS(0, 4, 4, 4, 0, 0), NUMBERS(0, 4, 4, 4, -4, -4));
-    expect_cut(NUMBERS(0, 0, 0, 4, 4, 4), NUMBERS(-4, 2, 0, 4, 4, 4, 0, 0));
 }
 
 /* 1/4 of the way from the inside end, whichever way the edge is walked. */
 void test_a_crossing_is_at_its_fraction_of_the_edge(void)
 {
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
-        fxl_view_polygon polygon = flat(plane, NUMBERS(-3, 0, 1, 8, 1, 16, -3, 16));
+        static const plane_polygon square = {4, {-3, 0, 1, 8, 1, 16, -3, 16}};
+        fxl_view_polygon polygon = flat(plane, &square);
         TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_view_to_plane(&polygon, &walls, plane,
                                                                &workspace.out, distances));
         fxl_view_vertex expected = {at_wall(plane, 0, V(6))};
@@ -337,16 +286,16 @@ void test_frustum_refuses_what_exceeds_the_capacity(void)
 void test_distances_and_new_vertices_are_counted(void)
 {
     static const struct {
-        int numbers[6];
+        plane_polygon polygon;
         fxl_clip_result result;
         uint32_t intersections;
-    } cases[] = {{{4, 0, -4, 4, -4, 8}, FXL_CLIP_CUT, 2},
-                 {{0, 0, 4, 4, -4, 8}, FXL_CLIP_CUT, 1},
-                 {{1, 0, 4, 4, 0, 8}, FXL_CLIP_INSIDE, 0},
-                 {{-1, 0, -4, 4, -1, 8}, FXL_CLIP_OUTSIDE, 0}};
+    } cases[] = {{{3, {4, 0, -4, 4, -4, 8}}, FXL_CLIP_CUT, 2},
+                 {{3, {0, 0, 4, 4, -4, 8}}, FXL_CLIP_CUT, 1},
+                 {{3, {1, 0, 4, 4, 0, 8}}, FXL_CLIP_INSIDE, 0},
+                 {{3, {-1, 0, -4, 4, -1, 8}}, FXL_CLIP_OUTSIDE, 0}};
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-            const fxl_view_polygon polygon = flat(plane, cases[i].numbers, 3);
+            const fxl_view_polygon polygon = flat(plane, &cases[i].polygon);
             const fxl_view_polygon *result;
             fxl_clip_stats stats = {.distances = 10, .intersections = 20};
             TEST_ASSERT_EQUAL(cases[i].result,

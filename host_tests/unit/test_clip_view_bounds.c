@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Distances and new vertices of the view against exact arithmetic, over the
  * whole range. */
+#include "plane_cases.h"
 #include "unit.h"
 #include "wide.h"
 
@@ -130,16 +131,6 @@ static bool on_edge(const fxl_view_vertex *a, const fxl_view_vertex *b, const fx
     return true;
 }
 
-static bool has_vertex(const fxl_view_polygon *polygon, const fxl_view_vertex *vertex)
-{
-    for (int i = 0; i < polygon->count; i++) {
-        if (memcmp(&polygon->vertices[i], vertex, sizeof *vertex) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Every vertex of a cut is one of before, inside, or a crossing within its
  * bounds. Answers how many crossings. */
 static int expect_bounds(const fxl_view_polygon *in, const fxl_view_frustum *frustum, int plane,
@@ -149,7 +140,7 @@ static int expect_bounds(const fxl_view_polygon *in, const fxl_view_frustum *fru
     for (int k = 0; k < out->count; k++) {
         const fxl_view_vertex *v = &out->vertices[k];
         fxl_q18_46 distance = fxl_view_distance(frustum, plane, &v->position);
-        if (has_vertex(in, v)) {
+        if (plane_has_vertex(in->vertices, in->count, sizeof *v, v)) {
             TEST_ASSERT_TRUE(distance >= 0);
             continue;
         }
@@ -210,19 +201,9 @@ void test_neighbours_get_the_same_vertex(void)
             fxl_clip_view_to_plane(&second, &frustum, plane, &outs[1], distances) != FXL_CLIP_CUT) {
             continue;
         }
-        /* Of the first: what follows or precedes the inside end on the edge. */
-        const fxl_view_vertex *crossing = NULL;
-        for (int k = 0; k < outs[0].count && !crossing; k++) {
-            const fxl_view_vertex *here = &outs[0].vertices[k];
-            const fxl_view_vertex *next = &outs[0].vertices[(k + 1) % outs[0].count];
-            if (at_a > 0 && memcmp(here, &a, sizeof a) == 0) {
-                crossing = next;
-            } else if (at_b > 0 && memcmp(next, &b, sizeof b) == 0) {
-                crossing = here;
-            }
-        }
-        TEST_ASSERT_NOT_NULL(crossing);
-        TEST_ASSERT_TRUE_MESSAGE(has_vertex(&outs[1], crossing), "neighbours disagree");
+        expect_shared_crossing((const void *const[]){outs[0].vertices, outs[1].vertices},
+                               (const int[]){outs[0].count, outs[1].count}, sizeof a, &a, &b,
+                               at_a > 0);
         cut++;
     }
     TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 4);

@@ -2,6 +2,7 @@
 /* Polygons of the world, cut by one plane. */
 #include <math.h>
 
+#include "plane_cases.h"
 #include "unit.h"
 
 static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -9,26 +10,23 @@ static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 /* Inside is x >= 0. */
 static const fxl_plane wall = {{FXL_Q2_30_ONE, 0, 0}, 0};
 
-/* A polygon in the plane z = 0 from whole numbers x, y; u and v are the same
- * numbers. */
-static fxl_polygon flat(const int *numbers, uint8_t count)
+/* A polygon in the plane z = 0 from whole numbers x, y; u and v are the same numbers. */
+static fxl_polygon flat(const plane_polygon *from)
 {
-    fxl_polygon polygon = {.colour = 5, .count = count, .textured = true};
-    for (int i = 0; i < count; i++) {
-        fxl_q16_16 x = numbers[2 * i] * 65536, y = numbers[2 * i + 1] * 65536;
+    fxl_polygon polygon = {.colour = 5, .count = from->count, .textured = true};
+    for (int i = 0; i < from->count; i++) {
+        fxl_q16_16 x = from->numbers[2 * i] * 65536, y = from->numbers[2 * i + 1] * 65536;
         polygon.vertices[i] = (fxl_vertex){{x, y, 0}, x, y};
     }
     return polygon;
 }
-#define NUMBERS(...) \
-    ((const int[]){__VA_ARGS__}), (uint8_t)(sizeof((const int[]){__VA_ARGS__}) / sizeof(int) / 2)
 
 /* Which vertex comes first is not laid down; their order is. */
-static void expect_same(const fxl_polygon *expected, const fxl_polygon *actual)
+static void expect_same(const char *name, const fxl_polygon *expected, const fxl_polygon *actual)
 {
     int first = 0;
-    TEST_ASSERT_EQUAL(expected->colour, actual->colour);
-    TEST_ASSERT_EQUAL(expected->count, actual->count);
+    TEST_ASSERT_EQUAL_MESSAGE(expected->colour, actual->colour, name);
+    TEST_ASSERT_EQUAL_MESSAGE(expected->count, actual->count, name);
     while (first + 1 < actual->count && memcmp(&actual->vertices[first], &expected->vertices[0],
                                                sizeof expected->vertices[0]) != 0) {
         first++;
@@ -36,82 +34,36 @@ static void expect_same(const fxl_polygon *expected, const fxl_polygon *actual)
     for (int i = 0; i < expected->count; i++) {
         const fxl_vertex *want = &expected->vertices[i];
         const fxl_vertex *got = &actual->vertices[(first + i) % actual->count];
-        TEST_ASSERT_EQUAL_INT32(want->position.x, got->position.x);
-        TEST_ASSERT_EQUAL_INT32(want->position.y, got->position.y);
-        TEST_ASSERT_EQUAL_INT32(want->position.z, got->position.z);
-        TEST_ASSERT_EQUAL_INT32(want->u, got->u);
-        TEST_ASSERT_EQUAL_INT32(want->v, got->v);
+        TEST_ASSERT_EQUAL_INT32_MESSAGE(want->position.x, got->position.x, name);
+        TEST_ASSERT_EQUAL_INT32_MESSAGE(want->position.y, got->position.y, name);
+        TEST_ASSERT_EQUAL_INT32_MESSAGE(want->position.z, got->position.z, name);
+        TEST_ASSERT_EQUAL_INT32_MESSAGE(want->u, got->u, name);
+        TEST_ASSERT_EQUAL_INT32_MESSAGE(want->v, got->v, name);
     }
 }
 
-static void expect_untouched(fxl_clip_result result, const int *numbers, uint8_t count)
+/* What is not cut writes nothing. */
+void test_cases_of_one_plane(void)
 {
-    fxl_polygon polygon = flat(numbers, count), out, before;
-    memset(&out, 0x5A, sizeof out);
-    memcpy(&before, &out, sizeof before);
-    TEST_ASSERT_EQUAL(result, fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &out, sizeof before);
-}
-
-static void expect_cut(const int *wanted, uint8_t wanted_count, const int *numbers, uint8_t count)
-{
-    fxl_polygon polygon = flat(numbers, count), out;
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
-    polygon = flat(wanted, wanted_count);
-    expect_same(&polygon, &out);
-}
-
-static void expect_degenerate(const int *numbers, uint8_t count)
-{
-    fxl_polygon polygon = flat(numbers, count), out;
-    TEST_ASSERT_EQUAL(FXL_CLIP_DEGENERATE,
-                      fxl_clip_world_to_plane(&polygon, &wall, &out, distances));
-}
-
-void test_wholly_inside_is_left_alone(void)
-{
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(1, 0, 3, 0, 3, 2));
-}
-
-void test_wholly_outside_is_left_alone(void)
-{
-    expect_untouched(FXL_CLIP_OUTSIDE, NUMBERS(-1, 0, -3, 0, -3, 2));
-}
-
-void test_touching_from_inside_is_inside(void)
-{
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 3, 0, 3, 2));
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 3, 2));
-    expect_untouched(FXL_CLIP_INSIDE, NUMBERS(0, 0, 0, 5, 0, 2));
-}
-
-void test_touching_from_outside_is_degenerate(void)
-{
-    expect_degenerate(NUMBERS(0, 0, -3, 0, -3, 2));
-    expect_degenerate(NUMBERS(0, 0, 0, 2, -3, 2));
-}
-
-void test_a_square_is_halved(void)
-{
-    expect_cut(NUMBERS(0, 0, 4, 0, 4, 4, 0, 4), NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
-}
-
-void test_a_corner_is_cut_off(void)
-{
-    expect_cut(NUMBERS(0, 1, 0, 3, 2, 4, 2, 0), NUMBERS(-2, 2, 2, 4, 2, 0));
-}
-
-/* Through two vertices: each comes once. */
-void test_a_vertex_on_the_plane_is_not_repeated(void)
-{
-    expect_cut(NUMBERS(0, 4, 4, 0, 0, -4), NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
-    expect_cut(NUMBERS(0, 4, 4, 4, 0, 0), NUMBERS(0, 4, 4, 4, -4, -4));
-    expect_cut(NUMBERS(0, 0, 0, 4, 4, 4), NUMBERS(-4, 2, 0, 4, 4, 4, 0, 0));
+    for (int i = 0; i < PLANE_CASES; i++) {
+        const plane_case *one = &plane_cases[i];
+        fxl_polygon polygon = flat(&one->polygon), out;
+        memset(&out, 0x5A, sizeof out);
+        TEST_ASSERT_EQUAL_MESSAGE(
+            one->result, fxl_clip_world_to_plane(&polygon, &wall, &out, distances), one->name);
+        if (one->result == FXL_CLIP_CUT) {
+            polygon = flat(&one->left);
+            expect_same(one->name, &polygon, &out);
+        } else if (one->result != FXL_CLIP_DEGENERATE) {
+            TEST_ASSERT_EACH_EQUAL_HEX8_MESSAGE(0x5A, &out, sizeof out, one->name);
+        }
+    }
 }
 
 void test_texture_is_cut_by_the_same_fraction(void)
 {
-    fxl_polygon polygon = flat(NUMBERS(-3, 0, 1, 0, 1, 4, -3, 4)), out;
+    static const plane_polygon square = {4, {-3, 0, 1, 0, 1, 4, -3, 4}};
+    fxl_polygon polygon = flat(&square), out;
     polygon.vertices[0].u = Q16(10);
     polygon.vertices[1].u = Q16(50);
     polygon.vertices[0].v = Q16(-800);
@@ -172,16 +124,6 @@ static fxl_vertex random_vertex(fxl_q16_16 limit)
                         unit_between(-Q16(4096), Q16(4096))};
 }
 
-static bool has_vertex(const fxl_polygon *polygon, const fxl_vertex *vertex)
-{
-    for (int i = 0; i < polygon->count; i++) {
-        if (memcmp(&polygon->vertices[i], vertex, sizeof *vertex) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* The two neighbours walk the edge a-b in opposite directions; the vertex that
  * neither had before must be one and the same. */
 void test_neighbours_get_the_same_vertex(void)
@@ -205,19 +147,9 @@ void test_neighbours_get_the_same_vertex(void)
             fxl_clip_world_to_plane(&second, &plane, &outs[1], distances) != FXL_CLIP_CUT) {
             continue;
         }
-        /* Of the first: what follows or precedes the inside end on the edge. */
-        const fxl_vertex *crossing = NULL;
-        for (int k = 0; k < outs[0].count && !crossing; k++) {
-            const fxl_vertex *here = &outs[0].vertices[k];
-            const fxl_vertex *next = &outs[0].vertices[(k + 1) % outs[0].count];
-            if (at_a > 0 && memcmp(here, &a, sizeof a) == 0) {
-                crossing = next;
-            } else if (at_b > 0 && memcmp(next, &b, sizeof b) == 0) {
-                crossing = here;
-            }
-        }
-        TEST_ASSERT_NOT_NULL(crossing);
-        TEST_ASSERT_TRUE_MESSAGE(has_vertex(&outs[1], crossing), "neighbours disagree");
+        expect_shared_crossing((const void *const[]){outs[0].vertices, outs[1].vertices},
+                               (const int[]){outs[0].count, outs[1].count}, sizeof a, &a, &b,
+                               at_a > 0);
         cut++;
     }
     TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 4);
@@ -255,7 +187,7 @@ void test_a_new_vertex_is_within_its_bounds(void)
         for (int k = 0; k < out.count; k++) {
             const fxl_vertex *v = &out.vertices[k];
             double best = 1e30;
-            for (int e = 0; e < 3 && !has_vertex(&polygon, v); e++) {
+            for (int e = 0; e < 3 && !plane_has_vertex(polygon.vertices, 3, sizeof *v, v); e++) {
                 const fxl_vertex *a = &polygon.vertices[e], *b = &polygon.vertices[(e + 1) % 3];
                 double low = 0, high = 1;
                 narrow(a->position.x, b->position.x, v->position.x, &low, &high);
@@ -274,7 +206,8 @@ void test_a_new_vertex_is_within_its_bounds(void)
                 double off = (double)fxl_plane_distance(&plane, &v->position) / 1073741824.0;
                 TEST_ASSERT_NEAR(off, 0, best / 536870912.0 + 0.9);
             } else {
-                TEST_ASSERT_TRUE_MESSAGE(has_vertex(&polygon, v), "a vertex off every edge");
+                TEST_ASSERT_TRUE_MESSAGE(plane_has_vertex(polygon.vertices, 3, sizeof *v, v),
+                                         "a vertex off every edge");
                 TEST_ASSERT_TRUE(fxl_plane_distance(&plane, &v->position) >= 0);
             }
         }

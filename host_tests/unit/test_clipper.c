@@ -3,7 +3,7 @@
 #include "frame_bands.h"
 #include "polygon_face.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,

@@ -5,7 +5,7 @@
 #include "clippers_list.h"
 #include "frame_bands.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,
@@ -31,11 +31,8 @@ static fxl_renderer renderer;
 static void start(uint32_t list_words, uint32_t entries)
 {
     tiny_scene *tiny = tiny_make();
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, 64, list, list_words, cache, entries};
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
 static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)

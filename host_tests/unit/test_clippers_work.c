@@ -10,23 +10,49 @@ enum {
 };
 
 static fxl_clipper_workspace workspace;
+static fxl_clipper_work work;
+static polygon_face face;
+static fxl_screen_polygon screen;
+
+/* About the view's axis; the first corner and the other two have depths of their own. */
+static fxl_polygon triangle(const fxl_view *view, fxl_q16_16 first, fxl_q16_16 others)
+{
+    fxl_polygon polygon = {.colour = 3, .count = 3};
+    polygon.vertices[0].position = clip_place(view, 0, Q16(0.25), first);
+    polygon.vertices[1].position = clip_place(view, Q16(0.25), Q16(-0.25), others);
+    polygon.vertices[2].position = clip_place(view, Q16(-0.25), Q16(-0.25), others);
+    return polygon;
+}
+
+static void set_face(const fxl_polygon *polygon, fxl_view *view, void *clipper_workspace)
+{
+    polygon_face_set(&face, polygon, view, 4);
+    face.model_view.clipper_workspace = clipper_workspace;
+}
+
+static fxl_clip_result clip_by(const fxl_clipper *clipper)
+{
+    return clipper->clip(&face.model_view, &face.face, &work, &screen);
+}
+
+/* Each vertex of the cache holds its place on the screen. */
+static void expect_projected(void)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
+        TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen, sizeof screen.points[i]);
+    }
+}
 
 /* The clippers of the view and of the world count where they are given an account. */
 void test_all_count_what_they_work_out(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    static fxl_clipper_work work;
-    static polygon_face face;
-    fxl_screen_polygon screen;
     fxl_clip_stats account = {0, 0, 0};
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
-    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
-    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    fxl_polygon polygon = triangle(&view, Q16(2), Q16(-2));
     fxl_view_set_world_frustum(&view);
     for (int which = 0; which < 2; which++) {
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &account;
+        set_face(&polygon, &view, &account);
         fxl_clip_result result = (which == 0 ? fxl_clip_by_view : fxl_clip_by_world)(
             &face.model_view, &face.face, &work, &screen);
         TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
@@ -39,17 +65,10 @@ void test_all_count_what_they_work_out(void)
 void test_what_is_outside_has_no_intersections(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    static fxl_clipper_work work;
-    static polygon_face face;
-    fxl_screen_polygon screen;
     fxl_clip_stats account = {0, 0, 0};
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(-2));
-    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
-    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    fxl_polygon polygon = triangle(&view, Q16(-2), Q16(-2));
     fxl_view_set_world_frustum(&view);
-    polygon_face_set(&face, &polygon, &view, 4);
-    face.model_view.clipper_workspace = &account;
+    set_face(&polygon, &view, &account);
     TEST_ASSERT_EQUAL(FXL_CLIP_OUTSIDE,
                       fxl_clip_by_world(&face.model_view, &face.face, &work, &screen));
     TEST_ASSERT_EQUAL_UINT32(3, account.distances);
@@ -59,23 +78,15 @@ void test_what_is_outside_has_no_intersections(void)
 /* Half-spaces measure a vertex by all planes, once, and not where no plane can matter. */
 void test_half_spaces_measure_a_vertex_once(void)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
-    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(2));
-    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    fxl_polygon polygon = triangle(&view, Q16(2), Q16(2));
     memset(&workspace, 0, fxl_clipper_half_spaces.workspace_size);
     for (int planes = 1; planes >= 0; planes--) {
         workspace.stats = (fxl_clip_stats){0, 0, 0};
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &workspace;
+        set_face(&polygon, &view, &workspace);
         face.model_view.planes = planes ? FXL_PLANES_ALL : 0;
         for (int again = 0; again < 2; again++) {
-            TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clipper_half_spaces.clip(
-                                                   &face.model_view, &face.face, &work, &screen));
+            TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_by(&fxl_clipper_half_spaces));
             TEST_ASSERT_EQUAL_UINT32(planes ? 3 * FXL_PLANE_COUNT : 0, workspace.stats.distances);
             TEST_ASSERT_EQUAL_UINT32(0, workspace.stats.intersections);
         }
@@ -87,10 +98,7 @@ void test_half_spaces_measure_a_vertex_once(void)
  */
 void test_the_guard_band_is_counted(void)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
     const fxl_clip_stats *stats = &workspace.stats;
     fxl_polygon polygon = {.colour = 3, .count = 3};
     polygon.vertices[0].position = clip_place(&view, Q16(-40), 0, Q16(10));
@@ -99,10 +107,8 @@ void test_the_guard_band_is_counted(void)
     for (int left = 0; left < 2; left++) {
         const fxl_clipper *clipper = left ? &fxl_clipper_left : &fxl_clipper_near;
         memset(&workspace, 0, clipper->workspace_size);
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &workspace;
-        TEST_ASSERT_EQUAL(left ? FXL_CLIP_CUT : FXL_CLIP_INSIDE,
-                          clipper->clip(&face.model_view, &face.face, &work, &screen));
+        set_face(&polygon, &view, &workspace);
+        TEST_ASSERT_EQUAL(left ? FXL_CLIP_CUT : FXL_CLIP_INSIDE, clip_by(clipper));
         TEST_ASSERT_EQUAL_UINT32(left ? 2 * FXL_PLANE_COUNT + 3 : 3 * FXL_PLANE_COUNT,
                                  stats->distances);
         TEST_ASSERT_EQUAL_UINT32(left ? 2 : 0, stats->intersections);
@@ -113,19 +119,14 @@ void test_the_guard_band_is_counted(void)
  * then the left plane, which alone has one outside, measures all three. */
 void test_what_is_beyond_the_guard_band_is_counted(void)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
     fxl_polygon polygon = {.colour = 3, .count = 3};
     polygon.vertices[0].position = clip_place(&view, Q16(-3000), 0, Q16(10));
     polygon.vertices[1].position = clip_place(&view, 0, Q16(1), Q16(10));
     polygon.vertices[2].position = clip_place(&view, 0, Q16(-1), Q16(10));
     memset(&workspace, 0, fxl_clipper_near.workspace_size);
-    polygon_face_set(&face, &polygon, &view, 4);
-    face.model_view.clipper_workspace = &workspace;
-    TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
-                      fxl_clipper_near.clip(&face.model_view, &face.face, &work, &screen));
+    set_face(&polygon, &view, &workspace);
+    TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip_by(&fxl_clipper_near));
     TEST_ASSERT_EQUAL_UINT32((1 + 3) * FXL_PLANE_COUNT + 3, workspace.stats.distances);
     TEST_ASSERT_EQUAL_UINT32(2, workspace.stats.intersections);
 }
@@ -137,33 +138,20 @@ void test_a_face_without_planes_is_projected_or_refused(void)
 {
     static const fxl_clipper *const whole[] = {&fxl_clipper_world, &fxl_clipper_half_spaces,
                                                &fxl_clipper_normalised, &fxl_clipper_once};
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
     fxl_view_set_world_frustum(&view);
     for (int which = 0; which < 4; which++) {
         for (int behind = 0; behind <= 3; behind++) { /* the last of the cases: none is behind */
-            fxl_polygon polygon = {.colour = 3, .count = 3};
-            polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
-            polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(2));
-            polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+            fxl_polygon polygon = triangle(&view, Q16(2), Q16(2));
             if (behind < 3) {
                 polygon.vertices[behind].position = clip_place(&view, 0, 0, Q16(-2));
             }
             memset(&workspace, 0, whole[which]->workspace_size);
-            polygon_face_set(&face, &polygon, &view, 4);
-            face.model_view.clipper_workspace =
-                whole[which]->workspace_size > 0 ? &workspace : NULL;
+            set_face(&polygon, &view, whole[which]->workspace_size > 0 ? &workspace : NULL);
             face.model_view.planes = 0;
-            TEST_ASSERT_EQUAL(behind < 3 ? FXL_CLIP_RANGE : FXL_CLIP_INSIDE,
-                              whole[which]->clip(&face.model_view, &face.face, &work, &screen));
+            TEST_ASSERT_EQUAL(behind < 3 ? FXL_CLIP_RANGE : FXL_CLIP_INSIDE, clip_by(whole[which]));
         }
-        for (uint32_t i = 0; i < 3; i++) {
-            TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
-            TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen,
-                                     sizeof screen.points[i]);
-        }
+        expect_projected();
     }
 }
 
@@ -171,29 +159,15 @@ void test_a_face_without_planes_is_projected_or_refused(void)
  * place on the screen, whichever clipper it is. */
 void test_vertices_in_sight_are_projected_once(void)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
-    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(2));
-    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
+    fxl_polygon polygon = triangle(&view, Q16(2), Q16(2));
     fxl_view_set_world_frustum(&view);
     for (int which = 0; which < CLIPPERS + 2; which++) {
-        const fxl_clipper *clipper = which < CLIPPERS    ? clippers[which]
-                                     : which == CLIPPERS ? &fxl_clipper_view
-                                                         : &fxl_clipper_world;
+        const fxl_clipper *clipper = clipper_number(which);
         memset(&workspace, 0, sizeof workspace);
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &workspace;
-        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
-                          clipper->clip(&face.model_view, &face.face, &work, &screen));
-        for (uint32_t i = 0; i < 3; i++) {
-            TEST_ASSERT_EQUAL_HEX8(0, face.seen[i].clip_flags);
-            TEST_ASSERT_EQUAL_MEMORY(&screen.points[i], &face.seen[i].screen,
-                                     sizeof screen.points[i]);
-        }
+        set_face(&polygon, &view, &workspace);
+        TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, clip_by(clipper));
+        expect_projected();
     }
 }
 
@@ -218,23 +192,15 @@ static void spoil(const fxl_clipper *clipper)
  * they leave nothing of a face that crosses near, until the next frame. */
 void test_planes_are_made_once_a_frame(void)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
-    polygon.vertices[1].position = clip_place(&view, Q16(0.25), Q16(-0.25), Q16(-2));
-    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(-2));
+    fxl_polygon polygon = triangle(&view, Q16(2), Q16(-2));
     for (int which = 0; which < CLIPPERS; which++) {
         const fxl_clipper *clipper = clippers[which];
         memset(&workspace, 0, clipper->workspace_size);
         for (int time = 0; time < 3; time++) {
-            polygon_face_set(&face, &polygon, &view, 4);
-            face.model_view.clipper_workspace = &workspace;
+            set_face(&polygon, &view, &workspace);
             view.frame += time == 2;
-            TEST_ASSERT_EQUAL(time == 1 ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT,
-                              clipper->clip(&face.model_view, &face.face, &work, &screen));
+            TEST_ASSERT_EQUAL(time == 1 ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT, clip_by(clipper));
             spoil(clipper);
         }
     }
@@ -243,25 +209,16 @@ void test_planes_are_made_once_a_frame(void)
 /* The near plane alone, which a face crosses: all clippers cut it there. */
 void test_the_near_plane_alone(void)
 {
-    static fxl_clipper_work work;
-    static polygon_face face;
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
-    fxl_screen_polygon screen;
-    fxl_polygon polygon = {.colour = 3, .count = 3};
-    polygon.vertices[0].position = clip_place(&view, 0, Q16(0.25), Q16(2));
+    fxl_polygon polygon = triangle(&view, Q16(2), Q16(2));
     polygon.vertices[1].position = clip_place(&view, 0, 0, Q16(0.03));
-    polygon.vertices[2].position = clip_place(&view, Q16(-0.25), Q16(-0.25), Q16(2));
     fxl_view_set_world_frustum(&view);
     for (int which = 0; which < CLIPPERS + 2; which++) {
-        const fxl_clipper *clipper = which < CLIPPERS    ? clippers[which]
-                                     : which == CLIPPERS ? &fxl_clipper_view
-                                                         : &fxl_clipper_world;
+        const fxl_clipper *clipper = clipper_number(which);
         memset(&workspace, 0, sizeof workspace);
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = &workspace;
+        set_face(&polygon, &view, &workspace);
         face.model_view.planes = 1u << FXL_PLANE_NEAR;
-        TEST_ASSERT_EQUAL(FXL_CLIP_CUT,
-                          clipper->clip(&face.model_view, &face.face, &work, &screen));
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, clip_by(clipper));
         TEST_ASSERT_TRUE(workspace.stats.intersections >= 2);
     }
 }
@@ -270,12 +227,9 @@ void test_the_near_plane_alone(void)
 void test_a_renderer_s_triangles_keep_the_rule_of_the_borders(void)
 {
     fxl_fan_workspace *fan = &workspace.fan;
-    static fxl_clipper_work work;
-    static polygon_face face;
     const fxl_lens lens = unit_lens(64, 48);
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     fxl_view view;
-    fxl_screen_polygon screen;
     /* A corner a quarter of a pixel left of the right border, the others beyond it. */
     const fxl_polygon polygon = {.colour = 3,
                                  .count = 3,
@@ -289,10 +243,8 @@ void test_a_renderer_s_triangles_keep_the_rule_of_the_borders(void)
         const bool on = i >= 2;
         fan->clip.screen_sliver = on ? Q16(0.5) : 0;
         view.frame = (uint32_t)(1 + i);
-        polygon_face_set(&face, &polygon, &view, 4);
-        face.model_view.clipper_workspace = fan;
-        TEST_ASSERT_EQUAL(on ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT,
-                          fxl_clipper_triangles.clip(&face.model_view, &face.face, &work, &screen));
+        set_face(&polygon, &view, fan);
+        TEST_ASSERT_EQUAL(on ? FXL_CLIP_OUTSIDE : FXL_CLIP_CUT, clip_by(&fxl_clipper_triangles));
         TEST_ASSERT_EQUAL_INT32(on ? Q16(0.5) : 0, fan->clip.screen_sliver);
     }
 }

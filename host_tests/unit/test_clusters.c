@@ -120,29 +120,23 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     return renderer.workspace.counters;
 }
 
-/* Of the sorted cube's faces: how many lie in clusters that the sphere test rejects, and how many
- * of the others do not face the eye. */
-static void count_by_definition(const cluster_scene *made, const fxl_view *view, uint32_t *outside,
-                                uint32_t *backfacing)
+/* The sphere test rejects the cluster. */
+static bool is_outside(const cluster_scene *made, const fxl_view *view, const fxl_cluster *cluster)
 {
-    const tiny_scene *tiny = made->tiny;
-    const fxl_instance *cube = &tiny->instances[1];
-    uint32_t face = 6;
-    *outside = *backfacing = 0;
-    for (int c = 0; c < CLUSTERS; c++) {
-        const fxl_cluster *cluster = &made->clusters[c];
-        const fxl_point centre = {cube->centre.x + cluster->centre.x,
-                                  cube->centre.y + cluster->centre.y,
-                                  cube->centre.z + cluster->centre.z};
-        const bool out = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
-                                           cluster->radius) == FXL_SPHERE_OUTSIDE;
-        for (uint32_t i = 0; i < cluster->face_count; i++, face++) {
-            *outside += out;
-            *backfacing += !out && !fxl_face_is_front(&tiny->scene, cube, &tiny->faces[face],
-                                                      &view->camera.position);
-        }
-    }
+    const fxl_point *cube = &made->tiny->instances[1].centre;
+    const fxl_point centre = {cube->x + cluster->centre.x, cube->y + cluster->centre.y,
+                              cube->z + cluster->centre.z};
+    return fxl_sphere_planes(&view->camera, &view->view_frustum, &centre, cluster->radius) ==
+           FXL_SPHERE_OUTSIDE;
 }
+
+static bool is_front(const cluster_scene *made, const fxl_view *view, const fxl_face *face)
+{
+    return fxl_face_is_front(&made->tiny->scene, &made->tiny->instances[1], face,
+                             &view->camera.position);
+}
+
+static const cluster_definition definition = {is_outside, is_front};
 
 static void take_clusters_out(tiny_scene *tiny)
 {
@@ -166,7 +160,7 @@ void test_frames_with_clusters(void)
         const fxl_counters with = draw(made->tiny, &pose, 0, i % 2, clipper);
         uint32_t outside, backfacing, hidden = 0;
         bool in_sight = false;
-        count_by_definition(made, &renderer.frame.view, &outside, &backfacing);
+        cluster_count(made, &definition, &renderer.frame.view, &outside, &backfacing);
         for (uint32_t k = 0; k < renderer.frame.visible_count; k++) {
             in_sight = in_sight || renderer.frame.order[k].index == 1;
         }

@@ -7,6 +7,7 @@
 #include "../../lib/src/draw/submit.h"
 #include "exact_light.h"
 #include "tiny.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 24,
@@ -119,7 +120,6 @@ static uint8_t at_level(uint32_t colour, uint32_t level)
 
 static tiny_scene *start(void)
 {
-    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
     tiny_scene *tiny = tiny_make();
     for (uint32_t level = 0; level < LEVELS; level++) {
@@ -127,8 +127,7 @@ static tiny_scene *start(void)
             ramp[256 * level + c] = at_level(c, level);
         }
     }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     return tiny;
 }
 

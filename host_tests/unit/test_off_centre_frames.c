@@ -3,7 +3,7 @@
  * every clipper and by methods that decide in another order. */
 #include "clippers_list.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,

@@ -5,7 +5,7 @@
 
 #include "frame_bands.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 24,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a pick answers with each visibility method (docs/extras/pick.md, section 2.4). */
 #include "tiny.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 24,
@@ -70,10 +71,8 @@ static fxl_pose random_pose(void)
 
 static void start(void)
 {
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, TINY_INSTANCES + 6, list, LIST_WORDS, NULL, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
 static void choose(const fxl_visibility *method)

@@ -4,7 +4,7 @@
 #include "../../lib/src/draw/submit.h"
 #include "frame_bands.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 24,
@@ -22,12 +22,9 @@ static fxl_renderer renderer;
 
 static void start(uint32_t words)
 {
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, ORDER, list, words, NULL, 0};
     tiny_scene *tiny = tiny_make();
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
 /* In bands of so many rows, by what the renderer was told. */

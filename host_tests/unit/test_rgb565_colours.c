@@ -113,11 +113,35 @@ void test_light_takes_a_part_of_each_channel(void)
     }
 }
 
+static bool is_wall(uint16_t pixel)
+{
+    return pixel != walls.palette[0] && pixel != walls.palette[BACKGROUND];
+}
+
+/* The second wall, lit and white. White stays grey: half a step of each channel. */
+static void draw_white_wall(const fxl_light_settings *settings)
+{
+    static fxl_light light;
+    walls.face_map[0] = 0;
+    walls.face_map[1] = 2;
+    walls.surface[1].flags = FXL_SURFACE_LIT;
+    walls.palette[21] = FXL_RGB565(255, 255, 255);
+    walls_begin();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+    walls_draw(walls.pixels);
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const channels colour = split(walls.pixels[i]);
+        if (is_wall(walls.pixels[i])) {
+            TEST_ASSERT_INT_WITHIN((63 + 31) / 2, colour.channel[1] * 31, colour.channel[0] * 63);
+        }
+    }
+}
+
 /* Light between the corners is not of the ramp's few levels alone. */
 void test_light_is_smooth_between_two_levels(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
-    static fxl_light light;
     const fxl_light_settings settings = {
         .point_count = 1,
         .ramp = ramp,
@@ -125,19 +149,10 @@ void test_light_is_smooth_between_two_levels(void)
         .points = {{{Q16(-2), Q16(4), Q16(4.5)}, Q16(8), FXL_Q2_30_ONE}}};
     bool seen[64] = {false};
     int shades = 0;
-    walls.face_map[0] = 0;
-    walls.face_map[1] = 2;
-    walls.surface[1].flags = FXL_SURFACE_LIT;
-    walls.palette[21] = FXL_RGB565(255, 255, 255);
-    walls_begin();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
-    walls_draw(walls.pixels);
+    draw_white_wall(&settings);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const channels colour = split(walls.pixels[i]);
-        if (walls.pixels[i] != walls.palette[0] && walls.pixels[i] != walls.palette[BACKGROUND]) {
-            /* white stays grey: half a step of each channel */
-            TEST_ASSERT_INT_WITHIN((63 + 31) / 2, colour.channel[1] * 31, colour.channel[0] * 63);
+        if (is_wall(walls.pixels[i])) {
+            const channels colour = split(walls.pixels[i]);
             shades += !seen[colour.channel[1]];
             seen[colour.channel[1]] = true;
         }
@@ -149,25 +164,13 @@ void test_light_is_smooth_between_two_levels(void)
 void test_light_beyond_the_corners_is_held(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
-    static fxl_light light;
     const fxl_light_settings settings = {
         .direction = {0, 0, FXL_Q2_30_ONE}, .strength = FXL_Q2_30_ONE, .ramp = ramp, .levels = 2};
     uint32_t full = 0;
-    walls.face_map[0] = 0;
-    walls.face_map[1] = 2;
-    walls.surface[1].flags = FXL_SURFACE_LIT;
     walls.mapped[1].normals[1] = 1;
-    walls.palette[21] = FXL_RGB565(255, 255, 255);
-    walls_begin();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
-    walls_draw(walls.pixels);
+    draw_white_wall(&settings);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const channels colour = split(walls.pixels[i]);
-        if (walls.pixels[i] != walls.palette[0] && walls.pixels[i] != walls.palette[BACKGROUND]) {
-            TEST_ASSERT_INT_WITHIN((63 + 31) / 2, colour.channel[1] * 31, colour.channel[0] * 63);
-            full += walls.pixels[i] == walls.palette[21];
-        }
+        full += is_wall(walls.pixels[i]) && walls.pixels[i] == walls.palette[21];
     }
     TEST_ASSERT_GREATER_THAN(40, full);
 }

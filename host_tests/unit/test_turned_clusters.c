@@ -82,37 +82,29 @@ static void turn_all(tiny_scene *tiny)
     tiny->scene.turn_code = &fxl_turned_instances;
 }
 
-/* Of the sorted cube's faces: how many lie in clusters that the sphere test rejects, and how many
- * of the others do not face the eye. */
-static void count_by_definition(const cluster_scene *made, const fxl_view *view, uint32_t *outside,
-                                uint32_t *backfacing)
+/* The sphere test rejects the cluster where its instance's turn puts it. */
+static bool is_outside(const cluster_scene *made, const fxl_view *view, const fxl_cluster *cluster)
+{
+    fxl_point centre;
+    fxl_turn_point(&turns[1], &made->tiny->instances[1].centre, &cluster->centre, &centre);
+    return fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
+                             fxl_turn_radius(&turns[1], cluster->radius)) == FXL_SPHERE_OUTSIDE;
+}
+
+static bool is_front(const cluster_scene *made, const fxl_view *view, const fxl_face *face)
 {
     const tiny_scene *tiny = made->tiny;
-    const fxl_instance *cube = &tiny->instances[1];
-    uint32_t face = 6;
-    *outside = *backfacing = 0;
-    for (int c = 0; c < CLUSTERS; c++) {
-        const fxl_cluster *cluster = &made->clusters[c];
-        fxl_point centre, from_eye;
-        fxl_turn_point(&turns[1], &cube->centre, &cluster->centre, &centre);
-        const bool out =
-            fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
-                              fxl_turn_radius(&turns[1], cluster->radius)) == FXL_SPHERE_OUTSIDE;
-        for (uint32_t i = 0; i < cluster->face_count; i++, face++) {
-            const fxl_face *at = &tiny->faces[face];
-            const fxl_point *first = &tiny->vertices[tiny->models[1].first_vertex +
-                                                     tiny->scene.indices[at->first_index]];
-            const fxl_q18_46 height = (int64_t)at->normal.x * first->x +
-                                      (int64_t)at->normal.y * first->y +
-                                      (int64_t)at->normal.z * first->z;
-            from_eye.x = cube->centre.x - view->camera.position.x;
-            from_eye.y = cube->centre.y - view->camera.position.y;
-            from_eye.z = cube->centre.z - view->camera.position.z;
-            *outside += out;
-            *backfacing += !out && !fxl_turn_is_front(&turns[1], &from_eye, &at->normal, height);
-        }
-    }
+    const fxl_point *cube = &tiny->instances[1].centre, *eye = &view->camera.position;
+    const fxl_point *first =
+        &tiny->vertices[tiny->models[1].first_vertex + tiny->scene.indices[face->first_index]];
+    const fxl_q18_46 height = (int64_t)face->normal.x * first->x +
+                              (int64_t)face->normal.y * first->y +
+                              (int64_t)face->normal.z * first->z;
+    const fxl_point from_eye = {cube->x - eye->x, cube->y - eye->y, cube->z - eye->z};
+    return fxl_turn_is_front(&turns[1], &from_eye, &face->normal, height);
 }
+
+static const cluster_definition definition = {is_outside, is_front};
 
 /* What a cluster of the cube may cross, of some planes: those that its sphere crosses. */
 static uint32_t planes_by_definition(const fxl_cluster *cluster, const fxl_instance *cube,
@@ -158,7 +150,7 @@ void test_frames_with_turned_clusters(void)
         const bool in_sight = is_cube_in_sight();
         uint32_t outside = 0, backfacing = 0;
         if (in_sight) {
-            count_by_definition(made, &renderer.frame.view, &outside, &backfacing);
+            cluster_count(made, &definition, &renderer.frame.view, &outside, &backfacing);
         }
         tiny->models[1].first_cluster = 0;
         tiny->scene.clusters = NULL;

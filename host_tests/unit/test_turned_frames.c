@@ -6,7 +6,7 @@
 #include "src/scene/face_bounds.h"
 #include "turns.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,
@@ -27,36 +27,18 @@ static fxl_renderer renderer;
 static fxl_turn turns[TINY_INSTANCES];
 static tiny_scene *tiny;
 
-/* The family's clippers, then the two of the first chapter. */
-static const fxl_clipper *clipper_of(int which)
-{
-    return which < CLIPPERS    ? clippers[which]
-           : which == CLIPPERS ? &fxl_clipper_view
-                               : &fxl_clipper_world;
-}
-
 /* The tiny scene, of which the instances from first on are turned. */
 static void make(uint32_t first)
 {
     tiny = tiny_make();
-    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_turn)FXL_TURN_NONE;
-    }
-    if (first < TINY_INSTANCES) {
-        tiny->scene.turns = turns;
-        tiny->scene.first_turned = first;
-        tiny->scene.turn_code = &fxl_turned_instances;
-    }
+    tiny_turn_from(tiny, turns, first);
 }
 
 static void start(int which, uint32_t list_words, uint32_t entries, bool front_to_back)
 {
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, 64, list, list_words, cache, entries};
-    const fxl_clipper *clipper = clipper_of(which);
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    const fxl_clipper *clipper = clipper_number(which);
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_clipper(&renderer, clipper, &room, clipper->workspace_size));
     if (front_to_back) {
@@ -112,8 +94,9 @@ void test_turns_that_turn_nothing(void)
             }
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
             TEST_ASSERT_EQUAL_UINT16(0, counters[0].rounded);
-            TEST_ASSERT_TRUE(clipper_of(which)->by_points ? counters[1].rounded <= TINY_INSTANCES
-                                                          : counters[1].rounded == 0);
+            TEST_ASSERT_TRUE(clipper_number(which)->by_points
+                                 ? counters[1].rounded <= TINY_INSTANCES
+                                 : counters[1].rounded == 0);
             counters[1].rounded = 0;
             TEST_ASSERT_EQUAL_MEMORY(&counters[0], &counters[1], sizeof counters[0]);
         }
@@ -208,9 +191,9 @@ void test_clippers_agree(void)
             start(which, LIST_WORDS, 9, false);
             draw(&pose, HEIGHT, frames[1]);
             TEST_ASSERT_EQUAL(
-                clipper_of(which)->by_points,
+                clipper_number(which)->by_points,
                 renderer.workspace.counters.rounded > 0 ||
-                    (clipper_of(which)->by_points && renderer.frame.visible_count == 0));
+                    (clipper_number(which)->by_points && renderer.frame.visible_count == 0));
             for (int i = 0; i < PIXELS; i++) {
                 differing += frames[0][i] != frames[1][i];
                 drawn += frames[1][i] != BACKGROUND;

@@ -4,6 +4,7 @@
 #include "frame_bands.h"
 #include "turns.h"
 #include "tiny.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 48,
@@ -24,19 +25,10 @@ static tiny_scene *tiny;
 /* The tiny scene, of which the instances from first on are turned, in a list of so many words. */
 static void start(uint32_t first, uint32_t list_words)
 {
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, 64, list, list_words, cache, 9};
     tiny = tiny_make();
-    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_turn)FXL_TURN_NONE;
-    }
-    if (first < TINY_INSTANCES) {
-        tiny->scene.turns = turns;
-        tiny->scene.first_turned = first;
-        tiny->scene.turn_code = &fxl_turned_instances;
-    }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_turn_from(tiny, turns, first);
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
 static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)

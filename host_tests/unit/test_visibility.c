@@ -4,7 +4,7 @@
 #include "counted_spans.h"
 #include "frame_bands.h"
 #include "tiny.h"
-#include "tiny_poses.h"
+#include "tiny_frames.h"
 
 enum {
     WIDTH = 16,
@@ -30,12 +30,9 @@ static tiny_scene *tiny;
 
 static void start(const way *by)
 {
-    fxl_scene_fault fault = {"", 0};
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, ORDER, list, by->words, NULL, 0};
     tiny = tiny_make();
-    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
+    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_visibility(&renderer, by->hidden, room,
                                                   FXL_SPAN_BUFFER_BYTES(HEIGHT, by->intervals)));

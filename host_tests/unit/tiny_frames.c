@@ -1,5 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-#include "tiny_poses.h"
+#include "tiny_frames.h"
+
+void tiny_start(fxl_renderer *renderer, tiny_scene *tiny, uint16_t width, uint16_t height,
+                const fxl_memory *memory)
+{
+    const fxl_lens lens = unit_lens(width, height);
+    fxl_scene_fault fault = {"", 0};
+    TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(renderer, &tiny->scene, &lens, memory));
+}
+
+void tiny_turn_from(tiny_scene *tiny, fxl_turn turns[TINY_INSTANCES], uint32_t first)
+{
+    for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
+        turns[i] = (fxl_turn)FXL_TURN_NONE;
+    }
+    if (first < TINY_INSTANCES) {
+        tiny->scene.turns = turns;
+        tiny->scene.first_turned = first;
+        tiny->scene.turn_code = &fxl_turned_instances;
+    }
+}
 
 /* Turned so far to the side at the most, and 30 degrees up or down. */
 static void turn_ahead(fxl_pose *pose, int32_t degrees)
