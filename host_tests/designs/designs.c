@@ -74,7 +74,7 @@ static void write_depths(const depth_bins *depths)
 }
 
 /* depths may be null; else the stage is that of vertices. */
-static void measure(enum designs_stage stage, const designs_plan *plan, designs_random random,
+static void measure(enum designs_stage stage, const designs_plan *plan, oracle_random random,
                     uint64_t samples, designs_tally tallies[DESIGNS_COUNT], depth_bins *depths)
 {
     designs_input input;
@@ -106,7 +106,7 @@ static int run_stage(const options *wanted, enum designs_stage stage)
 {
     static designs_tally tallies[DESIGNS_COUNT];
     const char *name = designs_stage_names[stage];
-    designs_random random = designs_random_start(wanted->seed, name, 0, wanted->shard);
+    oracle_random random = designs_random_start(wanted->seed, name, 0, wanted->shard);
     static depth_bins depths;
     bool by_depth = stage == DESIGNS_VERTEX;
     measure(stage, &designs_whole, random, wanted->samples, tallies, by_depth ? &depths : NULL);
@@ -125,7 +125,7 @@ static int run_sweep(const options *wanted, const designs_sweep *sweep)
     printf("{\"parameter\": \"%s\", \"points\": [", sweep->name);
     for (int point = 0; point < sweep->count; point++) {
         designs_plan plan = designs_whole;
-        designs_random random =
+        oracle_random random =
             designs_random_start(wanted->seed, sweep->name, (uint64_t)point + 1, wanted->shard);
         sweep->set(&plan, sweep->values[point]);
         measure(sweep->stage, &plan, random, wanted->samples, tallies, NULL);

@@ -24,24 +24,24 @@ typedef struct {
     double axes[3];
 } place;
 
-static fxl_angle any_angle(designs_random *random)
+static fxl_angle any_angle(oracle_random *random)
 {
-    uint32_t any = (uint32_t)(designs_random_bits(random) >> 32);
-    return designs_random_below(random, 8) == 0 ? any & 0xE0000000u : any;
+    uint32_t any = (uint32_t)(oracle_random_next(random) >> 32);
+    return oracle_below(random, 8) == 0 ? any & 0xE0000000u : any;
 }
 
-static void sample_pose(const designs_plan *plan, designs_random *random, fxl_pose *pose)
+static void sample_pose(const designs_plan *plan, oracle_random *random, fxl_pose *pose)
 {
     fxl_q16_16 *axes[3] = {&pose->position.x, &pose->position.y, &pose->position.z};
     for (int i = 0; i < 3; i++) {
-        *axes[i] = (fxl_q16_16)(designs_random_uniform(random, -plan->eye, plan->eye) * 65536);
+        *axes[i] = (fxl_q16_16)(oracle_uniform(random, -plan->eye, plan->eye) * 65536);
     }
     pose->yaw = any_angle(random);
     pose->pitch = any_angle(random);
     pose->roll = any_angle(random);
 }
 
-static double between(designs_random *random, designs_range range)
+static double between(oracle_random *random, designs_range range)
 {
     return range.low < range.high ? designs_random_spread(random, range.low, range.high)
                                   : range.low;
@@ -49,11 +49,11 @@ static double between(designs_random *random, designs_range range)
 
 /* Camera and lens; what is given to the designs is what the library made of
  * pose and field of view, whatever it is. */
-static void sample_view(const designs_plan *plan, designs_random *random, designs_input *input)
+static void sample_view(const designs_plan *plan, oracle_random *random, designs_input *input)
 {
     sample_pose(plan, random, &input->pose);
     (void)fxl_camera_from_pose(&input->pose, &input->camera);
-    double degrees = designs_random_uniform(random, plan->fov.low, plan->fov.high);
+    double degrees = oracle_uniform(random, plan->fov.low, plan->fov.high);
     double fov = degrees * (4294967296.0 / 360);
     fov = fov < FXL_FOV_MIN ? FXL_FOV_MIN : fov > FXL_FOV_MAX ? FXL_FOV_MAX : fov;
     (void)fxl_lens_from_fov(320, 240, (fxl_angle)fov,
@@ -91,7 +91,7 @@ static double half_extent(const fxl_lens *lens, int axis)
     return (axis == 0 ? lens->width : lens->height) * 32768.0 / lens->focal;
 }
 
-static double sample_depth(const designs_plan *plan, designs_random *random, const fxl_lens *lens)
+static double sample_depth(const designs_plan *plan, oracle_random *random, const fxl_lens *lens)
 {
     double near = lens->near_z / 65536.0;
     designs_range depth = plan->depth;
@@ -109,14 +109,13 @@ static bool is_visible(const designs_input *input, const fxl_view_point *view)
            screen.y <= input->lens.height * 65536.0;
 }
 
-static bool try_vertex(const designs_plan *plan, designs_random *random, designs_input *input)
+static bool try_vertex(const designs_plan *plan, oracle_random *random, designs_input *input)
 {
     sample_view(plan, random, input);
     double z = sample_depth(plan, random, &input->lens);
     place view = {{0, 0, z}};
     for (int axis = 0; axis < 2; axis++) {
-        view.axes[axis] =
-            z * half_extent(&input->lens, axis) * designs_random_uniform(random, -1, 1);
+        view.axes[axis] = z * half_extent(&input->lens, axis) * oracle_uniform(random, -1, 1);
     }
     if (!put_point(plan, input, &view, &input->points[0])) {
         return false;
@@ -127,7 +126,7 @@ static bool try_vertex(const designs_plan *plan, designs_random *random, designs
 
 /* A place on the clip plane that is seen, and the plane's normal; in double, for
  * what is exact is computed from the integers afterwards. */
-static place place_on_plane(const designs_plan *plan, designs_random *random,
+static place place_on_plane(const designs_plan *plan, oracle_random *random,
                             const designs_input *input, place *normal)
 {
     const fxl_lens *lens = &input->lens;
@@ -135,7 +134,7 @@ static place place_on_plane(const designs_plan *plan, designs_random *random,
     double z = near ? (lens->near_z + lens->inset) / 65536.0 : sample_depth(plan, random, lens);
     place view = {{0, 0, z}};
     for (int axis = 0; axis < 2; axis++) {
-        view.axes[axis] = z * half_extent(lens, axis) * designs_random_uniform(random, -1, 1);
+        view.axes[axis] = z * half_extent(lens, axis) * oracle_uniform(random, -1, 1);
     }
     *normal = (place){{0, 0, 1}};
     if (!near) {
@@ -150,11 +149,11 @@ static place place_on_plane(const designs_plan *plan, designs_random *random,
 }
 
 /* A unit vector that goes into the plane's inside, at the plan's angle to it. */
-static place sample_way(const designs_plan *plan, designs_random *random, const place *normal)
+static place sample_way(const designs_plan *plan, oracle_random *random, const place *normal)
 {
     place way;
     double along = 0;
-    designs_random_direction(random, way.axes);
+    oracle_direction(random, 0x1p-20, way.axes);
     for (int i = 0; i < 3; i++) {
         along += way.axes[i] * normal->axes[i];
     }
@@ -178,10 +177,10 @@ static place sample_way(const designs_plan *plan, designs_random *random, const 
 static const int planes[] = {FXL_PLANE_LEFT, FXL_PLANE_RIGHT, FXL_PLANE_BOTTOM, FXL_PLANE_TOP,
                              FXL_PLANE_NEAR};
 
-static bool try_clip(const designs_plan *plan, designs_random *random, designs_input *input)
+static bool try_clip(const designs_plan *plan, oracle_random *random, designs_input *input)
 {
     sample_view(plan, random, input);
-    input->plane = planes[designs_random_below(random, sizeof planes / sizeof planes[0])];
+    input->plane = planes[oracle_below(random, sizeof planes / sizeof planes[0])];
     place normal, crossing = place_on_plane(plan, random, input, &normal);
     place way = sample_way(plan, random, &normal);
     for (int end = 0; end < 2; end++) {
@@ -203,19 +202,19 @@ static bool try_clip(const designs_plan *plan, designs_random *random, designs_i
 }
 
 /* Small screens mostly: rows and columns far from an outline show nothing. */
-static void sample_outline(designs_random *random, designs_input *input)
+static void sample_outline(oracle_random *random, designs_input *input)
 {
     static const uint16_t sizes[3][2] = {{32, 24}, {96, 72}, {320, 240}};
-    uint32_t kind = designs_random_below(random, 16);
+    uint32_t kind = oracle_below(random, 16);
     int size = kind < 9 ? 0 : kind < 15 ? 1 : 2;
-    bool on_grid = designs_random_below(random, 4) == 0;
+    bool on_grid = oracle_below(random, 4) == 0;
     input->lens.width = sizes[size][0];
     input->lens.height = sizes[size][1];
     input->outline.colour = 1;
-    input->outline.count = (uint8_t)(3 + designs_random_below(random, 4));
+    input->outline.count = (uint8_t)(3 + oracle_below(random, 4));
     for (int i = 0; i < input->outline.count; i++) {
-        uint32_t x = designs_random_below(random, (input->lens.width + 8u) * 65536u);
-        uint32_t y = designs_random_below(random, (input->lens.height + 8u) * 65536u);
+        uint32_t x = oracle_below(random, (input->lens.width + 8u) * 65536u);
+        uint32_t y = oracle_below(random, (input->lens.height + 8u) * 65536u);
         if (on_grid) { /* quarter pixels: edges through pixel centres */
             x &= ~0x3FFFu;
             y &= ~0x3FFFu;
@@ -225,7 +224,7 @@ static void sample_outline(designs_random *random, designs_input *input)
     }
 }
 
-void designs_sample(enum designs_stage stage, const designs_plan *plan, designs_random *random,
+void designs_sample(enum designs_stage stage, const designs_plan *plan, oracle_random *random,
                     designs_input *input)
 {
     *input = (designs_input){.plane = 0};

@@ -29,7 +29,7 @@ typedef struct {
 extern const designs_plan designs_whole;
 
 /* One input of a stage. The same state gives the same input. */
-void designs_sample(enum designs_stage stage, const designs_plan *plan, designs_random *random,
+void designs_sample(enum designs_stage stage, const designs_plan *plan, oracle_random *random,
                     designs_input *input);
 
 #endif

@@ -128,9 +128,9 @@ static bool put_faces(const designs_plan *plan, oracle_random *random, double z,
 }
 
 void designs_sample_surface(enum designs_stage stage, const designs_plan *plan,
-                            designs_random *random, designs_input *input)
+                            oracle_random *random, designs_input *input)
 {
-    oracle_random own = {designs_random_bits(random)};
+    oracle_random own = {oracle_random_next(random)};
     oracle_input *face = &input->face;
     for (;;) {
         *face = (oracle_input){.count = 0};

@@ -16,7 +16,7 @@ int float32_nearer(const depth_sample *faces, bool wide);
 /* Makes a sample of a stage from DESIGNS_TEXEL on. All corners are in front of the near plane, so
  * no design needs to clip; without perspective they are on the screen. */
 void designs_sample_surface(enum designs_stage stage, const designs_plan *plan,
-                            designs_random *random, designs_input *input);
+                            oracle_random *random, designs_input *input);
 
 /* Each design's error for one input of such a stage. Requires one that designs_is_surface takes. */
 void designs_surface_errors(enum designs_stage stage, const designs_input *input,

@@ -70,17 +70,7 @@ static void anchor(const maker *m, double view[3])
 
 static void any_direction(const maker *m, double v[3])
 {
-    double length;
-    do {
-        length = 0;
-        for (int i = 0; i < 3; i++) {
-            v[i] = uniform(m, -1, 1);
-            length += v[i] * v[i];
-        }
-    } while (length > 1 || length < 0.01);
-    for (int i = 0; i < 3; i++) {
-        v[i] /= sqrt(length);
-    }
+    oracle_direction(m->random, 0.01, v);
 }
 
 static void put_view(maker *m, const double view[3])

@@ -35,7 +35,7 @@ int64_t oracle_between(oracle_random *random, int64_t low, int64_t high)
 
 double oracle_uniform(oracle_random *random, double low, double high)
 {
-    return low + (high - low) * ldexp((double)(oracle_random_next(random) >> 11), -53);
+    return low + (high - low) * ((double)(oracle_random_next(random) >> 11) * 0x1p-53);
 }
 
 double oracle_spread(oracle_random *random, double low, double high)
@@ -47,4 +47,20 @@ double oracle_signed_spread(oracle_random *random, double low, double high)
 {
     double size = oracle_spread(random, low, high);
     return oracle_below(random, 2) ? size : -size;
+}
+
+void oracle_direction(oracle_random *random, double least_square, double direction[3])
+{
+    double square;
+    do {
+        square = 0;
+        for (int i = 0; i < 3; i++) {
+            direction[i] = oracle_uniform(random, -1, 1);
+            square += direction[i] * direction[i];
+        }
+    } while (square > 1 || square < least_square);
+    double length = sqrt(square);
+    for (int i = 0; i < 3; i++) {
+        direction[i] /= length;
+    }
 }

@@ -28,4 +28,8 @@ double oracle_spread(oracle_random *random, double low, double high);
 /* The same, of either sign. */
 double oracle_signed_spread(oracle_random *random, double low, double high);
 
+/* A direction of unit length, distributed evenly over the sphere: of points in the unit ball, those
+ * at least so far from its centre, squared. */
+void oracle_direction(oracle_random *random, double least_square, double direction[3]);
+
 #endif

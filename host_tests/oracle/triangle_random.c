@@ -4,21 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static void direction(oracle_random *random, double way[3])
-{
-    double length;
-    do {
-        length = 0;
-        for (int i = 0; i < 3; i++) {
-            way[i] = oracle_uniform(random, -1, 1);
-            length += way[i] * way[i];
-        }
-    } while (length < 0.01 || length > 1);
-    for (int i = 0; i < 3; i++) {
-        way[i] /= sqrt(length);
-    }
-}
-
 /* Whether the corners are clockwise as the eye sees them. */
 static int is_clockwise(double view[3][3])
 {
@@ -39,7 +24,7 @@ void oracle_triangle_about(oracle_random *random, const double point[3], double 
     double edges[2][3], part[2];
     for (int i = 0; i < 2; i++) {
         const double length = point[2] * oracle_spread(random, most / 1000, most);
-        direction(random, edges[i]);
+        oracle_direction(random, 0.01, edges[i]);
         part[i] = oracle_uniform(random, 0.05, 0.45);
         for (int k = 0; k < 3; k++) {
             edges[i][k] *= length;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/bsp_cut.h"
 
-#include <stdlib.h>
-
 #include "reference/cull.h"
+#include "reference/grow.h"
 
 __extension__ typedef __int128 wide;
 
@@ -24,15 +23,11 @@ bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
 
 static bool append(ref_bsp_pieces *to, const ref_bsp_piece *piece)
 {
-    if (to->count == to->capacity) {
-        size_t capacity = to->capacity ? 2 * to->capacity : 64;
-        ref_bsp_piece *more = realloc(to->pieces, capacity * sizeof *more);
-        if (!more) {
-            return false;
-        }
-        to->pieces = more;
-        to->capacity = capacity;
+    ref_bsp_piece *pieces = ref_grown(to->pieces, to->count, &to->capacity, 64, sizeof *pieces);
+    if (!pieces) {
+        return false;
     }
+    to->pieces = pieces;
     to->pieces[to->count++] = *piece;
     return true;
 }

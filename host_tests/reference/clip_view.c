@@ -55,56 +55,31 @@ static ref_view_vertex intersection(const ref_view_vertex *inside, const ref_vie
     };
 }
 
-/* Writes the vertices that the plane leaves, up to twice the capacity. Returns how many. */
-static int keep(const ref_view_polygon *in, const ref_wide *distances, ref_view_vertex *kept)
-{
-    int count = 0;
-    for (int i = 0; i < in->count; i++) {
-        int next = (i + 1) % in->count;
-        bool from_inside = distances[i] >= 0, to_inside = distances[next] >= 0;
-        if (from_inside) {
-            kept[count++] = in->vertices[i];
-        }
-        if (from_inside != to_inside) {
-            int inner = from_inside ? i : next, outer = from_inside ? next : i;
-            ref_wide d0 = distances[inner], d1 = distances[outer];
-            if (d0 > 0) { /* at 0 the inside end is the intersection */
-                kept[count++] =
-                    intersection(&in->vertices[inner], &in->vertices[outer], d0 / (d0 - d1));
-            }
-        }
-    }
-    return count;
-}
-
 ref_clip_result ref_clip_view_to_plane(const ref_view_polygon *in, const ref_view_plane *plane,
                                        ref_view_polygon *out)
 {
     ref_wide distances[REF_POLYGON_CAPACITY];
-    ref_view_vertex kept[2 * REF_POLYGON_CAPACITY];
-    int inside_count = 0;
+    int sides[REF_POLYGON_CAPACITY];
+    ref_cut cut;
     for (int i = 0; i < in->count; i++) {
         distances[i] = ref_view_distance(plane, &in->vertices[i].position);
-        inside_count += distances[i] >= 0;
+        sides[i] = (distances[i] > 0) - (distances[i] < 0);
     }
-    if (inside_count == 0) {
-        return REF_CLIP_OUTSIDE;
-    }
-    if (inside_count == in->count) {
+    ref_clip_result result = ref_cut_by_sides(sides, in->count, &cut);
+    if (result == REF_CLIP_INSIDE) {
         *out = *in;
-        return REF_CLIP_INSIDE;
     }
-    int count = keep(in, distances, kept);
-    if (count < 3) {
-        return REF_CLIP_DEGENERATE;
-    }
-    if (count > REF_POLYGON_CAPACITY) {
-        return REF_CLIP_CAPACITY;
+    if (result != REF_CLIP_CUT) {
+        return result;
     }
     out->colour = in->colour;
-    out->count = count;
-    for (int i = 0; i < count; i++) {
-        out->vertices[i] = kept[i];
+    out->count = cut.count;
+    for (int i = 0; i < cut.count; i++) {
+        const int inner = cut.vertices[i].inner, outer = cut.vertices[i].outer;
+        out->vertices[i] =
+            outer < 0 ? in->vertices[inner]
+                      : intersection(&in->vertices[inner], &in->vertices[outer],
+                                     distances[inner] / (distances[inner] - distances[outer]));
     }
     return REF_CLIP_CUT;
 }

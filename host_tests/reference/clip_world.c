@@ -21,49 +21,39 @@ static ref_vertex intersection(const ref_vertex *inside, const ref_vertex *outsi
     };
 }
 
+/* How far along the edge from the inside end the plane is. */
+static double fraction(long double inside, long double outside)
+{
+    return (double)(inside / (inside - outside));
+}
+
 ref_clip_result ref_clip_world_to_plane(const ref_polygon *in, const ref_plane *plane,
                                         ref_polygon *out)
 {
     long double distances[REF_POLYGON_CAPACITY];
-    int inside_count = 0;
+    int sides[REF_POLYGON_CAPACITY];
+    ref_cut cut;
     for (int i = 0; i < in->count; i++) {
         distances[i] = ref_plane_distance(plane, &in->vertices[i].position);
-        inside_count += distances[i] >= 0;
+        sides[i] = (distances[i] > 0) - (distances[i] < 0);
     }
-    if (inside_count == 0) {
-        return REF_CLIP_OUTSIDE;
-    }
-    if (inside_count == in->count) {
+    ref_clip_result result = ref_cut_by_sides(sides, in->count, &cut);
+    if (result == REF_CLIP_INSIDE) {
         *out = *in;
-        return REF_CLIP_INSIDE;
     }
-    ref_vertex kept[2 * REF_POLYGON_CAPACITY];
-    int count = 0;
-    for (int i = 0; i < in->count; i++) {
-        int next = (i + 1) % in->count;
-        bool from_inside = distances[i] >= 0, to_inside = distances[next] >= 0;
-        if (from_inside) {
-            kept[count++] = in->vertices[i];
-        }
-        if (from_inside != to_inside) {
-            int inner = from_inside ? i : next, outer = from_inside ? next : i;
-            long double d0 = distances[inner], d1 = distances[outer];
-            if (d0 > 0) { /* at 0 the inside end is the intersection */
-                kept[count++] = intersection(&in->vertices[inner], &in->vertices[outer],
-                                             (double)(d0 / (d0 - d1)));
-            }
-        }
-    }
-    if (count < 3) {
-        return REF_CLIP_DEGENERATE;
-    }
-    if (count > REF_POLYGON_CAPACITY) {
-        return REF_CLIP_CAPACITY;
+    if (result != REF_CLIP_CUT) {
+        return result;
     }
     out->colour = in->colour;
-    out->count = count;
-    for (int i = 0; i < count; i++) {
-        out->vertices[i] = kept[i];
+    out->count = cut.count;
+    for (int i = 0; i < cut.count; i++) {
+        const ref_cut_vertex *vertex = &cut.vertices[i];
+        out->vertices[i] = in->vertices[vertex->inner];
+        if (vertex->outer >= 0) {
+            out->vertices[i] =
+                intersection(&in->vertices[vertex->inner], &in->vertices[vertex->outer],
+                             fraction(distances[vertex->inner], distances[vertex->outer]));
+        }
     }
     return REF_CLIP_CUT;
 }

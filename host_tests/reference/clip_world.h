@@ -3,15 +3,8 @@
 #ifndef REF_CLIP_WORLD_H
 #define REF_CLIP_WORLD_H
 
+#include "reference/cut.h"
 #include "reference/frustum.h"
-
-typedef enum {
-    REF_CLIP_INSIDE,     /* wholly inside: out is a copy */
-    REF_CLIP_CUT,        /* out is what is left */
-    REF_CLIP_OUTSIDE,    /* no vertex inside */
-    REF_CLIP_DEGENERATE, /* fewer than three vertices left */
-    REF_CLIP_CAPACITY    /* more than REF_POLYGON_CAPACITY: refused */
-} ref_clip_result;
 
 ref_clip_result ref_clip_world_to_plane(const ref_polygon *in, const ref_plane *plane,
                                         ref_polygon *out);

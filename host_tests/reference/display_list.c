@@ -3,17 +3,16 @@
 
 #include <stdlib.h>
 
+#include "reference/grow.h"
+
 bool ref_display_list_append(ref_display_list *list, const ref_drawn *drawn)
 {
-    if (list->count == list->capacity) {
-        size_t capacity = list->capacity ? 2 * list->capacity : 256;
-        ref_drawn *more = realloc(list->drawn, capacity * sizeof *more);
-        if (!more) {
-            return false;
-        }
-        list->drawn = more;
-        list->capacity = capacity;
+    ref_drawn *drawn_list =
+        ref_grown(list->drawn, list->count, &list->capacity, 256, sizeof *drawn_list);
+    if (!drawn_list) {
+        return false;
     }
+    list->drawn = drawn_list;
     list->drawn[list->count++] = *drawn;
     return true;
 }

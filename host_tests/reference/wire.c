@@ -6,21 +6,19 @@
 
 #include "reference/camera.h"
 #include "reference/cull.h"
+#include "reference/grow.h"
 #include "reference/project.h"
 #include "reference/transform.h"
 #include "reference/volume.h"
 
 static bool append(ref_wire *wire, const ref_screen_line *line)
 {
-    if (wire->count == wire->capacity) {
-        size_t capacity = wire->capacity ? 2 * wire->capacity : 256;
-        ref_screen_line *lines = realloc(wire->lines, capacity * sizeof *lines);
-        if (!lines) {
-            return false;
-        }
-        wire->lines = lines;
-        wire->capacity = capacity;
+    ref_screen_line *lines =
+        ref_grown(wire->lines, wire->count, &wire->capacity, 256, sizeof *lines);
+    if (!lines) {
+        return false;
     }
+    wire->lines = lines;
     wire->lines[wire->count++] = *line;
     return true;
 }

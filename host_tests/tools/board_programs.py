@@ -11,6 +11,8 @@ import struct
 import subprocess
 import zlib
 
+import scene as scene_tool
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOARD = "mps2-an385"
 EVERY_BOARD = sorted(path.parent.name for path in (ROOT / "boards").glob("*/board.mk")
@@ -37,6 +39,13 @@ def made(target, *settings):
 def built(name):
     """A file under build/boards, made by make if it is not new enough."""
     return made(pathlib.Path("build") / "boards" / name, f"BOARD={name.split('/')[0]}")
+
+
+def tiny_scene(folder):
+    """scenes/tiny.toml as an image."""
+    path = folder / "tiny.fxls"
+    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
+    return path
 
 
 def scene_bytes(size=400, version=2):

@@ -7,10 +7,23 @@ import json
 import struct
 
 import numpy
+import pytest
 from PIL import Image
+
+from fixel.base.errors import ToolError
 
 TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)])
 SQUARE = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)])
+
+
+def assert_refused(read, folder, data, words, most=300):
+    """That a reader refuses a file in one short sentence that begins with the file and has these words."""
+    with pytest.raises(ToolError) as caught:
+        read(folder, data)
+    text = str(caught.value)
+    assert text.startswith("model.") and len(text) < most and text.isprintable()
+    for word in words:
+        assert word in text
 
 
 def png(pixels):

@@ -12,8 +12,7 @@ import zlib
 
 import pytest
 
-import scene as scene_tool
-from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
+from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes, tiny_scene
 from fixel.board import emulator, firmware, flash
 from fixel.base.errors import ToolError
 
@@ -32,9 +31,7 @@ def faults():
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    path = tmp_path_factory.mktemp("scene") / "tiny.fxls"
-    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
-    return path
+    return tiny_scene(tmp_path_factory.mktemp("scene"))
 
 
 @pytest.fixture(scope="module")

@@ -3,8 +3,7 @@
 
 import pytest
 
-import scene as scene_tool
-from board_programs import ROOT, built, scene_bytes
+from board_programs import ROOT, built, scene_bytes, tiny_scene
 from fixel.board import dump, emulator, firmware, flash
 from fixel.base.errors import ToolError
 
@@ -19,9 +18,7 @@ def walk(board):
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    path = tmp_path_factory.mktemp("scene") / "tiny.fxls"
-    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
-    return path
+    return tiny_scene(tmp_path_factory.mktemp("scene"))
 
 
 @pytest.fixture(scope="module")

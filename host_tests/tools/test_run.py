@@ -189,34 +189,30 @@ def spoil(data):
     return bytes(data)
 
 
-def test_frames_that_are_not_the_hosts_fail(build, tmp_path, monkeypatch):
+def run_spoilt(tmp_path, monkeypatch, board):
+    """The folder of a run of a board, which fails; the host's dump is spoilt."""
     real = run_tool.walk
 
-    def spoiling(board, *arguments, **more):
-        file, cpu = real(board, *arguments, **more)
-        if board == "host":
+    def spoiling(walked, *arguments, **more):
+        file, cpu = real(walked, *arguments, **more)
+        if walked == "host":
             file.write_bytes(spoil(file.read_bytes()))
         return file, cpu
 
     monkeypatch.setattr(run_tool, "walk", spoiling)
     monkeypatch.chdir(CHECKOUT)
     out = tmp_path / "out"
-    assert run_tool.main(["--board", "mps2-an385", "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
+    assert run_tool.main(["--board", board, "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
+    return out
+
+
+def test_frames_that_are_not_the_hosts_fail(build, tmp_path, monkeypatch):
+    out = run_spoilt(tmp_path, monkeypatch, "mps2-an385")
     assert json.loads((out / "summary.json").read_text())["host_frames_equal"] is False
 
 
 def test_unexplained_pixels_fail(build, tmp_path, monkeypatch):
-    real = run_tool.walk
-
-    def spoiling(board, *arguments, **more):
-        file, cpu = real(board, *arguments, **more)
-        file.write_bytes(spoil(file.read_bytes()))
-        return file, cpu
-
-    monkeypatch.setattr(run_tool, "walk", spoiling)
-    monkeypatch.chdir(CHECKOUT)
-    out = tmp_path / "out"
-    assert run_tool.main(["--board", "host", "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
+    out = run_spoilt(tmp_path, monkeypatch, "host")
     summary = json.loads((out / "summary.json").read_text())
     assert summary["host_frames_equal"] is True and summary["pixels_unexplained"] == 1
     assert (out / "diff_0001.png").exists()

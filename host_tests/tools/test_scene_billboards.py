@@ -10,22 +10,13 @@ from PIL import Image
 from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image
-from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
+from scene_text import build
 
-PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOARD = '[[billboards]]\nname = "b"\npattern = "tree"\npixels = [5, 6]\nsize = [2, 3]\n'
 OBJECT = '[[objects]]\nbillboard = "b"\nposition = [0, 0, 9]\n'
 ONE = 65536
 SCENES = ("scenes/grove.toml", "host_tests/fuzz/scenes/billboards.toml")
-
-
-def build(folder, text):
-    file = folder / "scene.toml"
-    file.write_text(text + PATH)
-    scene, _ = toml_scene.compile_file(str(file))
-    assert image.unpack(image.pack(scene)) == scene
-    return scene
 
 
 def refused(folder, text):

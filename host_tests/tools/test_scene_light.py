@@ -9,19 +9,11 @@ from conftest import CHECKOUT
 from fixel.image import image, image_light
 from fixel.scene import light_palette, toml_scene
 from fixel.base.errors import ToolError
+from scene_text import build
 
-PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\ncolour = "#e08040"\n'
 LIGHT = "[light]\nlevels = 9\n"
 ONE, Q30 = 65536, 1 << 30
-
-
-def build(tmp_path, text):
-    file = tmp_path / "scene.toml"
-    file.write_text(text + PATH)
-    scene, _ = toml_scene.compile_file(str(file))
-    assert image.unpack(image.pack(scene)) == scene
-    return scene
 
 
 def colours_of(scene, model=0):

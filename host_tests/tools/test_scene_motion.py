@@ -12,19 +12,11 @@ from fixel.image import image, image_turn
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
 from fixel.scene import compiler
+from scene_text import build
 
-PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
 NAMED = BOX + 'name = "base"\nsize = 2\n'
 ONE, QUARTER = 65536, 1 << 30
-
-
-def build(tmp_path, text):
-    file = tmp_path / "scene.toml"
-    file.write_text(text + PATH)
-    scene, _ = toml_scene.compile_file(str(file))
-    assert image.unpack(image.pack(scene)) == scene
-    return scene
 
 
 def refused(tmp_path, text, *parts):

@@ -10,21 +10,13 @@ from conftest import CHECKOUT, run_cli
 from fixel.image import image, image_surface
 from fixel.scene import light_palette, surfaces, texture, toml_scene
 from fixel.base.errors import ToolError
+from scene_text import build
 
-PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
 TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
 BOX = '[[objects]]\nsolid = "box"\nscale = [4, 2, 6]\nposition = [0, 0, 9]\ntexture = "t"\n'
 TILE = '[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\ntexture = "t"\n'
 LEVELS = "[light]\nlevels = 4\n"
 ONE = 65536
-
-
-def build(tmp_path, text):
-    file = tmp_path / "scene.toml"
-    file.write_text(text + PATH)
-    scene, _ = toml_scene.compile_file(str(file))
-    assert image.unpack(image.pack(scene)) == scene
-    return scene
 
 
 def faces_of(scene, model=0):

@@ -84,16 +84,7 @@ def _wish(data, where, pictures):
 
 def read(top, pictures):
     """The billboards of a scene by name. pictures: the scene's texture.Pictures."""
-    rows = top.rows("billboards") if "billboards" in top else []
-    if len(rows) > BOARDS_MAX:
-        raise ToolError(f"{top.at('billboards')}: {len(rows)} billboards are more than {BOARDS_MAX}")
-    wishes = {}
-    for i, data in enumerate(rows):
-        name, wish = _wish(data, f"{top.at('billboards')}[{i}]", pictures)
-        if name in wishes:
-            raise ToolError(f"{top.at('billboards')}[{i}]: there is a billboard {quoted(name)} already")
-        wishes[name] = wish
-    return wishes
+    return top.named("billboards", "billboard", BOARDS_MAX, lambda data, where: _wish(data, where, pictures))
 
 
 def of_object(table, known):

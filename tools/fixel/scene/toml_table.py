@@ -125,6 +125,21 @@ class Table:
             raise ToolError(f"{self.at(key)}: expected a list with at least one entry")
         return value
 
+    def named(self, key, what, most, read):
+        """What read(data, where) makes of each row of a list, as {name: value}; read answers (name, value). Without the
+        list, there is none."""
+        rows = self.rows(key) if key in self else []
+        if len(rows) > most:
+            raise ToolError(f"{self.at(key)}: {len(rows)} {key} are more than {most}")
+        found = {}
+        for i, data in enumerate(rows):
+            where = f"{self.at(key)}[{i}]"
+            name, value = read(data, where)
+            if name in found:
+                raise ToolError(f"{where}: there is a {what} {quoted(name)} already")
+            found[name] = value
+        return found
+
     def only_one(self, *keys):
         """The one of these keys that is there."""
         found = [key for key in keys if key in self.data]

@@ -63,16 +63,7 @@ def _paint(data, where, pictures):
 
 def read(top, pictures):
     """The textures of a scene by name. pictures: the scene's texture.Pictures."""
-    rows = top.rows("textures") if "textures" in top else []
-    if len(rows) > TEXTURES_MAX:
-        raise ToolError(f"{top.at('textures')}: {len(rows)} textures are more than {TEXTURES_MAX}")
-    paints = {}
-    for i, data in enumerate(rows):
-        name, paint = _paint(data, f"{top.at('textures')}[{i}]", pictures)
-        if name in paints:
-            raise ToolError(f"{top.at('textures')}[{i}]: there is a texture {quoted(name)} already")
-        paints[name] = paint
-    return paints
+    return top.named("textures", "texture", TEXTURES_MAX, lambda data, where: _paint(data, where, pictures))
 
 
 class _Key(tuple):
