@@ -124,23 +124,26 @@ static int64_t take(numbers *list, int64_t low, int64_t high, bool *sound)
     return *sound ? value : low;
 }
 
+/* Three numbers of at most so much. */
+static void take_three(numbers *list, int64_t limit, int32_t *x, int32_t *y, int32_t *z,
+                       bool *sound)
+{
+    *x = (int32_t)take(list, -limit, limit, sound);
+    *y = (int32_t)take(list, -limit, limit, sound);
+    *z = (int32_t)take(list, -limit, limit, sound);
+}
+
 static fxl_point take_point(numbers *list, bool *sound)
 {
-    const int64_t limit = FXL_COORDINATE_MAX;
     fxl_point point;
-    point.x = (fxl_q16_16)take(list, -limit, limit, sound);
-    point.y = (fxl_q16_16)take(list, -limit, limit, sound);
-    point.z = (fxl_q16_16)take(list, -limit, limit, sound);
+    take_three(list, FXL_COORDINATE_MAX, &point.x, &point.y, &point.z, sound);
     return point;
 }
 
 static fxl_direction take_direction(numbers *list, bool *sound)
 {
-    const int64_t limit = FXL_Q2_30_ONE;
     fxl_direction direction;
-    direction.x = (fxl_q2_30)take(list, -limit, limit, sound);
-    direction.y = (fxl_q2_30)take(list, -limit, limit, sound);
-    direction.z = (fxl_q2_30)take(list, -limit, limit, sound);
+    take_three(list, FXL_Q2_30_ONE, &direction.x, &direction.y, &direction.z, sound);
     return direction;
 }
 

@@ -78,45 +78,45 @@ bool ref_is_blended(const ref_drawn *drawn)
     return drawn->look.surface && drawn->look.surface->blends;
 }
 
-/* What is opaque; then what is blended, over what is behind it. */
-static void draw_by_depth(const ref_renderer *renderer, const ref_band *band)
+static void draw_polygon(const ref_renderer *renderer, const ref_drawn *drawn, const ref_band *band)
 {
-    const ref_rows rows = {band->first_row, band->first_row + band->rows};
+    ref_scan scan;
+    ref_span span;
+    ref_scan_begin(&drawn->polygon, band, &scan);
+    while (ref_scan_next(&scan, &span)) {
+        if (renderer->depth_bits != 0) {
+            draw_near_span(renderer, drawn, band, &span, !ref_is_blended(drawn));
+        } else {
+            draw_span(renderer, drawn, band, &span);
+        }
+    }
+}
+
+/* Before the first polygon, everything is infinitely far away. */
+static void clear_depth(const ref_renderer *renderer, ref_rows rows)
+{
     for (int y = rows.first; y < rows.end; y++) {
         for (int x = 0; x < renderer->lens.width; x++) {
             renderer->nearness[y * renderer->lens.width + x] = 0;
         }
     }
-    for (int blended = 0; blended < 2; blended++) {
+}
+
+/* By depth in two passes: what is opaque, then what is blended over what is behind it. */
+void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
+{
+    const ref_rows rows = {band->first_row, band->first_row + band->rows};
+    const bool by_depth = renderer->depth_bits != 0;
+    if (by_depth) {
+        clear_depth(renderer, rows);
+    }
+    for (int pass = 0; pass <= by_depth; pass++) {
         const ref_drawn *drawn;
         for (size_t place = 0;
              (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
-            ref_scan scan;
-            ref_span span;
-            ref_scan_begin(&drawn->polygon, band, &scan);
-            while (ref_is_blended(drawn) == blended && !is_left_out(renderer, drawn) &&
-                   ref_scan_next(&scan, &span)) {
-                draw_near_span(renderer, drawn, band, &span, !blended);
+            if (!is_left_out(renderer, drawn) && (!by_depth || ref_is_blended(drawn) == pass)) {
+                draw_polygon(renderer, drawn, band);
             }
-        }
-    }
-}
-
-void ref_frame_draw(const ref_renderer *renderer, const ref_band *band)
-{
-    if (renderer->depth_bits != 0) {
-        draw_by_depth(renderer, band);
-        return;
-    }
-    ref_rows rows = {band->first_row, band->first_row + band->rows};
-    const ref_drawn *drawn;
-    for (size_t place = 0;
-         (drawn = ref_display_list_next(&renderer->display_list, rows, &place)) != NULL;) {
-        ref_scan scan;
-        ref_span span;
-        ref_scan_begin(&drawn->polygon, band, &scan);
-        while (!is_left_out(renderer, drawn) && ref_scan_next(&scan, &span)) {
-            draw_span(renderer, drawn, band, &span);
         }
     }
 }

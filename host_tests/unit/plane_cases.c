@@ -62,3 +62,13 @@ void expect_shared_crossing(const void *const outs[2], const int counts[2], size
     TEST_ASSERT_TRUE_MESSAGE(plane_has_vertex(outs[1], counts[1], size, crossing),
                              "neighbours disagree");
 }
+
+void expect_capacity(fxl_clip_result result, int left, int count)
+{
+    if (left > FXL_POLYGON_CAPACITY) {
+        TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, result);
+    } else {
+        TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
+        TEST_ASSERT_EQUAL(left, count);
+    }
+}

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "tiny.h"
+#include "tiny_board.h"
 #include "tiny_frames.h"
 
 enum {
@@ -39,14 +40,7 @@ void setUp(void)
     tiny->scene.face_count = 7;
     tiny->scene.face_bounds = NULL;
     tiny->scene.face_bounds_count = 0;
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)(100 + i);
-    }
-    sprite = (fxl_sprite){texels, NULL, SPRITE_WIDTH, SPRITE_HEIGHT, 8, FXL_SPRITE_OPAQUE};
-    board = (fxl_billboard){&sprite, Q16(4), Q16(3), Q16(2), Q16(1.5)};
-    model_map[0] = 0;
-    model_map[1] = 1;
-    set = (fxl_billboard_set){&board, 1, model_map};
+    tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
 }
 
 void tearDown(void)

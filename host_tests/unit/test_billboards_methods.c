@@ -3,6 +3,7 @@
  * (docs/extras/billboards.md, section 4). */
 #include "frame_bands.h"
 #include "tiny.h"
+#include "tiny_board.h"
 #include "tiny_frames.h"
 
 enum {
@@ -63,14 +64,7 @@ void setUp(void)
     turns[0] = (fxl_turn)FXL_TURN_NONE;
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(25), 0, &turns[0].orientation));
-    for (uint32_t i = 0; i < sizeof texels; i++) {
-        texels[i] = (uint8_t)(100 + i);
-    }
-    sprite = (fxl_sprite){texels, NULL, SPRITE_WIDTH, SPRITE_HEIGHT, 8, FXL_SPRITE_OPAQUE};
-    board = (fxl_billboard){&sprite, Q16(4), Q16(3), Q16(2), Q16(1.5)};
-    model_map[0] = 0;
-    model_map[1] = 1;
-    set = (fxl_billboard_set){&board, 1, model_map};
+    tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
     surface = (fxl_surface){.opacity = 16};
     mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
     memset(face_map, 0, sizeof face_map);

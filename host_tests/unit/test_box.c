@@ -1,16 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "unit.h"
+#include "view_planes.h"
 
 static fxl_camera camera;
 static fxl_view_frustum frustum;
 static fxl_frustum world;
-
-static void look(const fxl_pose *pose, const fxl_lens *lens)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
-    fxl_view_frustum_from_lens(lens, &frustum);
-    fxl_frustum_from_camera(&camera, lens, &world);
-}
 
 /* Straight ahead, 90 degrees wide: side planes at |x| = z and |y| = 2/3 z. */
 void test_boxes_about_a_known_frustum(void)
@@ -36,7 +29,7 @@ void test_boxes_about_a_known_frustum(void)
           {FXL_COORDINATE_MAX, FXL_COORDINATE_MAX, FXL_COORDINATE_MAX}},
          (1u << FXL_PLANE_COUNT) - 1},
     };
-    look(&pose, &lens);
+    view_planes_look(&pose, &lens, &camera, &frustum, &world);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         TEST_ASSERT_EQUAL_HEX32(cases[i].planes, fxl_box_planes(&world, &cases[i].box));
     }
@@ -104,7 +97,7 @@ void test_any_box(void)
     for (int i = 0; i < UNIT_REPEAT; i++) {
         fxl_pose pose = unit_pose();
         fxl_lens lens = unit_any_lens();
-        look(&pose, &lens);
+        view_planes_look(&pose, &lens, &camera, &frustum, &world);
         fxl_box box = any_box(&pose);
         uint32_t planes = fxl_box_planes(&world, &box), seen = 0;
         TEST_ASSERT_EQUAL_HEX32(by_all_corners(&box), planes);
@@ -179,7 +172,7 @@ void test_the_margin_is_exact(void)
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     const fxl_lens lens = unit_lens(48, 32);
     const fxl_q16_16 near = lens.near_z + lens.inset, far = lens.far_z - lens.inset;
-    look(&pose, &lens);
+    view_planes_look(&pose, &lens, &camera, &frustum, &world);
     for (int unit = -1; unit <= 1; unit++) {
         fxl_box box = {{-64, -64, near - 2000}, {64, 64, near - 128 + unit}};
         TEST_ASSERT_EQUAL(unit < 0, fxl_box_planes(&world, &box) == FXL_SPHERE_OUTSIDE);

@@ -101,12 +101,7 @@ void test_more_than_the_capacity_is_refused(void)
         int left = count / 2 + count;
         fxl_clip_result result =
             fxl_clip_world_to_plane(&polygon, &wall, &workspace.out, distances);
-        if (left > FXL_POLYGON_CAPACITY) {
-            TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, result);
-        } else {
-            TEST_ASSERT_EQUAL(FXL_CLIP_CUT, result);
-            TEST_ASSERT_EQUAL(left, workspace.out.count);
-        }
+        expect_capacity(result, left, workspace.out.count);
     }
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, workspace.guard, sizeof workspace.guard);
 }

@@ -70,9 +70,7 @@ static tiny_image *make(void)
 /* What fxl_scene_open answers. */
 static void header_word(fxl_status status, uint32_t offset, uint32_t value)
 {
-    tiny_image *image = make();
-    tiny_put32(tiny_at(image, offset), value);
-    expect_opening(status, image);
+    expect_image_word(status, make(), offset, value);
 }
 
 /* What fxl_billboards_open answers, and what is at fault. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "unit.h"
+#include "view_planes.h"
 #include "wide.h"
 
 enum {
@@ -12,13 +13,6 @@ enum {
 static fxl_camera camera;
 static fxl_view_frustum frustum;
 static fxl_frustum world;
-
-static void look(const fxl_pose *pose, const fxl_lens *lens)
-{
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
-    fxl_view_frustum_from_lens(lens, &frustum);
-    fxl_frustum_from_camera(&camera, lens, &world);
-}
 
 static wide scaled(int64_t value)
 {
@@ -104,7 +98,7 @@ void test_spheres_about_a_known_frustum(void)
         {{0, 0, Q16(10)}, 0, 0},
         {{FXL_COORDINATE_MAX, FXL_COORDINATE_MAX, -FXL_COORDINATE_MAX}, 0, FXL_SPHERE_OUTSIDE},
     };
-    look(&pose, &lens);
+    view_planes_look(&pose, &lens, &camera, &frustum, &world);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         TEST_ASSERT_EQUAL_HEX32(
             cases[i].planes,
@@ -156,7 +150,7 @@ void test_planes_against_exact_distances(void)
     for (int i = 0; i < UNIT_REPEAT; i++) {
         fxl_pose pose = unit_pose();
         fxl_lens lens = unit_any_lens();
-        look(&pose, &lens);
+        view_planes_look(&pose, &lens, &camera, &frustum, &world);
         fxl_point centre = any_centre(&pose);
         fxl_q16_16 radius = any_radius(&centre);
         uint32_t planes = fxl_sphere_planes(&camera, &frustum, &centre, radius);
@@ -211,7 +205,7 @@ void test_vertices_of_what_is_left_out(void)
     for (int i = 0; i < UNIT_REPEAT / 4; i++) {
         fxl_pose pose = unit_pose();
         fxl_lens lens = unit_any_lens();
-        look(&pose, &lens);
+        view_planes_look(&pose, &lens, &camera, &frustum, &world);
         fxl_point centre = any_centre(&pose), vertex;
         fxl_q16_16 radius = any_radius(&centre);
         uint32_t planes = fxl_sphere_planes(&camera, &frustum, &centre, radius);
