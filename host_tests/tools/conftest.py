@@ -11,6 +11,7 @@ import zlib
 
 import numpy
 import pytest
+import warm_start
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = CHECKOUT / "tools"
@@ -55,9 +56,7 @@ def environment(**changes):
 def run_cli(verb, *arguments, **changes):
     """tools/VERB.py as a finished process, run in the checkout. Without a limit of its own: tools/test.py
     limits the CPU time and the sleep of the tests of a file and all that they start."""
-    return subprocess.run([sys.executable, str(TOOLS / f"{verb}.py"), *map(str, arguments)],
-                          cwd=CHECKOUT, stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          check=False, env=environment(**changes))
+    return warm_start.run([str(TOOLS / f"{verb}.py"), *map(str, arguments)], CHECKOUT, environment(**changes))
 
 
 def run_make(*arguments, **changes):

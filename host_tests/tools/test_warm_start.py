@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""A tool from the server of warm_start.py does what one does that Python starts from nothing, and is as alone."""
+
+import os
+import signal
+
+import pytest
+import warm_start
+from conftest import CHECKOUT, TOOLS, environment
+
+COMMANDS = sorted(file for file in TOOLS.glob("*.py") if "interpreter.choose()" in file.read_text(encoding="utf-8"))
+
+
+def both(words, program=None, folder=CHECKOUT, **changes):
+    """What a command from the server, and one from nothing, end with and say."""
+    words = [str(word) for word in words]
+    found = [start(words, folder, environment(**changes), program) for start in (warm_start.run, warm_start.cold)]
+    return [(done.returncode, done.stdout, done.stderr) for done in found]
+
+
+@pytest.mark.parametrize("tool", COMMANDS, ids=lambda tool: tool.stem)
+def test_every_tool_starts_either_way(tool):
+    warm, cold = both([tool, "--help"])
+    assert warm == cold and "Traceback" not in cold[2]
+
+
+@pytest.mark.parametrize("words", [["build", "none.toml", "-o", "x.fxls"], ["build"], ["--none"], []])
+def test_what_is_refused(words):
+    warm, cold = both([TOOLS / "scene.py", *words])
+    assert warm == cold and cold[0] == 2
+
+
+def test_a_result(tmp_path):
+    warm, cold = both([TOOLS / "scene.py", "build", CHECKOUT / "scenes/tiny.toml", "-o", "tiny.fxls"], folder=tmp_path)
+    assert warm == cold and cold[0] == 0 and (tmp_path / "tiny.fxls").exists()
+
+
+@pytest.mark.parametrize("program", [
+    "import sys; sys.exit(7)", "import sys; sys.exit('words')", "print('é', '\\udc80'.encode('utf-8', 'replace'))",
+    "import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "import os; os._exit(3)",
+    "import sys; print(sys.argv)", "import os; print(sorted(os.environ.items()), os.getcwd())",
+    "import os, sys; print(os.isatty(0), os.isatty(1), sys.stdin.read() == '')",
+    "import atexit; atexit.register(print, 'at the end')", "import sys; print(1); print(2, file=sys.stderr); print(3)",
+    "import signal; print([signal.getsignal(each) for each in (1, 2, 13, 15)])",
+    "import os; print(len(os.listdir('/proc/self/fd')) < 10)",
+    "import threading; print(threading.active_count())",
+])
+def test_a_process_is_one_of_its_own(tmp_path, program):
+    warm, cold = both(["x", "y z", ""], program, tmp_path, FIXEL_MARK="here")
+    assert warm == cold
+
+
+def test_nothing_is_left_of_the_command_before():
+    change = "import sys; sys.path.insert(0, 'tools'); import run; print(run.PATTERNS); run.PATTERNS.append(1)"
+    first, second = (warm_start.run(["x"], CHECKOUT, environment(), change).stdout for _ in range(2))
+    assert first == second and "frame" in first
+
+
+def test_a_test_changes_no_command(monkeypatch):
+    import run
+    monkeypatch.setattr(run, "PATTERNS", ["changed"])
+    monkeypatch.setitem(os.environ, "FIXEL_MARK", "changed")
+    words = "import os, sys; sys.path.insert(0, 'tools'); import run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
+    assert "changed" not in warm_start.run(["x"], CHECKOUT, {**environment(), "FIXEL_MARK": "mine"}, words).stdout
+
+
+@pytest.mark.parametrize("name, value", [("PYTHONIOENCODING", "latin-1"), ("LC_ALL", "C"), ("LANG", "C")])
+def test_what_python_reads_at_its_start_is_heeded(name, value):
+    assert warm_start.can_run(environment()) and not warm_start.can_run(environment(**{name: value}))
+
+
+def test_an_end_by_a_signal_is_told():
+    done = warm_start.run(["x"], CHECKOUT, environment(), "import os; os.kill(os.getpid(), 15)")
+    assert done.returncode == -signal.SIGTERM
