@@ -110,14 +110,20 @@ static uint32_t lit_count(void)
     return count;
 }
 
+/* Windows before the face: about the middle, and right of it. */
+static const fxl_point middle[] = {{Q16(-1), Q16(-1), Q16(3)},
+                                   {Q16(1), Q16(-1), Q16(3)},
+                                   {Q16(1), Q16(1), Q16(3)},
+                                   {Q16(-1), Q16(1), Q16(3)}};
+static const fxl_point right[] = {{Q16(0), Q16(-1), Q16(3)},
+                                  {Q16(2), Q16(-1), Q16(3)},
+                                  {Q16(2), Q16(1), Q16(3)},
+                                  {Q16(0), Q16(1), Q16(3)}};
+
 void test_a_pool_of_light_in_the_middle(void)
 {
-    const fxl_point window[] = {{Q16(-1), Q16(-1), Q16(3)},
-                                {Q16(1), Q16(-1), Q16(3)},
-                                {Q16(1), Q16(1), Q16(3)},
-                                {Q16(-1), Q16(1), Q16(3)}};
     const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
-    const fxl_beam beam = shaft(window, 4);
+    const fxl_beam beam = shaft(middle, 4);
     edge_count = 0;
     TEST_ASSERT_EQUAL(5, add_face(&beam, 1, face, 4));
     TEST_ASSERT_EQUAL(1, lit_count());
@@ -142,17 +148,13 @@ void test_a_face_that_no_plane_cuts_stays_whole(void)
  * the points where the other planes cut the other. */
 void test_an_edge_in_a_plane_is_shared(void)
 {
-    const fxl_point window[] = {{Q16(0), Q16(-1), Q16(3)},
-                                {Q16(2), Q16(-1), Q16(3)},
-                                {Q16(2), Q16(1), Q16(3)},
-                                {Q16(0), Q16(1), Q16(3)}};
     const fxl_point behind[] = {at(-4, -4), at(-4, 4), at(0, 4), at(0, -4)};
     const fxl_point before[] = {at(0, -4), at(0, 4), at(4, 4), at(4, -4)};
     const fxl_point around[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
     for (uint32_t turn = 0; turn < 4; turn++) {
         fxl_point turned[4];
         for (uint32_t i = 0; i < 4; i++) {
-            turned[i] = window[(i + turn) % 4];
+            turned[i] = right[(i + turn) % 4];
         }
         const fxl_beam beam = shaft(turned, 4);
         edge_count = 0;
@@ -238,13 +240,9 @@ void test_room_is_not_wasted(void)
 
 void test_too_little_room_is_said(void)
 {
-    const fxl_point window[] = {{Q16(-1), Q16(-1), Q16(3)},
-                                {Q16(1), Q16(-1), Q16(3)},
-                                {Q16(1), Q16(1), Q16(3)},
-                                {Q16(-1), Q16(1), Q16(3)}};
     const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
     const fxl_direction normal = {0, 0, FXL_Q2_30_ONE};
-    const fxl_beam beam = shaft(window, 4);
+    const fxl_beam beam = shaft(middle, 4);
     bool done = false, before;
     uint32_t needed = fxl_lit_corners_needed(&beam, 1);
     for (uint32_t size = 0; size <= needed; size++) {
@@ -286,10 +284,6 @@ static void expect_exact_room(const fxl_beam *beam, const fxl_point *face, uint3
 
 void test_the_room_that_a_face_took_is_the_least(void)
 {
-    const fxl_point window[] = {{Q16(0), Q16(-1), Q16(3)},
-                                {Q16(2), Q16(-1), Q16(3)},
-                                {Q16(2), Q16(1), Q16(3)},
-                                {Q16(0), Q16(1), Q16(3)}};
     const fxl_point behind[] = {at(-4, -4), at(-4, 4), at(0, 4),
                                 at(0, -4)}; /* an edge in a plane */
     const fxl_point around[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};
@@ -297,7 +291,7 @@ void test_the_room_that_a_face_took_is_the_least(void)
     for (uint32_t turn = 0; turn < 4; turn++) {
         fxl_point turned[4];
         for (uint32_t i = 0; i < 4; i++) {
-            turned[i] = window[(i + turn) % 4];
+            turned[i] = right[(i + turn) % 4];
         }
         const fxl_beam beam = shaft(turned, 4);
         expect_exact_room(&beam, behind, 4);

@@ -197,14 +197,24 @@ void test_new_vertices_are_counted(void)
                                      out[0].corners[2].at.x); /* 4, 0 and 0 */
 }
 
+static fxl_volume near_and_far(const fxl_lens *lens)
+{
+    fxl_volume volume;
+    fxl_volume_from_lens(lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    return volume;
+}
+
+static fxl_clip_triangle triangle_of(fxl_varying_polygon shape)
+{
+    return (fxl_clip_triangle){{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
+}
+
 /* A result that is null says whether it is the end or an error, whatever *status was. */
 void test_next_says_how_it_ended(void)
 {
-    fxl_lens lens = unit_lens(64, 48);
-    fxl_volume volume;
-    fxl_varying_polygon shape = SHAPE(-1, -1, 10, 0, 2, 10, 1, -1, 10);
-    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
-    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    const fxl_lens lens = unit_lens(64, 48);
+    fxl_volume volume = near_and_far(&lens);
+    fxl_clip_triangle triangle = triangle_of(SHAPE(-1, -1, 10, 0, 2, 10, 1, -1, 10));
     workspace.stats = (fxl_clip_stats){0, 0, 0};
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
     TEST_ASSERT_EQUAL(3 * FXL_PLANE_COUNT, workspace.stats.distances);
@@ -344,11 +354,10 @@ void test_the_borders_intersections_are_counted(void)
 /* A wall about the whole screen: its pieces cover it, exactly. */
 void test_a_wall_covers_the_screen(void)
 {
-    fxl_lens lens = unit_lens(64, 48);
-    fxl_volume volume;
-    fxl_varying_polygon shape = SHAPE(-100, -100, 10, 0, 200, 10, 100, -100, 10);
-    fxl_clip_triangle triangle = {{shape.vertices[0], shape.vertices[1], shape.vertices[2]}};
-    fxl_volume_from_lens(&lens, 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    const fxl_lens lens = unit_lens(64, 48);
+    const fxl_volume volume = near_and_far(&lens);
+    const fxl_clip_triangle triangle =
+        triangle_of(SHAPE(-100, -100, 10, 0, 200, 10, 100, -100, 10));
     TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_triangle_begin(&triangle, 2, &volume, &workspace));
     const fxl_screen_triangle *piece;
     fxl_status status;
