@@ -33,6 +33,12 @@ bool plane_has_vertex(const void *vertices, int count, size_t size, const void *
 void expect_shared_crossing(const void *const outs[2], const int counts[2], size_t size,
                             const void *a, const void *b, bool a_is_inside);
 
+/* The same of polygons, two of them, and vertices of any type. */
+#define EXPECT_SHARED_CROSSING(outs, a, b, a_is_inside) \
+    expect_shared_crossing((const void *const[]){(outs)[0].vertices, (outs)[1].vertices}, \
+                           (const int[]){(outs)[0].count, (outs)[1].count}, sizeof(a), &(a), &(b), \
+                           (a_is_inside))
+
 /* A cut that leaves so many vertices is refused beyond the capacity; else the polygon has them. */
 void expect_capacity(fxl_clip_result result, int left, int count);
 

@@ -142,9 +142,7 @@ void test_neighbours_get_the_same_vertex(void)
             fxl_clip_world_to_plane(&second, &plane, &outs[1], distances) != FXL_CLIP_CUT) {
             continue;
         }
-        expect_shared_crossing((const void *const[]){outs[0].vertices, outs[1].vertices},
-                               (const int[]){outs[0].count, outs[1].count}, sizeof a, &a, &b,
-                               at_a > 0);
+        EXPECT_SHARED_CROSSING(outs, a, b, at_a > 0);
         cut++;
     }
     TEST_ASSERT_TRUE(cut > UNIT_REPEAT / 4);
