@@ -49,11 +49,11 @@ async def serve(board, reference_program, scene_image, options):
 
     hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette,
                     options.program == methods.WALK), board.hold,
-              lambda frame, wants: reference.ask(frame, wants), lambda rate: pump.set_rate(rate))
+              lambda frame, wants: reference.ask(frame, wants))
     with contextlib.ExitStack() as stack:
         reference = stack.enter_context(contextlib.closing(
             Reference(reference_program, scene_image, later("compare"), later("end"), methods.judge_options(options))))
-        pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
+        hub.pump = stack.enter_context(contextlib.closing(Pump(board, IDLE_RATE, later("show"), later("end"))))
         for each in ENDINGS:
             loop.add_signal_handler(each, hub.end)
         server = Server(hub)

@@ -16,8 +16,9 @@
 #include <string.h>
 
 #include "frames/read_file.h"
-#include "judge/verdict.h"
 #include "judge/light.h"
+#include "judge/pixel.h"
+#include "judge/verdict.h"
 #include "judge/walk.h"
 
 typedef struct {
@@ -155,7 +156,7 @@ static void say_all(report *out, const options *wanted, const session *run)
 static bool parse_options(int count, char **arguments, options *wanted)
 {
     *wanted =
-        (options){.distance = 1.0 / 8192, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true};
+        (options){.distance = JUDGE_DISTANCE, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "frames/moving_reference.h"
-#include "judge/explain.h"
+#include "judge/pixel.h"
 #include "oracle/tie.h"
 #include "reference/fill.h"
 #include "reference/turn.h"
@@ -38,15 +38,6 @@ typedef struct {
     bool failed;
 } job;
 
-static judge_box *boxes_of(const ref_renderer *renderer)
-{
-    judge_box *boxes = malloc((renderer->display_list.count + 1) * sizeof *boxes);
-    for (size_t i = 0; boxes && i < renderer->display_list.count; i++) {
-        boxes[i] = judge_box_of_drawn(&renderer->display_list.drawn[i]);
-    }
-    return boxes;
-}
-
 static void count_pixel(judge_frame *frame, const judge_sample *pixel, double limit)
 {
     frame->differing++;
@@ -68,30 +59,11 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
 static void explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     judge_sample *pixel, judge_frame *frame)
 {
-    const ref_display_list *list = &renderer->display_list;
-    judge_question question = {.x = pixel->x,
-                               .y = pixel->y,
-                               .colour = pixel->board,
-                               .background = work->image->background};
-    const int ways = work->image->scene.surfaces ? 4 : 2;
-    const double resolution = ref_depth_resolution(&renderer->lens, renderer->depth_bits);
-    for (int way = 0; way < ways; way++) {
-        question.doubt = way & 1;
-        question.texels = way & 2;
-        double distance =
-            renderer->depth_bits != 0
-                ? judge_explain_by_depth(&renderer->lens, list->drawn, boxes, list->count,
-                                         &question, resolution)
-                : judge_explain(&renderer->lens, list->drawn, boxes, list->count, &question);
-        if (way == 0 || distance <= work->distance) {
-            pixel->distance = distance;
-        }
-        if (distance <= work->distance) {
-            frame->near_far += question.doubt;
-            frame->texels += question.texels;
-            return;
-        }
-    }
+    const judge_reason reason = judge_pixel(renderer, boxes, work->image->background, pixel->x,
+                                            pixel->y, pixel->board, work->distance);
+    pixel->distance = reason.distance;
+    frame->near_far += reason.near_far;
+    frame->texels += reason.texels;
 }
 
 static oracle_tie_view tie_view(const job *work, const ref_pose *pose)
@@ -162,7 +134,7 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
             if (*board == *twin) {
                 continue;
             }
-            if (!boxes && !(boxes = boxes_of(renderer))) {
+            if (!boxes && !(boxes = judge_boxes_of(&renderer->display_list))) {
                 return false;
             }
             judge_sample pixel = {x, y, *board, *twin, 0};

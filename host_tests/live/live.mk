@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# build/host/live: the reference renderer's frames and outlines, pose by pose, for the live window.
+# build/host/live: the reference renderer's frames and what they say of the board's, pose by pose, for the live window.
 
 LIVE_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/live/*.c))
 HOST_TOOLS += $(BUILD)/host/live
@@ -10,6 +10,7 @@ $(BUILD)/host/objects/live/%.o: host_tests/live/%.c
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ilib/include -MMD -MP -c $< -o $@
 
 $(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/frames/read_file.o \
-    $(BUILD)/host/objects/frames/moving_reference.o $(BUILD)/host/libreference.a $(BUILD)/host/libfixel.a
+    $(BUILD)/host/objects/frames/moving_reference.o $(BUILD)/host/objects/judge/pixel.o \
+    $(BUILD)/host/objects/judge/explain.o $(BUILD)/host/libreference.a $(BUILD)/host/libfixel.a
 	$(HOST_SAY)
 	$(HOSTCC) $^ -lm -o $@

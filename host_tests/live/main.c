@@ -2,15 +2,25 @@
 /* live SCENE.fxls [--clipper NAME] [--hidden NAME]
  *
  * Draws with the reference renderer, pose by pose. A request on standard
- * input is 36 bytes, an answer on standard output a head of 16 bytes and what
- * the request asked for; all little-endian, as in docs/formats.md, section 1:
+ * input is 36 bytes, and the board's pixels where it wants the verdict. An answer
+ * on standard output is a head of 24 bytes and the parts that the request wants.
+ * All is little-endian, as in docs/formats.md, section 1:
  *
- *   request  bytes A S K S; u8 wants (1 frame, 2 outlines); u8 x 3, 0; pose; u32
- *            number of the frame, which says where things are that move
- *   answer   bytes T W I N; u32 number of the request, from 0; u32 bytes of the
- *            frame (0 or width x height); u32 bytes of the outlines; the frame,
- *            rows downward; the outlines in the order of drawing: u16 points,
- *            u8 colour, u8 0, then for each point f32 x, f32 y in pixels
+ *   request  bytes A S K S; u8 wants (1 frame, 2 outlines, 4 faces, 8 verdict);
+ *            u8 x 3, 0; pose; u32 number of the frame, which says where things
+ *            are that move; with 8: the board's frame, width x height bytes
+ *   answer   bytes T W I N; u32 number of the request, from 0; u32 x 4: bytes of
+ *            each of the four parts, 0 for a part that is not wanted; the parts
+ *
+ * The parts. Frame, faces and verdict have an entry for each pixel, rows downward:
+ *
+ *   frame     u8 palette index
+ *   outlines  in the order of drawing: u16 points, u8 colour, u8 0, then for each
+ *             point f32 x, f32 y in pixels
+ *   faces     u16 instance, u16 face within its model: what the frame shows, or
+ *             FFFF FFFF where that is the background
+ *   verdict   u8: 0 the board's pixel equals the frame's, 1 it is explained within
+ *             the bound by which `make run` judges, 2 it is not
  *
  * Ends with 0 at the end of its input; with 2 and a sentence where a file or a
  * request is not what it should be, or nobody reads. */
@@ -20,6 +30,7 @@
 
 #include "frames/moving_reference.h"
 #include "frames/read_file.h"
+#include "judge/pixel.h"
 #include "reference/clipper.h"
 #include "reference/render.h"
 #include "reference/scene.h"
@@ -27,11 +38,23 @@
 
 enum {
     REQUEST_SIZE = 36,
-    ANSWER_HEAD = 16,
+    ANSWER_HEAD = 24,
     POSE_AT = 8,
     FRAME_AT = 32,
     WANT_FRAME = 1,
-    WANT_OUTLINES = 2
+    WANT_OUTLINES = 2,
+    WANT_FACES = 4,
+    WANT_VERDICT = 8,
+    WANT_ALL = 15,
+    PARTS = 4,
+    FACE_SIZE = 4 /* bytes of a pixel's face */
+};
+
+/* A pixel of the verdict. */
+enum {
+    IS_EQUAL,
+    IS_WITHIN_THE_BOUND,
+    IS_BEYOND_THE_BOUND
 };
 
 typedef struct {
@@ -39,7 +62,12 @@ typedef struct {
     uint8_t *bytes; /* of the image */
     moving_reference moving;
     ref_renderer renderer;
-    uint8_t *frame;
+    size_t area;      /* pixels of a frame */
+    uint8_t *frame;   /* the reference renderer's */
+    uint8_t *board;   /* the board's frame */
+    uint8_t *verdict; /* of each pixel */
+    uint8_t *faces;
+    uint32_t *shown; /* ref_renderer.shown, while faces are wanted */
     uint8_t *outlines;
     size_t outlines_capacity;
 } session;
@@ -57,6 +85,12 @@ static void put_u32(uint8_t *to, uint32_t value)
     }
 }
 
+static void put_u16(uint8_t *to, uint32_t value)
+{
+    to[0] = (uint8_t)value;
+    to[1] = (uint8_t)(value >> 8);
+}
+
 static void put_f32(uint8_t *to, double value)
 {
     float narrow = (float)value;
@@ -69,15 +103,19 @@ static size_t outlines_size(const ref_renderer *renderer)
 {
     size_t size = 0;
     for (size_t i = 0; i < renderer->display_list.count; i++) {
-        size += 4 + 8 * (size_t)renderer->display_list.drawn[i].polygon.count;
+        const int count = renderer->display_list.drawn[i].polygon.count;
+        size += count == 0 ? 0 : 4 + 8 * (size_t)count;
     }
     return size;
 }
 
+/* A polygon without points is in the list because the board may draw it: it has no outline. */
 static uint8_t *put_outline(uint8_t *to, const ref_screen_polygon *polygon)
 {
-    to[0] = (uint8_t)polygon->count;
-    to[1] = 0;
+    if (polygon->count == 0) {
+        return to;
+    }
+    put_u16(to, (uint32_t)polygon->count);
     to[2] = polygon->colour;
     to[3] = 0;
     to += 4;
@@ -108,43 +146,97 @@ static bool collect_outlines(session *run, size_t *size)
     return true;
 }
 
-static void draw(session *run)
+static void draw(session *run, bool wants_faces)
 {
     const ref_lens *lens = &run->image.lens;
     ref_band band = {run->frame, lens->width, lens->width, 0, lens->height};
+    memset(run->shown, 0, run->area * sizeof *run->shown);
+    run->renderer.shown = wants_faces ? run->shown : NULL;
     ref_fill_band(&band, run->image.background);
     ref_frame_draw(&run->renderer, &band);
+}
+
+/* The face of each pixel of the frame that was drawn. */
+static void collect_faces(session *run)
+{
+    for (size_t i = 0; i < run->area; i++) {
+        uint8_t *to = run->faces + FACE_SIZE * i;
+        if (run->shown[i] == 0) {
+            put_u32(to, UINT32_MAX);
+        } else {
+            const ref_drawn *drawn = &run->renderer.display_list.drawn[run->shown[i] - 1];
+            put_u16(to, drawn->instance);
+            put_u16(to + 2, drawn->face);
+        }
+    }
+}
+
+/* Judges each pixel of the board's frame. False where memory is short. */
+static bool judge_board(session *run)
+{
+    const int width = run->image.lens.width;
+    judge_box *boxes = judge_boxes_of(&run->renderer.display_list);
+    for (size_t i = 0; boxes && i < run->area; i++) {
+        run->verdict[i] = IS_EQUAL;
+        if (run->board[i] != run->frame[i]) {
+            const judge_reason reason =
+                judge_pixel(&run->renderer, boxes, run->image.background, (int)i % width,
+                            (int)i / width, run->board[i], JUDGE_DISTANCE);
+            run->verdict[i] =
+                reason.distance <= JUDGE_DISTANCE ? IS_WITHIN_THE_BOUND : IS_BEYOND_THE_BOUND;
+        }
+    }
+    free(boxes);
+    return boxes != NULL;
+}
+
+/* Draws what a request wants. False where memory is short. */
+static bool work_out(session *run, uint8_t wants, const ref_pose *pose, uint32_t frame,
+                     size_t *outlines_size)
+{
+    moving_reference_play(&run->moving, frame);
+    run->renderer.keeps_doubt = (wants & WANT_VERDICT) != 0;
+    if (!ref_frame_begin(&run->renderer, pose)) {
+        return false;
+    }
+    if ((wants & ~WANT_OUTLINES) != 0) {
+        draw(run, (wants & WANT_FACES) != 0);
+    }
+    if ((wants & WANT_FACES) != 0) {
+        collect_faces(run);
+    }
+    return ((wants & WANT_OUTLINES) == 0 || collect_outlines(run, outlines_size)) &&
+           ((wants & WANT_VERDICT) == 0 || judge_board(run));
 }
 
 /* 0, or 2 after saying why. */
 static int answer(session *run, uint32_t number, const uint8_t *request)
 {
     const uint8_t wants = request[4];
-    if (memcmp(request, "ASKS", 4) != 0 || (wants & ~(WANT_FRAME | WANT_OUTLINES)) != 0) {
+    if (memcmp(request, "ASKS", 4) != 0 || (wants & ~WANT_ALL) != 0) {
         return fail("standard input", "that is not a request");
     }
+    if ((wants & WANT_VERDICT) != 0 && fread(run->board, 1, run->area, stdin) != run->area) {
+        return fail("standard input", "it ends within a request");
+    }
     const ref_pose pose = ref_pose_read(request + POSE_AT);
-    size_t frame_size = 0, outline_size = 0;
-    moving_reference_play(&run->moving, ref_u32(request + FRAME_AT));
-    if (!ref_frame_begin(&run->renderer, &pose) ||
-        ((wants & WANT_OUTLINES) != 0 && !collect_outlines(run, &outline_size))) {
+    size_t outlines_size = 0;
+    if (!work_out(run, wants, &pose, ref_u32(request + FRAME_AT), &outlines_size)) {
         return fail("a frame", "there is not enough memory");
     }
-    if ((wants & WANT_FRAME) != 0) {
-        draw(run);
-        frame_size = (size_t)run->image.lens.width * (size_t)run->image.lens.height;
-    }
+    const uint8_t *parts[PARTS] = {run->frame, run->outlines, run->faces, run->verdict};
+    const size_t sizes[PARTS] = {run->area, outlines_size, FACE_SIZE * run->area, run->area};
     uint8_t head[ANSWER_HEAD];
     memcpy(head, "TWIN", 4);
     put_u32(head + 4, number);
-    put_u32(head + 8, (uint32_t)frame_size);
-    put_u32(head + 12, (uint32_t)outline_size);
-    if (fwrite(head, 1, sizeof head, stdout) != sizeof head ||
-        fwrite(run->frame, 1, frame_size, stdout) != frame_size ||
-        fwrite(run->outlines, 1, outline_size, stdout) != outline_size || fflush(stdout) != 0) {
-        return fail("standard output", "nobody reads it");
+    for (int i = 0; i < PARTS; i++) {
+        put_u32(head + 8 + 4 * i, wants >> i & 1 ? (uint32_t)sizes[i] : 0);
     }
-    return 0;
+    bool written = fwrite(head, 1, sizeof head, stdout) == sizeof head;
+    for (int i = 0; i < PARTS && written; i++) {
+        written = (wants >> i & 1) == 0 || fwrite(parts[i], 1, sizes[i], stdout) == sizes[i];
+    }
+    return written && fflush(stdout) == 0 ? 0 : fail("standard output", "nobody reads it");
 }
 
 static int serve(session *run)
@@ -177,8 +269,14 @@ static int open_scene(const char *path, session *run)
     if (wrong) {
         return fail(path, wrong);
     }
-    run->frame = malloc((size_t)run->image.lens.width * (size_t)run->image.lens.height);
-    if (!run->frame || !ref_renderer_init(&run->renderer, &run->moving.scene, &run->image.lens)) {
+    run->area = (size_t)run->image.lens.width * (size_t)run->image.lens.height;
+    run->frame = malloc(run->area);
+    run->board = malloc(run->area);
+    run->verdict = malloc(run->area);
+    run->faces = malloc(FACE_SIZE * run->area);
+    run->shown = malloc(run->area * sizeof *run->shown);
+    if (!run->frame || !run->board || !run->verdict || !run->faces || !run->shown ||
+        !ref_renderer_init(&run->renderer, &run->moving.scene, &run->image.lens)) {
         return fail(path, "there is not enough memory for it");
     }
     return 0;
@@ -190,6 +288,20 @@ static bool choose(const char *option, const char *name, ref_renderer *as)
            : strcmp(option, "--hidden") == 0
                ? ref_visibility_draws(name, &as->by_bsp, &as->draws_flat, &as->depth_bits)
                : false;
+}
+
+static void close_session(session *run)
+{
+    ref_renderer_close(&run->renderer);
+    moving_reference_close(&run->moving);
+    ref_scene_close(&run->image);
+    free(run->bytes);
+    free(run->frame);
+    free(run->board);
+    free(run->verdict);
+    free(run->faces);
+    free(run->shown);
+    free(run->outlines);
 }
 
 int main(int count, char **arguments)
@@ -218,11 +330,6 @@ int main(int count, char **arguments)
     if (code == 0) {
         code = serve(&run);
     }
-    ref_renderer_close(&run.renderer);
-    moving_reference_close(&run.moving);
-    ref_scene_close(&run.image);
-    free(run.bytes);
-    free(run.frame);
-    free(run.outlines);
+    close_session(&run);
     return code;
 }

@@ -35,11 +35,22 @@ static uint8_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn
                                  : drawn->polygon.colour;
 }
 
+/* Notes that a polygon changes pixels first <= x < end of a row. */
+static void note_shown(const ref_renderer *renderer, const ref_drawn *drawn, int y, int first,
+                       int end)
+{
+    const size_t number = (size_t)(drawn - renderer->display_list.drawn);
+    for (int x = first; x < end && renderer->shown; x++) {
+        renderer->shown[y * renderer->lens.width + x] = (uint32_t)number + 1;
+    }
+}
+
 static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, const ref_band *band,
                       const ref_span *span)
 {
     if (is_plain(renderer, drawn)) {
         ref_fill_span(band, span, plain_colour(renderer, drawn));
+        note_shown(renderer, drawn, span->y, span->x0, span->x1);
         return;
     }
     const uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
@@ -48,6 +59,7 @@ static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, cons
         if (colour != REF_CLEAR) {
             const ref_span pixel = {span->y, x, x + 1};
             ref_fill_span(band, &pixel, (uint8_t)colour);
+            note_shown(renderer, drawn, span->y, x, x + 1);
         }
     }
 }
@@ -69,6 +81,7 @@ static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
         if (colour != REF_CLEAR) {
             row[x] = (uint8_t)colour;
             near_row[x] = keeps ? nearness : near_row[x];
+            note_shown(renderer, drawn, span->y, x, x + 1);
         }
     }
 }

@@ -23,6 +23,8 @@ typedef struct {
     bool by_bsp;                   /* set before a frame: draw by the BSP, if the scene has one */
     int depth_bits;                /* set before a frame: 16 or 32: by a depth buffer; else 0 */
     double *nearness;              /* of each pixel, while it draws by one */
+    uint32_t *shown; /* set before drawing, or null: receives for each pixel 1 + the number in the
+                        display list of the polygon that changed it last; the caller clears it */
     bool draws_flat;               /* set before a frame: faces have their own colours */
     bool draws_names;              /* set before drawing: a pixel shows the name of its face */
     bool by_points;                /* set before a frame: the clipper works from rounded points */

@@ -19,6 +19,7 @@ from conftest import assert_one_sentence, run_cli
 import scene as scene_tool
 from board_programs import ROOT, built
 from fixel.view import browser
+from fixel.image import image as scene_image
 from fixel.base.errors import ToolError
 from viewers import BOARDS, HEIGHT, WIDTH, left, own_build, plaza, port_of, ready
 
@@ -192,11 +193,9 @@ def test_double(page):
 def test_difference(page):
     show_beside(page, "2", "difference")
     (shown,) = canvases(page, "other")
-    pixels, together, frames = numbers(page, "other-name")
-    assert pixels == (shown == MARK).all(axis=2).sum() and pixels <= 20
-    assert together >= pixels and frames > 0
-    if pixels == 0:
-        assert (shown.max(axis=2) == shown.min(axis=2)).all() and len(numpy.unique(shown)) > 10
+    pixels, together, frames, within = numbers(page, "other-name")
+    assert pixels == together == (shown == MARK).all(axis=2).sum() == 0 and frames > 0 and within <= 20
+    assert (shown.max(axis=2) == shown.min(axis=2)).all() and len(numpy.unique(shown)) > 10
 
 
 def test_wireframe(page):
@@ -214,6 +213,167 @@ def test_nothing_beside_it(page, board, build):
     page.keyboard.press("0")
     page.wait_for_selector("#beside", state="hidden")
     wait_for_frames(page, 5)
+
+
+# --- frame by frame -------------------------------------------------------------------
+
+def state(page, name):
+    page.wait_for_function("name => document.getElementById('state').textContent === name", arg=name)
+
+
+def step(page):
+    """One frame more: the board's number is one higher, however long that takes."""
+    number, text = figure(page, "number"), page.inner_text("#number")
+    page.click("#step")
+    page.wait_for_function("before => document.getElementById('number').textContent !== before", arg=text)
+    assert figure(page, "number") == number + 1
+
+
+@pytest.fixture
+def paused(page):
+    """The page while the board is paused; it goes on after the test."""
+    stand_still(page)
+    page.click("#pause")
+    state(page, "paused")
+    wait_for_rest(page)
+    yield page
+    page.keyboard.press("p")
+    state(page, "live")
+    stand_still(page)
+
+
+def wait_for_rest(page):
+    """A frame may have been under way when the board was paused. The board's answer to a step comes after it."""
+    page.wait_for_function("""() => new Promise((resolve) => {
+        let seen = null;
+        const look = () => {
+            const number = document.getElementById("number").textContent;
+            if (number === seen) {
+                resolve(true);
+            } else {
+                seen = number;
+                setTimeout(look, 500);
+            }
+        };
+        look();
+    })""")
+
+
+def test_pause_and_step(paused, board):
+    for _ in range(5):
+        step(paused)
+    assert paused.get_attribute("#pause", "aria-pressed") == "true" and paused.inner_text("#board-rate") == "–"
+    yaw = figure(paused, "yaw")
+    paused.keyboard.down("ArrowRight")
+    for _ in range(60 if board == "lm3s6965evb" else 6):    # its buttons are believed after some frames
+        step(paused)
+    paused.keyboard.up("ArrowRight")
+    paused.wait_for_function("before => parseFloat(document.getElementById('yaw').textContent) !== before", arg=yaw)
+
+
+def test_back_to_the_start(page):
+    page.keyboard.down("ArrowRight")
+    wait_for_frames(page, 20)
+    page.keyboard.up("ArrowRight")
+    stand_still(page)
+    number = figure(page, "number")
+    page.keyboard.press("Home")
+    page.wait_for_function("before => Number(document.getElementById('number').textContent.replace(/,/g, '')) < before", arg=number)
+    pose = stand_still(page)
+    assert (pose["x"], pose["z"], pose["yaw"]) == (0, -32, 0)
+
+
+def test_a_page_that_comes_while_the_board_is_paused(paused, window, chromium):
+    with browser.page(chromium, window[1], WIDTH, HEIGHT) as other:
+        state(other, "paused")
+        other.wait_for_function("number => document.getElementById('number').textContent === number",
+                                arg=paused.inner_text("#number"))
+
+
+# --- pixels ---------------------------------------------------------------------------
+
+PIXEL = re.compile(r"Pixel (\d+), (\d+): colour (\d+), RGB (\d+) (\d+) (\d+); (?:instance (\d+), face (\d+)|background)$")
+
+
+def pixel_told(page, x, y):
+    """What the page says of pixel x, y of a frame of 320 x 240: (x, y), colour, RGB, (instance, face) or None."""
+    width = page.eval_on_selector("#fixed", "canvas => canvas.getBoundingClientRect().width")
+    page.hover("#fixed", position={"x": (x + 0.5) * width / 320, "y": (y + 0.5) * width / 320})
+    page.wait_for_function(f"words => /^Pixel {x}, {y}:.*(face|background)/.test(document.getElementById('pixel-words').textContent)")
+    at_x, at_y, colour, *rest = (None if each is None else int(each)
+                                 for each in PIXEL.match(page.inner_text("#pixel-words")).groups())
+    return (at_x, at_y), colour, tuple(rest[:3]), None if rest[3] is None else tuple(rest[3:])
+
+
+def test_the_pixel_under_the_pointer(paused, scene):
+    """The plaza has neither light nor surfaces: a pixel has the colour of the face that is told."""
+    compiled = scene_image.load(scene)
+    (frame,) = canvases(paused, "fixed")
+    faces = set()
+    for x, y in ((160, 100), (10, 5), (60, 150), (309, 235), (0, 0), (200, 120)):
+        place, colour, rgb, face = pixel_told(paused, x, y)
+        assert place == (x, y) and rgb == tuple(frame[y, x]) == tuple(compiled.palette[colour])
+        instance, number = face
+        assert compiled.models[compiled.objects[instance].model].faces[number].colour == colour
+        faces.add(face)
+    assert len(faces) > 3
+    paused.mouse.move(0, 0)
+
+
+def test_zoom(paused):
+    show_beside(paused, "1", "double")
+    before = pixel_told(paused, 100, 60)
+    for factor in (2, 4, 8):
+        paused.keyboard.press("+")
+        assert paused.inner_text("#zoom") == f"{factor}×"
+        ports = paused.eval_on_selector_all(".port", "ports => ports.map((each) => [each.scrollLeft, each.scrollTop, "
+                                            "each.clientWidth, each.firstElementChild.clientWidth])")
+        assert ports[0] == ports[1] and ports[0][0] > 0 and ports[0][1] > 0
+        assert ports[0][3] == factor * paused.eval_on_selector("figure", "each => each.clientWidth")
+        assert paused.inner_text("#pixel-words").startswith(f"Pixel {before[0][0]}, {before[0][1]}:")
+    assert paused.is_disabled("#larger")
+    for _ in range(3):
+        paused.click("#smaller")
+    assert paused.inner_text("#zoom") == "1×" and paused.is_disabled("#smaller")
+    assert pixel_told(paused, 100, 60) == before
+    paused.keyboard.press("0")
+    paused.mouse.move(0, 0)
+
+
+def test_save_png(paused, board):
+    (frame,) = canvases(paused, "fixed")
+    with paused.expect_download() as download:
+        paused.click("#save")
+    assert download.value.suggested_filename == f"{board}-plaza-{figure(paused, 'number'):.0f}.png"
+    with Image.open(download.value.path()) as picture:
+        assert numpy.array_equal(numpy.asarray(picture.convert("RGB")), frame)
+
+
+# --- the layout -----------------------------------------------------------------------
+
+@pytest.mark.parametrize("beside", ["0", "1", "2", "3"])
+def test_picture_and_keys_are_on_one_screen(page, board, build, beside):
+    """build/view/<board>-390.png is how the narrow page looked."""
+    page.keyboard.press(beside)
+    try:
+        for width, height in ((390, 844), (1280, 800)):
+            page.set_viewport_size({"width": width, "height": height})
+            wait_for_frames(page, 2)
+            boxes = [page.locator(name).bounding_box() for name in ("#fixed", "#bar", "#keys")]
+            assert all(box["x"] >= 0 and box["y"] >= 0 and box["x"] + box["width"] <= width
+                       and box["y"] + box["height"] <= height for box in boxes), boxes
+            assert page.evaluate("document.documentElement.scrollWidth") <= width
+            if (width, beside) == (390, "2"):
+                (build / "view").mkdir(exist_ok=True)
+                page.screenshot(path=build / "view" / f"{board}-390.png")
+        assert page.evaluate("document.documentElement.scrollHeight") <= HEIGHT
+    finally:
+        page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
+        page.keyboard.press("0")
+
+
+def test_whose_rate_it_is(page):
+    assert "rates of the emulator on this machine, not of a board" in page.inner_text("#choices")
 
 
 # --- others that look on ------------------------------------------------------------
@@ -276,6 +436,33 @@ def test_a_scene_with_surfaces_is_walked_beside_the_reference(name, chromium, bu
         assert page.complaints == []
 
 
+def test_a_pixel_within_the_bound_is_no_difference(chromium, build, tmp_path):
+    """Surfaces show other texels than the reference does, all of them within the bound of `make run`."""
+    ready("mps2-an385", build)
+    image = tmp_path / "room.fxls"
+    scene_tool.build(str(ROOT / "scenes" / "room.toml"), str(image), None, (160, 120))
+    with browser.viewing("mps2-an385", image, build) as (_, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(0)
+        page.click("#pause")
+        state(page, "paused")
+        page.click("#restart")
+        page.wait_for_function("() => document.getElementById('number').textContent === '0'")
+        show_beside(page, "2", "difference")
+        seen = set()
+        page.keyboard.down("ArrowRight")
+        for _ in range(20):
+            step(page)
+            page.wait_for_function("() => document.getElementById('number').textContent === "
+                                   "document.getElementById('other-number').textContent")
+            pixels, together, _, within = numbers(page, "other-name")
+            (shown,) = canvases(page, "other")
+            assert pixels == together == (shown == MARK).all(axis=2).sum() == 0
+            seen.add(within)
+        assert max(seen) > 0
+        assert page.complaints == []
+
+
 # --- the recording ------------------------------------------------------------------
 
 def test_the_game_is_played_in_it(chromium, build, tmp_path):
@@ -309,6 +496,8 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
         page.keyboard.up("ArrowDown")
         assert len(seen) > 1
         assert page.is_hidden("#beside-choice")
+        page.hover("#fixed")
+        assert re.fullmatch(r"Pixel \d+, \d+: colour \d+, RGB \d+ \d+ \d+", page.inner_text("#pixel-words"))
         page.screenshot(path=str(build / "view" / "game.png"))
         assert page.complaints == []
 

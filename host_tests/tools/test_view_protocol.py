@@ -137,6 +137,19 @@ def test_a_board_that_need_not_wait(pair, patient):
     assert window.frame(later, waits=False).number == 9    # not the same frame again
 
 
+def test_a_board_that_runs_past_the_frame_that_it_is_asked_for(pair, patient):
+    """It need not wait until it is asked for one frame: by then it may have finished more."""
+    window, board = pair
+    frames = random_frames(2, HEIGHT, WIDTH)
+    board.finish(4, frames[0])
+    assert window.frame(patient, waits=False).number == 4
+
+    def answer(waited):
+        board.finish(9, frames[1])
+        return True
+    assert window.frame(answer).number == 9
+
+
 def test_frame_numbers_wrap(pair):
     window, board = pair
     (pixels,) = random_frames(1, HEIGHT, WIDTH)

@@ -24,6 +24,7 @@ from fixel.view.view_reference import Answer
 async def test_the_page_and_its_files(bench):
     for path, kind, word in (("/", "text/html", "Fixel live"), ("/view.js", "text/javascript", "WebSocket"),
                              ("/view_picture.js", "text/javascript", "putDifference"),
+                             ("/view_pixel.js", "text/javascript", "pixelAt"), ("/view_zoom.js", "text/javascript", "FACTORS"),
                              ("/view.css", "text/css", "--paper")):
         async with bench.session.get(bench.base + path) as answer:
             text = await answer.text()
@@ -153,7 +154,8 @@ def test_what_is_no_request_is_not_worth_a_line(capfd):
 async def test_what_makes_no_sense_ends_the_tab(bench):
     for words in ("{", "[]", '{"type": "keys"}', '{"type": "keys", "held": 256}', '{"type": "keys", "held": true}',
                   '{"type": "rate", "rate": 31}', '{"type": "rate", "rate": false}', '{"type": "rate", "rate": 30.0}',
-                  '{"type": "rate"}', "[" * 4000, '{"type":' * 500, '{"type": "wants", "wants": 4}', '{"type": "what"}'):
+                  '{"type": "rate"}', "[" * 4000, '{"type":' * 500, '{"type": "wants", "wants": 16}', '{"type": "what"}',
+                  '{"type": "pause"}', '{"type": "pause", "paused": 1}'):
         socket = await bench.tab()
         await socket.send_str(words)
         assert (await socket.receive(timeout=None)).type == aiohttp.WSMsgType.CLOSE, words
@@ -168,10 +170,10 @@ async def test_what_makes_no_sense_ends_the_tab(bench):
 async def test_a_frame_as_a_tab_gets_it(bench):
     socket = await bench.tab()
     bench.hub.show(frame(7))
-    told, (pixels, double, outlines) = await read_frame(socket)
+    told, parts = await read_frame(socket)
     assert (told["number"], told["position"], told["angles"]) == (7, [1, 2, 3], [4, 5, 6])
     assert told["instructions"] == 1007 and told["counters"]["drawn"] == 9
-    assert pixels == bytes([7]) * (WIDTH * HEIGHT) and not double and not outlines
+    assert parts == [bytes([7]) * (WIDTH * HEIGHT)]
 
 
 @bench_test
@@ -222,8 +224,8 @@ async def test_beside_each_other_is_always_the_same_frame(bench):
     bench.hub.show(frame(12))
     with pytest.raises(TimeoutError):
         await socket.receive(timeout=0.1)   # not without the reference
-    bench.hub.compare(Answer(frame(11), bytes([99]) * (WIDTH * HEIGHT), b"", False))
-    told, (pixels, double, _) = await read_frame(socket)
+    bench.hub.compare(Answer(frame(11), 1, (bytes([99]) * (WIDTH * HEIGHT), b"", b"", b"")))
+    told, (pixels, double, *_) = await read_frame(socket)
     assert told["number"] == 11 and told["given"] == 1
     assert set(pixels) == {11} and set(double) == {99}
 
@@ -237,7 +239,7 @@ async def test_each_tab_gets_what_it_wants(bench):
     bench.hub.show(frame(1))
     assert bench.asked[-1] == (1, 3)
     assert (await read_frame(plain))[0]["given"] == 0
-    bench.hub.compare(Answer(frame(1), bytes(WIDTH * HEIGHT), b"lines", True))
+    bench.hub.compare(Answer(frame(1), 3, (bytes(WIDTH * HEIGHT), b"lines", b"", b"")))
     assert (await read_frame(double))[0]["given"] & 1
     assert (await read_frame(lines))[1][2] == b"lines"
 
@@ -289,14 +291,35 @@ async def test_keys_of_all_tabs_count(bench):
 @bench_test
 async def test_the_rate_is_slow_while_nobody_looks_on(bench):
     socket = await bench.tab()
-    assert bench.rates == [30]
+    assert bench.pump.rates == [30]
     await socket.send_json({"type": "rate", "rate": 0})
     await settled()
     await socket.close()
     await settled()
-    assert bench.rates == [30, 0, 1]
+    assert bench.pump.rates == [30, 0, 1]
     await bench.tab()
-    assert bench.rates[-1] == 0
+    assert bench.pump.rates[-1] == 0
+
+
+@bench_test
+async def test_every_tab_is_told_the_rate_and_the_pause(bench):
+    one, other = await bench.tab(), await bench.tab()
+    for words, state in (({"type": "rate", "rate": 60}, (60, False)), ({"type": "pause", "paused": True}, (60, True)),
+                         ({"type": "pause", "paused": False}, (60, False)), ({"type": "step"}, (60, True))):
+        await one.send_json(words)
+        for socket in (one, other):
+            assert await socket.receive_json(timeout=None) == {"type": "state", "rate": state[0], "paused": state[1]}
+    await other.send_json({"type": "restart"})
+    await settled()
+    assert bench.pump.others == ["pause", "go on", "pause", "step", "restart"]
+
+
+@bench_test
+async def test_the_frame_after_a_restart_may_have_the_number_of_the_one_before(bench):
+    socket = await bench.tab()
+    for _ in range(2):
+        bench.hub.show(frame(0))
+        assert (await read_frame(socket))[0]["number"] == 0
 
 
 # --- the end --------------------------------------------------------------------------
@@ -323,6 +346,7 @@ class Drawn:
 
     def __init__(self, frames, error=None):
         self.frames, self.error, self.waits, self.stopped = frames, error, [], False
+        self.number, self.looks = 0, 0
 
     def frame(self, waits):
         self.waits.append(waits)
@@ -330,7 +354,16 @@ class Drawn:
             return None
         if len(self.waits) > self.frames:
             raise self.error or ToolError("it ended")
-        return len(self.waits)
+        self.number += 1
+        return self.number
+
+    def restart(self):
+        self.number = 0
+
+    def look(self):
+        self.looks += 1
+        if self.error:
+            raise self.error
 
     def stop(self):
         self.stopped = True
@@ -358,3 +391,51 @@ def test_the_pump_as_fast_as_it_goes():
         time.sleep(0.01)
     pump.close()
     assert len(failed) == 1 and board.waits[0] and not board.waits[-1]
+
+
+def wait_for(condition):
+    """However long it takes."""
+    while not condition():
+        time.sleep(0.002)
+
+
+def test_a_pump_that_is_paused_shows_a_frame_for_each_step():
+    shown, failed = [], []
+    board = Drawn(10 ** 9)
+    pump = Pump(board, 30, shown.append, failed.append)
+    wait_for(lambda: shown)
+    pump.pause(True)
+    pump.step()
+    pump.restart()      # and its first frame
+    wait_for(lambda: board.number == 1 and shown[-1] == 1)
+    for number in range(2, 20):
+        pump.step()
+        wait_for(lambda: shown[-1] == number)
+    wait_for(lambda: board.looks)       # while it waits, it sees whether the board has ended
+    assert shown[-1] == board.number == 19
+    pump.pause(False)
+    wait_for(lambda: shown[-1] > 25)
+    pump.close()
+    assert not failed
+
+
+def test_a_pump_without_a_limit_stops_at_a_frame_that_it_shows():
+    shown = []
+    board = Drawn(10 ** 9)
+    pump = Pump(board, 0, shown.append, shown.append)
+    wait_for(lambda: shown)
+    pump.pause(True)
+    wait_for(lambda: board.looks)
+    assert board.waits[-1] and not board.waits[-2] and shown[-1] == board.number
+    pump.close()
+
+
+def test_a_board_that_ends_while_it_is_paused():
+    failed = []
+    board = Drawn(10 ** 9)
+    pump = Pump(board, 30, lambda one: None, failed.append)
+    pump.pause(True)
+    board.error = ToolError("it ended")
+    wait_for(lambda: failed)
+    pump.close()
+    assert failed == [board.error]

@@ -196,6 +196,7 @@ async def tab(bench):
     writer.write(request(bench, f"GET /{bench.server.token}/live".encode(), UPGRADE[:-2]))
     assert status(await reader.readuntil(b"\r\n\r\n")) == 101
     assert json.loads((await receive(reader))[1]) == bench.hub.hello
+    assert json.loads((await receive(reader))[1]) == bench.hub.state
     return reader, writer
 
 

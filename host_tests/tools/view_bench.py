@@ -20,13 +20,32 @@ def frame(number):
     return dump.Frame(number, (1, 2, 3), (4, 5, 6), pixels, dict.fromkeys(dump.COUNTERS, 9), 0, 1000 + number)
 
 
+class Orders:
+    """A pump that does nothing; what it was told is in lists."""
+
+    def __init__(self):
+        self.rates, self.others = [], []
+
+    def set_rate(self, rate):
+        self.rates.append(rate)
+
+    def pause(self, paused):
+        self.others.append("pause" if paused else "go on")
+
+    def step(self):
+        self.others.append("step")
+
+    def restart(self):
+        self.others.append("restart")
+
+
 class Bench:
     """A server with its hub; what the hub told board, reference and pump is in lists."""
 
     def __init__(self):
-        self.held, self.asked, self.rates = [], [], []
-        self.hub = Hub(HELLO, self.held.append, lambda one, wants: self.asked.append((one.number, wants)),
-                       self.rates.append)
+        self.held, self.asked = [], []
+        self.hub = Hub(HELLO, self.held.append, lambda one, wants: self.asked.append((one.number, wants)))
+        self.hub.pump = self.pump = Orders()
         self.server = Server(self.hub)
 
     async def __aenter__(self):
@@ -41,9 +60,10 @@ class Bench:
         await self.server.close()
 
     async def tab(self, **headers):
-        """A page's websocket, greeted."""
+        """A page's websocket, greeted and told the state."""
         socket = await self.session.ws_connect(f"{self.base}/live", headers=headers)
         assert await socket.receive_json(timeout=None) == self.hub.hello
+        assert await socket.receive_json(timeout=None) == self.hub.state
         await settled()
         return socket
 

@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: MIT
 // The live window: a websocket's frames on the page, the page's keys to the websocket.
 import { Picture, Plot, dimmed, paletteWords } from "./view_picture.js";
+import { lookAt, pixelAt, pixelWords } from "./view_pixel.js";
+import { Zoom } from "./view_zoom.js";
 
 const KEYS = {  // by the key's place, whatever the layout: bits of fixel/viewer.h
   ArrowUp: 1, KeyW: 1, ArrowDown: 2, KeyS: 2, ArrowLeft: 4, KeyA: 4, ArrowRight: 8, KeyD: 8,
   KeyR: 16, PageUp: 16, KeyF: 32, PageDown: 32, KeyQ: 64, KeyE: 128,
 };
-const BESIDE = { Digit0: "", Digit1: "double", Digit2: "difference", Digit3: "wireframe" };
+const COMMANDS = {
+  Digit0: () => show(""), Digit1: () => show("double"), Digit2: () => show("difference"), Digit3: () => show("wireframe"),
+  KeyP: () => say({ type: "pause", paused: !paused }), Period: () => say({ type: "step" }),
+  Home: () => say({ type: "restart" }), Equal: () => zoomBy(1), NumpadAdd: () => zoomBy(1), Minus: () => zoomBy(-1),
+  NumpadSubtract: () => zoomBy(-1),
+};
 const NAMES = { double: "double precision", difference: "difference", wireframe: "outlines, in double" };
-const WANTS = { "": 0, double: 1, difference: 1, wireframe: 2 };
+const FRAME = 1, OUTLINES = 2, FACES = 4, VERDICT = 8;  // of the reference renderer: tools/fixel/view_reference.py
+const WANTS = { "": 0, double: FRAME, difference: VERDICT, wireframe: OUTLINES };
 const PLOTTED = 240;        // frames
 const WORDS_INTERVAL = 125; // milliseconds between two changes of the figures: they are to be read
 const RATE_SPAN = 1000;     // milliseconds that a rate is measured over
 const FIGURES_WIDTH = 316;  // of the column beside the frames, where it fits
 const CAPTION_HEIGHT = 26;
+const KEYS_MARGIN = 40;     // above and below the keys, in a narrow window
+const LINES_MAX = 4096;     // picture elements on a side of a canvas with outlines
 
 const at = (id) => document.getElementById(id);
 const number = (value, digits = 0) =>
   value.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits });
 
 let socket, hello, fixed, other, palette, grey;
-let newest = null, drawing = false, beside = "", scale = 1, wordsAt = 0;
+let newest = null, drawing = false, drawn = -1, beside = "", wants = 0, scale = 1, wordsAt = 0, wordsDue = 0;
+let paused = false, pointed = null;     // pointed: the pixel under the pointer
+const zoom = new Zoom([at("fixed").parentElement, at("other").parentElement], zoomed);
 const plot = new Plot(at("plot"), PLOTTED);
 const shown = [];           // {time, number} of the frames of the last second
 const held = new Map();     // what is held: a key or a button -> bit
-let compared = { frames: 0, pixels: 0 };
+let compared = { number: -1, frames: 0, pixels: 0 };
 
 // --- the wire ------------------------------------------------------------------
 
@@ -36,6 +48,8 @@ function connect() {
       const message = JSON.parse(data);
       if (message.type === "hello") {
         greet(message);
+      } else if (message.type === "state") {
+        setState(message);
       } else {
         end(message.message, "The view was ended.");
       }
@@ -56,11 +70,13 @@ function say(message) {
 function unpack(data) {
   const length = new DataView(data).getUint32(0, true);
   const frame = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));
-  const [pixels, double, outlines] = frame.bytes;
+  const [pixels, double = 0, outlines = 0, faces = 0, verdict = 0] = frame.bytes;
   let offset = 4 + length;
   frame.pixels = new Uint8Array(data, offset, pixels);
   frame.double = new Uint8Array(data, offset += pixels, double);
-  frame.outlines = new DataView(data, offset + double, outlines);
+  frame.outlines = new DataView(data, offset += double, outlines);
+  frame.faces = new DataView(data, offset += outlines, faces);
+  frame.verdict = new Uint8Array(data, offset + faces, verdict);
   return frame;
 }
 
@@ -80,6 +96,17 @@ function greet(message) {
   fixed.plain();
   other.plain();
   layOut();
+}
+
+/** The rate, and whether the board is paused: for all tabs the same. */
+function setState(message) {
+  paused = message.paused;
+  press("[data-rate]", (button) => Number(button.dataset.rate) === message.rate);
+  press("#pause", () => paused);
+  at("state").textContent = paused ? "paused" : "live";
+  at("state").classList.toggle("paused", paused);
+  shown.length = 0;
+  at("board-rate").textContent = at("page-rate").textContent = "–";
 }
 
 /** The first word about an end is the one that counts. */
@@ -108,11 +135,34 @@ function redraw() {
 }
 
 function draw(frame) {
+  if (frame.number !== drawn) {
+    count(frame);
+  }
+  paint(frame);
+  if (!wordsDue) {
+    wordsDue = setTimeout(() => {
+      wordsDue = 0;
+      wordsAt = performance.now();
+      tell(newest);
+    }, Math.max(0, wordsAt + WORDS_INTERVAL - performance.now()));
+  }
+}
+
+function paint(frame) {
   fixed.put(frame.pixels, palette);
   at("number").textContent = number(frame.number);
   if (beside && frame.given & WANTS[beside]) {
     drawBeside(frame);
   }
+  tellPixel(frame);
+}
+
+function count(frame) {
+  if (frame.number < drawn) {     // the board has begun anew
+    shown.length = 0;
+    plot.clear();
+  }
+  drawn = frame.number;
   const now = performance.now();
   shown.push({ time: now, number: frame.number });
   while (now - shown[0].time > RATE_SPAN) {
@@ -121,10 +171,6 @@ function draw(frame) {
   if (frame.instructions) {
     plot.add(frame.instructions);
   }
-  if (now - wordsAt > WORDS_INTERVAL) {
-    wordsAt = now;
-    tell(frame);
-  }
 }
 
 function drawBeside(frame) {
@@ -132,19 +178,23 @@ function drawBeside(frame) {
   if (beside === "double") {
     other.put(frame.double, palette);
   } else if (beside === "difference") {
-    const pixels = other.putDifference(frame.pixels, frame.double, grey);
-    compared = { frames: compared.frames + 1, pixels: compared.pixels + pixels };
-    words += `: ${number(pixels)} pixels; ${number(compared.pixels)} in ${number(compared.frames)} frames`;
+    const { beyond, within } = other.putDifference(frame.pixels, frame.verdict, grey);
+    if (frame.number !== compared.number) {
+      compared = { number: frame.number, frames: compared.frames + 1, pixels: compared.pixels + beyond };
+    }
+    words += `: ${number(beyond)} pixels, ${number(compared.pixels)} in ${number(compared.frames)} frames; `
+      + `${number(within)} within the bound`;
   } else {
-    words += `: ${number(other.putWireframe(frame.pixels, grey, frame.outlines, scale))} polygons`;
+    const fine = Math.min(scale * zoom.factor, Math.floor(LINES_MAX / Math.max(hello.width, hello.height)));
+    words += `: ${number(other.putWireframe(frame.pixels, grey, frame.outlines, fine))} polygons`;
   }
   at("other-name").textContent = words;
   at("other-number").textContent = number(frame.number);
 }
 
 function tell(frame) {
-  const first = shown[0], last = shown[shown.length - 1], seconds = (last.time - first.time) / 1000;
-  if (seconds > 0.2) {
+  const first = shown[0], last = shown[shown.length - 1], seconds = first ? (last.time - first.time) / 1000 : 0;
+  if (seconds > 0.2 && !paused) {
     at("board-rate").textContent = number((last.number - first.number) / seconds, 1);
     at("page-rate").textContent = number((shown.length - 1) / seconds, 1);
   }
@@ -156,7 +206,15 @@ function tell(frame) {
     const degrees = frame.angles[i] * 360 / 2 ** 32;
     at(turn).textContent = `${number(turn !== "yaw" && degrees > 180 ? degrees - 360 : degrees, 1)}°`;
   });
-  press("[data-rate]", (button) => Number(button.dataset.rate) === frame.rate);
+}
+
+function tellPixel(frame) {
+  if (pointed) {
+    const seen = lookAt(frame, pointed, hello.width, palette);
+    at("pixel-words").textContent = pixelWords(pointed, seen, hello.judged);
+    at("swatch").hidden = false;
+    at("swatch").style.background = `rgb(${seen.board.rgb.join(" ")})`;
+  }
 }
 
 function tellPolygons(counters) {
@@ -186,22 +244,26 @@ function scaleOf(columns, rows, room, height, ratio) {
   return Math.min(tall, Math.max(aside, Math.min(below, 2 * ratio)));
 }
 
+/** The same in a narrow window. */
+function scaleBelow(rows, room, height, ratio) {
+  const tall = Math.floor((height / rows - CAPTION_HEIGHT) * ratio / hello.height);
+  return Math.min(tall, Math.floor(room * ratio / hello.width));
+}
+
 function layOut() {
   if (!hello) {
     return;
   }
   const ratio = window.devicePixelRatio || 1, room = document.documentElement.clientWidth;
-  const height = window.innerHeight - at("stage").getBoundingClientRect().top - window.scrollY;
+  const isNarrow = room < 2 * FIGURES_WIDTH;  // then the keys are below the picture, and the figures below the keys
+  const height = window.innerHeight - at("stage").getBoundingClientRect().top - window.scrollY
+    - at("bar").offsetHeight - (isNarrow ? at("keys").offsetHeight + KEYS_MARGIN : 0);
   const frames = beside ? 2 : 1;
-  const abreast = scaleOf(frames, 1, room, height, ratio), stacked = scaleOf(1, frames, room, height, ratio);
-  const isStacked = stacked > abreast || room < frames * hello.width;
-  // A narrow window scrolls: there a frame may be as wide as it is.
-  const narrow = room < 2 * FIGURES_WIDTH ? Math.floor(room * ratio / hello.width) : 1;
-  scale = Math.max(1, narrow, isStacked ? stacked : abreast);
-  for (const canvas of [at("fixed"), at("other")]) {
-    canvas.style.width = `${scale * hello.width / ratio}px`;
-    canvas.style.height = `${scale * hello.height / ratio}px`;
-  }
+  const abreast = scaleOf(frames, 1, room, height, ratio);
+  const stacked = isNarrow ? scaleBelow(frames, room, height, ratio) : scaleOf(1, frames, room, height, ratio);
+  const isStacked = isNarrow || stacked > abreast || room < frames * hello.width;
+  scale = Math.max(1, isStacked ? stacked : abreast);
+  zoom.fit(scale * hello.width / ratio, scale * hello.height / ratio);
   const left = room - frames * scale * hello.width / ratio;
   at("stage").style.setProperty("--gap", `${isStacked ? 0 : Math.max(0, Math.min(12, left))}px`);
   at("stage").style.flexDirection = isStacked ? "column" : "row";
@@ -218,13 +280,59 @@ function show(what) {
     return;     // a game: no reference renderer knows it
   }
   beside = what;
-  compared = { frames: 0, pixels: 0 };
+  compared = { number: -1, frames: 0, pixels: 0 };
   at("beside").hidden = !what;
   at("other-name").textContent = NAMES[what] || "";
   at("other-number").textContent = "–";
   press("[data-beside]", (button) => button.dataset.beside === beside);
   layOut();
-  say({ type: "wants", wants: WANTS[beside] });
+  tellWants();
+  if (newest) {
+    paint(newest);
+  }
+}
+
+/** Tells the server which parts of the reference renderer's answer the page shows. */
+function tellWants() {
+  const now = WANTS[beside] | (pointed && hello.judged ? FRAME | FACES : 0);
+  if (now !== wants) {
+    wants = now;
+    say({ type: "wants", wants });
+  }
+}
+
+function zoomed() {
+  at("zoom").textContent = `${zoom.factor}×`;
+  at("smaller").disabled = zoom.isLeast;
+  at("larger").disabled = zoom.isMost;
+  if (newest) {
+    paint(newest);
+  }
+}
+
+/** More (1) or less (-1), about the pixel under the pointer. */
+function zoomBy(by) {
+  zoom.step(by, pointed && { x: (pointed.x + 0.5) / hello.width, y: (pointed.y + 0.5) / hello.height });
+}
+
+function point(pixel) {
+  pointed = pixel;
+  tellWants();
+  if (newest) {
+    tellPixel(newest);
+  }
+}
+
+/** Hands the board's frame to the browser as a file. */
+function save() {
+  const scene = hello.scene.split(/[\\/]/).pop().replace(/[.][^.]*$/, "");
+  const link = document.createElement("a");
+  link.download = `${hello.board}-${scene}-${newest.number}.png`;
+  at("fixed").toBlob((blob) => {
+    link.href = URL.createObjectURL(blob);
+    link.click();
+    URL.revokeObjectURL(link.href);
+  });
 }
 
 // --- keys ------------------------------------------------------------------------
@@ -262,8 +370,9 @@ function listen() {
     if (event.code in KEYS) {
       event.preventDefault();
       hold(event.code, KEYS[event.code]);
-    } else if (event.code in BESIDE && !event.repeat) {
-      show(BESIDE[event.code]);
+    } else if (event.code in COMMANDS && (event.code === "Period" || !event.repeat)) {
+      event.preventDefault();
+      COMMANDS[event.code]();
     }
   });
   addEventListener("keyup", (event) => hold(event.code, 0));
@@ -277,6 +386,28 @@ function listen() {
     button.addEventListener("click", () => say({ type: "rate", rate: Number(button.dataset.rate) }));
   });
   document.querySelectorAll("[data-bit]").forEach(listenToKey);
+  for (const [name, code] of Object.entries({ pause: "KeyP", step: "Period", restart: "Home", larger: "Equal",
+    smaller: "Minus" })) {
+    at(name).addEventListener("click", COMMANDS[code]);
+  }
+  at("save").addEventListener("click", () => newest && save());
+  [at("fixed"), at("other")].forEach(listenToPointer);
+}
+
+/** The pixel under the pointer; under a finger, the last that it touched. */
+function listenToPointer(canvas) {
+  for (const name of ["pointermove", "pointerdown"]) {
+    canvas.addEventListener(name, (event) => {
+      if (newest) {
+        point(pixelAt(canvas, event, hello.width, hello.height));
+      }
+    });
+  }
+  canvas.addEventListener("pointerleave", (event) => {
+    if (event.pointerType === "mouse") {
+      point(null);
+    }
+  });
 }
 
 /** A key on the page: held by pointer, or by Space and Enter where it has the focus. */
@@ -301,5 +432,7 @@ function listenToKey(button) {
 press("[data-beside]", (button) => button.dataset.beside === "");
 press("[data-rate]", () => false);
 press("[data-bit]", () => false);
+press("#pause", () => false);
+zoomed();
 listen();
 connect();

@@ -5,6 +5,7 @@ const GREY = 0.35, FLOOR = 20;             // the dimmed frame under marks and l
 const MARK = 0xffa000ff, RING = 0xffdcaaff; // ABGR: magenta, and a paler one around it
 const RING_DISTANCE = 3;                    // pixels: one pixel alone is easily overlooked
 const LINE = "#ffd34d";
+const WITHIN = 1, BEYOND = 2;               // of the verdict; host_tests/live/main.c
 
 /** Opaque ABGR words, as a canvas keeps them, of a palette of 256 x red, green, blue. */
 export function paletteWords(bytes) {
@@ -51,20 +52,23 @@ export class Picture {
     this.context.putImageData(this.data, 0, 0);
   }
 
-  /** The first frame, dim, with a mark and a ring where the second differs; how many pixels do. */
-  putDifference(one, other, grey) {
+  /** A frame, dim, with a mark and a ring where the verdict is that it differs beyond the bound; how many pixels
+   * do, and how many differ within the bound. */
+  putDifference(indices, verdict, grey) {
     this.plain();
     const differing = [];
-    for (let i = 0; i < one.length; i++) {
-      this.words[i] = grey[one[i]];
-      if (one[i] !== other[i]) {
+    let within = 0;
+    for (let i = 0; i < indices.length; i++) {
+      this.words[i] = grey[indices[i]];
+      within += verdict[i] === WITHIN;
+      if (verdict[i] === BEYOND) {
         differing.push(i);
       }
     }
     differing.forEach((i) => this.ring(i % this.width, Math.trunc(i / this.width)));
     differing.forEach((i) => { this.words[i] = MARK; });
     this.context.putImageData(this.data, 0, 0);
-    return differing.length;
+    return { beyond: differing.length, within };
   }
 
   ring(x, y) {
@@ -126,6 +130,10 @@ export class Plot {
   constructor(canvas, most) {
     this.canvas = canvas;
     this.most = most;
+    this.values = [];
+  }
+
+  clear() {
     this.values = [];
   }
 

@@ -7,7 +7,10 @@ window, into a file, or, where its note says `keys=`, to its emulated buttons.
 """
 
 import concurrent.futures
+import itertools
 import pathlib
+import shutil
+import threading
 import time
 
 from fixel.base import limits
@@ -70,65 +73,101 @@ class Buttons:
 
 
 class Board:
-    """A running board. Frames are for one thread; hold and stop may come from another."""
+    """A running board. Frames and restart are for one thread; hold and stop may come from another."""
 
     def __init__(self, program, image, folder):
-        self.program, self.folder = program, pathlib.Path(folder)
+        self.program, self._image = program, image
+        self._folders = (pathlib.Path(folder) / f"power-on-{number}" for number in itertools.count())
         self._process = self._machine = self._link = self._keys = None
-        self._closing = False
+        self._hand = threading.Lock()   # around what hold and stop touch
+        self._held, self._ready, self._closing = 0, False, False
         try:
-            self._start(image)
+            self._power_on()
         except BaseException:
             self.close()
             raise
 
-    # --- power on -------------------------------------------------------------------
+    # --- power on and off -----------------------------------------------------------
 
-    def _start(self, image):
-        options = emulator.walk_options(self.program, image, ENDLESS, live=True)
+    def _power_on(self):
+        self._folder = next(self._folders)
+        self._folder.mkdir()
+        options = emulator.walk_options(self.program, self._image, ENDLESS, live=True)
         if self.program.window_size:
-            self._link = self._keys = Window(self.folder / "window", self.program.window_size)
+            self._link = keys = Window(self._folder / "window", self.program.window_size)
             options += self._link.options
         else:
-            self._link = Stream(self.folder / emulator.DUMP_NAME)
-            if not self.program.keys:
-                self._keys = KeyFile(self.folder / KEYS_NAME)
-        self._launch(options)
-        if self._keys is None:
-            self._keys = Buttons(self._machine, self.program.keys)
-        self.width, self.height, self.palette = self._link.open(self._check)
-        if isinstance(self._keys, Buttons):
+            self._link = Stream(self._folder / emulator.DUMP_NAME)
+            keys = None if self.program.keys else KeyFile(self._folder / KEYS_NAME)
+        try:
+            self._launch(options)
+            keys = keys or Buttons(self._machine, self.program.keys)
+        finally:
+            self._keys = keys
+        opened = self._link.open(self._check)
+        if opened is not None:
+            self.width, self.height, self.palette = opened
             self._settle()
 
     def _settle(self):
-        """Lets the board draw until it believes its buttons."""
-        while not self._keys.awake.done():
-            self.frame()
-        for _ in range(SETTLING):
-            self.frame()
+        """Lets a board with buttons draw until it believes them; tells the board which keys are held."""
+        if isinstance(self._keys, Buttons):
+            while not self._keys.awake.done() and self.frame():
+                pass
+            for _ in range(SETTLING):
+                self.frame()
+        with self._hand:
+            self._ready = True
+            self._keys.hold(self._held)
 
     def _launch(self, options):
         """In a session of its own, so that Ctrl-C reaches this tool alone."""
         try:
-            with (self.folder / OUTPUT).open("wb") as output:
-                self._process, self._machine = qemu.start_stopped(self.program, options, self.folder, output,
-                                                                  start_new_session=True)
-            self._limit = limits.Watch(self._process.pid, HANG, HANG)
+            with (self._folder / OUTPUT).open("wb") as output:
+                process, self._machine = qemu.start_stopped(self.program, options, self._folder, output,
+                                                            start_new_session=True)
+            with self._hand:
+                self._process = process
+            self._limit = limits.Watch(process.pid, HANG, HANG)
             self._resumed = self._machine.resume()  # nobody reads its stream yet
         except ToolError as error:
             raise error.with_words(last_lines(self.text())) from error
 
+    def _power_off(self):
+        with self._hand:
+            self._ready = False
+        if self._process is not None:
+            kill(self._process)
+        if self._keys is not None and self._keys is not self._link:
+            self._keys.close()
+        if self._machine is not None:
+            self._machine.close()
+        if self._link is not None:
+            self._link.close()
+        with self._hand:
+            self._process = self._machine = self._link = self._keys = None
+
+    def restart(self):
+        """Powers it off and on; the next frame is its first. The keys that are held stay so."""
+        self._power_off()
+        shutil.rmtree(self._folder)
+        self._power_on()
+
     # --- while it runs --------------------------------------------------------------
 
-    def _check(self, _waited):
-        """Whether a frame is still wanted; raises where none will come."""
-        if self._closing:
-            return False
+    def look(self):
+        """Raises where the board has ended."""
         code = self._process.poll()
         if code is not None:
             ending = Ending(code, self.text(), "", 0)
             raise ToolError(f"board {self.program.board} ended: {describe(ending)}",
                             exit_status(ending), last_lines(ending.output))
+
+    def _check(self, _waited):
+        """Whether a frame is still wanted; raises where none will come."""
+        if self._closing:
+            return False
+        self.look()
         self._resumed()
         if getattr(self._keys, "error", None):
             raise self._keys.error
@@ -140,7 +179,7 @@ class Board:
 
     def text(self):
         """What the board has printed, with the functions of a fault named."""
-        with (self.folder / OUTPUT).open("rb") as output:
+        with (self._folder / OUTPUT).open("rb") as output:
             text = output.read(OUTPUT_MAX).decode("utf-8", "replace")
         return Symbols(self.program.path).name_faults(text)
 
@@ -151,20 +190,19 @@ class Board:
 
     def hold(self, keys):
         """Which keys are held from now on, as bits of fixel/extra/player.h."""
-        self._keys.hold(keys)
+        with self._hand:
+            self._held = keys
+            if self._ready:
+                self._keys.hold(keys)
 
     def stop(self):
         """Ends the board at once; whoever waits for a frame gets None."""
-        self._closing = True
-        if self._process is not None:
-            kill(self._process)
+        with self._hand:
+            self._closing = True
+            if self._process is not None:
+                kill(self._process)
 
     def close(self):
         """Ends everything. Nobody may wait for a frame any more."""
         self.stop()
-        if self._keys is not None and self._keys is not self._link:
-            self._keys.close()
-        if self._machine is not None:
-            self._machine.close()
-        if self._link is not None:
-            self._link.close()
+        self._power_off()

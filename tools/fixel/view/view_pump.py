@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Fetches a board's frames at the chosen rate, in a thread of its own."""
+"""Fetches a board's frames at the chosen rate, or one by one, in a thread of its own."""
 
 import threading
 import time
@@ -7,6 +7,8 @@ import time
 from fixel.base.errors import ToolError
 
 IDLE_RATE = 1.0     # frames a second while nobody looks on: enough to see the board end
+LOOK = 1.0          # seconds between two looks at a board that is paused: it may end
+FRAME, RESTART, LOOK_AT = "frame", "restart", "look"    # what the thread does next
 
 
 class Pump:
@@ -14,41 +16,91 @@ class Pump:
 
     def __init__(self, board, rate, show, failed):
         self._board, self._show, self._failed = board, show, failed
-        self._rate = rate
-        self._changed = threading.Event()
-        self._closing = False
+        self._rate, self._due = rate, time.monotonic()
+        self._paused, self._steps, self._restarts, self._closing = False, 0, False, False
+        self._runs_free = False     # the board draws without being asked
+        self._changed = threading.Condition()
         self._thread = threading.Thread(target=self._run, name="pump", daemon=True)
         self._thread.start()
 
+    # --- from other threads -----------------------------------------------------------
+
     def set_rate(self, rate):
         """Frames a second from now on; 0: as fast as it goes."""
-        if rate != self._rate:
-            self._rate = rate
-            self._changed.set()
+        with self._changed:
+            if rate != self._rate:
+                self._rate, self._due = rate, time.monotonic()
+                self._changed.notify()
+
+    def pause(self, paused):
+        """Whether frames come only for step()."""
+        with self._changed:
+            if paused != self._paused:
+                self._paused, self._due = paused, time.monotonic()
+                self._steps = 1 if paused and self._runs_free else 0    # the one at which it stops
+                self._changed.notify()
+
+    def step(self):
+        """One frame more, where it is paused."""
+        with self._changed:
+            if self._paused:
+                self._steps += 1
+                self._changed.notify()
+
+    def restart(self):
+        """The board's first frame again, and from there as before."""
+        with self._changed:
+            self._restarts, self._steps = True, 1 if self._paused else 0
+            self._changed.notify()
+
+    def close(self):
+        """Ends the thread. Ends the board first: a frame may be under way."""
+        with self._changed:
+            self._closing = True
+            self._changed.notify()
+        self._board.stop()
+        self._thread.join()
+
+    # --- in its own -------------------------------------------------------------------
 
     def _run(self):
-        due = time.monotonic()
         try:
-            while (frame := self._board.frame(waits=self._rate != 0)) is not None:
-                self._show(frame)
-                due = self._pause(due)
+            while (task := self._next()) is not None:
+                if task == FRAME:
+                    self._fetch()
+                elif task == RESTART:
+                    self._board.restart()
+                else:
+                    self._board.look()
         except ToolError as error:
             if not self._closing:
                 self._failed(error)
 
-    def _pause(self, due):
-        """Waits for the time of the next frame, or a change of rate; answers that time. What came too
-        late is not made up for."""
-        rate, now = self._rate, time.monotonic()
-        due = max(due + (1 / rate if rate else 0), now)
-        if due > now and self._changed.wait(due - now):
-            due = time.monotonic()
-        self._changed.clear()
-        return due
+    def _next(self):
+        """Waits for the time of the next task; None at the end. What comes too late is not made up for."""
+        with self._changed:
+            looks = time.monotonic() + LOOK
+            while not self._closing:
+                now = time.monotonic()
+                if self._restarts:
+                    self._restarts, self._runs_free, self._due = False, False, now
+                    return RESTART
+                if self._steps:
+                    self._steps -= 1
+                    return FRAME
+                due = looks if self._paused else self._due
+                if now >= due:
+                    return LOOK_AT if self._paused else FRAME
+                self._changed.wait(due - now)
+        return None
 
-    def close(self):
-        """Ends the thread. Ends the board first: a frame may be under way."""
-        self._closing = True
-        self._board.stop()
-        self._changed.set()
-        self._thread.join()
+    def _fetch(self):
+        with self._changed:
+            waits = self._rate != 0 or self._paused
+            self._runs_free = not waits
+        frame = self._board.frame(waits)
+        if frame is None:
+            return      # it is being stopped
+        self._show(frame)
+        with self._changed:
+            self._due = max(self._due + (1 / self._rate if self._rate else 0), time.monotonic())

@@ -14,18 +14,20 @@ from fixel.base import children
 from fixel.board import dump
 from fixel.base.errors import ToolError
 
-FRAME, OUTLINES = 1, 2      # what may be wanted, as bits
+PARTS = 4                                       # of an answer, in the order of these bits
+FRAME, OUTLINES, FACES, VERDICT = 1, 2, 4, 8    # what may be wanted, as bits; host_tests/live says what each is
+WANTS_ALL = FRAME | OUTLINES | FACES | VERDICT
+FACE_SIZE = 4                                   # bytes of a pixel's face
 REQUEST = struct.Struct("<4sB3x3i3II")
-ANSWER = struct.Struct("<4sIII")
+ANSWER = struct.Struct(f"<4sI{PARTS}I")
 
 
 @dataclasses.dataclass(frozen=True)
 class Answer:
-    """The reference of one frame of the board; a part that was not wanted is empty."""
+    """What the reference renderer says of one frame of the board."""
     frame: dump.Frame
-    pixels: bytes
-    outlines: bytes     # u16 points, u8 colour, u8 0, then f32 x, y of each; one after the other
-    outlined: bool      # outlines were wanted, though there may be none
+    given: int      # the parts that were wanted, as bits
+    parts: tuple    # bytes of each part; empty where it was not wanted
 
 
 class Reference:
@@ -70,12 +72,16 @@ class Reference:
 
     def _answer(self, frame, wants):
         self._process.stdin.write(REQUEST.pack(b"ASKS", wants, *frame.position, *frame.angles, frame.number))
+        if wants & VERDICT:
+            self._process.stdin.write(frame.pixels.tobytes())
         self._process.stdin.flush()
-        magic, number, pixels, outlines = ANSWER.unpack(self._read(ANSWER.size))
-        if magic != b"TWIN" or number != self._asked or pixels not in (0, frame.pixels.size):
+        magic, number, *sizes = ANSWER.unpack(self._read(ANSWER.size))
+        area = frame.pixels.size
+        wanted = [size if wants >> i & 1 else 0 for i, size in enumerate((area, sizes[1], FACE_SIZE * area, area))]
+        if magic != b"TWIN" or number != self._asked or sizes != wanted:
             raise ToolError("its answer does not have the agreed form")
         self._asked += 1
-        return Answer(frame, self._read(pixels), self._read(outlines), bool(wants & OUTLINES))
+        return Answer(frame, wants, tuple(self._read(size) for size in sizes))
 
     def _read(self, size):
         data = self._process.stdout.read(size)

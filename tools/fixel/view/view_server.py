@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The live window's web server, for this machine alone: a page, and a websocket for each tab.
 
-To a tab: text messages {"type": "hello" | "ended", ...}, and frames as binary
-messages: u32 length of a JSON text, the text, the frame's pixels, the reference
-frame's pixels, its outlines; the text says how many bytes each of the three has.
+To a tab: text messages {"type": "hello" | "state" | "ended", ...}, and frames as
+binary messages: u32 length of a JSON text, the text, the frame's pixels, and the
+parts of the reference renderer's answer (view_reference.py); the text says how
+many bytes each of these has.
 From a tab: {"type": "keys", "held": bits}, {"type": "rate", "rate": frames a
-second}, {"type": "wants", "wants": bits}, {"type": "seen"} for each frame that
-it has shown. A tab is sent the newest frame, and another only when it has seen
-the one before the last: where it is slow it misses frames and lags behind none.
+second}, {"type": "pause", "paused": bool}, {"type": "step"}, {"type": "restart"},
+{"type": "wants", "wants": bits}, {"type": "seen"} for each frame that it has
+shown. A tab is sent the newest frame, and another only when it has seen the one
+before the last: where it is slow it misses frames and lags behind none.
 
 Whoever has the address may look on: it holds a random token, which every request must name.
 """
@@ -32,15 +34,14 @@ HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
 RATES = (30, 60, 0)     # frames a second; 0: as fast as it goes
 KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/extra/player.h
-WANTS_ALL = view_reference.FRAME | view_reference.OUTLINES
 UNSEEN_MAX = 2          # frames on their way to a tab
 MESSAGE_MAX = 4096      # bytes from a tab; SECURITY.md says so
 HEARTBEAT = 20.0        # seconds
 FAREWELL = 1.0          # seconds for the last words to a tab
 TOKEN_BYTES = 16        # 128 random bits
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "templates"
-FILES = {"/": ("view.html", "text/html"), "/view.js": ("view.js", "text/javascript"),
-         "/view_picture.js": ("view_picture.js", "text/javascript"), "/view.css": ("view.css", "text/css")}
+FILES = {"/": ("view.html", "text/html"), "/view.css": ("view.css", "text/css"),
+         **{f"/{name}": (name, "text/javascript") for name in ("view.js", "view_picture.js", "view_pixel.js", "view_zoom.js")}}
 HEADERS = {"Content-Security-Policy": "default-src 'self'; img-src 'self' data:", "Cache-Control": "no-store",
            "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer"}
 
@@ -51,7 +52,8 @@ class Tab:
     def __init__(self, socket):
         self.socket = socket
         self.keys = self.wants = self.unseen = 0
-        self.sent = None    # number of the last frame, and the parts of the reference that came with it
+        self.sent = None    # the frame that was sent last, and the parts of the reference that came with it
+        self.told = None    # the state that it was told last
         self.wake = asyncio.Event()
 
     def take(self, message, hub):
@@ -61,11 +63,17 @@ class Tab:
             self.keys = bits(message.get("held"), KEYS_ALL)
             hub.keys_changed()
         elif kind == "wants":
-            wants = bits(message.get("wants"), WANTS_ALL)
+            wants = bits(message.get("wants"), view_reference.WANTS_ALL)
             self.wants = wants if hub.hello["judged"] else 0
             hub.wants_changed()
         elif kind == "rate":
             hub.choose_rate(one_of(message.get("rate"), RATES))
+        elif kind == "pause":
+            hub.pause(truth(message.get("paused")))
+        elif kind == "step":
+            hub.step()
+        elif kind == "restart":
+            hub.restart()
         elif kind == "seen":
             self.unseen = max(0, self.unseen - 1)
         else:
@@ -85,23 +93,30 @@ def one_of(value, every):
     return value
 
 
+def truth(value):
+    if type(value) is not bool:
+        raise ValueError("not true or false")
+    return value
+
+
 def first_part(path):
     """What is between the first two slashes. A request may have a path without one: OPTIONS *, CONNECT host:port."""
     return (path.split("/", 2) + [""])[1]
 
 
 class Hub:
-    """What the tabs share: the board's newest frame, the reference's newest answer, keys, rate. For the
-    thread of the event loop only."""
+    """What the tabs share: the board's newest frame, the reference's newest answer, keys, rate, whether it is paused.
+    For the thread of the event loop only. The pump (view_pump.py) is set before a tab joins."""
 
-    def __init__(self, hello, hold, ask, set_rate):
+    def __init__(self, hello, hold, ask):
         self.hello = hello
-        self._hold, self._ask, self._set_rate = hold, ask, set_rate
+        self.pump = None
+        self._hold, self._ask = hold, ask
         self.tabs = set()
-        self.rate = RATES[0]
+        self.rate, self.paused = RATES[0], False
         self.frame = self.answer = None
         self._wants = 0
-        self._packed = {}
+        self._packed = None     # frame, parts of the reference, message: the last that was made
         self.error = None
         self.ended = asyncio.Event()
 
@@ -144,8 +159,29 @@ class Hub:
         self.rate = rate
         self._pace()
 
+    def pause(self, paused):
+        """Whether the board waits until it is told to go on."""
+        self.paused = paused
+        self.pump.pause(paused)
+        self._wake_all()
+
+    def step(self):
+        """One frame; then the board is paused."""
+        self.pause(True)
+        self.pump.step()
+
+    def restart(self):
+        """Back to the start: the board is powered on anew. Where it is paused it draws its first frame."""
+        self.pump.restart()
+
     def _pace(self):
-        self._set_rate(self.rate if self.tabs else IDLE_RATE)
+        self.pump.set_rate(self.rate if self.tabs else IDLE_RATE)
+        self._wake_all()
+
+    @property
+    def state(self):
+        """What a tab is told whenever it has changed."""
+        return {"type": "state", "rate": self.rate, "paused": self.paused}
 
     def join(self, tab):
         self.tabs.add(tab)
@@ -167,37 +203,25 @@ class Hub:
     def newest(self, tab):
         """(what identifies it, message) of the newest that a tab can be shown; None where there is none
         that it has not got."""
-        answer = self.answer
-        if not tab.wants:
-            answer, frame = None, self.frame
-        elif answer is None or tab.wants & ~given(answer):
-            return None     # the reference renderer is drawing it
-        else:
-            frame = answer.frame
-        if frame is None or tab.sent == (frame.number, given(answer)):
+        answer = self.answer if tab.wants else view_reference.Answer(self.frame, 0, ())
+        if answer is None or answer.frame is None or tab.wants & ~answer.given:
+            return None     # the board or the reference renderer is drawing it
+        frame = answer.frame
+        if tab.sent is not None and tab.sent[0] is frame and tab.sent[1] == answer.given:
             return None
-        key = (frame.number, given(answer))
-        if key not in self._packed:
-            self._packed = {key: pack(frame, answer, self.rate)}
-        return key, self._packed[key]
+        if self._packed is None or self._packed[0] is not frame or self._packed[1] != answer.given:
+            self._packed = frame, answer.given, pack(answer)
+        return (frame, answer.given), self._packed[2]
 
 
-def given(answer):
-    """The parts of an answer of the reference renderer, as bits."""
-    if answer is None:
-        return 0
-    return (view_reference.FRAME if answer.pixels else 0) | (view_reference.OUTLINES if answer.outlined else 0)
-
-
-def pack(frame, answer, rate):
-    """A frame as a binary message."""
-    double = answer.pixels if answer else b""
-    outlines = answer.outlines if answer else b""
+def pack(answer):
+    """A frame, and what the reference renderer says of it, as a binary message."""
+    frame = answer.frame
     text = json.dumps({"number": frame.number, "position": frame.position, "angles": frame.angles,
                        "counters": frame.counters, "clamped": frame.clamped, "instructions": frame.instructions,
-                       "rate": rate, "given": given(answer),
-                       "bytes": [frame.pixels.size, len(double), len(outlines)]}).encode()
-    return b"".join((struct.pack("<I", len(text)), text, frame.pixels.tobytes(), double, outlines))
+                       "given": answer.given,
+                       "bytes": [frame.pixels.size, *map(len, answer.parts)]}).encode()
+    return b"".join((struct.pack("<I", len(text)), text, frame.pixels.tobytes(), *answer.parts))
 
 
 def hello(program, scene, width, height, palette, judged=True):
@@ -323,6 +347,9 @@ class Server:
             while True:
                 await tab.wake.wait()
                 tab.wake.clear()
+                if tab.told != self.hub.state:
+                    tab.told = self.hub.state
+                    await tab.socket.send_str(json.dumps(tab.told))
                 newest = self.hub.newest(tab) if tab.unseen < UNSEEN_MAX else None
                 if newest:
                     tab.sent, message = newest

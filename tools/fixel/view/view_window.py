@@ -106,12 +106,13 @@ class Window:
 
     def frame(self, check, waits=True):
         """The next frame; None where nobody wants it any more. waits: the board is to begin no other
-        before it is asked again; without, it draws as fast as it can, and this is its newest."""
+        before it is asked again, and this is its last; without, it draws as fast as it can, and this is its newest."""
         self._put(REQUESTED_AT, self._word(FINISHED_AT) + (1 if waits else AHEAD))
         if not waits:
             return self._wait(lambda: self._word(FINISHED_AT) != self._shown and self.copy(), check)
+        # A board that need not wait until now may be past the frame that was asked for.
         wanted = self._word(REQUESTED_AT)
-        return self._wait(lambda: self._word(FINISHED_AT) == wanted and self.copy(), check)
+        return self._wait(lambda: (self._word(FINISHED_AT) - wanted) & 0xFFFFFFFF < 1 << 31 and self.copy(), check)
 
     def hold(self, keys):
         """Which keys are held, as bits of fixel/extra/player.h."""

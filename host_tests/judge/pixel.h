@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* Judges one pixel of a frame against the reference renderer's frame. */
+#ifndef JUDGE_PIXEL_H
+#define JUDGE_PIXEL_H
+
+#include "judge/explain.h"
+
+/* The distance in pixels within which an edge explains a difference, unless the caller asks for
+ * another one (docs/accuracy.md, section 4). */
+#define JUDGE_DISTANCE (1.0 / 8192)
+
+/* Why a pixel may have its colour. */
+typedef struct {
+    double distance; /* in pixels, as judge_explain returns it */
+    bool near_far;   /* it needs near and far moved by the bound on depths */
+    bool texels;     /* it needs another texel within the bound */
+} judge_reason;
+
+/* Returns the bounds of a frame's polygons, for the caller to free; null where memory is short. */
+judge_box *judge_boxes_of(const ref_display_list *list);
+
+/* Explains a colour at pixel (x, y) of the renderer's frame, which was begun with keeps_doubt. The
+ * reason is within the bound if its distance is at most `limit`. */
+judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, uint8_t background,
+                         int x, int y, uint8_t colour, double limit);
+
+#endif

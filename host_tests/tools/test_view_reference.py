@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""What the reference renderer says in the live window of a board's frame: which face a pixel shows, and whether it
+differs beyond the bound of `make run`; against the judge, which reads the same frames from a file."""
+
+import json
+import queue
+import subprocess
+
+import numpy
+import pytest
+
+import scene as scene_tool
+from board_programs import ROOT
+from fixel.board import dump
+from fixel.image import image
+from fixel.view.view_reference import FACES, FRAME, OUTLINES, VERDICT, WANTS_ALL, Reference
+
+FRAMES = 4
+NO_FACE = 0xFFFF
+EQUAL, WITHIN, BEYOND = range(3)
+
+
+class Case:
+    """Frames that the library drew of a scene, and what the judge says of them."""
+
+    def __init__(self, build, folder, name, *methods):
+        self.build, self.methods = build, methods
+        self.image = folder / f"{name}.fxls"
+        scene_tool.build(str(ROOT / "scenes" / f"{name}.toml"), str(self.image), None, (160, 120))
+        frames, names, verdict = (folder / each for each in ("frames.fxld", "names.fxld", "verdict.json"))
+        self.run("frames", self.image, frames, "--frames", str(FRAMES), *methods)
+        self.run("judge", self.image, frames, "--json", verdict, "--names", names, *methods)
+        self.verdict = json.loads(verdict.read_text())
+        self.frames, self.names = dump.read_dump(frames).frames, dump.read_dump(names).frames
+
+    def run(self, program, *words):
+        subprocess.run([self.build / "host" / program, *words], check=True, stderr=subprocess.DEVNULL)
+
+    def answers(self, frames, wants):
+        found = queue.Queue()
+        reference = Reference(self.build / "host" / "live", self.image, found.put, found.put, self.methods)
+        try:
+            for frame in frames:
+                reference.ask(frame, wants)     # a frame that is not begun would be replaced, so each is waited for
+                yield found.get()
+        finally:
+            reference.close()
+
+
+def faces_of(answer):
+    """[instance, face] of each pixel."""
+    return numpy.frombuffer(answer.parts[2], "<u2").reshape(*answer.frame.pixels.shape, 2)
+
+
+def verdict_of(answer):
+    return numpy.frombuffer(answer.parts[3], numpy.uint8).reshape(answer.frame.pixels.shape)
+
+
+def names_of(faces):
+    """What host_tests/reference calls these faces in a dump of names: ref_face_name; 0 for the background."""
+    mixed = (faces[..., 0] * numpy.uint32(2654435761)) ^ (faces[..., 1] * numpy.uint32(2246822519))
+    return numpy.where(faces[..., 0] == NO_FACE, 0, 1 + (mixed >> 16) % 255)
+
+
+@pytest.mark.parametrize("name, methods", [("plaza", ()), ("spin", ()), ("beam", ()), ("knot", ("--hidden", "depth")),
+                                           ("w3", ("--clipper", "near"))])
+def test_the_faces_of_a_frame(name, methods, build, tmp_path):
+    """The judge's names of faces are those that rays find (test_surface_frames.py and `make run`)."""
+    case = Case(build, tmp_path, name, *methods)
+    for answer, names in zip(case.answers(case.frames, FRAME | FACES), case.names):
+        faces = faces_of(answer)
+        assert numpy.array_equal(names_of(faces.astype(numpy.uint32)), names.pixels)
+        assert len(numpy.unique(faces.reshape(-1, 2), axis=0)) > 5
+
+
+def test_the_colours_of_faces(build, tmp_path):
+    """In a scene without light, beams and surfaces a pixel has the colour of its face."""
+    case = Case(build, tmp_path, "plaza")
+    scene = image.load(case.image)
+    (answer,) = case.answers(case.frames[:1], FRAME | FACES)
+    colours = {(NO_FACE, NO_FACE): scene.background}
+    for number, each in enumerate(scene.objects):
+        colours.update({(number, place): face.colour for place, face in enumerate(scene.models[each.model].faces)})
+    shown = numpy.frombuffer(answer.parts[0], numpy.uint8)
+    assert [colours[tuple(face)] for face in faces_of(answer).reshape(-1, 2).tolist()] == shown.tolist()
+
+
+@pytest.mark.parametrize("name", ["room", "car", "plaza"])
+def test_the_verdict_is_the_judges(name, build, tmp_path):
+    case = Case(build, tmp_path, name)
+    for answer, judged in zip(case.answers(case.frames, VERDICT), case.verdict["frames"]):
+        verdict = verdict_of(answer)
+        assert (verdict != EQUAL).sum() == judged["pixels_differing"]
+        assert (verdict == BEYOND).sum() == judged["pixels_unexplained"] == 0
+    assert name == "plaza" or case.verdict["pixels_differing"] > 0
+
+
+def test_a_pixel_of_another_colour_is_beyond_the_bound(build, tmp_path):
+    case = Case(build, tmp_path, "room")
+    frame = case.frames[0]
+    pixels = frame.pixels.copy()
+    pixels[60, 80] = next(colour for colour in range(256) if colour not in pixels)
+    changed = dump.Frame(frame.number, frame.position, frame.angles, pixels, frame.counters, 0, 0)
+    before, after = map(verdict_of, case.answers([frame, changed], VERDICT))
+    assert before[60, 80] != BEYOND and after[60, 80] == BEYOND
+    before, after = before.copy(), after.copy()
+    before[60, 80] = after[60, 80] = 0
+    assert numpy.array_equal(before, after)
+
+
+def test_parts_that_come_together_are_those_that_come_alone(build, tmp_path):
+    case = Case(build, tmp_path, "car")
+    (whole,) = case.answers(case.frames[:1], WANTS_ALL)
+    for place, wants in enumerate((FRAME, OUTLINES, FACES, VERDICT)):
+        (alone,) = case.answers(case.frames[:1], wants)
+        assert alone.parts[place] == whole.parts[place] and alone.parts[place]
+        assert not any(alone.parts[:place] + alone.parts[place + 1:])
