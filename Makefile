@@ -233,22 +233,21 @@ costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES=
 
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
-# Without it, the unit tests run on a board for each build of the library, one that has room for all of them if there
-# is one; make boards runs them on every board.
+# Without it, the unit tests run on a board for each build of the library, on the one with the most memory for a band of
+# pixels; make boards runs them on every board.
 TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_SHARED,$(call CORE_NAME,$(board)))),$(board)))
-TEST_BOARD_OF = $(firstword $(foreach board,$(1),$(if $(BOARD_UNIT_OMIT.$(board)),,$(board))) $(1))
+TEST_BOARD_OF = $(lastword $(shell printf '%s\n' $(foreach board,$(1),$(BOARD_BAND_BYTES.$(board)):$(board)) | sort -n | tr ':\n' '  '))
 TEST_BOARDS := $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
     $(foreach core,$(CORES_SHARED),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run.
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_UNITS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
-# What the tests of the tools run.
+# What the tests of the tools run, and all that make boards links.
 TEST_PROGRAMS := $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
-    $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board))))
-# For tools: a board, the folder of its unit tests, their names; a board, the unit tests that it has no room for.
-# tools/fixel/check/units.py says why not their paths.
-UNIT_OPTIONS = $(foreach board,$(1),--board-units $(board) $(BOARD_UNITS_FOLDER.$(board)) $(basename $(notdir $(BOARD_UNITS.$(board)))) \
-    $(if $(BOARD_UNIT_OMIT.$(board)),--left-out $(board) $(BOARD_UNIT_OMIT.$(board))))
+    $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board))))
+# For tools: a board, and what says which unit tests it has.
+UNIT_OPTIONS = $(foreach board,$(1),--units $(board) $(BOARD_UNITS.$(board)))
+# A folder and the names in it, not a path for each: Linux gives one command 128 KiB.
 HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units $(folder) $(notdir $(filter $(folder)%,$(UNITY_TESTS))))
 
 test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)

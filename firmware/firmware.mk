@@ -13,7 +13,6 @@
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
 #   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_OWN_FLAGS         compiler flags for the board's own objects, not for the library
-#   BOARD_UNIT_OMIT         unit tests that do not fit it; board.mk says why
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
@@ -50,7 +49,7 @@ endef
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS UNIT_OMIT OPENOCD HOSTED BENCH PROGRAM_OMIT DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS OPENOCD HOSTED BENCH PROGRAM_OMIT DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -179,7 +178,9 @@ PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$
 
 # How a board's programs are linked, and what it takes beside the objects.
 BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
-    -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments,-Map,$(@:.elf=.map) $(LINK_OF_FILE)
+    -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments $(LINK_OF_FILE)
+# With a map beside the program.
+BOARD_LINK_MAP = -Wl,-Map,$(@:.elf=.map)
 BOARD_LINK_SCRIPTS = boards/$(1)/memory.ld $(wildcard linker/*.ld)
 
 define FIRMWARE_LINK
@@ -239,10 +240,10 @@ BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
-	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
-	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) -nostdlib $$(filter %.o,$$^) -lgcc)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
 endef
 
 TARGET_BOARDS := $(foreach board,$(BOARDS),$(if $(BOARD_HOSTED.$(board)),,$(board)))

@@ -21,7 +21,7 @@ import threading
 
 import scene as scene_tool
 from fixel.base import output, scratch
-from fixel.board import dump, emulator, firmware, fleet, methods
+from fixel.board import dump, emulator, firmware, fleet, methods, unit_tests
 from fixel.check import units
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.base.progress import Progress
@@ -86,14 +86,15 @@ def all_jobs(options, scenes, folder):
     jobs = [(board, lambda board=board, scene=scene: fleet.walk(board, options.build, scene, folder))
             for scene in sorted(scenes, key=lambda scene: -scene.host.width * len(scene.host.frames))
             for board in options.boards]
-    return jobs + [(board, lambda elf=elf: fleet.run_unit(elf))
-                   for board, elf in units.of_boards(options) if board in options.boards]
+    return jobs + [(board, lambda elf=elf, names=names: unit_tests.run(elf, names))
+                   for board, elf, names in units.of_boards(options) if board in options.boards]
 
 
 def row(board, options, scenes, answers):
     """boards[] of boards.json: one board. Top-level figures of a walk are of the scene that all run."""
     walks = {answer.scene: answer for answer in answers if isinstance(answer, fleet.Walk)}
-    tested = [answer for answer in answers if isinstance(answer, fleet.Units)]
+    tested = [file for answer in answers if isinstance(answer, list) for file in answer]
+    no_room = {**units.left_out(options, board), **{file.name: file.no_room for file in tested if file.no_room}}
     walks = [walks[scene.name] for scene in scenes]
     drawn = [walk for walk in walks if walk.why_not is None]
     elf = methods.elf_of(board, options.build)
@@ -105,11 +106,11 @@ def row(board, options, scenes, answers):
             "stack_reserved": max((walk.stack_reserved for walk in walks if walk.stack_reserved), default=None),
             "instructions_per_frame": walks[0].instructions_per_frame, "frames": walks[0].frames,
             "hash_equal": walks[0].hash_equal is True and all(walk.hash_equal is True for walk in drawn),
-            "unit_tests_passed": sum(unit.passed for unit in tested),
-            "unit_tests_failed": sum(unit.failed for unit in tested),
-            "unit_tests_left_out": units.left_out(options, board),
+            "unit_tests_passed": sum(file.passed for file in tested),
+            "unit_tests_failed": sum(file.failed for file in tested),
+            "unit_tests_left_out": sorted(no_room), "unit_tests_no_room": no_room,
             "scenes": [vars(walk) for walk in walks],
-            "failures": [f"{unit.name}:\n{unit.output.rstrip()}" for unit in tested if unit.failed]}
+            "failures": [f"{file.name}:\n{file.output.rstrip()}" for file in tested if file.failed]}
 
 
 def per_million(walk):
@@ -145,7 +146,7 @@ def notes(each):
             said.append(f"{coloured('FAIL', 'red')}: {walk['scene']}: frame {walk['first_different']} "
                         "is not the host's")
     if each["unit_tests_left_out"]:
-        said.append(f"left out, no room: {', '.join(each['unit_tests_left_out'])}")
+        said.append(f"left out, no room: {units.with_reasons(each['unit_tests_no_room'])}")
     return said + [f"{coloured('FAIL', 'red')}: {failure}" for failure in each["failures"]]
 
 

@@ -3,7 +3,7 @@
 """Runs the tests: units on the host, the same units on emulated boards, the tools.
 
 Prints a line for each suite, the whole output of failures, and which tests were left out because a board has
-no room for them, and the ten files of tests that took the most CPU time. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
+no room for them, and the ten files of tests, or programs of such on a board, that took the most CPU time. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
 test failed, 1 a test failed or nothing ran. Limits are on CPU time and on sleep (fixel.base.limits), not on wall
 time.
 """
@@ -24,13 +24,12 @@ import time
 import xml.etree.ElementTree
 
 from fixel.base import limits, scratch
-from fixel.board import emulator
+from fixel.board import unit_tests
 from fixel.check import units
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import run_main
 from fixel.base.table import coloured
 
-HOST_CPU = 300          # seconds of CPU time for one program
-BOARD_CPU = 300
+HOST_CPU = 300          # seconds of CPU time for one program of the host
 PYTEST_CPU = 1800       # and for all that the tests of a file start
 SLOWEST = 10            # files of tests that are named
 QUIET = 20.0            # seconds without a line after which the one running is named
@@ -45,12 +44,7 @@ class Outcome:
     skipped: int = 0
     output: str = ""
     cpu: float = 0.0    # seconds that it took, with all that it started
-
-
-def count_unity(text):
-    """Passed, failed, skipped as Unity printed them, a line for each test."""
-    return tuple(len(re.findall(pattern, text, re.MULTILINE))
-                 for pattern in (r":PASS\s*$", r":FAIL\b", r":IGNORE\b"))
+    no_room: str | None = None      # why a board has no room for the suite
 
 
 def without_passes(text):
@@ -69,7 +63,7 @@ def run_host(program):
     except limits.LimitError as error:
         return Outcome(failed=1, output=f"{error.output}\n{error}")
     text = done.stdout
-    passed, failed, skipped = count_unity(text)
+    passed, failed, skipped = unit_tests.count_unity(text)
     summary = re.search(r"^(\d+) Tests (\d+) Failures (\d+) Ignored", text, re.MULTILINE)
     if not summary or [int(n) for n in summary.groups()] != [passed + failed + skipped, failed, skipped]:
         failed += 1
@@ -80,13 +74,11 @@ def run_host(program):
     return Outcome(passed, failed, skipped, text, done.cpu)
 
 
-def run_board(elf):
-    """A Unity program on its emulated board."""
-    try:
-        passed, failed, text, cpu = emulator.run_unit(elf, BOARD_CPU)
-    except ToolError as error:
-        return Outcome(failed=1, output=str(error))
-    return Outcome(passed, failed, count_unity(text)[2], text, cpu)
+def run_board(argument):
+    """Files of Unity tests on their emulated board: {name: Outcome}."""
+    board, elf, names, every = argument
+    return {f"{board}/{file.name}": Outcome(file.passed, file.failed, file.skipped, file.output, file.cpu, file.no_room)
+            for file in unit_tests.run(elf, names, every)}
 
 
 def run_pytest(file):
@@ -117,21 +109,44 @@ def _pytest_outcome(report, code, text):
     return Outcome(max(0, total - failed - skipped), failed, skipped, text)
 
 
-def all_suites(options):
-    """(name, function, argument) of every suite, the long ones first."""
-    suites = [(f"tools/{file.stem}", run_pytest, file) for file in sorted(TESTS.glob("test_*.py"))]
-    suites += [(f"host/{name}", run_host, pathlib.Path(folder) / name)
-               for folder, *names in options.host_units for name in names]
-    suites += [(f"{board}/{elf.stem}", run_board, elf) for board, elf in units.of_boards(options)]
-    return [suite for suite in suites
-            if options.only in suite[0] and (not options.board or suite[0].startswith(f"{options.board}/"))]
+@dataclasses.dataclass(frozen=True)
+class Job:
+    """What runs as one: the suites in it, by their names. The function answers an Outcome where there is one suite, a
+    dictionary of them by name where a board's program has many."""
+    names: tuple
+    function: object
+    argument: object
+    title: str = ""     # for the list of the slowest; empty: the suite's name
 
 
-def print_left_out(options):
-    """What a board has no room for; its board.mk says why."""
-    for board, *names in options.left_out:
+def board_jobs(options):
+    """A job for each program of a board, of its suites that are asked for."""
+    for board, elf, names in units.of_boards(options):
+        chosen = [name for name in names if options.only in f"{board}/{name}"]
+        if chosen and options.board in ("", board):
+            yield Job(tuple(f"{board}/{name}" for name in chosen), run_board, (board, elf, chosen, len(chosen) == len(names)),
+                      f"{board}/{elf.stem}")
+
+
+def all_jobs(options):
+    """The long ones first."""
+    jobs = [Job((f"tools/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("test_*.py"))]
+    jobs += [Job((f"host/{name}",), run_host, pathlib.Path(folder) / name)
+             for folder, *names in options.host_units for name in names]
+    return [job for job in jobs
+            if options.only in job.names[0] and (not options.board or job.names[0].startswith(f"{options.board}/"))] + \
+        list(board_jobs(options))
+
+
+def print_left_out(options, outcomes):
+    """What a board has no room for, and why."""
+    for board, _ in options.units:
         if options.board in ("", board):
-            print(f"left out: {board}: {', '.join(names)} (no room: boards/{board}/board.mk)")
+            no_room = {**units.left_out(options, board),
+                       **{name.partition("/")[2]: outcome.no_room for name, outcome in outcomes.items()
+                          if outcome.no_room and name.startswith(f"{board}/")}}
+            if no_room:
+                print(f"left out, no room: {board}: {units.with_reasons(no_room)}")
 
 
 class Printer:
@@ -144,23 +159,28 @@ class Printer:
         self.lock = threading.Lock()
         self.last = time.monotonic()
 
-    def start(self, name):
+    def start(self, job):
         with self.lock:
-            self.running[name] = time.monotonic()
+            self.running[job.names[0]] = time.monotonic()
 
-    def end(self, name, outcome):
+    def end(self, job, outcomes):
+        """A line for each suite. The time is that of the job, and stands behind the last of its suites."""
         with self.lock:
-            seconds = time.monotonic() - self.running.pop(name)
-            self.done += 1
-            word = coloured("FAIL", "red") if outcome.failed else coloured("ok", "green") + "  "
-            counts = f"{outcome.passed:5} passed" + \
-                (f", {outcome.failed} failed" if outcome.failed else "") + \
-                (f", {outcome.skipped} skipped" if outcome.skipped else "")
-            print(f"[{self.done:{len(str(self.total))}}/{self.total}] {word} "
-                  f"{name:{self.width}} {counts}  {seconds:.1f} s", flush=True)
-            if outcome.failed:
-                print(without_passes(outcome.output), flush=True)
+            seconds = time.monotonic() - self.running.pop(job.names[0])
+            for name, outcome in outcomes.items():
+                self._print(name, outcome, f"  {seconds:.1f} s" if name == job.names[-1] else "")
             self.last = time.monotonic()
+
+    def _print(self, name, outcome, took):
+        self.done += 1
+        word = coloured("FAIL", "red") if outcome.failed else "none" if outcome.no_room else coloured("ok", "green") + "  "
+        counts = f"{outcome.passed:5} passed" + \
+            (f", {outcome.failed} failed" if outcome.failed else "") + \
+            (f", {outcome.skipped} skipped" if outcome.skipped else "") + \
+            (f", no room: {outcome.no_room}" if outcome.no_room else "")
+        print(f"[{self.done:{len(str(self.total))}}/{self.total}] {word} {name:{self.width}} {counts}{took}", flush=True)
+        if outcome.failed:
+            print(without_passes(outcome.output), flush=True)
 
     def remind(self):
         """Names what is running where that has been the case for long."""
@@ -170,27 +190,30 @@ class Printer:
                 self.last = time.monotonic()
 
 
-def run_all(suites, workers):
-    """Outcomes of all suites, run side by side."""
-    printer = Printer([name for name, _, _ in suites])
+def run_all(jobs, workers):
+    """{suite: Outcome} of all jobs, run side by side, and {job: CPU seconds}."""
+    printer = Printer([name for job in jobs for name in job.names])
 
-    def one(name, function, argument):
-        printer.start(name)
-        outcome = function(argument)
-        printer.end(name, outcome)
-        return outcome
+    def one(job):
+        printer.start(job)
+        outcome = job.function(job.argument)
+        outcomes = outcome if isinstance(outcome, dict) else {job.names[0]: outcome}
+        printer.end(job, outcomes)
+        return outcomes
 
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        futures = [pool.submit(one, *suite) for suite in suites]
+        futures = {pool.submit(one, job): job for job in jobs}
         waiting = futures
         while waiting:
             waiting = concurrent.futures.wait(waiting, timeout=1.0).not_done
             printer.remind()
-    return [future.result() for future in futures]
+    outcomes = [(job, future.result()) for future, job in futures.items()]
+    return ({name: outcome for _, each in outcomes for name, outcome in each.items()},
+            {job.title or job.names[0]: sum(outcome.cpu for outcome in each.values()) for job, each in outcomes})
 
 
 def print_slowest(taken):
-    """The files of tests that took the most CPU time. taken: {name: seconds}."""
+    """What took the most CPU time: files of tests, and programs of many on a board. taken: {name: seconds}."""
     print(f"slowest of {sum(taken.values()):.0f} s of CPU:")
     for name in sorted(taken, key=taken.get, reverse=True)[:SLOWEST]:
         print(f"{taken[name]:8.1f} s  {name}")
@@ -208,14 +231,13 @@ def main(argv):
     options = parser.parse_args(argv)
     # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
-    suites = all_suites(options)
-    outcomes = run_all(suites, max(1, options.workers))
-    print_left_out(options)
-    passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes)
+    outcomes, taken = run_all(all_jobs(options), max(1, options.workers))
+    print_left_out(options, outcomes)
+    passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes.values())
                                for name in ("passed", "failed", "skipped"))
     if passed + failed == 0:
         print("no test ran", file=sys.stderr)
-    print_slowest({suite[0]: outcome.cpu for suite, outcome in zip(suites, outcomes)})
+    print_slowest(taken)
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or passed == 0 else 0
 

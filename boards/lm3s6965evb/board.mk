@@ -14,9 +14,6 @@ BOARD_ORDER_ENTRIES := 1024
 BOARD_LIST_BYTES := 16384
 BOARD_CACHE_ENTRIES := 64
 
-# Its table of the most objects there may be takes a megabyte.
-BOARD_UNIT_OMIT := test_scene_placed test_reach
-
 # After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
 # is number 18.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u \

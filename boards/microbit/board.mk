@@ -15,11 +15,6 @@ BOARD_LIST_BYTES := $(if $(DRIVER),3584,4096)
 BOARD_DRIVER_ROWS := 1
 BOARD_CACHE_ENTRIES := 8
 
-# They take 14 to 30 KiB; the last a megabyte.
-BOARD_UNIT_OMIT := test_clipper_hashes test_scene_hashes test_depth test_depth_surfaces test_depth_hashes test_rgb565 test_rgb565_colours test_rgb565_hashes test_clipper test_off_centre_frames test_display test_reach test_world_rules test_world_bsp test_bsp test_clippers test_clippers_work test_clippers_frames test_watertight_clippers test_render test_bsp_pieces \
-    test_bsp_order test_bsp_spheres test_beam_light test_clip_rejects test_scene_placed test_turned_frames test_turned_world test_surfaces test_billboards_methods \
-    test_release test_release_methods test_world_motion
-
 # Speed is the library's: the programs are small so that the game, too, fits into its 128 KiB.
 BOARD_OWN_FLAGS := -Os
 

@@ -16,9 +16,6 @@ BOARD_ORDER_ENTRIES := 16384
 BOARD_LIST_BYTES := 65536
 BOARD_CACHE_ENTRIES := 1024
 
-# Its table of the most objects there may be takes a megabyte.
-BOARD_UNIT_OMIT := test_scene_placed
-
 # The watchdog on the NMI counts the board's slow clock.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=32000000u CMSDK_WATCHDOG_BASE=0x5802E000u CMSDK_WATCHDOG_HZ=32768u
 

@@ -14,9 +14,6 @@ BOARD_ORDER_ENTRIES := 2048
 BOARD_LIST_BYTES := 32768
 BOARD_CACHE_ENTRIES := 256
 
-# Its table of the most objects there may be takes a megabyte.
-BOARD_UNIT_OMIT := test_scene_placed
-
 # QEMU's 168 MHz; the real chip runs at 16 MHz until it is told otherwise.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=168000000u
 

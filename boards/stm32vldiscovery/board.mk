@@ -23,13 +23,6 @@ BOARD_PROGRAM_OMIT := game
 # The driver of a display would take 2 KiB of each that there are not.
 BOARD_DRIVER_ROWS := 0
 
-# They take 8 to 30 KiB of memory and stack, test_scene a little less; the last a megabyte.
-BOARD_UNIT_OMIT := test_clipper_hashes test_scene_hashes test_depth test_depth_surfaces test_depth_hashes test_surface_hashes test_billboards test_pick test_pick_methods test_off_centre_frames test_hud test_outlined test_first_program test_display test_pump test_reach test_world test_world_rules test_world_bsp test_light test_order_model test_clusters test_culling test_visibility test_pieces test_clip_view_bounds test_watertight test_render test_clipper test_clip_once \
-    test_half_space test_normalised test_triangle test_clippers test_clippers_work test_clippers_frames test_watertight_clippers test_bsp \
-    test_bsp_pieces test_bsp_order test_bsp_spheres test_lit_pieces test_beam_light test_workspace test_workspace_parts test_clip_capacity test_clip_rejects test_scene test_scene_tables test_scene_placed test_turned_frames test_turned_world test_turned_clusters \
-    test_surfaces test_surface_light test_surface_levels test_rgb565 test_rgb565_colours test_rgb565_hashes test_billboards_methods \
-    test_release test_release_methods test_world_motion
-
 # Speed is the library's: the program is small so that it fits into its 64 KiB.
 BOARD_OWN_FLAGS := -Os
 

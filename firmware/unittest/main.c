@@ -1,13 +1,23 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs one Unity test file on a board: its generated runner, then the end
- * marker and an agreed exit code. */
+/* Runs files of Unity tests on a board, then prints the end marker and ends with an agreed exit
+ * code. There may be one argument after the program's name: "after=NAME" begins behind that file,
+ * "NAME" runs that file alone. */
 #include "contract/system.h"
+#include "parts/cortexm.h"
+#include "parts/semihosting.h"
+#include "parts/stack.h"
 #include "unittest.h"
 
-#define LINE_MAX 256
+#include <stddef.h>
+#include <string.h>
+
+#define LINE_MAX  256
+#define WORDS_MAX 96
 
 void fxl_assert_failed(const char *file, int at); /* lib/src/math/arith.h */
-int unittest_run(void); /* the generated runner; returns how many tests failed */
+
+/* The linker defines them. */
+extern const unittest_entry __start_unittest_entries[], __stop_unittest_entries[];
 
 static char line[LINE_MAX];
 static unsigned length;
@@ -35,8 +45,8 @@ static void put_text(const char *text)
     }
 }
 
-/* Called by the library's assertions. A test may define its own. */
-__attribute__((weak)) void fxl_assert_failed(const char *file, int at)
+/* Called by the library's assertions. */
+void fxl_assert_failed(const char *file, int at)
 {
     char digits[11]; /* 2147483647 and the 0 that ends it */
     char *first = &digits[sizeof digits - 1];
@@ -54,15 +64,54 @@ __attribute__((weak)) void fxl_assert_failed(const char *file, int at)
     system_exit(SYSTEM_EXIT_ASSERTION);
 }
 
-int main(int argc, char **argv)
+/* Returns how many tests of a file failed. A stack that overflowed unguarded ends the program
+ * here, so that the file is known. */
+static int run(const unittest_entry *entry)
 {
     int failed;
+
+    put_text("unittest: ");
+    put_text(entry->name);
+    unittest_put('\n');
+    failed = entry->run();
+    unittest_flush();
+    if (!cortexm_protected() && stack_is_spent()) {
+        system_exit(SYSTEM_EXIT_STACK);
+    }
+    put_text("unittest: ");
+    put_text(entry->name);
+    put_text(" done\n");
+    return failed;
+}
+
+int main(int argc, char **argv)
+{
+    static const char after[] = "after=";
+    static char words[WORDS_MAX];
+    const char *first = NULL;
+    const char *only = NULL;
+    int failed = 0;
 
     (void)argc;
     (void)argv;
     unittest_allow_library();
-    failed = unittest_run();
-    unittest_flush();
+    if (semihosting_arguments(words, sizeof words) != NULL) {
+        only = strchr(words, ' ');
+    }
+    if (only != NULL) {
+        only++;
+        if (strncmp(only, after, sizeof after - 1) == 0) {
+            first = only + sizeof after - 1;
+            only = NULL;
+        }
+    }
+    for (const unittest_entry *entry = __start_unittest_entries; entry != __stop_unittest_entries; entry++) {
+        if (first != NULL) {
+            first = strcmp(first, entry->name) == 0 ? NULL : first;
+        } else if (only == NULL || strcmp(only, entry->name) == 0) {
+            failed += run(entry);
+        }
+    }
     system_text("unittest: done\n");
     return failed == 0 ? SYSTEM_EXIT_DONE : SYSTEM_EXIT_TEST;
 }

@@ -1,7 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The output of a unit test. */
+/* What the parts of a program of unit tests share. */
 #ifndef UNITTEST_H
 #define UNITTEST_H
+
+/* A file of tests. The linker puts the entries of a program side by side, in the section
+ * unittest_entries. */
+typedef struct unittest_entry {
+    const char *name; /* "test_angle" */
+    int (*run)(void); /* the generated runner; returns how many tests failed */
+} unittest_entry;
 
 /* Writes one character. Lines are sent whole. */
 void unittest_put(int character);

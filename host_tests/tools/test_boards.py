@@ -80,19 +80,26 @@ def test_the_host_is_no_board_of_the_table(everything):
 
 
 def test_unit_tests_are_counted(tmp_path):
-    elf = built(f"{BOARD}/unit/test_angle.elf")
-    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY,
-                              "--board-units", BOARD, elf.parent, elf.stem, "--left-out", BOARD, "test_huge")
+    units = tmp_path / "units.json"
+    whole = json.loads(built(f"{BOARD}/unit/units.json").read_text(encoding="utf-8"))
+    program, names = next((program, names) for program, names in whole["programs"].items() if "test_angle" in names)
+    for file in built(f"{BOARD}/unit/units.json").parent.glob("*.elf"):
+        (tmp_path / file.name).symlink_to(file)
+    units.write_text(json.dumps({"programs": {program: names}, "left_out": {"test_huge": "RAM overflowed by 9 bytes"}}))
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY, "--units", BOARD, units)
     row, = result["boards"]
     assert done.returncode == 0, done.stdout + done.stderr
-    assert row["unit_tests_passed"] > 0 and row["unit_tests_failed"] == 0
-    assert f"{BOARD}: left out, no room: test_huge" in done.stdout.splitlines()
+    assert row["unit_tests_passed"] >= len(names) and row["unit_tests_failed"] == 0
+    assert row["unit_tests_left_out"] == ["test_huge"]
+    assert f"{BOARD}: left out, no room: test_huge (RAM overflowed by 9 bytes)" in done.stdout.splitlines()
 
 
 def test_a_unit_test_that_fails_fails_the_board(tmp_path):
-    not_a_test = built(f"{BOARD}/walk.elf")     # it ends without the marker of unit tests
-    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY,
-                              "--board-units", BOARD, not_a_test.parent, not_a_test.stem)
+    """A program that ends without the marker of unit tests."""
+    units = tmp_path / "units.json"
+    (tmp_path / "walk.elf").symlink_to(built(f"{BOARD}/walk.elf"))
+    units.write_text(json.dumps({"programs": {"walk.elf": ["test_a"]}, "left_out": {}}))
+    done, result = run_boards(tmp_path / "boards.json", "--boards", BOARD, "--scene", TINY, "--units", BOARD, units)
     assert done.returncode == 1
     assert result["boards"][0]["unit_tests_failed"] == 1 and result["boards"][0]["hash_equal"]
 
@@ -137,7 +144,7 @@ def test_the_command_line():
     done = dry_run("boards")
     assert done.returncode == 0, done.stderr
     for board in target_boards():
-        assert f"--board-units {board} " in done.stdout
+        assert f"--units {board} " in done.stdout
 
 
 def test_no_file_but_a_boards_own_names_it():

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """make test's own driver: counts what ran, and no ending passes for a success without being one."""
 
-import itertools
+import json
 import re
 import shlex
 import stat
 
 import pytest
-from board_programs import EVERY_BOARD, ROOT
+from board_programs import EVERY_BOARD, ROOT, built
 from conftest import dry_run, run_cli, run_make
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
@@ -89,22 +89,37 @@ def test_nothing_ran():
     assert "no test ran" in done.stderr
 
 
+def units_json(folder, programs, left_out):
+    folder.mkdir()
+    file = folder / "units.json"
+    file.write_text(json.dumps({"programs": programs, "left_out": left_out}))
+    return file
+
+
 def test_what_a_board_has_no_room_for_is_said_and_not_counted(tmp_path):
-    arguments = [*host_units(program(tmp_path, "one", GOOD, 0)), "--left-out", "small", "test_big", "test_long"]
+    small = units_json(tmp_path / "small", {}, {"test_long": "RAM overflowed by 9 bytes", "test_big": "FLASH overflowed"})
+    arguments = [*host_units(program(tmp_path, "one", GOOD, 0)), "--units", "small", small]
     done = run_cli("test", "--only", "host/", *arguments)
     assert done.returncode == 0
     assert [line for line in done.stdout.splitlines()[1:] if "slowest" not in line and "0.0 s" not in line] == [
-        "left out: small: test_big, test_long (no room: boards/small/board.mk)", "2 passed, 0 failed"]
+        "left out, no room: small: test_big (FLASH overflowed), test_long (RAM overflowed by 9 bytes)", "2 passed, 0 failed"]
     done = run_cli("test", "--board", "host", *arguments)
     assert done.stdout.splitlines()[-1] == "2 passed, 0 failed" and "left out" not in done.stdout
 
 
 def test_one_board_alone(tmp_path):
     """The programs of the others, and the tools' tests, are not even started."""
-    done = run_cli("test", "--board", "second", "--board-units", "first", tmp_path, "test_a",
-                   "--board-units", "second", tmp_path, "test_b")
-    assert "second/test_b" in done.stdout and "first" not in done.stdout
-    assert done.stdout.splitlines()[-1] == "0 passed, 1 failed"
+    first = units_json(tmp_path / "first", {"units-01.elf": ["test_a"]}, {})
+    second = units_json(tmp_path / "second", {"units-01.elf": ["test_b", "test_c"]}, {})
+    done = run_cli("test", "--board", "second", "--units", "first", first, "--units", "second", second)
+    assert "second/test_b" in done.stdout and "second/test_c" in done.stdout and "first" not in done.stdout
+    assert done.stdout.splitlines()[-1] == "0 passed, 2 failed"
+
+
+def test_files_of_a_program_are_chosen_by_name(tmp_path):
+    only = units_json(tmp_path / "b", {"units-01.elf": ["test_a", "test_b"], "units-02.elf": ["test_c"]}, {})
+    done = run_cli("test", "--only", "b/test_b", "--units", "b", only)
+    assert "b/test_b" in done.stdout and "test_a" not in done.stdout and "test_c" not in done.stdout
 
 
 def command_of(board):
@@ -112,30 +127,19 @@ def command_of(board):
     done = dry_run("test", f"BOARD={board}")
     assert done.returncode == 0, done.stderr
     whole = done.stdout.replace("\\\n", " ")
-    return shlex.split(next(line for line in whole.splitlines() if "--board-units" in line))
-
-
-def units_of(board):
-    """The names of a board's unit tests, and of those left out."""
-    words = command_of(board)
-    lists = {"--board-units": [], "--left-out": []}
-    for option, found in lists.items():
-        for at, word in enumerate(words):
-            if word == option and words[at + 1] == board:
-                found += itertools.takewhile(lambda value: not value.startswith("--"), words[at + 2:])
-    folder, *tests = lists["--board-units"]
-    assert folder == f"build/boards/{board}/unit"
-    return set(tests), set(lists["--left-out"])
+    return shlex.split(next(line for line in whole.splitlines() if "--units" in line))
 
 
 @pytest.mark.parametrize("board", EVERY_BOARD)
 def test_every_unit_test_runs_on_a_board_or_is_named(board):
-    """Each test of host_tests/unit once; what is left out has its reason in a comment above."""
-    run, left_out = units_of(board)
-    assert run | left_out == {file.stem for file in (ROOT / "host_tests/unit").glob("test_*.c")}
-    assert run and not run & left_out
-    setting = (ROOT / "boards" / board / "board.mk").read_text(encoding="utf-8")
-    assert bool(left_out) == bool(re.search(r"^#.*\nBOARD_UNIT_OMIT := ", setting, re.MULTILINE))
+    """Each file of host_tests/unit once; the linker says why one is left out."""
+    words = command_of(board)
+    file = words[words.index("--units") + 2]
+    assert file == f"build/boards/{board}/unit/units.json" and words.count("--units") == 1
+    linked = json.loads(built(f"{board}/unit/units.json").read_text(encoding="utf-8"))
+    run = [name for names in linked["programs"].values() for name in names]
+    assert sorted([*run, *linked["left_out"]]) == sorted(file.stem for file in (ROOT / "host_tests/unit").glob("test_*.c"))
+    assert run and all(re.search(r"(RAM|FLASH) overflowed by \d+ bytes", why) for why in linked["left_out"].values())
 
 
 def test_unit_tests_run_on_a_board_for_each_build_of_the_library():
@@ -146,10 +150,18 @@ def test_unit_tests_run_on_a_board_for_each_build_of_the_library():
 
     def boards(command):
         words = shlex.split(dry_run(command).stdout.replace("\\\n", " "))
-        return [words[at + 1] for at, word in enumerate(words) if word == "--board-units"]
+        return [words[at + 1] for at, word in enumerate(words) if word == "--units"]
     tested = boards("test")
     assert sorted(map(core, tested)) == sorted({core(board) for board in EVERY_BOARD})
     assert sorted(boards("boards")) == EVERY_BOARD
+
+
+def test_make_test_links_what_make_boards_links():
+    """Every program, those of boards too on which make test runs no unit tests."""
+    words = shlex.split(dry_run("test").stdout.replace("\\\n", " "))
+    built, = [word.partition("=")[2].split() for word in words if word.startswith("FIXEL_BUILT=")]
+    for board in EVERY_BOARD:
+        assert {f"build/boards/{board}/walk.elf", f"build/boards/{board}/unit/units.json"} <= set(built)
 
 
 def test_make_test_of_one_board_runs_nothing_else():
@@ -165,10 +177,3 @@ def test_a_board_that_is_none_is_refused():
     assert 'there is no board "nonesuch"; the boards are: host ' in done.stderr
     for board in EVERY_BOARD:
         assert board in done.stderr
-
-
-def test_a_test_that_is_none_cannot_be_left_out():
-    board = EVERY_BOARD[0]
-    done = dry_run("test", f"BOARD={board}", f"BOARD_UNIT_OMIT.{board}=test_gone")
-    assert done.returncode == 2
-    assert f"boards/{board}/board.mk leaves out test_gone, which is no test of host_tests/unit" in done.stderr

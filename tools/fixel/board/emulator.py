@@ -22,11 +22,10 @@ from fixel.board.symbols import Symbols
 
 # What its callers need of the parts.
 __all__ = ["CONTRACT", "Ending", "OUTPUT_MAX", "RunResult", "check_image", "describe", "emulate", "exit_code",
-           "exit_meanings", "find_qemu", "run", "run_text", "run_unit", "walk_options"]
+           "exit_meanings", "find_qemu", "run", "run_text", "walk_options"]
 
 DUMP_NAME = "frames.fxld"  # as the boards write it, in the directory they start in
 MARKER = re.compile(r"^walk: done (\d+) frames$", re.MULTILINE)
-UNIT_MARKER = "unittest: done"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -145,17 +144,3 @@ def run_text(elf, arguments=(), timeout=60.0, icount=True):
                "-kernel", str(program.path.resolve())]
     with scratch.folder("board") as directory:
         return emulate(program, options, directory, timeout)
-
-
-def run_unit(elf, timeout=300.0):
-    """Runs one Unity program on its emulated board: (passed, failed, output, CPU seconds).
-
-    A program that does not get to its end counts as one failure more; the
-    output then ends with a line that says why."""
-    ending = run_text(elf, ["unittest"], timeout, icount=False)
-    passed = len(re.findall(r":PASS\s*$", ending.output, re.MULTILINE))
-    failed = len(re.findall(r":FAIL\b", ending.output))
-    expected = exit_code("TEST") if failed else exit_code("DONE")
-    if ending.code == expected and UNIT_MARKER in ending.output:
-        return passed, failed, ending.output, ending.cpu
-    return passed, failed + 1, f"{ending.output}\n{elf}: {describe(ending)}\n", ending.cpu

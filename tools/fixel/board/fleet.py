@@ -13,7 +13,6 @@ from fixel.board import dump, emulator, firmware, flash, methods
 from fixel.base.errors import ToolError
 
 TIMEOUT = 60.0          # seconds of CPU time without a new frame
-UNIT_TIMEOUT = 300.0    # seconds of CPU time for one program of unit tests
 STACK = re.compile(r"^stack: (\d+) of (\d+) bytes\b", re.MULTILINE)
 RAM_SYMBOLS = ("fxl_stack_limit", "fxl_ram_free", "fxl_ram_end")    # RAM begins with the stack
 
@@ -38,15 +37,6 @@ class Walk:
     first_different: int | None = None  # number of a frame
     stack_bytes: int | None = None      # the deepest that was seen
     stack_reserved: int | None = None
-
-
-@dataclasses.dataclass
-class Units:
-    """One program of unit tests on a board."""
-    name: str
-    passed: int
-    failed: int
-    output: str
 
 
 def sizes(elf_path):
@@ -136,12 +126,3 @@ def first_difference(drawn, expected):
         if one != other:
             return number
     return None if len(ours) == len(theirs) else min(len(ours), len(theirs))
-
-
-def run_unit(elf):
-    """One Unity program on its board."""
-    name = pathlib.Path(elf).stem
-    try:
-        return Units(name, *emulator.run_unit(elf, UNIT_TIMEOUT)[:3])
-    except ToolError as error:
-        return Units(name, 0, 1, str(error))

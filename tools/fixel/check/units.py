@@ -1,27 +1,37 @@
 # SPDX-License-Identifier: MIT
-"""The unit tests that make has built, as the Makefile names them to a tool.
+"""The unit tests of boards, as firmware/unittest/programs.py linked them: units.json."""
 
-It names a folder and the tests in it, not a path for each: there are over a thousand programs, and Linux gives one
-command 128 KiB.
-"""
-
+import json
 import pathlib
+
+from fixel.base.errors import ToolError
 
 
 def add_options(parser):
-    """--board-units and --left-out."""
-    parser.add_argument("--board-units", nargs="+", action="append", default=[], metavar=("BOARD", "FOLDER"),
-                        help="a board, the folder of its Unity programs, their names without .elf")
-    parser.add_argument("--left-out", nargs="+", action="append", default=[], metavar=("BOARD", "TEST"),
-                        help="a board and the tests that it has no room for")
+    """--units."""
+    parser.add_argument("--units", nargs=2, action="append", default=[], metavar=("BOARD", "FILE"),
+                        help="a board and its units.json, which names its programs of unit tests")
+
+
+def _read(file):
+    try:
+        return json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ToolError(f"{file}: cannot be read: {error}; run 'make boards-programs'") from error
 
 
 def of_boards(options):
-    """[(board, program)] of --board-units."""
-    return [(board, pathlib.Path(folder) / f"{name}.elf")
-            for board, folder, *names in options.board_units for name in names]
+    """[(board, program, names of its files of tests)] of --units."""
+    return [(board, pathlib.Path(file).parent / program, names)
+            for board, file in options.units for program, names in _read(file)["programs"].items()]
 
 
 def left_out(options, board):
-    """The names of the tests that a board has no room for."""
-    return [name for other, *names in options.left_out if other == board for name in names]
+    """{name: why} of the files of tests that a board has no room for, as its linker said."""
+    return {name: why for other, file in options.units if other == board
+            for name, why in _read(file)["left_out"].items()}
+
+
+def with_reasons(no_room):
+    """"test_a (why), ..." of {name: why}."""
+    return ", ".join(f"{name} ({why})" for name, why in sorted(no_room.items()))
