@@ -203,9 +203,9 @@ def print_table(result, out):
         if len(worst) > SHOWN_ROWS:
             print(f"... and {len(worst) - SHOWN_ROWS} more frames")
     verdict = coloured("equal", "green") if result["equal"] else coloured("different", "red")
-    print(f"{verdict}: {result['frames_differing']} of {result['frames']} frames, "
-          f"{result['pixels_differing']:,} of {result['pixels']:,} pixels, "
-          f"tolerance {result['tolerance']}")
+    frames, differing = result["frames"], result["frames_differing"]
+    print(f"{verdict}: {frames - differing:,} of {frames:,} frames equal, "
+          f"{result['pixels_differing']:,} of {result['pixels']:,} pixels differ, tolerance {result['tolerance']}")
     if out:
         print(f"JSON and pictures: {one_line(out)}")
 

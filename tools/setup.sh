@@ -234,7 +234,7 @@ install_group() {
     {
         code=0
         "$venv/bin/python" -m pip install --disable-pip-version-check --no-input --no-color \
-            --progress-bar off -r "requirements/$1.txt" 2>&1 </dev/null || code=$?
+            --progress-bar off --require-hashes -r "requirements/$1.txt" 2>&1 </dev/null || code=$?
         echo "$code" >"$scratch/pip.exit"
     } | tee "$scratch/pip.log" | sed -u -n 's/^Collecting \([^ ]*\).*/setup:   \1/p; s/^Installing collected.*/setup:   installing/p' >&2
     [ "$(cat "$scratch/pip.exit")" -eq 0 ] || {

@@ -200,3 +200,16 @@ target_link_libraries(cube PRIVATE fixel::fixel)
     names = subprocess.run(["nm", build / "cube"], check=True, text=True, capture_output=True).stdout
     assert "fxl_renderer_init_with_for_polygons_of_12" in names
     assert "-DFXL_SMALL" in (build / "fixel" / "CMakeFiles" / "fixel.dir" / "flags.make").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("options, more, wanted", [
+    ([], "", ["-O2"]), (["-DCMAKE_BUILD_TYPE=Debug"], "", []), (["-DCMAKE_BUILD_TYPE=MinSizeRel"], "", ["-Os"]),
+    (["-DCMAKE_C_FLAGS=-O1"], "", ["-O1"]), ([], "add_compile_options(-Os)", ["-Os"])])
+def test_a_cmake_project_gets_optimised_code_unless_it_chooses(tmp_path, options, more, wanted):
+    (tmp_path / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.16)\nproject(cube LANGUAGES C)\n{more}\n"
+                                             f"add_subdirectory({CHECKOUT} fixel)\n", encoding="utf-8")
+    code, text = run(["cmake", "-S", tmp_path, "-B", tmp_path / "build", *options])
+    assert code == 0, text
+    flags = (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel.dir" / "flags.make").read_text(encoding="utf-8")
+    line = next(line for line in flags.splitlines() if line.startswith("C_FLAGS"))
+    assert [word for word in line.split() if word.startswith("-O")] == wanted

@@ -117,7 +117,7 @@ def test_characters_are_chosen_and_the_unknown_one_is_among_them(tmp_path):
     assert "made_font = {\n    made_bits, made_glyphs, 2, 65, 65, 9\n}" in written(tmp_path, SOUND, "--characters", "64-70")
     assert "other_font" in written(tmp_path, SOUND, "--name", "other")
     # A box stands in for the ascent and the descent.
-    assert ", 63, 9}" in written(tmp_path, SOUND.replace("FONT_ASCENT 7\nFONT_DESCENT 2\n", ""))
+    assert ", 63, 9\n}" in written(tmp_path, SOUND.replace("FONT_ASCENT 7\nFONT_DESCENT 2\n", ""))
 
 
 @pytest.mark.parametrize("text, words", [

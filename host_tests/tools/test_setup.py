@@ -254,10 +254,15 @@ def test_another_command_adds_what_is_missing(machine, pip):
 
 
 def test_groups_are_whole_and_pin_alike():
-    pins = [re.fullmatch(r"([\w.-]+)==([\w.]+)", line) for file in (CHECKOUT / "requirements").glob("*.txt")
-            for line in file.read_text().splitlines() if line and not line.startswith("#")]
+    pins = [re.fullmatch(r"([\w.-]+)==([\w.]+)((?: --hash=sha256:[0-9a-f]{64})+)", line)
+            for file in (CHECKOUT / "requirements").glob("*.txt")
+            for line in re.sub(r" \\\n +", " ", file.read_text()).splitlines() if line and not line.startswith("#")]
     assert pins and all(pins)
-    assert len(dict(pin.groups() for pin in pins)) == len({pin.group() for pin in pins})
+    assert "--require-hashes" in (CHECKOUT / "tools" / "setup.sh").read_text()
+    # A package with code of its own has a wheel for each Python and processor, or one for each processor.
+    assert {pin[1]: pin[3].count("--hash") for pin in pins if pin[1] in ("numpy", "pillow", "aiohttp", "playwright", "pytest")} == \
+        {"numpy": 4, "pillow": 4, "aiohttp": 4, "playwright": 2, "pytest": 1}
+    assert len({pin[1]: pin[2] for pin in pins}) == len({pin.group() for pin in pins})
 
 
 @pytest.mark.parametrize("tool", sorted(file.name for file in (CHECKOUT / "tools").glob("*.py")
