@@ -17,7 +17,6 @@ from fixel.image.image_tree import NONE, PLANARITY_MAX
 from fixel.model.mesh import Mesh, UNIT, cross, dot, minus, newell, shape
 from fixel.model.solids import make
 from fixel.scene.toml_object import matrix
-from fixel.scene.work import TreeWork
 
 ONE = 65536
 SQUARE_NORMAL = (0, 1 << 30, 0)
@@ -49,10 +48,10 @@ def beams():
 
 def grown(made):
     """(parts, nodes, faces, sources, vertices) of a tree over all objects."""
-    lines, work = tree.Lines(), TreeWork()
-    parts = tree.parts_of(made, range(len(made.objects)), (0, 0, 0), lines, work)
+    lines = tree.Lines()
+    parts = tree.parts_of(made, range(len(made.objects)), (0, 0, 0), lines)
     rings = [list(part.ring) for part in parts]
-    nodes, faces, sources, counts = tree.grow(parts, lines, work)
+    nodes, faces, sources, counts = tree.grow(parts, lines)
     assert counts.faces_out == len(faces) and counts.nodes == len(nodes)
     return parts, rings, nodes, faces, sources, lines.points
 
@@ -233,7 +232,7 @@ def test_a_face_with_too_many_vertices_is_halved_and_loses_nothing():
     ring = [lines.vertex((round(9 * ONE * math.cos(-i / 30 * math.pi)), 0,
                           round(9 * ONE * math.sin(-i / 30 * math.pi)))) for i in range(60)]
     own = [lines.edge(a, b) for a, b in zip(ring, ring[1:] + ring[:1])]
-    pieces = tree_faces.halve(lines, tree.Part(SQUARE_NORMAL, 7, 0, 0, ring, own), TreeWork())
+    pieces = tree_faces.halve(lines, tree.Part(SQUARE_NORMAL, 7, 0, 0, ring, own))
     faces = [tree_faces.flat_face(lines, piece) for piece in pieces]
     assert all(3 <= len(face.corners) <= image.FACE_VERTICES_MAX for face in faces)
     assert chain_of(edges_of(faces)) == ring or set(chain_of(edges_of(faces))) == set(ring)

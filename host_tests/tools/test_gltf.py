@@ -8,7 +8,7 @@ import numpy
 import pytest
 import trimesh
 
-from fixel.model import gltf, gltf_check
+from fixel.model import gltf
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
 from fixel.scene import compiler
@@ -150,7 +150,7 @@ BAD = {
     "buffer": (changed(["buffers", 0, "byteLength"], 1 << 31), ["buffer 0", "2,147,483,648 bytes are promised"]),
     "view": (changed(["bufferViews", 0, "byteLength"], 1 << 20), ["buffer view reaches"]),
     "count": (changed(["accessors", 0, "count"], 200_000), ["accessor 0", "do not fit"]),
-    "absurd count": (changed(["accessors", 0, "count"], 1 << 31), ["accessor 0", "count"]),
+    "absurd count": (changed(["accessors", 0, "count"], 1 << 31), ["accessor 0", "2,147,483,648 values do not fit"]),
     "stride": (changed(["bufferViews", 0, "byteStride"], 4), ["accessor 0"]),
     "index": (changed(["accessors", 0, "count"], 2), ["indices name vertex 3 of 2"]),
     "sparse": (changed(["accessors", 0, "sparse"], {}), ["sparse"]),
@@ -183,11 +183,5 @@ def test_nodes_that_read_the_same_part_often(tmp_path):
     data, blob = make(*TETRAHEDRON, nodes=[{"mesh": 0}] * 8000)
     data["scenes"][0]["nodes"] = list(range(8000))
     data["meshes"][0]["primitives"] *= 100
-    with pytest.raises(ToolError, match="16,384 faces|250,000 vertices"):
+    with pytest.raises(ToolError, match="65,535 primitives"):
         read(tmp_path, glb(data, blob))
-
-
-def test_the_limit_of_a_part(tmp_path, monkeypatch):
-    monkeypatch.setattr(gltf_check, "VERTICES_MAX", 3)
-    with pytest.raises(ToolError, match="4 vertices are more than the limit of 3"):
-        read(tmp_path, glb(*make()))

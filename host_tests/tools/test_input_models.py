@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Models that take much for their size: the same file or image by many names, parts without values, many faces that
-cost more than others. The bound is that of test_input_bounds.py, for all files that are read."""
+cost more than others. The limits are those of test_input_bounds.py."""
 
 import json
 import os
@@ -12,9 +12,8 @@ import pytest
 
 from conftest import CHECKOUT, TOOLS, environment
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
-from test_input_bounds import PATH, run_bounded
+from test_input_bounds import PATH, assert_ended, run_bounded
 from fixel.model import gltf_check, model_file, sources
-from fixel.base.errors import ToolError
 from fixel.base.reading import QUOTE_MAX, Beside
 
 CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
@@ -23,9 +22,8 @@ LARGE = png([[(1, 2, 3)] * 2048] * 2048)     # 17 kB
 
 
 def build(tmp_path, name, code=0):
-    """Builds a file of the folder within the bound for all files of the folder; answers what was said."""
-    size = sum(os.path.getsize(file) for file in tmp_path.iterdir())
-    found, said = run_bounded(tmp_path, "build", tmp_path / name, "-o", tmp_path / "out.fxls", size=size)
+    """Builds a file of the folder within the limits; answers what was said."""
+    found, said = run_bounded("build", tmp_path / name, "-o", tmp_path / "out.fxls")
     assert found == code and (tmp_path / "out.fxls").exists() == (code == 0), said[-2000:]
     lines = [line for line in said.splitlines() if line.startswith(("error: ", "note: "))]
     assert max(map(len, lines), default=0) < 500 and (code == 0 or len(lines) == 1)
@@ -46,7 +44,7 @@ def test_primitives_without_values_count(tmp_path):
     data["meshes"].append({"primitives": [{"attributes": {"POSITION": len(data["accessors"]) - 1}}] * 3000})
     data["scenes"][0]["nodes"] = list(range(1001))
     write(tmp_path, m_glb=glb(data, blob))
-    assert "8,192 primitives" in build(tmp_path, "m.glb", code=2)
+    assert "65,535 primitives" in build(tmp_path, "m.glb", code=2)
 
 
 def test_a_list_of_gltf_is_checked_once(tmp_path):
@@ -84,19 +82,10 @@ def test_many_images_of_gltf_that_are_one(tmp_path):
     build(tmp_path, "m.glb")
 
 
-def test_more_pixels_than_the_limit(tmp_path):
+def test_very_many_pixels(tmp_path):
+    """200 images of 2048 x 2048 pixels in 4 MB."""
     write(tmp_path, m_glb=with_images(200, 1))
-    assert "pixels together (16,777,216" in build(tmp_path, "m.glb", code=2)
-
-
-def test_bytes_of_images_are_counted_each_time(tmp_path):
-    data = with_images(1000, 0)
-    write(tmp_path, m_glb=data)
-    assert len(data) < 1 << 20
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sources, "BYTES_MAX", len(data) + 900 * len(LARGE))
-        with pytest.raises(ToolError, match="image 900: the models of a scene read more than the limit"):
-            model_file.reader_of("m.glb")(str(tmp_path / "m.glb"))
+    assert_ended(tmp_path, tmp_path / "m.glb")
 
 
 def test_a_name_of_a_material_that_is_no_text(tmp_path):
@@ -119,11 +108,10 @@ def test_500_000_names_of_mtl_files(tmp_path):
     assert "there is no" in build(tmp_path, "m.obj")
 
 
-def test_many_names_of_mtl_files_are_refused_by_the_line_that_has_them(tmp_path):
+def test_many_names_of_mtl_files(tmp_path):
     names = [f"{first}/{second}" for first in range(100) for second in range(1000)]
     write(tmp_path, m_obj=CORNERS + FACES + f"mtllib {' '.join(names)}\n")
-    said = build(tmp_path, "m.obj", code=2)
-    assert "m.obj:9: the scene asks for too much work" in said and "names of files" in said
+    assert "there is no" in build(tmp_path, "m.obj")
 
 
 def test_an_image_of_mtl_is_decoded_once(tmp_path):
@@ -140,30 +128,29 @@ def many_materials(count):
             "".join(f"newmtl m{i}\nKd {i / count:.4f} 0.5 {i % 7 / 7:.2f}\nmap_Kd t.png\n" for i in range(count)))
 
 
-@pytest.mark.parametrize("size, code", [(256, 2), (1, 0)])
-def test_one_image_of_4096_colours(tmp_path, size, code):
+@pytest.mark.parametrize("size", [256, 1])
+def test_one_image_of_4096_colours(tmp_path, size):
     obj, mtl = many_materials(4096)
     noise = png([[((x * 79 + y * 104) % 256, (x * 31 + y * 17) % 256, (x * x + y) % 256) for x in range(256)]
                  for y in range(256)])
-    write(tmp_path, t_png=noise if code else LARGE, m_mtl=mtl, m_obj=obj, scene_toml=PATH + '[[objects]]\nmodel = "m.obj"\n'
+    write(tmp_path, t_png=noise if size > 1 else LARGE, m_mtl=mtl, m_obj=obj, scene_toml=PATH + '[[objects]]\nmodel = "m.obj"\n'
           f"fit = 9\nimages = {{ size = {size}, colours = 255, levels = 9 }}\n")
-    assert ("too much work" in build(tmp_path, "scene.toml", code)) == bool(code)
+    assert_ended(tmp_path, tmp_path / "scene.toml")
 
 
 def test_faces_of_thousands_of_corners_that_cross_themselves(tmp_path):
     chance = random.Random(4)
     write(tmp_path, m_obj="".join(f"v {chance.random():.2f} {chance.random():.2f} 0\n" for _ in range(99)) +
           "".join("f " + " ".join(str(chance.randrange(1, 100)) for _ in range(4000)) + "\n" for _ in range(16)))
-    assert "corners of faces cut (" in build(tmp_path, "m.obj", code=2)
+    build(tmp_path, "m.obj")
 
 
-@pytest.mark.parametrize("count, code", [(17_000, 0), (30_000, 2)])
-def test_quads_that_are_not_flat_and_share_their_vertices(tmp_path, count, code):
+def test_quads_that_are_not_flat_and_share_their_vertices(tmp_path, count=30_000):
     chance = random.Random(7)
     points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
     write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +
           "".join("f {} {} {} {}\n".format(*chance.sample(range(1, 100), 4)) for _ in range(count)))
-    assert ("faces cut (" in build(tmp_path, "m.obj", code)) == bool(code)
+    build(tmp_path, "m.obj")
 
 
 # --- models of a scene -------------------------------------------------------------
@@ -184,13 +171,13 @@ def test_a_model_that_is_fitted_4000_times(tmp_path):
     build(tmp_path, "scene.toml")
 
 
-def test_models_of_more_bytes_than_the_limit(tmp_path):
+def test_models_of_very_many_bytes(tmp_path):
     for i in range(3):
         with (tmp_path / f"m{i}.obj").open("w") as file:
             file.write(CORNERS + FACES + "# ")
             file.write(" " * (50 << 20))
     write(tmp_path, scene_toml=PATH + "".join(f'[[objects]]\nobj = "m{i}.obj"\n' for i in range(3)))
-    assert "limit of 134,217,728 bytes together" in build(tmp_path, "scene.toml", code=2)
+    build(tmp_path, "scene.toml")
 
 
 SURFACED = PATH + '[light]\nlevels = 8\n[[textures]]\nname = "t"\npattern = "checker"\n[[objects]]\nobj = "m.obj"\nfit = 9\n'
@@ -212,14 +199,17 @@ def test_20_000_loose_triangles_with_surfaces(tmp_path, look):
 
 
 @pytest.mark.parametrize("look", LOOKS)
-@pytest.mark.parametrize("count, code", [(11_000, 0), (65_000, 2)])
-def test_faces_with_surfaces_that_share_their_vertices(tmp_path, look, count, code):
+@pytest.mark.parametrize("count", [11_000, 65_000])
+def test_faces_with_surfaces_that_share_their_vertices(tmp_path, look, count):
     chance = random.Random(6)
     points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
     write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +
           "".join("f {} {} {}\n".format(*chance.sample(range(1, 100), 3)) for _ in range(count)),
           scene_toml=SURFACED + LOOKS[look])
-    assert ("too much work" in build(tmp_path, "scene.toml", code)) == bool(code)
+    if count < 20_000:
+        build(tmp_path, "scene.toml")
+    else:
+        assert_ended(tmp_path, tmp_path / "scene.toml")
 
 
 # --- names -------------------------------------------------------------------------

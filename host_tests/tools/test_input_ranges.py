@@ -11,7 +11,7 @@ import pytest
 
 from conftest import CHECKOUT, run_cli
 from test_checkers import sealed
-from test_input_bounds import run_bounded
+from test_input_bounds import LITTLE, assert_ended, run_bounded
 from test_input_work import noise, scene, textures
 from fixel.image import image, image_billboard, image_header, image_surface
 from fixel.model import texture_image
@@ -55,10 +55,10 @@ def overlapping(kind, folder):
 def test_what_overlaps_is_not_copied(tmp_path, kind):
     """The loader takes such an image, so the tools do; as C each texture would be a table of its own."""
     file = overlapping(kind, tmp_path)
-    code, said = run_bounded(tmp_path, "info", file, size=file.stat().st_size)
+    code, said = run_bounded("info", file)
     assert code == 0 and f"{RECORDS}" in said, said
     out = tmp_path / "out.h"
-    code, said = run_bounded(tmp_path, "export", "--c", file, "--name", "a", "-o", out, size=file.stat().st_size)
+    code, said = run_bounded("export", "--c", file, "--name", "a", "-o", out)
     assert code == 2 and "textures and sprites overlap" in said and not out.exists(), said
 
 
@@ -83,7 +83,7 @@ def test_many_small_textures_are_exported_in_time(tmp_path):
     records = b"".join(image_surface.TEXTURE.pack(8 * i, 0, 3, 0, 0, 0, 0, 1, 0) for i in range(count))
     file = tmp_path / "small.fxls"
     file.write_bytes(with_table(blob, [at, at + 4, at + 8, at + 12], (records, count), table))
-    code, said = run_bounded(tmp_path, "export", "--c", file, "--name", "a", "-o", tmp_path / "a.h", size=file.stat().st_size)
+    code, said = run_bounded("export", "--c", file, "--name", "a", "-o", tmp_path / "a.h")
     assert code == 0 and f"a_texels_{count - 1}[" in (tmp_path / "a.h").read_text(), said
 
 
@@ -107,31 +107,29 @@ def jpeg_of_scans(several):
 
 
 @pytest.mark.parametrize("several", [False, True], ids=["JPEG", "MPO"])
-def test_scans_count_in_every_kind_of_jpeg(tmp_path, several):
+def test_very_many_scans_in_every_kind_of_jpeg(tmp_path, several):
     picture = tmp_path / "scans.jpg"
     picture.write_bytes(jpeg_of_scans(several))
     with Image.open(picture) as opened:
         assert opened.format == ("MPO" if several else "JPEG")
-    code, said = run_bounded(tmp_path, "texture", picture, "-o", tmp_path / "out.h", "--size", "16x16", size=picture.stat().st_size)
-    assert code == 2 and "the picture asks for too much work" in said, said
-    file = scene(tmp_path, textures(['file = "scans.jpg"']))
-    code, said = run_bounded(tmp_path, "build", file, "-o", tmp_path / "out.fxls", size=picture.stat().st_size)
-    assert code == 2 and "the scene asks for too much work" in said, said
+    code, said = run_bounded("texture", picture, "-o", tmp_path / "out.h", "--size", "16x16", cpu=LITTLE)
+    assert (code == 0) != (f"{picture}: at the stage 'reading the image'" in said), said
+    assert_ended(tmp_path, scene(tmp_path, textures(['file = "scans.jpg"'])))
 
 
 def test_a_plain_picture_has_few_comments(tmp_path):
     picture = tmp_path / "plain.ppm"
     picture.write_bytes(b"P3\n2 2\n255\n" + b"#\n" * texture_image.COMMENTS_MAX + b"1 2 3 4 5 6 7 8 9 10 11 12\n")
-    code, said = run_bounded(tmp_path, "texture", picture, "-o", tmp_path / "out.h", size=picture.stat().st_size)
+    code, said = run_bounded("texture", picture, "-o", tmp_path / "out.h")
     assert code == 0, said
     picture.write_bytes(b"P3\n2 2\n255\n" + b"#\n" * 2_000_000 + b"1 2 3 4 5 6 7 8 9 10 11 12\n")
-    code, said = run_bounded(tmp_path, "texture", picture, "-o", tmp_path / "out.h", size=picture.stat().st_size)
+    code, said = run_bounded("texture", picture, "-o", tmp_path / "out.h")
     assert code == 2 and "more than 64 comments" in said, said
 
 
 def test_an_ordinary_picture_becomes_a_texture(tmp_path):
     picture = noise(tmp_path, "noise.png")
-    code, said = run_bounded(tmp_path, "texture", picture, "-o", tmp_path / "out.h", "--levels", "9", size=picture.stat().st_size)
+    code, said = run_bounded("texture", picture, "-o", tmp_path / "out.h", "--levels", "9")
     assert code == 0 and "noise_texture" in said, said
 
 

@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Short scene files that ask for much of several things, each of which would be fine alone: one budget holds for all
-(tools/fixel/scene/work.py). The bounds are those of test_input_bounds.py."""
+"""Short scene files that ask for much of several things, each of which would be fine alone: the limits of
+test_input_bounds.py hold for all together."""
 
-import re
 import tracemalloc
 
 import pytest
 
-from conftest import CHECKOUT
 from fixel.image import image
-from fixel.scene import work
-from fixel.base.errors import ToolError
 from fixel.scene import compiler
-from test_input_bounds import assert_built, assert_refused
+from test_input_bounds import assert_built, assert_ended, assert_refused
 from test_input_work import noise, scene
 
 NOISE = '[[textures]]\nname = "t0"\nfile = "noise.png"\nmost_colours = 255\n'
@@ -33,24 +29,23 @@ def copies(*count):
 
 RING = "ring = { count = 1000, radius = 9 }"
 SPIN = "spin = { yaw = 2 }"
-# What takes more than there is: the text, and the kind of work that is named first.
+# What may take more than there is.
 BEYOND = {
-    "shapes": ("".join(item('solid = "tile"', f"rotation = [0, {i}, {i}]", RING) for i in range(30)), "shapes"),
-    "known shapes": (item('solid = "tile"', RING) * 40, "copies that differ"),
-    "motions": (box("motion = { circle = 1, degrees = 2 }", copies(39, 1000, 1)), "turned or moving objects"),
-    "spins": (box("spin = { axis = [0, 1, 0], degrees = 3 }", copies(19, 1000, 1)), "turned or moving objects"),
-    "rings that turn": (box("ring = { count = 1000, radius = 9, turned = true }") * 40, "turned or moving objects"),
-    "parents": (box('name = "p"', "turn = 3") + box('parent = "p"') * 15_000, "turned or moving objects"),
-    "faces, copies and motions": ("".join(item('solid = "floor"', "cells = [30, 30]", f"rotation = [0, {i}, 0]") for i in range(43))
-                                  + box(copies(40, 600, 1)) + box(SPIN, copies(39, 1000, 1)), "copies"),
-    "corners": (BRICKS + item('solid = "disc"', "sides = 24", 'texture = "t0"', RING), "corners of surfaces"),
-    "short objects": ("objects = [" + '{ solid = "box" }, ' * 54_000 + "]\n", "objects"),
-    "objects that turn": ("objects = [" + '{ solid = "box", turn = 1 }, ' * 30_000 + "]\n", "turned or moving objects"),
-    "solids": ("".join(item('solid = "prism"', f"taper = {1 + i / 10_000}") for i in range(8000)), "shapes"),
-    "colours of textures": (NOISE + "".join(box(f"rotation = [{i}, {i}, {i}]", 'texture = "t0"') for i in range(300)),
-                            "colours of textures"),
-    "keys": (box("motion = { keys = [{ turn = 1e7, frames = 900000 }, {}] }"), "keys of motions"),
-    "parts": (item('solid = "floor"', "cells = [140, 140]", "parts = [64, 64]", copies(15, 1, 1)), "copies"),
+    "shapes": "".join(item('solid = "tile"', f"rotation = [0, {i}, {i}]", RING) for i in range(30)),
+    "known shapes": item('solid = "tile"', RING) * 40,
+    "motions": box("motion = { circle = 1, degrees = 2 }", copies(39, 1000, 1)),
+    "spins": box("spin = { axis = [0, 1, 0], degrees = 3 }", copies(19, 1000, 1)),
+    "rings that turn": box("ring = { count = 1000, radius = 9, turned = true }") * 40,
+    "parents": box('name = "p"', "turn = 3") + box('parent = "p"') * 15_000,
+    "faces, copies and motions": "".join(item('solid = "floor"', "cells = [30, 30]", f"rotation = [0, {i}, 0]") for i in range(43)) +
+                                 box(copies(40, 600, 1)) + box(SPIN, copies(39, 1000, 1)),
+    "corners": BRICKS + item('solid = "disc"', "sides = 24", 'texture = "t0"', RING),
+    "short objects": "objects = [" + '{ solid = "box" }, ' * 54_000 + "]\n",
+    "objects that turn": "objects = [" + '{ solid = "box", turn = 1 }, ' * 30_000 + "]\n",
+    "solids": "".join(item('solid = "prism"', f"taper = {1 + i / 10_000}") for i in range(8000)),
+    "colours of textures": NOISE + "".join(box(f"rotation = [{i}, {i}, {i}]", 'texture = "t0"') for i in range(300)),
+    "keys": box("motion = { keys = [{ turn = 1e7, frames = 900000 }, {}] }"),
+    "parts": item('solid = "floor"', "cells = [140, 140]", "parts = [64, 64]", copies(15, 1, 1)),
 }
 # What looks as hostile, and is not: the same is made once.
 WITHIN = {
@@ -67,9 +62,14 @@ WITHIN = {
 
 @pytest.mark.parametrize("name", BEYOND)
 def test_beyond(tmp_path, name):
-    text, kind = BEYOND[name]
     noise(tmp_path, "noise.png", 64)
-    assert_refused(tmp_path, scene(tmp_path, text), "too much work; most of it is for " + kind)
+    assert_ended(tmp_path, scene(tmp_path, BEYOND[name]))
+
+
+def test_keys_of_motions_are_counted_before_they_are_made(tmp_path):
+    """A turn of ten million degrees between two keys needs a key in every few frames."""
+    text = box("motion = { keys = [{ turn = 1e8, frames = 900000 }, {}] }")
+    assert_refused(tmp_path, scene(tmp_path, text * 2), "1,000,000 keys together")
 
 
 @pytest.mark.parametrize("name", WITHIN)
@@ -101,22 +101,3 @@ def test_texels_take_little_memory(tmp_path):
     _, most = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert texels > 500_000 and most < 20 * texels
-
-
-def test_the_budget_is_one(tmp_path):
-    """It is not for each kind, and a refusal names what took most."""
-    budget = work.Work()
-    file = tmp_path / "a"
-    file.touch()
-    assert budget.allow(file, 1000)
-    budget.take("copies", 100_000, "a")
-    with pytest.raises(ToolError) as refused:
-        budget.take("parents", 5000, "the place")
-    assert str(refused.value) == ("the place: the scene asks for too much work; most of it is for copies (58 %), parents (42 %): use "
-                                  "fewer of these (the limit is 1,501,300 steps: 1,500,000, and about one for each byte of its files)")
-
-
-def test_the_documents_have_the_costs():
-    text = (CHECKOUT / "docs" / "scenes.md").read_text(encoding="utf-8").split("| kind | steps for each |")[1].split("\n\n")[0]
-    told = dict(re.findall(r"\| ([a-z ]+) \| ([0-9]+) \|", text))
-    assert len(told) == 11 and {kind: work.COSTS[kind] for kind in told} == {kind: int(steps) for kind, steps in told.items()}

@@ -49,7 +49,7 @@ def test_faces_that_look_the_wrong_way_are_turned(tmp_path):
 
 BAD = {
     "2 GB": (bytes(80) + struct.pack("<I", 42_949_672) + bytes(200), ["promises 42,949,672 triangles", "2,147,483,684 bytes"]),
-    "many": (bytes(80) + struct.pack("<I", 65_536) + bytes(50 * 65_536), ["65,536 triangles", "65,535"]),
+    "many": (bytes(80) + struct.pack("<I", (1 << 20) + 1) + bytes(50 * ((1 << 20) + 1)), ["1,048,577 triangles", "1,048,576"]),
     "none": (bytes(84), ["no face"]),
     "short": (b"xyz", ["3 bytes are fewer"]),
     "NaN": (make([(float("nan"), 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["triangle 0", "x of corner 0 is nan"]),

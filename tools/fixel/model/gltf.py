@@ -12,7 +12,7 @@ import numpy as np
 
 from fixel.model import gltf_check
 from fixel.base.errors import ToolError
-from fixel.model.mesh import Mesh
+from fixel.model.mesh import FILE_FACES_MAX, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
 from fixel.model.surface import Material, Surfaces
@@ -22,9 +22,8 @@ _FLOATS = (gltf_check.FLOAT,)
 _PARTS = (gltf_check.FLOAT, 5121, 5123)     # of a coordinate or a colour, the whole ones normalised
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
 _MODES = range(7)
-FACES_MAX = 16_384          # of all nodes: a face takes few bytes of such a file
-READ_MAX = 250_000          # vertices and indices of the parts of all nodes
-PARTS_MAX = 8192            # of all nodes, which take about 0.1 ms each
+READ_MAX = 8 << 20          # vertices and indices of the parts of all nodes: nodes may share a mesh
+PARTS_MAX = 65_535          # of all nodes, which may share them
 
 
 # --- nodes ------------------------------------------------------------------------
@@ -137,8 +136,6 @@ def _positions(checked, attributes, where):
     if "POSITION" not in attributes:
         checked.fail(where, "it has no POSITION: the file is damaged")
     points = checked.accessor(attributes["POSITION"], where, ("VEC3",), _FLOATS)
-    if len(points) > gltf_check.VERTICES_MAX:
-        checked.fail(where, f"{len(points):,} vertices are more than the limit of {gltf_check.VERTICES_MAX:,}; simplify it")
     return points
 
 
@@ -186,8 +183,9 @@ class _Reader:
         if triangles is None:
             self.left_out += 1
             return
-        if len(self.faces) + len(triangles) > FACES_MAX:
-            checked.fail(where, f"the model has more than {FACES_MAX:,} faces; simplify it or split it into several files")
+        if len(self.faces) + len(triangles) > FILE_FACES_MAX:
+            checked.fail(where, f"the model has more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify "
+                         "it")
         material, number = self.materials.get(part, where)
         uvs = self._coordinates(attributes, material, number, len(points), where)
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
@@ -196,14 +194,12 @@ class _Reader:
 
     def _count_part(self, where):
         self.parts += 1
-        self.checked.sources.work.take("primitives of glTF files", 1, f"{self.checked.name}: {where}")
         if self.parts > PARTS_MAX:
             self.checked.fail(where, f"the nodes have more than the limit of {PARTS_MAX:,} primitives together; join them, or "
                               "use fewer nodes")
 
     def _count_values(self, values, where):
         self.read += values
-        self.checked.sources.work.take("values of glTF files", values, f"{self.checked.name}: {where}")
         if self.read > READ_MAX:
             self.checked.fail(where, f"the nodes read more than the limit of {READ_MAX:,} vertices and indices together; "
                               "simplify the model, or give each mesh vertices of its own")
@@ -219,13 +215,7 @@ class _Reader:
                               f"{COORDINATE_LIMIT:,}")
         return placed
 
-    def _count_work(self, triangles, tints, where):
-        work, place = self.checked.sources.work, f"{self.checked.name}: {where}"
-        work.take("triangles of glTF files", triangles, place)
-        work.take("triangles with colours of vertices", triangles if tints else 0, place)
-
     def _add(self, points, triangles, material, uvs, tints, where, mirrored):
-        self._count_work(len(triangles), tints is not None, where)
         used, corners = np.unique(triangles, return_inverse=True)
         corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
         self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
@@ -267,4 +257,4 @@ def read(path, name=None, progress=None, sources=None):
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, work=sources.work), notes
+    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces), notes

@@ -15,6 +15,7 @@ from fixel.image.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, 
 from fixel.model.triangles import triangulate
 
 FACES_MAX = 65535       # of a model
+FILE_FACES_MAX = 1 << 20    # of a file: more than a scene image has room for
 
 # A mesh's coordinates are integers in 1/UNIT: decimals of OBJ files stay exact.
 UNIT = 10 ** 18
@@ -32,17 +33,11 @@ class Mesh:
     places: list = field(default_factory=list)  # where each face stands, for messages
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
     uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
-    work: object = None         # the work.Work of the scene that has it
 
     @cached_property
     def extent(self):
         """The length of the longest side of the box about its vertices."""
         return max(max(axis) - min(axis) for axis in zip(*self.vertices))
-
-    @cached_property
-    def squares(self):
-        """The squares of the corners of its faces that a board draws, but for those of three or four, together."""
-        return sum(len(face) ** 2 for face in self.faces if 4 < len(face) <= FACE_VERTICES_MAX)
 
 
 @dataclass
@@ -250,17 +245,12 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
         if progress:
             progress(f"{name}: face {number} of {len(mesh.faces)}")
         place = mesh.places[number] if mesh.places else ""
-        if mesh.work and len(corners) > FACE_VERTICES_MAX:
-            mesh.work.take("corners of faces cut", len(corners) ** 2, place)
-        pieces = _pieces([renamed[c] for c in corners], points, place, counts)
-        if mesh.work and len(pieces) > 1:
-            mesh.work.take("faces cut", len(pieces), place)
-        for outline, normal in pieces:
+        for outline, normal in _pieces([renamed[c] for c in corners], points, place, counts):
             faces.append(Face(normal, outline, 0))
             sources.append(number)
-        if len(faces) > FACES_MAX:
-            raise ToolError(f"{place or name}: the model has more than {FACES_MAX:,} faces with those that its faces "
-                            "are cut into; simplify it or split it into several objects")
+        if len(faces) > FILE_FACES_MAX:
+            raise ToolError(f"{place or name}: the model has more than {FILE_FACES_MAX:,} faces with those that its faces "
+                            "are cut into; simplify it or split it into several files")
     if not faces:
         raise ToolError(f"{name}: no face with any area is left; is scale too small?")
     result = _used(points, faces, sources, counts.notes(name))

@@ -55,16 +55,14 @@ class Reader:
 
     def _read_image(self, name, where):
         file = Beside(self.folder, name)
-        self.sources.count_name(file, where)
         if not file.exists():
             raise ToolError(f"{where}: there is no image {quoted(name)}; the path is taken from the model's folder. "
                             "Put the image there, or take map_Kd out")
         return self.sources.image_of_file(file, f"{where}: {file}")
 
-    def exists(self, name, where):
+    def exists(self, name):
         """Whether there is a file of this name."""
         if name not in self.known:
-            self.sources.count_name(Beside(self.folder, name), where)
             self.known[name] = bool(name) and Beside(self.folder, name).exists()
         return self.known[name]
 

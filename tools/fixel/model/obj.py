@@ -16,7 +16,7 @@ import os
 
 from fixel.model import mtl
 from fixel.base.errors import ToolError
-from fixel.model.mesh import FACES_MAX, UNIT, Mesh
+from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
 from fixel.model.surface import Material, Surfaces
@@ -104,9 +104,8 @@ def _face(rest, counts, where):
 
 
 def _refuse_many_faces(name, count):
-    if count > FACES_MAX:
-        raise ToolError(f"{name}: more than {FACES_MAX:,} faces; a model has at most so many, so simplify it or "
-                        "split it into several files")
+    if count > FILE_FACES_MAX:
+        raise ToolError(f"{name}: more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify the model")
 
 
 def _without_unused(vertices, faces):
@@ -129,9 +128,9 @@ class _Materials:
 
     def library(self, words, where):
         """mtllib: the names of files, or one name with blanks."""
-        names = words if any(self.reader.exists(word, where) for word in words) else [" ".join(words)]
+        names = words if any(self.reader.exists(word) for word in words) else [" ".join(words)]
         for each in names:
-            if self.reader.exists(each, where):
+            if self.reader.exists(each):
                 self.reader.read(each)
             else:
                 self.missing = self.missing or f"{where}: there is no {quoted(each)}"
@@ -224,4 +223,4 @@ def read(path, name=None, progress=None, sources=None):
         notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs, sources.work), notes + more
+    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs), notes + more

@@ -202,13 +202,6 @@ SOLIDS = {
 }
 
 
-def cells(name, options):
-    """About how many faces a solid is made of, at most."""
-    takes = SOLIDS[name][1]
-    return math.prod(options.get("cells", (16, 16))) if "cells" in takes else \
-        options.get("sides", 16) * (options.get("rings", 12) if "rings" in takes else 1)
-
-
 def make(name, options, where):
     """The mesh of a solid; options as parsed numbers."""
     maker, allowed = SOLIDS[name]

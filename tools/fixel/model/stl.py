@@ -8,7 +8,7 @@ import re
 import numpy as np
 
 from fixel.base.errors import ToolError
-from fixel.model.mesh import FACES_MAX, UNIT, Mesh
+from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
 
@@ -28,9 +28,9 @@ def exact(value):
 
 
 def _refuse_many(name, count):
-    if count > FACES_MAX:
-        raise ToolError(f"{name}: {count:,} triangles; a model has at most {FACES_MAX:,}, so simplify it or split it into "
-                        "several files")
+    if count > FILE_FACES_MAX:
+        raise ToolError(f"{name}: {count:,} triangles are more than the limit of {FILE_FACES_MAX:,}; a scene image has room for "
+                        "fewer, so simplify the model")
 
 
 def _binary(blob, name, count):
@@ -103,4 +103,4 @@ def read(path, name=None, progress=None, sources=None):
         raise ToolError(f"{name}: there is no face in this file")
     vertices = [(exact(x), exact(z), exact(y)) for x, y, z in points]
     faces = [[3 * face + 2, 3 * face + 1, 3 * face] for face in range(len(places))]
-    return Mesh(vertices, faces, places, work=sources.work), [f"{name}: {_CONVENTION}"]
+    return Mesh(vertices, faces, places), [f"{name}: {_CONVENTION}"]

@@ -10,7 +10,6 @@ from PIL import Image, PngImagePlugin, UnidentifiedImageError
 from fixel.base import reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import shortened
-from fixel.scene.work import PictureWork
 
 FILE_MAX = 16 << 20     # bytes
 SIDE_MAX = 2048         # pixels
@@ -59,23 +58,8 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
                     for i in range(_STEPS) for j in range(_STEPS - i)])
 
 
-def count_texts(blob):
-    """How many compressed texts a PNG may have."""
-    return sum(map(blob.count, (b"iCCP", b"zTXt", b"iTXt")))
-
-
-def _weight(opened, blob):
-    """How many times the work of a plain image one takes, and its compressed texts: a JPEG may have thousands of scans, and
-    a PNG thousands of texts."""
-    if opened.format in ("JPEG", "MPO"):    # MPO: a JPEG that holds more. A scan of arithmetic coding takes longer
-        return 1 + blob.count(b"\xff\xda") / (8 if b"\xff\xca" in blob else 32), 0
-    if opened.format == "BMP":      # which may be run-length coded: Pillow reads such rows in Python
-        return 4, 0
-    return 1, count_texts(blob) if opened.format == "PNG" else 0
-
-
-def decode(blob, name, work=None):
-    """The Texture in an image file's bytes. work: a work.Work, which counts it before it is done."""
+def decode(blob, name):
+    """The Texture in an image file's bytes."""
     if len(blob) > FILE_MAX:
         raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
     if blob[:2] in _PLAIN and blob.count(b"#") > COMMENTS_MAX:  # Pillow copies all that follows for each of them
@@ -89,12 +73,8 @@ def decode(blob, name, work=None):
                 width, height = opened.size
                 if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
                     raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
-                if work:
-                    times, texts = _weight(opened, blob)
-                    work.take("pixels", times * width * height, name)
-                    work.take("texts in images", texts, name)
                 return Texture(name, np.asarray(opened.convert("RGBA")))
-    except ToolError:
+    except (ToolError, MemoryError):
         raise
     except Image.DecompressionBombError:
         raise ToolError(f"{name}: an image of very many pixels{_TOO_LARGE}") from None
@@ -107,6 +87,4 @@ def decode(blob, name, work=None):
 def read(path, name):
     """The Texture in a file that a command names."""
     blob = reading.read_whole(path, FILE_MAX, "make the image smaller")
-    work = PictureWork()
-    work.allow(path, len(blob))
-    return decode(blob, name, work)
+    return decode(blob, name)

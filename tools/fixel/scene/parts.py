@@ -2,36 +2,61 @@
 """An object in parts: a grid of objects, each with the faces that lie over a cell of it."""
 
 import dataclasses
+import itertools
+import math
 
+import numpy as np
+
+from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
-from fixel.image.image import CONVEX, SORTED
+from fixel.model.mesh import FACES_MAX
+from fixel.image.image import CONVEX, SORTED, Face
 
 MOST = 64       # across, and along
 
 
-def _cell(low, high, count, middle):
-    """The number of the cell, of so many between low and high, in which a middle lies. middle: a sum and how many."""
-    total, points = middle
-    return max(0, min(count - 1, (total - low * points) * count // ((high - low) * points))) if high > low else 0
+def _cells_along(shape, axis, count):
+    """(of each face the number of the cell, of so many along an axis, in which its middle lies; the ends of the shape)."""
+    along = np.array([vertex[axis] for vertex in shape.vertices], dtype=np.int64)
+    sizes = np.array([len(face.corners) for face in shape.faces], dtype=np.int64)
+    corners = np.fromiter(itertools.chain.from_iterable(face.corners for face in shape.faces), np.int64, int(sizes.sum()))
+    sums = np.add.reduceat(along[corners], np.cumsum(sizes) - sizes)
+    low, high = int(along.min()), int(along.max())
+    found = (sums - low * sizes) * count // ((high - low) * sizes) if high > low else np.zeros(len(sizes), np.int64)
+    return np.clip(found, 0, count - 1), (low, high)
 
 
 def _grouped(shape, counts):
     """The numbers of the faces of each cell that has some, by cell; and the ends of the shape along x and z."""
-    ends = [(min(v[axis] for v in shape.vertices), max(v[axis] for v in shape.vertices)) for axis in (0, 2)]
-    cells = {}
-    for number, face in enumerate(shape.faces):
-        place = tuple(_cell(*end, count, (sum(shape.vertices[c][axis] for c in face.corners), len(face.corners)))
-                      for axis, end, count in zip((0, 2), ends, counts))
-        cells.setdefault(place[::-1], []).append(number)
-    return cells, ends
+    (across, wide), (along, deep) = (_cells_along(shape, axis, count) for axis, count in zip((0, 2), counts))
+    places = along * counts[0] + across
+    order = np.argsort(places, kind="stable")
+    found, starts = np.unique(places[order], return_index=True)
+    return {divmod(int(place), counts[0]): numbers.tolist()
+            for place, numbers in zip(found, np.split(order, starts[1:]))}, [wide, deep]
+
+
+def fitting(shape, where):
+    """The least number of cells, across and along, whose parts are no larger than a model may be; None where the shape
+    is not larger itself."""
+    most = max(len(shape.faces), len(shape.vertices))
+    if most <= FACES_MAX:
+        return None
+    for count in range(math.ceil(math.sqrt(most / FACES_MAX)), MOST + 1):
+        cells, _ = _grouped(shape, (count, count))
+        if all(len(numbers) <= FACES_MAX and len({c for number in numbers for c in shape.faces[number].corners}) <= FACES_MAX
+               for numbers in cells.values()):
+            return count, count
+    raise ToolError(f"{where}: {len(shape.faces):,} faces and {len(shape.vertices):,} vertices are more than the {FACES_MAX:,} of a "
+                    f"model, and so are those over a cell of {MOST} x {MOST}; simplify the model, or split it into several files")
 
 
 def _part(shape, numbers):
     """The shape of these faces alone."""
     used = sorted({corner for number in numbers for corner in shape.faces[number].corners})
     place = {corner: i for i, corner in enumerate(used)}
-    faces = [dataclasses.replace(shape.faces[number], corners=tuple(place[c] for c in shape.faces[number].corners))
-             for number in numbers]
+    faces = [Face(face.normal, tuple([place[c] for c in face.corners]), face.colour, face.mapped)
+             for face in map(shape.faces.__getitem__, numbers)]
     return dataclasses.replace(shape, vertices=[shape.vertices[corner] for corner in used], faces=faces,
                                sources=[shape.sources[number] for number in numbers])
 

@@ -15,7 +15,6 @@ from fixel.base.errors import ToolError
 from fixel.image.image import Face
 from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
 from fixel.model.mesh import UNIT, cross, dot, minus, newell, transform, unit_normal
-from fixel.base.reading import quoted
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
 DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_surface.DIVIDE_1,
@@ -238,10 +237,10 @@ def blend_table(colours, sixteenths, blended):
 
 
 class Records:
-    """Collects the textures and surfaces of a scene. indices: the palette index of each colour. work: a work.Work."""
+    """Collects the textures and surfaces of a scene. indices: the palette index of each colour."""
 
-    def __init__(self, indices, work):
-        self.work, self.indices = work, indices
+    def __init__(self, indices):
+        self.indices = indices
         self.textures, self.surfaces, self.normals = {}, {}, {}
         self.known = {}     # (paint, id of its colours): number of a texture, the colours
         self.made, self.blended = Surfaces(), set()     # colours
@@ -255,8 +254,6 @@ class Records:
             entries = tuple(self.indices[colour] for colour in look.colours)
             key = look.paint, entries
             if key not in self.textures:
-                texels = sum(len(level) * len(level[0]) for level in look.paint.picture.levels)
-                self.work.take("texels of textures", texels, f"texture {quoted(look.paint.name)}")
                 self.made.textures.append(_texture(look.paint, entries))
                 self.made.texture_names.append(look.paint.name)
                 self.textures[key] = len(self.made.textures)
@@ -289,7 +286,6 @@ class Records:
         blended = {self.indices[colour] for colour in self.blended}
         if blended:
             first, end = min(blended), max(blended) + 1
-            self.work.take("colours blended", end - first, "blend")
             self.made.blend_first = first
             self.made.blend = blend_table(colours, sixteenths, range(first, end))
         return self.made if self.made.surfaces else None

@@ -3,7 +3,6 @@
 
 from dataclasses import dataclass
 import functools
-import os
 
 import numpy as np
 
@@ -91,29 +90,22 @@ def _nearest(colours, kept):
     return {colour: kept[number] for colour, number in zip(colours, near)}
 
 
-def _merged(weights, most, kept, count):
-    """{colour: the one that stands for it}: of at most so many colours, those that are kept among them. count: is told
-    first how many are to be merged."""
+def _merged(weights, most, kept):
+    """{colour: the one that stands for it}: of at most so many colours, those that are kept among them."""
     others = {colour: weight for colour, weight in weights.items() if colour not in set(kept)}
     room = most - len(kept)
     if len(others) <= room:
         return {colour: colour for colour in others}
-    count(len(others))
     return palette.median_cut(others, room) if room > 0 else _nearest(others, kept)
 
 
-def _uncounted(_colours):
-    """For pictures whose work is not counted."""
-
-
-def from_codes(levels, most, kept=(), count=_uncounted):
-    """A Picture of levels of codes, with at most so many colours: those that are kept, and others merged. count: see
-    _merged."""
+def from_codes(levels, most, kept=()):
+    """A Picture of levels of codes, with at most so many colours: those that are kept, and others merged."""
     kept = list(dict.fromkeys(kept))
     every = np.concatenate([level.ravel() for level in levels])
     codes, counts = np.unique(every[every != _CLEAR_CODE], return_counts=True)
     found = [_colour(code) for code in codes.tolist()]
-    merged = _merged(dict(zip(found, counts.tolist())), most, kept, count)
+    merged = _merged(dict(zip(found, counts.tolist())), most, kept)
     colours = kept + sorted(set(merged.values()) - set(kept))
     places = {colour: number for number, colour in enumerate(colours)}
     numbers = np.array([places[merged.get(colour, colour)] for colour in found] + [CLEAR], dtype=object)
@@ -141,21 +133,21 @@ def levels_of(codes, count, least=1):
     return levels
 
 
-def with_levels(picture, levels, most, least, count=_uncounted):
+def with_levels(picture, levels, most, least):
     """The picture with so many levels, and at most so many colours: its own ones, and others for the smaller levels.
-    least: the least width of a level. count: see _merged."""
+    least: the least width of a level."""
     numbers = np.array([[-1 if n is CLEAR else n for n in row] for row in picture.levels[0]], dtype=np.int32)
     own = np.array([red << 16 | green << 8 | blue for red, green, blue in picture.colours] + [_CLEAR_CODE], dtype=np.int32)
-    return from_codes(levels_of(own[numbers], levels, least), most, picture.colours, count)
+    return from_codes(levels_of(own[numbers], levels, least), most, picture.colours)
 
 
-def pixels_of(path, name, work=None):
-    """The pixels of an image file. work: a work.Work."""
+def pixels_of(path, name):
+    """The pixels of an image file."""
     blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
-    return texture_image.decode(blob, name, work).pixels
+    return texture_image.decode(blob, name).pixels
 
 
-def from_pixels(pixels, name, most, any_side=False, key=None, count=_uncounted):
+def from_pixels(pixels, name, most, any_side=False, key=None):
     """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
     pixels of the colour key. any_side: its sides need not be powers of two."""
     height, width = pixels.shape[:2]
@@ -167,7 +159,7 @@ def from_pixels(pixels, name, most, any_side=False, key=None, count=_uncounted):
     codes = codes_of(pixels, pixels[..., 3] < OPAQUE_FROM)
     if key:
         codes[codes == (key[0] << 16 | key[1] << 8 | key[2])] = _CLEAR_CODE
-    return from_codes([coarser(codes)], most, count=count)
+    return from_codes([coarser(codes)], most)
 
 
 # --- patterns ------------------------------------------------------------------------------------
@@ -275,25 +267,21 @@ def pattern_colours(row, name):
 # --- the pictures of a scene -------------------------------------------------------------------
 
 class Pictures:
-    """Makes the pictures of one scene, each once. work: the scene's work.Work."""
+    """Makes the pictures of one scene, each once."""
 
-    def __init__(self, folder, work):
-        self.folder, self.work, self.made, self.files = folder, work, {}, {}      # pictures; the pixels of files
+    def __init__(self, folder):
+        self.folder, self.made, self.files = folder, {}, {}     # pictures; the pixels of files
 
-    def _once(self, key, kind, where, make):
-        """A picture that is made once. One is made before its texels count, at most 65,536.
-        kind: of these."""
+    def _once(self, key, make):
+        """A picture that is made once."""
         if key not in self.made:
-            made = self.made[key] = make(lambda colours: self.work.take("colours merged", colours, where))
-            self.work.take("pictures", 1, where)
-            self.work.take(kind, sum(len(level) * len(level[0]) for level in made.levels), where)
+            self.made[key] = make()
         return self.made[key]
 
     def pattern(self, row, name, width, height):
         """The picture of a pattern that a row of a scene file names."""
         colours = pattern_colours(row, name)
-        return self._once((name, width, height, tuple(colours)), "texels of patterns", row.where,
-                          lambda _: pattern(name, width, height, colours))
+        return self._once((name, width, height, tuple(colours)), lambda: pattern(name, width, height, colours))
 
     def file(self, row, most, any_side=False, key=None):
         """The picture of the file that a row of a scene file names (read)."""
@@ -303,15 +291,12 @@ class Pictures:
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
         real = reading.identity(file)
         if real not in self.files:
-            self.work.allow(file, min(FILE_MAX, os.path.getsize(file)))
-            self.files[real] = pixels_of(file, file, self.work)
-        return self._once((real, most, any_side, key), "texels of pictures", row.where,
-                          lambda count: from_pixels(self.files[real], file, most, any_side, key, count))
+            self.files[real] = pixels_of(file, file)
+        return self._once((real, most, any_side, key), lambda: from_pixels(self.files[real], file, most, any_side, key))
 
-    def levels(self, picture, levels, most, least, where):
+    def levels(self, picture, levels, most, least):
         """The same with smaller pictures of it (with_levels)."""
-        return self._once((id(picture), levels, most, least), "texels of pictures", where,
-                          lambda count: with_levels(picture, levels, most, least, count))
+        return self._once((id(picture), levels, most, least), lambda: with_levels(picture, levels, most, least))
 
 
 # --- files ---------------------------------------------------------------------------------------

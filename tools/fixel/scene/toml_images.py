@@ -14,7 +14,6 @@ from fixel.scene.toml_table import Table
 
 KEYS = {"images"}
 _ROW_KEYS = {"size", "colours", "levels", "bits"}
-FACES_MAX = 8192        # of a model whose images are textures
 
 
 def _power(side, most):
@@ -36,17 +35,12 @@ def picture(image, colour, size, most, levels, bits):
     if key not in image.pictures:
         least = 2 if bits == 4 else 1       # texels of a row
         width, height = max(least, _power(image.width, size)), _power(image.height, size)
-        image.work.take("pictures", 1, image.name)
-        image.work.take("texels of materials", width * height, image.name)
         scaled = _scaled(image, width, height)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
         codes = texture.codes_of(scaled, scaled[:, 3] < texture.OPAQUE_FROM).reshape(height, width)
         own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels
-
-        def count(colours):
-            image.work.take("colours merged", colours, image.name)
-        made = texture.from_codes([texture.coarser(codes)], own, count=count)
-        image.pictures[key] = texture.with_levels(made, levels, most, least, count) if levels > 1 else made
+        made = texture.from_codes([texture.coarser(codes)], own)
+        image.pictures[key] = texture.with_levels(made, levels, most, least) if levels > 1 else made
     return image.pictures[key]
 
 
@@ -114,9 +108,6 @@ def read(table, mesh_of, known):
     surfaces = mesh_of().surfaces if "solid" not in table else None
     if surfaces is None or not any(material.image for material in surfaces.materials):
         raise ToolError(f"{table.at('images')}: the model has no material with an image")
-    if len(surfaces.of_face) > FACES_MAX:
-        raise ToolError(f"{table.at('images')}: {len(surfaces.of_face):,} faces are more than the limit of {FACES_MAX:,} for "
-                        "textures; simplify the model, or leave images away")
     key = id(surfaces), row
     if key not in known:
         known[key] = _images(surfaces, row)

@@ -19,15 +19,14 @@ class Files:
     """The meshes of a scene's model files. A file is one however its name is spelled, so it is read once. Its key is its
     name, or the Beside that stands for it in messages."""
 
-    def __init__(self, folder, work=None):
-        self.folder, self.sources = folder, Sources(work)
+    def __init__(self, folder):
+        self.folder, self.sources = folder, Sources()
         self.by_name, self.by_path, self.meshes = {}, {}, {}
 
     def file(self, name):
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
         if name not in self.by_name:
             file = Beside(self.folder, name)
-            self.sources.count_name(file, file)
             real = reading.identity(file)
             reader = model_file.READERS.get(model_file.suffix_of(file), model_file.READERS[".obj"])
             self.by_name[name] = self.by_path.setdefault((real, reader), file)

@@ -89,7 +89,7 @@ def _read_spin(table, life):
     life.spin = spin.degrees("start"), spin.degrees("degrees")
 
 
-def _read_circle(motion, life, _work):
+def _read_circle(motion, life):
     life.radius = motion.number("circle", None, 0, 16382, "world units")
     motion.need("degrees")
     step, start = motion.degrees("degrees"), motion.degrees("start")
@@ -101,7 +101,7 @@ def _read_circle(motion, life, _work):
         life.steps = (life.steps[0] + step, *life.steps[1:])
 
 
-def _read_way(motion, life, _work):
+def _read_way(motion, life):
     way = quantity.vector(motion.need("by"), motion.at("by"))
     frames = motion.whole("frames", None, 1, FRAMES_MAX // 2)
     life.stops = [Stop(0), Stop(frames, way)]
@@ -110,10 +110,9 @@ def _read_way(motion, life, _work):
         life.stops.append(Stop(2 * frames))
 
 
-def _read_stops(motion, life, work):
+def _read_stops(motion, life):
     frame, life.stops = 0, []
     rows = motion.rows("keys")
-    work.take("keys of motions", len(rows), motion.where)
     life.repeats = motion.switch("repeats", True) and len(rows) > 1
     for i, data in enumerate(rows):
         key = Table(data, f"{motion.at('keys')}[{i}]", {"frames", "offset", "turn", "size"})
@@ -126,18 +125,18 @@ def _read_stops(motion, life, work):
         life.stops.append(replace(life.stops[0], frame=frame))
 
 
-def _read_motion(table, life, work):
+def _read_motion(table, life):
     known = {"circle": {"degrees", "start", "facing"}, "by": {"frames", "back", "repeats"}, "keys": {"repeats"}}
     motion = table.table("motion", set(known).union(*known.values()))
     kind = motion.only_one(*known)
     for key in motion.data:
         if key != kind and key not in known[kind]:
             raise ToolError(f"{motion.at(key)}: does not belong to {kind}")
-    {"circle": _read_circle, "by": _read_way, "keys": _read_stops}[kind](motion, life, work)
+    {"circle": _read_circle, "by": _read_way, "keys": _read_stops}[kind](motion, life)
 
 
-def read(table, work):
-    """What an object's keys say, or None: it is not turned. work: the scene's work.Work."""
+def read(table):
+    """What an object's keys say, or None: it is not turned."""
     if not any(key in table for key in KEYS):
         return None
     life = Life(where=table.where)
@@ -146,7 +145,7 @@ def read(table, work):
     if "spin" in table:
         _read_spin(table, life)
     if "motion" in table:
-        _read_motion(table, life, work)
+        _read_motion(table, life)
     if "parent" in table:
         life.parent = table.text("parent")
     return life
@@ -262,25 +261,27 @@ def _check_depth(item, parents, depths):
         raise ToolError(f"{item.where}: parent: it has more than {image_turn.DEPTH_MAX} parents, one after the other")
 
 
-def _parents(lively, work):
+def _parents(lively):
     """{id of a placement: its parent}; and those that move, themselves or as parents, in order."""
-    parents, named, depths = {}, {}, {}
+    parents, named, depths, keys = {}, {}, {}, 0
     for item in lively:
         if item.life.parent is not None:
             parents[id(item)] = _parent_of(item, named)
-            work.take("parents", 1, item.where)
         named.setdefault(item.name, []).append(item)
         _check_depth(item, parents, depths)
-        work.take("keys of motions", _count_keys(item.life.stops) - 1, item.where)
+        keys += _count_keys(item.life.stops)
+        if keys > image_turn.KEYS_MAX:
+            raise ToolError(f"{item.where}: the motions have more than {image_turn.KEYS_MAX:,} keys together, with those that "
+                            "large turns need; turn less between two keys, or give fewer objects keys")
     needed = {id(parent) for parent in parents.values()}
     return parents, [item for item in lively if item.life.moves or id(item) in needed]
 
 
-def settle(placements, work):
+def settle(placements):
     """The placements in the order of an image: those that stand still, those that are turned, those that move;
-    and the turns and motions of the last. work: the scene's work.Work."""
+    and the turns and motions of the last."""
     lively = [item for item in placements if item.life is not None]
-    parents, moving = _parents(lively, work)
+    parents, moving = _parents(lively)
     known = {id(item) for item in moving}
     ordered = [item for item in placements if item.life is None]
     turns, motions, starts, numbers = [], [], [], {}

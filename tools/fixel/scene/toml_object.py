@@ -4,7 +4,6 @@ colours. Each becomes one or more placements of a coloured shape."""
 
 from dataclasses import dataclass
 from fractions import Fraction
-import math
 
 from fixel.image import image
 from fixel.model import island, quantity, solids
@@ -94,7 +93,7 @@ class Objects:
     def __init__(self, name, files, light, notes, progress=None, textures=None, billboards=None):
         self.name, self.light = name, light
         self.notes, self.progress = notes, progress or Quiet()
-        self.files, self.work, self.shapes, self.coloured, self.surfaces = files, files.sources.work, {}, {}, {}
+        self.files, self.shapes, self.coloured, self.surfaces = files, {}, {}, {}
         self.textures, self.looks = textures or {}, {}
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
@@ -111,9 +110,6 @@ class Objects:
             options = _solid_options(table)
             identity = (name, *sorted(options.items()))
             if identity not in self.solids:
-                self.work.take("solids", 1, table.where)
-                self.work.take("cells of islands" if name == "island" else "cells of other solids", solids.cells(name, options),
-                               table.where)
                 self.solids[identity] = solids.make(name, options, table.where)
             return self.solids[identity], table.where, identity
         for key in ("sides", "rings", "taper", "cells", "seed", "sea"):
@@ -135,33 +131,15 @@ class Objects:
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
         key = (identity, scale, rotation, inside, sides, wanted, look.key)
         if key not in self.shapes:
-            self._count_shape(mesh, wanted, table.where)
             self.progress.stage(table.where)
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
-                made, coordinates = self._with_coordinates(look, mesh, (scale, rotation), made, inside, table.where)
+                made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
             self.shapes[key] = (made, convex, coordinates)
         return self.shapes[key]
-
-    def _count_shape(self, mesh, wanted, where):
-        """Counts the work of a shape before it is made."""
-        for kind, count in (("shapes", 1), ("vertices", len(mesh.vertices)), ("faces", len(mesh.faces)),
-                            ("corners of faces with many", mesh.squares),
-                            ("faces merged", len(mesh.faces) if wanted[1] else 0)):
-            self.work.take(kind, count, where)
-
-    def _with_coordinates(self, look, mesh, turned, made, inside, where):
-        """The shape, in faces over which its texture coordinates are affine, and these."""
-        kind = "faces with textures" if any(look.paints) else "faces with light or opacity"
-        self.work.take("shapes with surfaces", 1, where)
-        self.work.take(kind, max(len(made.faces), len(mesh.faces)), where)
-        self.work.take("corners of surfaces", sum(len(face.corners) ** 3 for face in made.faces), where)
-        found = toml_texture.shape_of(look, mesh, matrix(*turned), made, turned[0], inside)
-        self.work.take(kind, len(found[0].faces) - len(made.faces), where)
-        return found
 
     @staticmethod
     def _sides(table):
@@ -239,12 +217,11 @@ class Objects:
                 self.notes.append(f"{name}: faces that are partly transparent are drawn opaque: {clear:,}")
         return self.surfaces[name]
 
-    def _colours(self, made, wish, copy, clusters, where):
+    def _colours(self, made, wish, copy, clusters):
         """What colour each face of a shape wishes for; the same object for the same wish."""
         key = id(made), wish, copy if wish[0] == "index" and wish[2] else 0, clusters
         if key in self.coloured:
             return self.coloured[key]
-        self.work.take("faces coloured", len(made.faces), where)
         if wish[0] == "index":
             _, first, then, step = wish
             colours = tuple(1 + (first + copy * then + source * step) % 255 for source in made.sources)
@@ -266,7 +243,7 @@ class Objects:
         changes = look.lit if isinstance(self.light, toml_light.RunTime) else shaded
         key = id(made), look.key, changes
         if key not in self.looks:
-            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, self.work, where)
+            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where)
         return self.looks[key]
 
     def _count_placed(self, vertices, where):
@@ -277,14 +254,12 @@ class Objects:
 
     def _places(self, table):
         """(position, extra yaw) of every placement, in order."""
-        count, rings = toml_places.count(table)
+        count = toml_places.count(table)
         room = PLACEMENTS_MAX - self.count
         if count > room:
             raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
                             f"{PLACEMENTS_MAX:,} objects, and {PLACEMENTS_MAX - room:,} stand before these")
         self.count += count
-        self.work.take("copies", count, table.where)
-        self.work.take("places on rings or in positions", rings, table.where)
         return toml_places.places(table)
 
     def placements(self, data, number):
@@ -292,7 +267,6 @@ class Objects:
         name = data.get("name") if isinstance(data, dict) else None
         where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
         has_billboard = isinstance(data, dict) and "billboard" in data
-        self.work.take("objects", 1, where)
         table = Table(data, where, toml_billboard.OBJECT_KEYS if has_billboard else KEYS)
         if "name" in table:
             table.text("name")
@@ -307,25 +281,22 @@ class Objects:
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = self._places(table)
-        life, turned, division = toml_motion.read(table, self.work), toml_places.ring_is_turned(table), _parts(table)
+        life, turned, division = toml_motion.read(table), toml_places.ring_is_turned(table), _parts(table)
         if division and (life or turned):
             raise ToolError(f"{table.at('parts')}: what turns or moves is not divided; leave parts away")
-        if life or turned:
-            self.work.take("turned or moving objects", len(places), where)
         shaped, coloured, result = {}, {}, []   # by yaw, and where copies differ by number too
         for i, (position, yaw) in enumerate(places):
             baked = 0 if turned else yaw
             place = where + (f", copy {i}" if i else "")
             if baked not in shaped:
-                self.work.take("copies that differ", len(places) > 1, place)
                 made, convex, coordinates = self._shape(table, scale, (rotation[0] + baked, *rotation[1:]), look)
                 moved = made.middle if anchor != "origin" else (0, 0, 0)
-                self.work.take("vertices placed", len(made.vertices), place)
-                shaped[baked] = made, moved, self._kind(table, convex), coordinates, _ends(made, moved)
-            made, moved, kind, coordinates, ends = shaped[baked]
+                fitting = None if division or life or turned else parts.fitting(made, place)
+                shaped[baked] = made, moved, self._kind(table, convex), coordinates, _ends(made, moved), fitting
+            made, moved, kind, coordinates, ends, fitting = shaped[baked]
             key = baked, i if "colour_next" in table else 0
             if key not in coloured:
-                coloured[key] = (self._colours(made, wish, i, clusters, place),
+                coloured[key] = (self._colours(made, wish, i, clusters),
                                  self._looks(made, coordinates, look, wish[0] == "shaded", place))
             colours, looks = coloured[key]
             self._count_placed(len(made.vertices), place)
@@ -340,8 +311,9 @@ class Objects:
                 continue
             centre = _centre(position, rise, ends, place)
             result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
-            if division:
-                result += self._parts_of(result.pop(), division, table, PLACEMENTS_MAX - self.count + len(places) - len(result))
+            if division or fitting:
+                result += self._parts_of(result.pop(), division or fitting, table,
+                                         PLACEMENTS_MAX - self.count + len(places) - len(result))
         self.count += len(result) - len(places)
         return result
 
@@ -350,26 +322,24 @@ class Objects:
         scene may have."""
         key = id(whole.shape[0]), whole.shape[1], id(whole.colours), id(whole.looks), division
         if key not in self.divided:
-            self.work.take("faces in parts", len(whole.colours), whole.where)
-            self.work.take("parts", min(len(whole.colours), math.prod(division)), whole.where)
             self.divided[key] = parts.split(whole, division, table.data.get("kind") == "sorted")
+            if len(whole.colours) > FACES_MAX:
+                self.notes.append(f"{whole.where}: a model has at most {FACES_MAX:,} faces and vertices: its {len(whole.colours):,} "
+                                  f"faces became {len(self.divided[key])} objects")
         divided = self.divided[key]
         if len(divided) > room:
             raise ToolError(f"{table.at('parts')}: the parts of all copies are more than the limit of {PLACEMENTS_MAX:,} "
                             "objects of a scene; use fewer parts or copies")
-        self.work.take("copies", len(divided), whole.where)
         return [part.placed(whole) for part in divided]
 
     def _billboards(self, table, name):
         """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""
         wish = toml_billboard.of_object(table, self.billboards)
-        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table, self.work)
+        layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
         if toml_places.ring_is_turned(table):
             raise ToolError(f"{table.at('ring')}: turned means nothing for a billboard, which looks at the eye")
         places = self._places(table)
-        self.work.take("turned or moving objects", len(places) if life else 0, table.where)
         if wish not in self.boards:
-            self.work.take("texels of textures", wish.picture.width * wish.picture.height, table.where)
             self.boards[wish] = toml_billboard.shape_of(wish), (wish.picture.mean,)
         made, colours = self.boards[wish]
         result = []

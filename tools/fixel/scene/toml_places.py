@@ -56,11 +56,10 @@ def _repeated(base, step, count):
 
 
 def count(table):
-    """How many placements there are, and how many of them begin a grid of repeat."""
+    """How many placements there are."""
     if "positions" in table and "position" in table:
         raise ToolError(f"{table.where}: both position and positions are given; keep one")
-    begun = (len(table.rows("positions")) if "positions" in table else 1) * _ring_count(table)
-    return begun * math.prod(_repeat_count(table)), begun
+    return (len(table.rows("positions")) if "positions" in table else 1) * _ring_count(table) * math.prod(_repeat_count(table))
 
 
 def places(table):

@@ -18,7 +18,6 @@ from fixel.base.reading import shortened
 from fixel.scene.surfaces import Records
 from fixel.scene.toml_object import Objects
 from fixel.scene.toml_table import Table
-from fixel.scene.work import STEPS_A_BYTE
 
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
@@ -92,12 +91,11 @@ def _on_screen(lens, screen):
     return (*screen, *lens[2:-1], centre)
 
 
-def _check_poses(count, work, kind, where):
-    """Refuses more poses than the limit, and counts them."""
+def _check_poses(count, where):
+    """Refuses more poses than the limit."""
     if count > POSES_MAX:
         raise ToolError(f"{where}: {count:,} frames are more than the limit of {POSES_MAX:,} that are computed; steps may "
                         f"have up to {FRAMES_MAX:,}")
-    work.take(kind, count, where)
 
 
 def _key(data, where):
@@ -117,9 +115,8 @@ def _gait(table):
     return (*numbers, quantity.angle(turn))
 
 
-def _strides(table, work):
+def _strides(table):
     strides = []
-    work.take("steps of the path", len(table.rows("steps")), table.where)
     for i, data in enumerate(table.rows("steps")):
         step = Table(data, f"{table.at('steps')}[{i}]", {"keys", "frames"})
         bits = 0
@@ -140,13 +137,13 @@ def _start(table):
             *(quantity.angle(start.degrees(key)) for key in ("yaw", "pitch", "roll")))
 
 
-def _orbit(table, frames, work):
+def _orbit(table, frames):
     orbit = table.table("orbit", {"centre", "radius", "height", "frames", "start", "turns"})
     centre = orbit.position("centre") if "centre" in orbit else (Fraction(0),) * 3
     radius = orbit.number("radius", None, Fraction(1, 256), 16382, "world units")
     height = orbit.number("height", 0, -16382, 16382, "world units")
     count = frames or orbit.whole("frames", 60, 1, FRAMES_MAX)
-    _check_poses(count, work, "poses of an orbit", table.at("orbit"))
+    _check_poses(count, table.at("orbit"))
     poses = walk.orbit(centre, radius, height, count, orbit.degrees("start"),
                        orbit.number("turns", 1, -100, 100))
     for i, pose in enumerate(poses):
@@ -164,7 +161,7 @@ def _shortened(strides, frames):
     return result
 
 
-def _path(top, frames, work):
+def _path(top, frames):
     """(kind, entries, start, gait); no more than frames of them where asked. Without a path there are no entries: see
     default_path."""
     if "path" not in top:
@@ -175,21 +172,20 @@ def _path(top, frames, work):
     if style != "keys" and "interpolation" in table:
         raise ToolError(f"{table.at('interpolation')}: belongs to keys")
     if style == "steps":
-        strides = _strides(table, work)
+        strides = _strides(table)
         total, kind, entries, start = sum(n for _, n in strides), image.STRIDES, strides, \
             _start(table)
     else:
         if "start" in table:
             raise ToolError(f"{table.at('start')}: belongs to steps; {style} say where they begin")
         if style == "keys":
-            work.take("keys of the path", len(table.rows("keys")), table.where)
             keys = [_key(data, f"{table.at('keys')}[{i}]")
                     for i, data in enumerate(table.rows("keys"))]
             smooth = table.choice("interpolation", "smooth", ["smooth", "linear"]) == "smooth"
-            _check_poses(sum(key.frames for key in keys), work, "poses", table.at("keys"))
+            _check_poses(sum(key.frames for key in keys), table.at("keys"))
             entries = walk.poses(keys, smooth, f"{table.where}: key")
         else:
-            entries = _orbit(table, frames, work)
+            entries = _orbit(table, frames)
         total, kind, start = len(entries), image.POSES, entries[0]
     if total > FRAMES_MAX:
         raise ToolError(f"{table.where}: {total:,} frames are more than {FRAMES_MAX:,}")
@@ -277,34 +273,26 @@ def _lit_table(placements, indices, lit):
     return bytes(table)
 
 
-def _palette(background, placements, reserved, light, lit, work, where):
+def _palette(background, placements, reserved, light, lit):
     """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
     is in a beam. The ramp of light at run time goes into the light."""
     at_run_time = isinstance(light, toml_light.RunTime)
     wanted = _count_colours(placements, None if at_run_time else lit)
-    work.take("colours of the palette", len(wanted) * (2 if lit else 1), where)
     if at_run_time:
-        work.take("colours merged", light.levels * min(len(wanted), palette.ENTRIES) * (2 if lit else 1), where)
         colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(background, wanted, reserved, light, lit)
         return colours, indices, merged, in_beam
     colours, indices, merged = palette.allocate(background, wanted, reserved)
     return colours, indices, merged, _lit_table(placements, indices, lit)
 
 
-def _models(placements, indices, records, work):
+def _models(placements, indices, records):
     """Models, objects, and of each model its billboard or None; equal models are made once. An object's position in
-    the list is its number in the order of drawing. records: a surfaces.Records; work: a work.Work."""
+    the list is its number in the order of drawing. records: a surfaces.Records."""
     numbers, models, objects, boards = {}, [], [], []
     for item in placements:
         made, moved = item.shape
         key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board)
         if key not in numbers:
-            work.take("models", 1, item.where)
-            work.take("faces of models", len(made.faces), item.where)
-            work.take("corners of models", sum(len(face.corners) for face in made.faces), item.where)
-            work.take("faces with surfaces in models", len(item.looks), item.where)
-            work.take("faces of sorted models", len(made.faces) if item.kind == image.SORTED else 0, item.where)
-            work.take("faces in clusters", len(made.faces) if item.clusters else 0, item.where)
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
             mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours)
@@ -337,12 +325,11 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     notes = []
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
     files = files or toml_model.Files(folder)
-    work = files.sources.work
-    kind, entries, start, gait = _path(top, frames, work)
+    kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
     reserved = _reserved(top)
     light = toml_light.read(top)
-    pictures = texture.Pictures(folder, work)
+    pictures = texture.Pictures(folder)
     objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
                       toml_billboard.read(top, pictures))
     placements = []
@@ -350,15 +337,15 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         progress(f"{name}: object {number}")
         placements += objects.placements(item, number)
     progress.stage(f"{name}: the palette and the models")
-    placements, turns, motions = toml_motion.settle(placements, work)
+    placements, turns, motions = toml_motion.settle(placements)
     try:
-        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit, work, name)
+        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
-    records = Records(indices, work)
-    models, placed, boards = _models(placements, indices, records, work)
+    records = Records(indices)
+    models, placed, boards = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre, scene.visibility = lens[-1], _visibility(top)
     scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
@@ -367,7 +354,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.reserved = len(reserved)
     if not entries:
-        _check_poses(frames or default_path.FRAMES, work, "poses of an orbit", name)
+        _check_poses(frames or default_path.FRAMES, name)
         scene.path, more = default_path.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
@@ -379,6 +366,4 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
 def compile_file(path, frames=None, progress=None, screen=None):
     """A scene file -> (SceneImage, notes)."""
     folder, data = os.path.dirname(path), toml_table.read(path)
-    files = toml_model.Files(folder)
-    files.sources.work.allow(path, os.path.getsize(path), STEPS_A_BYTE)
-    return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen, files)
+    return compile_data(data, shortened(os.path.basename(path)), folder, frames, progress, screen)

@@ -11,14 +11,12 @@ from fixel.model import quantity
 from fixel.base.errors import ToolError
 from fixel.base.reading import QUOTE_MAX, quoted
 
-FILE_MAX = 1 << 20      # bytes
+FILE_MAX = 16 << 20     # bytes
 _COUNTS = {2: "two", 3: "three"}
 PARTS_MAX = 16          # of a dotted key: tomllib takes quadratic time and memory for them
-HEADERS_MAX = 1000      # that differ: tomllib keeps some 500 bytes for each
 # No quantifier gives back what it took, and no key begins behind a backslash: the time is that of one look.
 _PART = r"""(?:[\w-]++|"(?:[^"\\\n]++|\\.)*+"|'[^'\n]*+')"""
 _LONG_KEY = re.compile(r"""(?<![\w."'\\-])(?:%s[ \t]*+\.[ \t]*+){%d}""" % (_PART, PARTS_MAX))
-_HEADER = re.compile(r"^[ \t]*+\[\[?[ \t]*+%s(?:[ \t]*+\.[ \t]*+%s)*+[ \t]*+\]" % (_PART, _PART), re.MULTILINE)
 
 
 def read(path):
@@ -30,8 +28,6 @@ def read(path):
         if long_key:
             line = text.count("\n", 0, long_key.start()) + 1
             raise ToolError(f"{path}: line {line}: a key of more than {PARTS_MAX} parts; no key of a scene has so many")
-        if len({header.group() for header in _HEADER.finditer(text)}) > HEADERS_MAX:
-            raise ToolError(f"{path}: more than {HEADERS_MAX:,} tables of different names; no scene has so many")
         return tomllib.loads(text, parse_float=quantity.decimal)
     except UnicodeDecodeError as error:
         raise ToolError(f"{path}: not UTF-8 text (byte {error.start})") from error

@@ -54,7 +54,7 @@ def _paint(data, where, pictures):
     levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
     if levels > 1:
         most = 16 - picture.has_clear if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
-        picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1, row.where)
+        picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1)
     if bits == 4 and (len(picture.colours) + picture.has_clear > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
                         "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
@@ -205,14 +205,12 @@ class Wish:
                           if known else [(Fraction(0),) * 2] * len(corners))
         return result
 
-    def looks(self, made, coordinates, bake, work, where):
-        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal. work: a work.Work."""
+    def looks(self, made, coordinates, bake, where):
+        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
         normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
         if not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
             bake = keep
-        if bake is not keep:
-            work.take("colours of textures", sum(len(paint.picture.colours) for paint, _ in painted), where)
 
         @functools.lru_cache(None)      # one object for all faces that look the same way
         def baked(paint, normal):

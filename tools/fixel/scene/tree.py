@@ -17,7 +17,6 @@ from fixel.image.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
 from fixel.image.image_tree import PLANARITY_MAX as NEAR
 from fixel.model.mesh import FACES_MAX, dot, minus
 from fixel.base.reading import quoted
-from fixel.scene.work import TreeWork
 
 # A vertex closer to a plane than this lies on it: in units of 2^-46. It exceeds what a face may
 # be off its plane (4) and a rounded vertex off its line (0.87).
@@ -179,8 +178,8 @@ def _whole(part):
 class Builder:
     """The tree of a list of parts, depth first, without recursion."""
 
-    def __init__(self, lines, parts, progress, work):
-        self.lines, self.progress, self.work = lines, progress, work
+    def __init__(self, lines, parts, progress):
+        self.lines, self.progress = lines, progress
         self.nodes, self.held = [], []
         self.counts = Counts(faces_in=len(parts), vertices_in=len(lines.points))
         self.pending = [(parts, NONE, 0, 0)]
@@ -198,12 +197,10 @@ class Builder:
         if number == NODES_MAX or depth > DEPTH_MAX:
             raise ToolError(f"the tree needs more than {NODES_MAX:,} nodes, or nodes more than "
                             f"{DEPTH_MAX:,} deep: give its layer fewer faces")
-        self.work.take("nodes", 1, "the tree")
-        self.work.take("corners of faces at nodes", sum(len(part.ring) for part in parts), "the tree")
         if self.progress:
             self.progress(f"tree: {self.done} of about {self.total} faces, {number} nodes, "
                           f"{self.counts.splits} splits")
-        plane = tree_choice.choose(self.lines.points, parts, self.work)
+        plane = tree_choice.choose(self.lines.points, parts)
         self.nodes.append(Node(*plane, NONE, NONE, parent, 0, 0))
         if parent != NONE:
             setattr(self.nodes[parent], "front" if which > 0 else "back", number)
@@ -227,7 +224,6 @@ class Builder:
             elif 1 not in sides:
                 back.append(part)
             else:
-                self.work.take("faces split", 1, "the tree")
                 for half, others in zip(cut(self.lines, part, number, plane), (front, back)):
                     if len(half.ring) >= 3:
                         others.append(half)
@@ -238,14 +234,12 @@ class Builder:
         return on, front, back
 
 
-def parts_of(scene, members, origin, lines, work):
+def parts_of(scene, members, origin, lines):
     """The faces of the objects as parts; vertices relative to origin."""
     parts = []
     for group in members:
         item = scene.objects[group]
         model = scene.models[item.model]
-        work.take("faces of its layers", len(model.faces), "the tree")
-        work.take("corners of its layers", sum(len(face.corners) for face in model.faces), "the tree")
         numbers = [lines.vertex(tuple(v + c - o for v, c, o in zip(vertex, item.centre, origin)))
                    for vertex in model.vertices]
         _check_size("vertices", len(lines.points))
@@ -274,20 +268,18 @@ def _check_size(kind, count):
                         "give its layers fewer faces, or name fewer layers")
 
 
-def grow(parts, lines, work, progress=None, most=FACE_VERTICES_MAX):
+def grow(parts, lines, progress=None, most=FACE_VERTICES_MAX):
     """Nodes, faces of at most so many vertices, for each face the number of the part that it came from, and counts."""
-    builder = Builder(lines, parts, progress, work)
+    builder = Builder(lines, parts, progress)
     nodes, held = builder.build()
     faces, sources, counts = [], [], builder.counts
     for part in (part for group in held for part in group):
-        shared = tree_faces.share(lines, part)
-        work.take("corners added by the cuts of neighbours", shared, "the tree")
-        counts.shared += shared
+        counts.shared += tree_faces.share(lines, part)
     # Of n corners that are too many, at least (n - 2) / (most - 2) faces are made, rounded up.
     _check_size("faces", sum(max(1, (len(part.ring) + most - 5) // (most - 2)) for group in held for part in group))
     for node, group in zip(nodes, held):
         node.first_face = len(faces)
-        pieces = [piece for part in group for piece in tree_faces.halve(lines, part, work, most)]
+        pieces = [piece for part in group for piece in tree_faces.halve(lines, part, most)]
         counts.halved += len(pieces) - len(group)
         faces += [tree_faces.flat_face(lines, piece) for piece in pieces]
         sources += [piece.source for piece in pieces]
@@ -341,9 +333,9 @@ def plant(scene, layers, moving=(), progress=None):
     is not turned. No face keeps a surface: by a tree all are drawn in their own colours."""
     members = _members(scene, layers, moving)
     _check_size("faces", sum(len(scene.models[scene.objects[group].model].faces) for group in members))
-    origin, lines, work = _middle(scene, members), Lines(), TreeWork()
-    parts = parts_of(scene, members, origin, lines, work)
-    nodes, faces, _, counts = grow(parts, lines, work, progress, _most(scene.beams))
+    origin, lines = _middle(scene, members), Lines()
+    parts = parts_of(scene, members, origin, lines)
+    nodes, faces, _, counts = grow(parts, lines, progress, _most(scene.beams))
     used = {}
     for face in faces:
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)

@@ -57,14 +57,13 @@ def _across(points, parts):
     return planes
 
 
-def _costs(points, parts, planes, work):
+def _costs(points, parts, planes):
     """What each plane would cost that divides the parts; for the others COST_MAX. Heights are below 2^62, so 64 bits hold
     them exactly."""
     vertices = np.array([points[v] for part in parts for v in part.ring], dtype=np.int64)
     starts = np.cumsum([0] + [len(part.ring) for part in parts[:-1]])
     normals = np.array([normal for normal, _ in planes], dtype=np.int64).T
     distances = np.array([distance for _, distance in planes], dtype=np.int64)
-    work.take("corners at planes tried", len(vertices) * len(planes), "the tree")
     costs, step = [], max(1, HEIGHTS_AT_ONCE // len(vertices))
     for first in range(0, len(planes), step):
         heights = vertices @ normals[:, first:first + step] - distances[first:first + step]
@@ -77,13 +76,11 @@ def _costs(points, parts, planes, work):
     return np.concatenate(costs)
 
 
-def choose(points, parts, work):
+def choose(points, parts):
     """(normal, distance) of the plane for these faces: of those that cost the same the first."""
     of_faces = _of_faces(points, parts)
     planes = of_faces + _across(points, parts)
-    work.take("planes tried at nodes", len(planes), "the tree")
-    work.take("objects at nodes", len({part.group for part in parts}), "the tree")
-    costs = _costs(points, parts, planes, work)
+    costs = _costs(points, parts, planes)
     costs[len(of_faces):] += 1      # a node with nothing on it is one more to walk past
     best = int(np.argmin(costs))
     assert costs[best] < COST_MAX, "a face lies on its own plane"

@@ -23,12 +23,11 @@ def share(lines, part):
     return len(ring) - before
 
 
-def halve(lines, part, work, most=FACE_VERTICES_MAX):
+def halve(lines, part, most=FACE_VERTICES_MAX):
     """Parts of at most so many vertices, by diagonals between their vertices."""
     count = len(part.ring)
     if count <= most:
         return [part]
-    work.take("diagonals of faces with many corners", count * (count - 3) // 2, "the tree")
     best = None
     for i, j, areas in _halves([lines.points[v] for v in part.ring], part.normal):
         if min(areas) > 0 and (best is None or (min(areas), -i, -j) > best[0]):
@@ -41,7 +40,7 @@ def halve(lines, part, work, most=FACE_VERTICES_MAX):
     pieces = []
     for ring, own in ((part.ring[i:j + 1], part.lines[i:j] + [line]),
                       (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
-        pieces += halve(lines, replace(part, ring=ring, lines=own), work, most)
+        pieces += halve(lines, replace(part, ring=ring, lines=own), most)
     return pieces
 
 
