@@ -10,7 +10,7 @@ from fixel.image import (image_beam, image_billboard, image_cluster, image_heade
 from fixel.base.errors import ToolError
 from fixel.image.image_header import HEADER_SIZE, IMAGE_MAX, POSES, STRIDES
 from fixel.image.image_models import (CONVEX, FACE_VERTICES_MAX, PLACED_MAX, PLANARITY_MAX, Face, Model, Object,
-                                check_coordinates, check_plane, radius_of)
+                                check_coordinates, check_plane, check_planes, radius_of)
 from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, Node, Tree, check_tree, fail
 
 # What the tools name as image.X, of the modules that an image is made of.
@@ -165,9 +165,7 @@ def unpack(blob):
     image_models.check_vertices(models)
     image_models.check_radii(models, extras)
     for i, model in enumerate(models):
-        for j, face in enumerate(model.faces):
-            check_plane(face.normal, [model.vertices[c] for c in face.corners],
-                        f"face {j} of model {i}")
+        check_planes(model, i)
     image_keys.check(models, [first for _, first, _ in extras], keys)
     radii = [extras[item.model][0] for item in objects]
     turns = image_turn.read_turns(turns, objects, radii)

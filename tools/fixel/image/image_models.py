@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 from math import isqrt
 import struct
 
+import numpy as np
+
 from fixel.image import image_keys, image_surface
 from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
 
@@ -62,7 +64,7 @@ def tables(models_of_scene):
             faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, 0))
             corners += face.corners
         if model.kind == SORTED:
-            keys += [image_keys.KEY.pack(*image_keys.key_of(model, face)) for face in model.faces]
+            keys += [image_keys.KEY.pack(*key) for key in image_keys.keys_of(model)]
         clusters += [cluster.pack() for cluster in model.clusters]
     return [vertices, struct.pack(f"<{len(corners)}H", *corners), faces, models], keys, clusters
 
@@ -83,6 +85,24 @@ def check_plane(normal, points, what):
         height = u * (a - x) + v * (b - y) + w * (c - z)
         if abs(height) > PLANARITY_MAX << 30:
             fail("planarity", f"a vertex of {what} lies {height / 2**46:.3g} units off its plane")
+
+
+def _are_sound(model):
+    """Whether check_plane holds for every face; vertices are within twice the range."""
+    normals = np.array([face.normal for face in model.faces], dtype=np.int64)
+    if (np.abs((normals.astype(float) ** 2).sum(axis=1) - (1 << 60)) > 1 << 40).any():   # or 64 bits would not hold the squares
+        return False
+    points, starts, sizes = image_keys.points_of(model)
+    heights = (np.repeat(normals, sizes, axis=0) * (points - np.repeat(points[starts], sizes, axis=0))).sum(axis=1)
+    return bool((np.abs((normals ** 2).sum(axis=1) - (1 << 60)) <= NORMAL_SQUARE_MAX_ERROR).all() and
+                (np.abs(heights) <= PLANARITY_MAX << 30).all())
+
+
+def check_planes(model, number):
+    """check_plane of each face of a model."""
+    if not _are_sound(model):
+        for i, face in enumerate(model.faces):
+            check_plane(face.normal, [model.vertices[c] for c in face.corners], f"face {i} of model {number}")
 
 
 def check_faces(faces, corners):
