@@ -43,7 +43,7 @@ def count(options, scene, size, board, file):
     if options.without_surfaces and scene.surfaces:
         raise costs.NoRoom("the board has no room to draw surfaces (VISIBILITY=surfaces builds a program that draws them)")
     return costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
-                       options.frames or 0)
+                       options.frames or 0, options.scene)
 
 
 def parts(names, counts, table_of):

@@ -19,7 +19,7 @@ import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import assert_one_sentence, environment, run_cli
 from fixel.base import limits
-from fixel.board import flash, qemu
+from fixel.board import debugger, flash, qemu
 
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 
@@ -62,7 +62,7 @@ def started_in(folder):
 def test_a_file_of_commands(board, tmp_path):
     image, commands = flashed(board, tmp_path), tmp_path / "commands"
     commands.write_text("break fxl_frame_begin\ncontinue\nbacktrace\nprint renderer->scene->instance_count\n"
-                        "print/x *pose\ndelete\ncontinue\n", encoding="ascii")
+                        "print/rx *pose\nprint *pose\ndelete\ncontinue\n", encoding="ascii")
     done = run_cli("gdb", *words(image, built(f"{board}/walk.elf"), "--frames", 2, "--commands", commands,
                                  board=board), TMPDIR=str(tmp_path))
     assert done.returncode == 0, done.stdout + done.stderr
@@ -72,9 +72,36 @@ def test_a_file_of_commands(board, tmp_path):
     assert re.search(r"^#\d+ .*\bmain \(", done.stdout, re.MULTILINE)
     assert re.search(r"^\$1 = [1-9]\d*$", done.stdout, re.MULTILINE), done.stdout
     assert re.search(r"^\$2 = \{position = \{x = 0x", done.stdout, re.MULTILINE), done.stdout
+    assert re.search(r"^\$3 = \{position = \{x = -?[\d.e-]+ \[-?\d+\], .*yaw = [\d.e-]+ degrees \[0x[\da-f]{8}\]",
+                     done.stdout, re.MULTILINE), done.stdout
     assert "exited with code 0135" in done.stdout  # 93: the program ran on to its agreed end
     assert "walk: done 2 frames" in done.stdout + done.stderr
     assert not started_in(tmp_path)
+
+
+NUMBERS = """#include <fixel/types.h>
+volatile fxl_q16_16 length = FXL_UNITS(-2) - 32768;
+fxl_q2_30 sine = 1 << 29;
+fxl_q1_31 part = 1u << 31;
+fxl_q18_46 product = INT64_C(-3) << 44;
+const fxl_angle left = FXL_DEGREES(-12);
+fxl_angle quarter = FXL_DEGREES(90);
+int32_t plain = 65536;
+int main(void) { return left == 0; }
+"""
+
+
+def test_numbers_and_angles_are_printed_readably(tmp_path):
+    """By a program of this machine."""
+    (tmp_path / "numbers.c").write_text(NUMBERS, encoding="ascii")
+    subprocess.run(["gcc", "-g", f"-I{ROOT / 'lib' / 'include'}", tmp_path / "numbers.c", "-o", tmp_path / "numbers"], check=True)
+    names = ("length", "sine", "part", "product", "left", "quarter", "plain", "/r length")
+    asked = [word for name in names for word in ("-ex", f"print{name}" if name.startswith("/") else f"print {name}")]
+    done = subprocess.run([debugger.GDB, "-nx", "-q", "-batch", "-ex", f"source {debugger.PRINTERS}", *asked, tmp_path / "numbers"],
+                          text=True, capture_output=True, check=True)
+    assert [line.partition(" = ")[2] for line in done.stdout.splitlines()] == [
+        "-2.5 [-163840]", "0.5 [536870912]", "1 [2147483648]", "-0.75 [-52776558133248]", "-12 degrees [0xf7777777]",
+        "90 degrees [0x40000000]", "65536", "-163840"], done.stderr
 
 
 def test_a_command_that_fails(image, walk, tmp_path):

@@ -112,7 +112,7 @@ def test_boards_and_scenes_without_costs(tmp_path):
     scene_tool.build(str(ROOT / "scenes/knot.toml"), tmp_path / "tree.fxls", layers="all")
     for scene in (ROOT / "scenes/beam.toml", tmp_path / "tree.fxls"):
         done = run_cli("predict", "--board", "mps2-an385", "--scene", scene, *words)
-        assert_one_sentence(done, "of which no costs are known")
+        assert_one_sentence(done, f"error: {scene}: a scene with", "of which no costs are known")
 
 
 def test_every_count_has_a_cost_and_a_name():

@@ -74,15 +74,15 @@ def core_of(flags):
     return next((cores[word] for word in words if word in cores), None)
 
 
-def count(build, image, band, order, words, cache, most=0, frames=0):
+def count(build, image, band, order, words, cache, most=0, frames=0, name=None):
     """(names, array of a row for each frame) of what the library does. band, words: bytes of a band and of the display
-    list; order, cache: entries; most: bytes that limit the list."""
+    list; order, cache: entries; most: bytes that limit the list; name: the user's file, for messages."""
     program = pathlib.Path(build) / "host" / "predict"
     if not program.exists():
         raise ToolError(f"{program} is not built: make predict builds it")
     done = limits.run([program, str(image), *map(str, (band, order, words, cache, most, frames))], WALK_CPU, text=True)
     if done.returncode:
-        said = done.stderr.strip().removeprefix("error: ")
+        said = done.stderr.strip().removeprefix("error: ").replace(str(image), str(name or image))
         raise (NoRoom if done.returncode == 1 else ToolError)(said or f"{program} ended with {done.returncode}")
     data = json.loads(done.stdout)
     return data["names"], np.array(data["frames"], dtype=float)
