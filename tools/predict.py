@@ -60,7 +60,7 @@ def predict(options, file):
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
               "why_not": None, **costs.memory(board, size, bool(scene.surfaces or scene.light)), "instructions_per_frame": None,
-              "parts": []}
+              "ram_of_your_program": memory_needed.of_program(scene), "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
     except costs.NoRoom as error:
@@ -80,7 +80,10 @@ def print_prediction(result):
             ["scene", f"{one_line(result['scene'])}, {result['frames']} frames"],
             ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
                       f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
-            ["RAM", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
+            ["RAM of the walk", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
+            ["RAM of your program", "renderer and memory {without_list:,} bytes without a display list; {moderate:,} with NAME_MEMORY "
+                                    "of the exported header; {with_list:,} with a list of every polygon; and the pixels".format(
+                                        **result["ram_of_your_program"])],
             ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
     if taken:
         rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])

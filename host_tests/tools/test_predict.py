@@ -4,6 +4,7 @@
 import json
 import pathlib
 import re
+import subprocess
 
 import numpy
 import pytest
@@ -13,6 +14,7 @@ import predict as predict_tool
 import scene as scene_tool
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli
+from fixel.image import image, memory_needed
 from fixel.bench import bench_plan, costs
 from fixel.board import dump, emulator, flash, fleet
 
@@ -83,6 +85,19 @@ def test_memory_of_the_program(board):
     assert (result["flash"]["scene_room"], result["flash"]["of"]) == (sizes["scene_room"], sizes["flash_size"])
 
 
+def test_memory_of_a_program_of_the_users(tmp_path):
+    """Not that of the walk, which has tables for any scene."""
+    scene_tool.build(str(ROOT / "scenes/w3.toml"), tmp_path / "w3.fxls")
+    scene = image.load(tmp_path / "w3.fxls")
+    own = predicted("mps2-an385", ROOT / "scenes/w3.toml", "--frames", 1)["ram_of_your_program"]
+    assert own["without_list"] == 2536 + 8 * memory_needed.least(scene) + 64 * 40 < own["moderate"] < own["with_list"]
+    assert own["with_list"] == 2536 + 8 * memory_needed.most(scene)
+    text = f"#include <fixel.h>\n_Static_assert(sizeof(fxl_renderer) == {memory_needed.RENDERER}, \"renderer\");\n"
+    done = subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m3", "-mthumb", "-xc", "-fsyntax-only", "-",
+                           f"-I{ROOT / 'lib' / 'include'}"], input=text, text=True, capture_output=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_board_without_room():
     result = predicted("microbit", ROOT / "scenes/w3.toml")
     assert "order entries" in result["why_not"] and result["instructions_per_frame"] is None
@@ -99,7 +114,7 @@ def test_for_people(tmp_path):
     out = tmp_path / "prediction.json"
     done = run_cli("predict", "--board", "microbit", "--scene", ROOT / "scenes/tiny.toml", *words, "--frames", 2, "--json", out)
     assert done.returncode == 0, done.stderr
-    for word in ("flash", "RAM", "stack", "instructions a frame", "most of them for"):
+    for word in ("flash", "RAM of the walk", "RAM of your program", "without a display list", "stack", "instructions a frame", "most of them for"):
         assert word in done.stdout
     assert json.loads(out.read_text(encoding="utf-8"))["instructions_per_frame"]["mean"] > 0
 

@@ -12,6 +12,7 @@ ORDER_ENTRY = 12        # bytes of an fxl_order_entry
 CACHED_VERTEX = 40      # bytes of an fxl_cached_vertex
 WORD = 4                # bytes of a word of the display list
 CLIP_PLANES = 6         # each adds at most one vertex to a convex polygon
+RENDERER = 2536         # bytes of an fxl_renderer on a core of 32 bits, with FXL_POLYGON_CAPACITY 32
 UNIT = 8                # the block is an array of uint64_t
 MODERATE = 10240        # bytes beside the order: a cache of 64 vertices, and 7,680 bytes of display list
 
@@ -62,6 +63,14 @@ def least(scene):
 def moderate(scene):
     """The uint64_t that the tools propose: never more than most, and at most MODERATE bytes beside the order."""
     return min(most(scene), least(scene) + MODERATE // UNIT)
+
+
+def of_program(scene):
+    """Bytes of RAM that a program of the user's gives the library for a scene, beside its pixels: without a display list,
+    as NAME_MEMORY of an exported header, and with a list that holds every polygon."""
+    cache = CACHED_VERTEX * min(64, cache_entries(max(len(model.vertices) for model in scene.models)))
+    return {"without_list": RENDERER + UNIT * least(scene) + cache, "moderate": RENDERER + UNIT * moderate(scene),
+            "with_list": RENDERER + UNIT * most(scene)}
 
 
 def most(scene):
