@@ -229,15 +229,16 @@ PLACES_MAIN = "void places_0(void); void places_1(void); void places_2(void);\n"
 def linked_places(folder, declare, *options):
     """The program of three files, two in C and one in C++, which all include the header; how often it holds the palette.
     declare: with the tables in the first file alone."""
-    scene, _ = scene_tool.export(str(CUBE), str(folder / "cube_scene.h"), "cube")
+    scene_tool.export(str(CUBE), str(folder / "cube_scene.h"), "cube")
+    scene, _ = compiler.compile_scene(str(CUBE), framed="program")
     (folder / "main.c").write_text(PLACES_MAIN, encoding="utf-8")
     objects = []
-    for number, compiler in enumerate((["gcc", "-std=c11"], ["g++", "-std=c++17"], ["gcc", "-std=c11"])):
-        source = folder / f"places{number}.{'cc' if compiler[0] == 'g++' else 'c'}"
+    for number, command in enumerate((["gcc", "-std=c11"], ["g++", "-std=c++17"], ["gcc", "-std=c11"])):
+        source = folder / f"places{number}.{'cc' if command[0] == 'g++' else 'c'}"
         alone = "#define CUBE_SCENE_DECLARE\n" if declare and number else ""
         source.write_text(alone + PLACES.replace("_N(", f"_{number}("), encoding="utf-8")
         objects.append(source.with_suffix(".o"))
-        subprocess.run([*compiler, *WARNINGS, *options, f"-I{ROOT / 'lib' / 'include'}", "-c", source, "-o", objects[-1]], check=True)
+        subprocess.run([*command, *WARNINGS, *options, f"-I{ROOT / 'lib' / 'include'}", "-c", source, "-o", objects[-1]], check=True)
     subprocess.run(["gcc", "main.c", *objects, *options, "-Wl,--gc-sections", "-o", "main"], cwd=folder, check=True)
     colours = b"".join(bytes(colour) for colour in scene.palette[:7])
     return folder / "main", (folder / "main").read_bytes().count(colours)
