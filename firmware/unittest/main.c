@@ -18,6 +18,7 @@ void fxl_assert_failed(const char *file, int at); /* lib/src/math/arith.h */
 
 /* The linker defines them. */
 extern const unittest_entry __start_unittest_entries[], __stop_unittest_entries[];
+extern char fxl_unit_data_start[], fxl_unit_data_end[], fxl_unit_bss_start[], fxl_unit_bss_end[];
 
 static char line[LINE_MAX];
 static unsigned length;
@@ -64,6 +65,14 @@ void fxl_assert_failed(const char *file, int at)
     system_exit(SYSTEM_EXIT_ASSERTION);
 }
 
+/* Each file finds the memory of tests and helpers as a program of its own would. */
+static void begin_anew(void)
+{
+    (void)memcpy(fxl_unit_data_start, (const char *)fxl_data_load + (fxl_unit_data_start - (char *)fxl_data_start),
+                 (size_t)(fxl_unit_data_end - fxl_unit_data_start));
+    (void)memset(fxl_unit_bss_start, 0, (size_t)(fxl_unit_bss_end - fxl_unit_bss_start));
+}
+
 /* Returns how many tests of a file failed. A stack that overflowed unguarded ends the program
  * here, so that the file is known. */
 static int run(const unittest_entry *entry)
@@ -73,6 +82,7 @@ static int run(const unittest_entry *entry)
     put_text("unittest: ");
     put_text(entry->name);
     unittest_put('\n');
+    begin_anew();
     failed = entry->run();
     unittest_flush();
     if (!cortexm_protected() && stack_is_spent()) {

@@ -19,7 +19,7 @@ BOARD_TEST_HELPERS := $(filter-out host_tests/unit/test_%,$(wildcard host_tests/
 # Unity asks for setjmp, and tests may print: these programs have a C library. The library in them
 # is optimised as a program's; of the tests themselves more is compiled than ever runs, and to
 # compile them so, or for a debugger, would take twice the time.
-BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) $(if $(filter -Os,$(CORE_CC.$(1))),,-O1) -Ilib/include -Ilib -Iboards \
+BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) $(if $(filter -Os,$(CORE_CC.$(1))),,-O1) -fno-data-sections -Ilib/include -Ilib -Iboards \
     -I$(UNITY_DIR)/src -Ihost_tests/unit -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # All RAM that is left is their stack (linker/sections.ld).
 BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1
@@ -42,18 +42,19 @@ UNIT_ASSERT_CORE := $(firstword $(filter cpu-cortex-m4%,$(CORES_SHARED)))
 # $(1): a core's name.
 BOARD_TEST_LIB = $(if $(filter $(UNIT_ASSERT_CORE),$(1)),$(CORE_OUT)/$(1)/unit/lib,$(CORE_OUT)/$(1)/lib)
 
+# main.c sets the memory of tests and helpers anew for each file of tests (linker/sections.ld). Of each
+# test file one name is left, so files with the same names share a program.
+UNIT_OBJCOPY.libhelpers.a := --rename-section .data=.data.unit --rename-section .bss=.bss.unit
+UNIT_OBJCOPY.libtests.a := $(UNIT_OBJCOPY.libhelpers.a) --wildcard --keep-global-symbol='unittest_entry_*'
+
 define CORE_TEST_RULES
 $(CORE_OUT)/$(1)/unit/libhelpers.a: $(BOARD_TEST_HELPERS:%.c=$(CORE_OUT)/$(1)/unit/%.o)
 $(CORE_OUT)/$(1)/unit/libfixel.a: $(LIB_NAMES:%=$(BOARD_TEST_LIB)/%.o)
-$(CORE_OUT)/$(1)/unit/libhelpers.a $(CORE_OUT)/$(1)/unit/libfixel.a:
-	$(FIRMWARE_QUIET)rm -f $$@
-	$(FIRMWARE_QUIET)$(CROSS)ar rcs $$@ $$^
-
-# Of each test file one name is left: files with the same names share a program.
 $(CORE_OUT)/$(1)/unit/libtests.a: $(BOARD_TESTS:%=$(CORE_OUT)/$(1)/unit/%.o)
+$(addprefix $(CORE_OUT)/$(1)/unit/,libtests.a libhelpers.a libfixel.a):
 	$(FIRMWARE_QUIET)rm -f $$@
 	$(FIRMWARE_QUIET)$(CROSS)ar rcs $$@ $$^
-	$(FIRMWARE_QUIET)$(CROSS)objcopy --wildcard --keep-global-symbol='unittest_entry_*' $$@
+	$(FIRMWARE_QUIET)$$(if $$(UNIT_OBJCOPY.$$(@F)),$(CROSS)objcopy $$(UNIT_OBJCOPY.$$(@F)) $$@)
 
 $(CORE_OUT)/$(1)/unit/%.o: %.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_CC,$(1)))
