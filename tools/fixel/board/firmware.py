@@ -8,6 +8,7 @@ here.
 """
 
 import dataclasses
+import functools
 import io
 import pathlib
 import shlex
@@ -143,6 +144,20 @@ def read_segments(elf, path):
 def load(path, board=None):
     """Reads a program; board, where given, is the one that it must be for."""
     path = pathlib.Path(path)
+    try:
+        state = path.stat()
+    except (OSError, ValueError):
+        return _load(path, board)   # which says what is wrong
+    return _known(path, board, (state.st_dev, state.st_ino, state.st_mtime_ns, state.st_ctime_ns, state.st_size))
+
+
+@functools.lru_cache(maxsize=16)
+def _known(path, board, _state):
+    """A program that has been read, as long as its file stays as it is: a command asks for it several times."""
+    return _load(path, board)
+
+
+def _load(path, board):
     try:
         elf = open_elf(path)
         note = read_note(elf, path)

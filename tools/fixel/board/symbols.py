@@ -2,6 +2,7 @@
 """Names for addresses: function, offset and source line, from a program's ELF."""
 
 import bisect
+import functools
 import re
 
 from elftools.common.exceptions import DWARFError, ELFError
@@ -24,9 +25,10 @@ class Symbols:
 
     def __init__(self, path):
         self.path = path
-        self._functions, self._objects = self._read_table()
 
-    def _read_table(self):
+    @functools.cached_property
+    def _tables(self):
+        """Functions and objects. To read them takes longer than most programs run: only whoever asks for a name waits."""
         tables = {"STT_FUNC": {}, "STT_OBJECT": {}}
         try:
             table = firmware.open_elf(self.path).get_section_by_name(".symtab")
@@ -58,11 +60,11 @@ class Symbols:
         """Where an address is, as "in function+0x14 (file.c:30)", or "". word:
         what it was printed as."""
         if word not in CODE:
-            found = self._find(self._objects, address)
+            found = self._find(self._tables[1], address)
             return f"in {found[2]}+{address - found[0]:#x}" if found else ""
         address &= ~1
         looked_up = address - 2 if word in RETURNS else address
-        found = self._find(self._functions, looked_up)
+        found = self._find(self._tables[0], looked_up)
         if not found:
             return ""
         line = self._line(looked_up)
