@@ -47,7 +47,7 @@ endif
 # same file at a time. What a command builds is built in parallel, after its set-up. lib
 # calls no make of its own.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs mutants size predict costs format clean
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants size predict costs format clean
 ifneq ($(filter-out lib,$(filter $(COMMANDS),$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
@@ -65,7 +65,7 @@ include firmware/equality/equality.mk
 # read. A command has its files built by a sub-make, so a make of commands alone reads none of
 # them. Programs of boards and of the host, and the library, depend on no object of the tests or of
 # the bench, two thirds of all. seeded_bugs holds whole copies of the project.
-APART := $(addprefix $(BUILD)/,host/unit host/fuzz core/*/unit boards/*/unit bench equality)
+APART := $(addprefix $(BUILD)/,host/unit host/fuzz host/coverage core/*/unit boards/*/unit bench equality)
 ifeq ($(filter-out $(BUILD)/host/ $(BOARDS:%=$(BUILD)/boards/%/),$(dir $(filter-out lib,$(MAKECMDGOALS)))),)
 UNREAD := $(foreach folder,$(APART),-path '$(folder)' -prune -o)
 endif
@@ -319,6 +319,12 @@ kills: ## kill run, flash, boot, view and report at random moments: nothing may 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
 	@tools/setup.sh units
 	@$(PY) tools/seeded_bugs.py --build $(BUILD)
+
+coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach
+	@tools/setup.sh coverage
+	@$(MAKE) $(COVERAGE_TESTS) $(COVERAGE_REPLAYS)
+	@$(PY) tools/coverage.py --library $(COVERAGE_LIBRARY) --tests $(COVERAGE_TESTS) --out $(BUILD)/coverage.json \
+	    $(foreach target,$(FUZZ_TARGETS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target))
 
 mutants: ## put random small mistakes into the library; a test must fail for most of them [SEED=1 COUNT=200 ONLY=]
 	@tools/setup.sh units

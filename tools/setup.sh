@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|predict|gdb|probe...
+# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|predict|gdb|probe...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -14,6 +14,7 @@
 #   lib     cross compiler
 #   format  clang-format
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
+#   coverage Clang 19, which counts conditions, with its tools; the same as units
 #   tools   Python packages as for run
 #   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
@@ -76,6 +77,14 @@ find_clang() {
     done
     return 1
 }
+# Clang counts conditions from version 18 on. Debian 12 and 13 have version 19 beside an older or equal one.
+need_coverage() {
+    has clang-19 || need clang-19
+    has llvm-cov-19 || need llvm-19
+    printf 'int main(void) { return 0; }\n' |
+        clang-19 -x c -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -o /dev/null - 2>/dev/null ||
+        need libclang-rt-19-dev
+}
 # The groups of requirements/ that are wanted.
 need_python() {
     for group in "$@"; do
@@ -114,11 +123,12 @@ find_missing() {
         lib) need_cross_compiler ;;
         fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
+        coverage) need_board; need_cmock; need_coverage ;;
         tools) need_python run ;;
         predict) need_host_compiler; need_python run ;;
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, tools, predict, gdb or probe" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, predict, gdb or probe" ;;
         esac
     done
     has python3 || need python3
@@ -248,7 +258,7 @@ install_group() {
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|tools|predict|gdb|probe..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|predict|gdb|probe..."
 
 is_ready() {
     find_missing "$@"

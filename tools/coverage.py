@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Says what of the library its tests reach: lines, branches and conditions of each room of lib/.
+
+    coverage.py --library libfixel-coverage.so --tests PROGRAM... [--replay PROGRAM CORPUS]... --out coverage.json
+
+The library is built by Clang with counters (host_tests/unit/unit_coverage.mk). Runs the unit tests of the host and the
+replays of the fuzzer's corpus. The JSON file has every file of lib/, and the conditions that nothing reaches.
+Exit: 0 done, 1 a test failed, 2 could not run.
+"""
+
+from fixel.base import interpreter
+
+interpreter.choose()  # before the imports that need a package
+
+import argparse
+import os
+import pathlib
+import sys
+
+from fixel.base import output, scratch
+from fixel.base.errors import run_main
+from fixel.base.table import table
+from fixel.check import coverage
+
+CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--library", required=True, help="the library with counters, a shared object")
+    parser.add_argument("--tests", nargs="+", required=True, help="unit tests that load it")
+    parser.add_argument("--replay", nargs=2, action="append", default=[], metavar=("PROGRAM", "CORPUS"),
+                        help="a program that replays a corpus, and the corpus")
+    parser.add_argument("--version", default="19", help="of LLVM's tools (default: 19)")
+    parser.add_argument("--out", required=True, help="the JSON file")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    options = parser.parse_args(argv)
+    programs = [[test] for test in options.tests]
+    programs += [[program, *sorted(pathlib.Path(corpus).iterdir())] for program, corpus in options.replay]
+    library = pathlib.Path(options.library).resolve()
+    with scratch.folder("coverage", library.parent) as folder:
+        counts, failed = coverage.run_programs(programs, folder.resolve(), options.jobs)
+        files = coverage.measured(library, counts, options.version, CHECKOUT)
+    rooms = coverage.by_room(files)
+    output.write_json(options.out, {"rooms": rooms, "files": files})
+    print(table(coverage.rows(rooms), ["room", *coverage.KINDS.values()]))
+    for name, words in failed.items():
+        print(f"{name} failed, so what it reaches may be more:\n{words}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    run_main(main)
