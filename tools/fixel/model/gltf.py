@@ -220,10 +220,10 @@ class _Reader:
         corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
         self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
         plain = self._add_material(material)
+        if self.progress:
+            self.progress(f"{self.checked.name}: {where}")
         around = None if uvs is None else uvs[triangles[:, ::1 if mirrored else -1]].tolist()
         for face, (three, outline) in enumerate(zip(triangles.tolist(), corners)):
-            if self.progress:
-                self.progress(f"{self.checked.name}: {where}")
             self.faces.append(outline)
             self.places.append(f"{self.checked.name}: {where}, triangle {face}")
             number = plain if tints is None else \

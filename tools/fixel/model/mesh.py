@@ -15,6 +15,7 @@ from fixel.image.image import COORDINATE_MAX, FACE_VERTICES_MAX, PLANARITY_MAX, 
 from fixel.model.triangles import triangulate
 
 FACES_MAX = 65535       # of a model
+FACES_A_WORD = 256      # between two words about the progress
 FILE_FACES_MAX = 1 << 20    # of a file: more than a scene image has room for
 
 # A mesh's coordinates are integers in 1/UNIT: decimals of OBJ files stay exact.
@@ -242,7 +243,7 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
     _check_size(points, name)
     counts, faces, sources = _Counts(), [], []
     for number, corners in enumerate(mesh.faces):
-        if progress:
+        if progress and number % FACES_A_WORD == 0:
             progress(f"{name}: face {number} of {len(mesh.faces)}")
         place = mesh.places[number] if mesh.places else ""
         for outline, normal in _pieces([renamed[c] for c in corners], points, place, counts):

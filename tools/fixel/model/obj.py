@@ -100,6 +100,11 @@ def _face(rest, counts, where):
     if len(rest) > CORNERS_MAX:
         raise ToolError(f"{where}: a face of {len(rest):,} corners; the limit is {CORNERS_MAX:,}, so cut it in "
                         "the model")
+    plain = "".join(rest)
+    if plain.isascii() and plain.isdigit() and len(plain) < 10 * len(rest):     # vertices alone, counted from 1: most files
+        numbers = [int(text) - 1 for text in reversed(rest)]
+        if 0 <= min(numbers) and max(numbers) < counts["v"]:
+            return [(number, None) for number in numbers]
     return [_corner(text, counts, where) for text in reversed(rest)]
 
 

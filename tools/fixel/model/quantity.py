@@ -7,6 +7,7 @@ of a full turn. Nothing passes through floating point."""
 
 from decimal import Decimal, InvalidOperation
 from fractions import Fraction
+import functools
 import re
 
 from fixel.base.errors import ToolError
@@ -34,6 +35,12 @@ def decimal(text):
         raise ValueError("no such exponent") from None
 
 
+@functools.lru_cache(4096)
+def _exact(value):
+    """A Decimal or integer as a Fraction: the same object for most of the same number, which compares fast."""
+    return Fraction(value)
+
+
 def fraction(value, where):
     """A TOML number, or a string that says one, as a Fraction."""
     if isinstance(value, (bool, list, dict)) or value is None:
@@ -52,11 +59,11 @@ def fraction(value, where):
     if isinstance(value, Decimal):
         if not value.is_finite() or (value != 0 and abs(value.adjusted()) > EXPONENT_MAX):
             raise ToolError(f"{where}: {quoted(value)} is out of every range")
-        return Fraction(value)
+        return _exact(value)
     if isinstance(value, int):
         if abs(value) >= 10 ** EXPONENT_MAX:
             raise ToolError(f"{where}: the number is out of every range")
-        return Fraction(value)
+        return _exact(value)
     raise ToolError(f"{where}: expected a number, found {quoted(value)}")
 
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Colours: names, baked light, and 256 palette entries for all of them."""
 
+import bisect
 import colorsys
+import operator
 import difflib
 import re
 
@@ -49,11 +51,12 @@ class Light:
         (1 + cosine)/2 to the power of 1.5, so that sides turned from it keep their
         shape; the glow comes from above, and a face that looks down gets three
         quarters of it."""
-        facing = -sum(d * n for d, n in zip(self.direction, normal)) / 2 ** 30
-        glow = self.ambient * (0.875 + 0.125 * normal[1] / 2 ** 30)
+        (x, y, z), (u, v, w) = self.direction, normal
+        facing = -(x * u + y * v + z * w) / 2 ** 30
+        glow = self.ambient * (0.875 + 0.125 * v / 2 ** 30)
         direct = (1 - self.ambient) * max(0.0, (1 + facing) / 2) ** 1.5
-        return tuple(min(255, max(0, round(c * (glow * s + direct * l))))
-                     for c, s, l in zip(colour, self.sky, self.colour))
+        return tuple([min(255, max(0, round(c * (glow * s + direct * l))))
+                      for c, s, l in zip(colour, self.sky, self.colour)])
 
 
 def lit(colour, strength, tint):
@@ -74,9 +77,10 @@ def median_cut(weights, count):
         widest = max(range(len(groups)), key=lambda i: (max(spreads[i]), len(groups[i]), -i))
         group, ranges = groups.pop(widest), spreads.pop(widest)
         axis = ranges.index(max(ranges))
-        group.sort(key=lambda c: (c[axis], c))
+        group.sort()
+        group.sort(key=operator.itemgetter(axis))
         middle = (group[0][axis] + group[-1][axis]) / 2
-        cut = sum(1 for c in group if c[axis] <= middle)
+        cut = bisect.bisect_right(group, middle, key=operator.itemgetter(axis))
         groups += [group[:cut], group[cut:]]
         spreads += [_ranges(group[:cut]), _ranges(group[cut:])]
     merged = {}

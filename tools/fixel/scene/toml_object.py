@@ -23,6 +23,7 @@ KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "ins
         "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
 SCALE_MAX = 16384
 PLACEMENTS_MAX = 65535
+_UNTURNED = (Fraction(0),) * 3
 
 
 @dataclass
@@ -57,7 +58,9 @@ def _scale(table):
 
 
 def _rotation(table):
-    value = table.data.get("rotation", [0, 0, 0])
+    if "rotation" not in table:
+        return _UNTURNED
+    value = table.need("rotation")
     if not isinstance(value, list):
         value = [value, 0, 0]
     if len(value) != 3:
@@ -94,7 +97,7 @@ class Objects:
         self.name, self.light = name, light
         self.notes, self.progress = notes, progress or Quiet()
         self.files, self.shapes, self.coloured, self.surfaces = files, {}, {}, {}
-        self.textures, self.looks = textures or {}, {}
+        self.textures, self.looks, self.plain_look = textures or {}, {}, None
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
         self.count = self.placed = 0    # objects, and their vertices
@@ -119,12 +122,22 @@ class Objects:
         self.notes += notes
         return self.files[name], name, (name,)
 
+    def _look_of(self, table):
+        """What an object says of its surfaces; one that says nothing has the same as all others that do not."""
+        says = not toml_texture.KEYS.isdisjoint(table.data)
+        if says or self.plain_look is None:
+            look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
+                                     lambda: self.mesh(table)[0], self.images)
+            self.plain_look = self.plain_look if says else look
+            return look
+        return self.plain_look
+
     def _shape(self, table, scale, rotation, look):
         """The shape, whether it is convex, and where its corners are on its textures, computed once for each mesh, size,
         turn and texture."""
         mesh, name, identity = self.mesh(table)
         inside = table.switch("inside", False)
-        rotation = tuple(a % 360 for a in rotation)
+        rotation = tuple(a % 360 if a else a for a in rotation)
         sides = self._sides(table)
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
@@ -276,8 +289,7 @@ class Objects:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
         anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
-        look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
-                                 lambda: self.mesh(table)[0], self.images)
+        look = self._look_of(table)
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
         places = self._places(table)

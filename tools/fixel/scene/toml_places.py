@@ -68,6 +68,8 @@ def places(table):
         bases = [quantity.position(p, f"{table.at('positions')}[{i}]") for i, p in enumerate(table.rows("positions"))]
     else:
         bases = [table.position("position") if "position" in table else (0, 0, 0)]
+    if "ring" not in table and "repeat" not in table:
+        return [(base, 0) for base in bases]
     rings, step, repeat = _ring_places(table, _ring_count(table)), _repeat_step(table), _repeat_count(table)
     return [(point, yaw) for base in bases for out, yaw in rings
             for point in _repeated(map(operator.add, base, out), step, repeat)]
