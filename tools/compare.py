@@ -11,6 +11,7 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 import contextlib
+import glob
 import io
 import json
 import os
@@ -36,7 +37,7 @@ PIXELS_MAX = 1 << 23    # of a PNG: two of them, and what is made of them, take 
 TEXTS_MAX = 64          # chunks of a PNG that may hold compressed texts, each of which Pillow expands
 BAND = 128              # rows at a time
 SHOWN_ROWS = 20         # of frames that differ
-PATTERNS = ["*_diff.png", "compare.json"]
+RESULT, RESULT_MAX = "compare.json", 64 << 20   # bytes
 
 
 def check_head(path, blob):
@@ -171,6 +172,22 @@ def sheet_of(a, b, differs):
     return picture.png_bytes(picture.side_by_side(a[rows, columns], b[rows, columns], part, ["A" + where, "B" + where]))
 
 
+def picture_of(frame):
+    """The name of the picture of a frame's differences."""
+    return f"{frame}_diff.png"
+
+
+def written_before(folder):
+    """Globs of the files in a folder of results that the comparison before wrote there, by its own words."""
+    try:
+        file, _ = reading.open_regular(folder / RESULT)
+        with file:
+            frames = json.loads(file.read(RESULT_MAX))["per_frame"]
+        return [*(glob.escape(picture_of(frame["name"])) for frame in frames if frame["pixels_differing"]), RESULT]
+    except (ToolError, OSError, ValueError, KeyError, TypeError, RecursionError):   # it is none of ours
+        return [RESULT]
+
+
 def compare(path_a, path_b, tolerance, folder):
     """The comparison as a dictionary; side-by-side pictures of what differs go to folder."""
     a, b = Frames(path_a), Frames(path_b)
@@ -181,7 +198,7 @@ def compare(path_a, path_b, tolerance, folder):
         frame, differs = compare_frame(a.names[index], colours_a, colours_b, tolerance)
         frames.append(frame)
         if differs.any() and folder:
-            (folder / f"{frame['name']}_diff.png").write_bytes(sheet_of(colours_a, colours_b, differs))
+            (folder / picture_of(frame["name"])).write_bytes(sheet_of(colours_a, colours_b, differs))
     differing = [frame for frame in frames if frame["pixels_differing"]]
     return {"a": str(path_a), "b": str(path_b), "tolerance": tolerance, "equal": not differing,
             "frames": len(frames), "frames_differing": len(differing),
@@ -232,12 +249,12 @@ def main(argv):
             raise ToolError(f"{name.upper()}= is missing: make compare A=... B=... takes two PNGs, "
                             f"folders of PNGs, or frame dumps")
     tolerance = tolerance_of(options.tolerance)
-    place = (output.replaced_folder(options.out, PATTERNS) if options.out
+    place = (output.replaced_folder(options.out, written_before) if options.out
              else contextlib.nullcontext())
     with place as folder:
         result = compare(options.a, options.b, tolerance, folder)
         if folder:
-            output.write_json(folder / "compare.json", result)
+            output.write_json(folder / RESULT, result)
     if options.json:
         json.dump(result, sys.stdout, indent=2)
         print()

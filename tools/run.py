@@ -32,7 +32,8 @@ from fixel.base.reading import quoted
 from fixel.base.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
-PATTERNS = ["frame_*.png", "diff_*.png", "walk.gif", "*.fxld", "summary.json"]
+PATTERNS = [*output.numbered("frame_", ".png"), *output.numbered("diff_", ".png"), "walk.gif", "board.fxld", "double.fxld",
+            "summary.json"]
 RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer path every second, third ...
 ORDER_ADVICE = """\
 Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,

@@ -17,7 +17,7 @@ from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
 from run import frame_count, make_scene_image
 
-PATTERNS = ["frame_*.png", "walk.gif", "summary.json"]
+PATTERNS = [*output.numbered("frame_", ".png"), "walk.gif", "summary.json"]
 
 
 def passes(summary):

@@ -14,7 +14,7 @@ import time
 import pytest
 
 from conftest import CHECKOUT, TOOLS
-from fixel.base import scratch
+from fixel.base import placing, scratch
 
 MAKER = f"""
 import pathlib, sys, time
@@ -74,12 +74,12 @@ def test_what_a_killed_process_left(journals, place):
     while not (place / "ready").exists():
         assert process.poll() is None
         time.sleep(0.01)
-    scratch.remove_left_over()
+    scratch.remove_left_over(placing.mend)
     assert len(names(place)) == 3       # it lives
     process.send_signal(signal.SIGKILL)
     process.wait()
     assert len(names(place)) == 3
-    scratch.remove_left_over()
+    scratch.remove_left_over(placing.mend)
     assert names(place) == ["ready"] and not names(journals)
 
 
@@ -107,7 +107,7 @@ def test_a_journal_names_what_may_not_be_removed(journals, place):
     paths = [kept, place, place / ".fixel-x-0123456789abcdef", place / ".fixel-x-0123"]
     paths[3].touch()
     (journals / "1-x").write_bytes(b"".join(os.fsencode(path) + b"\0" for path in paths) + b"/tmp")
-    scratch.remove_left_over()
+    scratch.remove_left_over(placing.mend)
     assert names(place) == [".fixel-x-0123", "kept"] and not names(journals)
 
 
@@ -132,7 +132,7 @@ def test_one_makes_while_others_clean(journals, place):
 
     def clean():
         while not ended.is_set():
-            scratch.remove_left_over()
+            scratch.remove_left_over(placing.mend)
 
     cleaners = [threading.Thread(target=clean) for _ in range(2)]
     for each in cleaners:
@@ -165,7 +165,7 @@ def test_a_checkout_that_cannot_be_written(journals, place, monkeypatch):
     (place / "file").touch()
     with scratch.folder("one", place) as folder:
         assert folder.is_dir()
-    scratch.remove_left_over()
+    scratch.remove_left_over(placing.mend)
     assert names(place) == ["file"]
 
 

@@ -17,7 +17,7 @@ import signal
 import sys
 import time
 
-from fixel.base import children, scratch
+from fixel.base import children, placing, scratch
 
 ENDINGS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ONCE_MORE = 0.01    # seconds
@@ -114,7 +114,7 @@ def _tick(_number, _frame):
 
 def _begin():
     """What every tool does first: it ends with make, ends its children with itself, and removes what others
-    left. A signal that the caller had ignored, as nohup does, stays ignored."""
+    left, or puts it back. A signal that the caller had ignored, as nohup does, stays ignored."""
     _print_anything()
     if "MAKELEVEL" in os.environ:
         children.follow_parent()
@@ -124,7 +124,8 @@ def _begin():
     sys.unraisablehook = _heed_lost
     signal.signal(signal.SIGALRM, _tick)
     signal.setitimer(signal.ITIMER_REAL, BEAT, BEAT)
-    scratch.remove_left_over()
+    for sentence in scratch.remove_left_over(placing.mend):
+        print(f"note: {one_line(sentence)}", file=sys.stderr)
 
 
 def _finish():

@@ -7,9 +7,10 @@ import json
 import os
 import pathlib
 import stat
+import sys
 
-from fixel.base import reading, scratch
-from fixel.base.errors import ToolError
+from fixel.base import placing, reading, scratch
+from fixel.base.errors import ToolError, one_line
 
 # What a name may stand for that is no file, and no tool replaces.
 KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISSOCK, "a socket"),
@@ -59,22 +60,31 @@ def move(new, target, path=None):
 
 @contextlib.contextmanager
 def replaced_folder(path, patterns):
-    """Yields a new empty folder whose files become those of path when the block ends well.
+    """Yields a new empty folder whose files become those of path when the block ends well (placing.py).
 
-    Where the block fails, path stays as it was, or absent. In a folder that is
-    already there the files of the run before (those that match patterns) go,
-    and anything else stays: it may be somebody's work.
+    Where the block fails, path stays as it was, or absent. In a folder that is already there the files of the run before
+    go, and anything else stays: it may be somebody's work. patterns: globs of these files, or a function that answers
+    those for the folder; the last one is that of the file that says that a result is whole.
     """
-    path = pathlib.Path(path)
     try:
-        if path.exists() and not path.is_dir():
+        out = pathlib.Path(os.path.realpath(path))
+        if out.exists() and not out.is_dir():
             raise ToolError(f"{path}: cannot be written: it is there and is not a folder")
-        with scratch.folder("results", _nearest_folder(path)) as new:
+        with scratch.folder("results", placing.beside(out)) as new:
             yield new
             new.chmod(0o777 & ~_umask())
-            _put_in_place(new, path, patterns)
+            made = [reading.identity(file) for file in new.iterdir()]
+            said = placing.put(new, out, patterns, lambda file: refuse_input(file, pathlib.Path(path) / file.name))
+            _made.update(made)
+            for sentence in said:
+                print(f"note: {one_line(sentence)}", file=sys.stderr)
     except OSError as error:
         raise _unwritable(path, error) from error
+
+
+def numbered(before, after):
+    """Globs of files with a number of four to seven digits between these texts."""
+    return [f"{before}{'[0-9]' * digits}{after}" for digits in range(4, 8)]
 
 
 def make_folder(path):
@@ -87,34 +97,10 @@ def make_folder(path):
         raise ToolError(f"{path}: the folder cannot be made: {error.strerror}") from error
 
 
-def _nearest_folder(path):
-    """path, or the nearest folder above it that exists: the same file system, so renames work."""
-    while not path.exists():
-        path = path.parent
-    return path
-
-
 def _umask():
     mask = os.umask(0)
     os.umask(mask)
     return mask
-
-
-def _put_in_place(new, path, patterns):
-    """Moves the files of new to path; what patterns name last goes first and comes last, so that
-    a folder that holds it is whole."""
-    if not path.exists():
-        path.parent.mkdir(parents=True, exist_ok=True)
-        new.rename(path)
-        return
-    old = [file for pattern in reversed(patterns) for file in path.glob(pattern)]
-    for stale in old:
-        refuse_input(stale, stale)
-    for stale in old:
-        stale.unlink()
-    for pattern in patterns:
-        for file in sorted(new.glob(pattern)):
-            os.replace(file, path / file.name)
 
 
 def replace(path, data, check=None, durable=False):

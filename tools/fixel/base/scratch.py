@@ -5,6 +5,8 @@ A process that makes some keeps a journal in build/.scratch of the checkout: a f
 is written there before anything is made at it. The process holds a lock on its journal for as long as it
 lives, so a journal without a lock is that of a dead process: the next command removes what its paths name, and
 then the journal. If the checkout cannot be written, there is no journal, and what a killed tool left stays.
+
+A journal also has the notes of placing.py: JSON, which no path begins like. What they tell of is mended first.
 """
 
 import atexit
@@ -20,7 +22,8 @@ import threading
 
 JOURNALS = pathlib.Path(__file__).resolve().parents[3] / "build" / ".scratch"
 NAME = re.compile(r"\.fixel-[a-z]+-[0-9a-f]{16}")    # nothing else is ever removed
-END = b"\0"     # of a path in a journal
+END = b"\0"     # of a path or a note in a journal
+NOTE = "{"      # begins a note
 
 
 def _lock(path, flags):
@@ -40,7 +43,7 @@ def _lock(path, flags):
 
 
 class _Journal:
-    """The paths that this process must remove."""
+    """The paths that this process must remove, and the notes about what it has not finished."""
 
     def __init__(self):
         self._guard = threading.Lock()
@@ -79,8 +82,9 @@ class _Journal:
         self._paths.discard(path)
 
     def close(self):
-        """Removes what is left, and the journal."""
-        if self._process == os.getpid() and _remove_all(list(self._paths)) and self._handle is not None:
+        """Removes what is left, and the journal. With a note that was not dropped the next command has work to do."""
+        if self._process == os.getpid() and not any(path.startswith(NOTE) for path in self._paths) \
+                and _remove_all(list(self._paths)) and self._handle is not None:
             self._file.unlink(missing_ok=True)
 
 
@@ -105,16 +109,45 @@ def _remove_all(paths):
     return not [path for path in paths if not _remove(path)]
 
 
-def remove_left_over():
-    """Removes what dead processes left."""
+def _entries(blob):
+    """The paths and notes of a journal. Behind the last one there may be a part of another."""
+    return list(map(os.fsdecode, blob.split(END)[:-1]))
+
+
+def note(text):
+    """Notes in the journal what is not finished: JSON of an object."""
+    _journal.add(text)
+
+
+def drop_note(text):
+    """What a note tells of is finished."""
+    _journal.drop(text)
+
+
+def notes():
+    """The notes in all journals, also of processes that live."""
+    found = []
+    for file in JOURNALS.glob("*-*"):
+        with contextlib.suppress(OSError):
+            found += [entry for entry in _entries(file.read_bytes()) if entry.startswith(NOTE)]
+    return found
+
+
+def remove_left_over(mend):
+    """Removes what dead processes left. mend(note) is called for each note, and answers sentences about what it did;
+    all of them are the answer. What mend cannot do is left for the next command."""
+    said = []
     for file in JOURNALS.glob("*-*"):
         with contextlib.suppress(OSError):
             handle = _lock(file, 0)
             if handle is not None:
-                with open(handle, "rb") as paths:
-                    *whole, _ = paths.read().split(END)     # behind the last one: nothing, or a part of a path
-                    if _remove_all(map(os.fsdecode, whole)):
+                with open(handle, "rb") as journal:     # locked until all is done
+                    entries = _entries(journal.read())
+                    for entry in entries:
+                        said += mend(entry) if entry.startswith(NOTE) else []
+                    if _remove_all(entry for entry in entries if not entry.startswith(NOTE)):
                         file.unlink()
+    return said
 
 
 def _new_path(what, parent):
