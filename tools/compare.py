@@ -25,7 +25,6 @@ from PIL import Image, UnidentifiedImageError
 
 from fixel.base import output, picture, reading
 from fixel.board import dump
-from fixel.model import texture_image
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.base.progress import steps
 from fixel.base.table import coloured, table
@@ -35,6 +34,7 @@ DUMP_MAX = 1 << 30      # bytes of a frame dump
 SIDE_MAX = 4096         # pixels
 PIXELS_MAX = 1 << 23    # of a PNG: two of them, and what is made of them, take less than 200 MB and 2 s
 TEXTS_MAX = 64          # chunks of a PNG that may hold compressed texts, each of which Pillow expands
+COMPRESSED = (b"iCCP", b"zTXt", b"iTXt")     # their kinds
 BAND = 128              # rows at a time
 SHOWN_ROWS = 20         # of frames that differ
 RESULT, RESULT_MAX = "compare.json", 64 << 20   # bytes
@@ -48,7 +48,7 @@ def check_head(path, blob):
         raise ToolError(f"{path}: cannot be read: it does not begin with a PNG's head")
     if blob[24] > 8:
         raise ToolError(f"{path}: has {blob[24]} bits a channel; a PNG may have at most 8 bits a channel here")
-    if texture_image.count_texts(blob) > TEXTS_MAX:
+    if sum(map(blob.count, COMPRESSED)) > TEXTS_MAX:
         raise ToolError(f"{path}: has more than {TEXTS_MAX} chunks of compressed text; save it without")
 
 

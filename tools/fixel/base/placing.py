@@ -25,7 +25,6 @@ import fcntl
 import fnmatch
 import json
 import os
-import pathlib
 import shutil
 
 from fixel.base import scratch
