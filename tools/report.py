@@ -15,7 +15,7 @@ import argparse
 import pathlib
 import sys
 
-from fixel.base import kept, output, scratch
+from fixel.base import kept, output, scratch, spent
 from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
 from fixel.base.arguments import whole_number
@@ -170,6 +170,7 @@ def main(argv):
         output.write_json(folder / "report.json", report)
         output.write_file(folder / "report.html", report_page.render(report, shown))
     print_report(report, options.out)
+    spent.tell()
     return 1 if complaints(report) else 0
 
 

@@ -20,11 +20,10 @@ import sys
 import numpy
 
 import scene as scene_tool
-from fixel.base import kept, output, picture, scratch
+from fixel.base import bounded, kept, output, picture, scratch, spent
 from fixel.board import drawing, dump, emulator, firmware, methods, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
-from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
@@ -304,6 +303,7 @@ def main(argv):
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)
     print_summary(summary, options.out)
+    spent.tell()
     return 0 if passes(summary) else 1
 
 

@@ -18,7 +18,7 @@ import sys
 from elftools.elf.elffile import ELFFile
 
 import scene as scene_tool
-from fixel.base import output, reading, scratch
+from fixel.base import output, reading, scratch, spent
 from fixel.bench import linked_size, stack
 from fixel.board import firmware, fleet
 from fixel.base.errors import ToolError, one_line, run_main
@@ -229,6 +229,7 @@ def main(argv):
     output.write_json(options.out, result)
     print_sizes(result)
     print(f"JSON: {one_line(options.out)}", file=sys.stderr)
+    spent.tell()
     return 0 if result["proof"]["passes"] else 1
 
 

@@ -23,7 +23,7 @@ import threading
 import time
 import xml.etree.ElementTree
 
-from fixel.base import limits, scratch
+from fixel.base import limits, scratch, spent
 from fixel.board import unit_tests
 from fixel.check import units
 from fixel.base.errors import run_main
@@ -238,6 +238,7 @@ def main(argv):
     if passed + failed == 0:
         print("no test ran", file=sys.stderr)
     print_slowest(taken)
+    spent.tell()
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or passed == 0 else 0
 
