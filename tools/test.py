@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: MIT
 """Runs the tests: units on the host, the same units on emulated boards, the tools.
 
-Prints a line for each suite, the whole output of failures, and which tests were left out because a board has
-no room for them, and the ten files of tests, or programs of such on a board, that took the most CPU time. The last line is "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no
-test failed, 1 a test failed or nothing ran. Limits are on CPU time and on sleep (fixel.base.limits), not on wall
-time.
+Prints a line for each suite, the whole output of failures, which tests were left out because a board has no room
+for them, and the ten files of tests, or programs of such on a board, that took the most CPU time. The last line is
+"N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no test failed, 1 a test failed or nothing ran.
+Limits are on CPU time and on sleep (fixel.base.limits), not on wall time.
 """
 
 from fixel.base import interpreter

@@ -179,6 +179,15 @@ def test_the_oldest_use_goes_first(allowed, tmp_path, monkeypatch):
     assert sum(file.stat().st_size for file in (tmp_path / "kept").iterdir()) <= 10_000
 
 
+def test_what_others_put_there_stays(allowed, tmp_path, monkeypatch):
+    monkeypatch.setattr(kept, "MOST", 10_000)
+    (tmp_path / "kept").mkdir()
+    (tmp_path / "kept" / "frame_0000.png").write_bytes(bytes(20_000))
+    store = kept.Kept(tmp_path)
+    assert [obtain(store, number, 6000, tmp_path) for number in (1, 1, 2, 1)] == [1, 0, 1, 1]
+    assert (tmp_path / "kept" / "frame_0000.png").exists()
+
+
 def test_what_is_larger_than_all_is_not_kept(allowed, tmp_path, monkeypatch):
     monkeypatch.setattr(kept, "MOST", 10_000)
     store = kept.Kept(tmp_path)
@@ -226,8 +235,6 @@ def test_a_command_that_is_killed_leaves_whole_entries(allowed, tmp_path):
     assert subprocess.run([sys.executable, "-c", program], cwd=CHECKOUT, check=False).returncode == -9
     assert not entries(tmp_path) and len(list((tmp_path / "kept").glob(".fixel-kept-*"))) == 1
     run_cli("scene", "--help")
-    from fixel.base import scratch
-    scratch.remove_left_over()
     assert not list((tmp_path / "kept").glob(".fixel-kept-*"))
     assert obtain(kept.Kept(tmp_path), 1, 100, tmp_path) == 1 and len(entries(tmp_path)) == 1
 

@@ -16,6 +16,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import sys
 import zlib
 
@@ -23,7 +24,8 @@ from fixel.base import scratch
 from fixel.base.errors import one_line
 
 MOST = 200_000_000      # bytes of all entries
-FORMAT = b"fixel kept 1 "
+FORMAT = b"fixel kept 1 "   # another number: what is kept has another meaning
+NAME = re.compile("[0-9a-f]{64}")
 BLOCK = 1 << 20
 QUICK = 1               # of zlib's levels
 
@@ -127,7 +129,7 @@ class Kept:
         there = []
         for file in self.folder.iterdir():
             with contextlib.suppress(FileNotFoundError):
-                if not file.name.startswith("."):
+                if NAME.fullmatch(file.name):   # anything else is somebody's work
                     state = file.stat()
                     there.append((state.st_mtime_ns, state.st_size, file))
         room = MOST - size - sum(each for _, each, _ in there)
