@@ -48,6 +48,7 @@ def test_a_refusal_comes_as_it_is(tmp_path):
     ("return len(bytes(1 << 30))", "needs more than the limit of 200 MiB of memory"),
     ("made = []\nwhile True:\n    made.append([made] * 10)", "needs more than the limit of 200 MiB of memory"),
     ("raise OSError(12, 'x')", "needs more than the limit of 200 MiB of memory"),
+    ("raise ImportError('failed to map segment from shared object')", "needs more than the limit of 200 MiB of memory"),
     ("os.kill(os.getpid(), signal.SIGKILL)", "was killed"),
     ("os.kill(os.getpid(), signal.SIGSEGV)", "was ended by SIGSEGV"),
     ("os._exit(0)", "ended without an answer"),

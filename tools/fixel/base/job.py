@@ -65,19 +65,22 @@ def _place(error):
     return f"{type(error).__name__} in {os.path.basename(last.filename)}, line {last.lineno}"
 
 
+def _is_of_memory(error):
+    """Whether an error says that there is no memory. A package that is imported late, as Pillow's readers are, cannot be
+    mapped then."""
+    return isinstance(error, MemoryError) or isinstance(error, OSError) and error.errno == errno.ENOMEM or \
+        isinstance(error, ImportError) and not isinstance(error, ModuleNotFoundError)
+
+
 def _answer(do, request, report):
     """The last line: what the job answers, or how it failed."""
     try:
         line = json.dumps({"done": do(request, report), "opened": sorted(reading.opened())})
     except ToolError as error:
         line = json.dumps({"error": {"message": error.message, "exit_code": error.exit_code, "words": error.words}})
-    except MemoryError:
-        return _MEMORY
-    except OSError as error:
-        if error.errno == errno.ENOMEM:
-            return _MEMORY
-        line = json.dumps({"defect": _place(error)})
     except Exception as error:  # one sentence for the caller, whatever it was
+        if _is_of_memory(error):
+            return _MEMORY
         line = json.dumps({"defect": _place(error)})
     return line.encode() + b"\n"
 

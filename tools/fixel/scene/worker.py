@@ -9,6 +9,8 @@ if __name__ == "__main__":
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)    # Ctrl-C comes to this process too, which then says nothing
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
+    from fixel.base import interpreter
+    sys.excepthook = interpreter.explain    # of a missing package
 
 from fixel.image import c_scene, image, image_ranges
 from fixel.model import model_file
