@@ -22,7 +22,7 @@ MODEL = struct.Struct("<4IBBHiI")
 OBJECT = struct.Struct("<3iHBB")
 
 
-@dataclass
+@dataclass(slots=True)
 class Face:
     normal: tuple       # 2.30
     corners: tuple      # numbers of vertices within the model, clockwise from the front

@@ -7,6 +7,7 @@ from fixel.image.image import PLANARITY_MAX
 
 _LEAF = 64          # vertices in a box
 _CHUNK = 1024       # faces at a time
+_TRIED = 16         # faces that are looked at before all others
 
 
 def _leaves(points):
@@ -44,6 +45,10 @@ def is_convex(vertices, faces):
     points = np.array(vertices, dtype=float)
     normals = np.array([face.normal for face in faces], dtype=float) / 2 ** 30
     heights = np.sum(normals * points[[face.corners[0] for face in faces]], axis=1)
+    planes = slice(None, None, max(1, len(faces) // _TRIED))
+    reach = normals[planes] @ points.T - heights[planes, None]
+    if reach.max() > PLANARITY_MAX and reach.min() < -PLANARITY_MAX:    # most models show it in a few planes
+        return False
     if len(faces) > _LEAF:      # a plane that many faces share is looked at once; a few are looked at faster
         normals, heights = np.split(np.unique(np.column_stack([normals, heights]), axis=0), [3], axis=1)
         heights = heights[:, 0]

@@ -5,6 +5,7 @@ library takes: flat, convex, of 3 to 24 vertices, with exact normals.
 Everything is done in integers on the rounded vertices, so that what is decided
 here holds for the numbers that the library sees."""
 
+import collections
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import isqrt, lcm
@@ -189,12 +190,11 @@ def _pieces(corners, points, place, counts):
 
 def _open_edges(faces):
     """How many edges are not shared by two faces that agree on the front."""
-    balance = {}
+    balance = collections.Counter()
     for face in faces:
-        for a, b in zip(face.corners, face.corners[1:] + face.corners[:1]):
-            key, step = ((a, b), 1) if a < b else ((b, a), -1)
-            balance[key] = balance.get(key, 0) + step
-    return sum(1 for value in balance.values() if value)
+        balance.update(zip(face.corners, face.corners[1:] + face.corners[:1]))
+    # Of an edge that runs as often one way as the other, none is left. One without a partner stands there once.
+    return sum(1 for (a, b), times in balance.items() if times != balance.get((b, a), 0) and (a < b or (b, a) not in balance))
 
 
 def _volume(vertices, faces):

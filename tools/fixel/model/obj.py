@@ -13,6 +13,7 @@ and its corners are taken in reverse."""
 from decimal import Decimal, InvalidOperation
 import io
 import os
+import re
 
 from fixel.model import mtl
 from fixel.base.errors import ToolError
@@ -27,6 +28,8 @@ COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
 _IGNORED = {"g", "o", "s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod",
             "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
+_PLAIN = re.compile(r"(-?)([0-9]{1,8})(?:\.([0-9]{1,18}))?")    # a number that needs no rounding
+_PLACES = 18                # of UNIT
 _UV_MAX = 1e6               # images across
 _LINES_A_WORD = 4096        # lines between two words about the progress
 
@@ -44,6 +47,12 @@ def _vertex(words, where):
     """x, y, z in units of 1/UNIT, z negated. What follows (w, colour) is not needed."""
     point = []
     for word in words[:3]:
+        plain = _PLAIN.fullmatch(word)
+        if plain:
+            sign, whole, part = plain.groups("")
+            value = int(whole + part) * 10 ** (_PLACES - len(part))
+            point.append(-value if sign else value)
+            continue
         try:
             value = Decimal(word)
         except InvalidOperation:
