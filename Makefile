@@ -2,22 +2,81 @@
 # The commands. Each command first calls tools/setup.sh, which installs what the command lacks and
 # says so. Then a sub-make builds the files that the command needs. Then a tool runs.
 
+.DEFAULT_GOAL := help
+
+# --- words -------------------------------------------------------------------
+
+empty :=
+space := $(empty) $(empty)
+, := ,
+define newline
+
+
+endef
+
+# $(1) if it is, character for character, one of the words $(2). $(filter) would take a pattern or a list of words.
+ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$(findstring |$(word)|,|$(1)|)),$(word))))
+
+# --- the user's variables ----------------------------------------------------
+
+# The commands, and other targets of the command line that are no files.
+COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants size predict costs format clean
+TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
+# The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
+VARIABLES := $(sort $(shell sed -n 's/^[a-z-]*:.* \[\([A-Z].*\)\]$$/\1/p' Makefile | grep -o '[A-Z_]*=' | tr -d '='))
+SETTINGS := V HOSTCC HOSTAR CROSS CMOCK_DIR UNITY_DIR
+SETTINGS_OF_TESTS := BUILD PY MAKE
+
+# A value is text and never runs. make would expand a $(shell ...) in it at each use, and once more when it exports the
+# variable; a recipe would hand its quotes to the shell. So each variable that the user gives is taken literally and
+# exported, and no recipe names one: tools/fixel/base/make_variables.py makes a tool's options of them. What the tests set is not exported,
+# nor read from the environment.
+GIVEN := $(foreach name,$(VARIABLES) $(SETTINGS),$(if $(filter command environment,$(firstword $(origin $(name)))),$(name)))
+$(foreach name,$(GIVEN),$(eval override $(name) := $$(value $(name)))$(eval export $(name)))
+GIVEN_BY_TESTS := $(foreach name,BUILD PY MAKE,$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
+$(foreach name,$(GIVEN_BY_TESTS),$(eval override $(name) := $$(value $(name))))
+
+# Commands, flags and folders that recipes do name: words without a character that means something to the shell.
+hash := \#
+SHELL_CHARACTERS := ; & | < > ( ) $$ ` " ' \ $(hash)
+WORDS := $(filter HOSTCC HOSTAR CROSS CMOCK_DIR UNITY_DIR LIB_FLAGS,$(GIVEN)) $(GIVEN_BY_TESTS)
+$(foreach name,$(WORDS),$(foreach character,$(SHELL_CHARACTERS),\
+    $(if $(findstring $(character),$(subst $(newline),;,$($(name)))),\
+        $(error $(name) is "$($(name))"; it takes words on one line without any of $(SHELL_CHARACTERS)))))
+ifneq ($(and $(filter BUILD,$(GIVEN_BY_TESTS)),$(or $(findstring $(space),$(BUILD)),$(findstring %,$(BUILD)),$(findstring :,$(BUILD)))),)
+$(error BUILD is "$(BUILD)"; it must be a folder without a blank, % or : in its name)
+endif
+
+# "; did you mean ...?", or nothing. $(1): a name, $(2): what stands after each word, $(3): the words.
+DID_YOU_MEAN = $(shell python3 tools/make.py --nearest '$(subst ','\'',$(1))' '$(2)' $(3) 2>/dev/null)
+UNKNOWN := $(firstword $(filter-out $(SETTINGS_OF_TESTS),\
+    $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))))
+ifneq ($(UNKNOWN),)
+$(error no command has a variable $(UNKNOWN)=$(call DID_YOU_MEAN,$(UNKNOWN),=,$(VARIABLES)) (see make help))
+endif
+UNKNOWN := $(firstword $(foreach goal,$(filter-out $(TARGETS),$(MAKECMDGOALS)),$(if $(findstring /,$(goal)),,$(goal))))
+ifneq ($(UNKNOWN),)
+$(error there is no command "$(UNKNOWN)"$(call DID_YOU_MEAN,$(UNKNOWN),,help $(COMMANDS)) (see make help))
+endif
+
+# --- settings ----------------------------------------------------------------
+
 BUILD    := build
 HOSTCC   ?= gcc
 CROSS    ?= arm-none-eabi-
 PY       := .venv/bin/python
 WARNINGS := -std=c11 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror
+# A command's tool, with the options that the user's variables become.
+TOOL      = $(PY) tools/make.py
 
 BOARD ?= mps2-an385
-SCENE ?= $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml)
 CORE  ?= cortex-m3
-OUT   ?= $(BUILD)/run
 
 HOST_TOOLS :=
 UNITY_TESTS :=
 export CROSS HOSTCC
 
-.DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
@@ -37,7 +96,9 @@ endif
 # --- boards ------------------------------------------------------------------
 
 BOARDS := $(sort $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
-ifeq ($(filter $(BOARD),$(BOARDS)),)
+# The board that the commands are for: BOARD=, which is exactly one of them.
+BOARD_CHOSEN := $(call ONE_OF,$(BOARD),$(BOARDS))
+ifeq ($(BOARD_CHOSEN),)
 $(error there is no board "$(BOARD)"; the boards are: $(BOARDS))
 endif
 
@@ -46,8 +107,6 @@ endif
 # The commands. Those of one command line run one after the other, so that no two makes build the
 # same file at a time. What a command builds is built in parallel, after its set-up. lib
 # calls no make of its own.
-COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants size predict costs format clean
 ifneq ($(filter-out lib,$(filter $(COMMANDS),$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
@@ -74,14 +133,13 @@ ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
 endif
 
 HOST_WALK := $(call WALK_OF,host)
-WALK      := $(call WALK_OF,$(BOARD))
-IMAGE     := $(BUILD)/flash/$(BOARD).bin
-# A scene image is its own.
-FXLS := $(if $(filter %.fxls,$(SCENE)),$(SCENE),$(BUILD)/scenes/$(basename $(notdir $(SCENE))).fxls)
-FRAMES_OPTION := $(if $(FRAMES),--frames $(FRAMES))
-SCREEN_OPTION := $(if $(SCREEN),--screen '$(SCREEN)')
-FRESH_OPTION := $(if $(FRESH),--fresh)
-METHODS_OPTIONS := --program '$(PROGRAM)' $(if $(VISIBILITY),--visibility '$(VISIBILITY)') $(if $(CLIPPER),--clipper '$(CLIPPER)') $(if $(ROWS),--rows '$(ROWS)')
+WALK      := $(call WALK_OF,$(BOARD_CHOSEN))
+IMAGE     := $(BUILD)/flash/$(BOARD_CHOSEN).bin
+SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml)
+# These have been compared with the names that there are: firmware/firmware.mk.
+METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
+DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
+FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 
 # The record of a display's wires is what run reads.
 ifneq ($(and $(DRIVER),$(filter view flash boot gdb screen,$(MAKECMDGOALS))),)
@@ -104,68 +162,53 @@ all: ## build everything, run nothing
 run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
-	@$(PY) tools/run.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(OUT)' --build $(BUILD) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(DRIVER),--driver '$(DRIVER)') $(FRESH_OPTION)
+	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
 	@$(MAKE) $(WALK) $(BUILD)/host/live
-	@$(PY) tools/view.py --board '$(BOARD)' --scene '$(SCENE)' --build $(BUILD) \
-	    $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(PORT),--port '$(PORT)') $(if $(OPEN),--open)
+	@$(TOOL) view $(DRAW_OPTIONS)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= SCREEN= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
-	@tools/setup.sh $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
+	@tools/setup.sh $(FLASH_SETUP)
 	@$(MAKE) $(WALK)
-ifeq ($(filter %.fxls,$(SCENE)),)
-	@mkdir -p $(BUILD)/scenes
-	@$(PY) tools/scene.py build '$(SCENE)' -o '$(FXLS)' $(FRAMES_OPTION) $(SCREEN_OPTION)
-else ifneq ($(SCREEN),)
-	@echo "error: $(SCENE) is a scene image, which has its screen already: give the .toml or the model" >&2; exit 2
-endif
-	@$(PY) tools/flash.py --board '$(BOARD)' --elf $(WALK) --scene '$(FXLS)' --image $(IMAGE) \
-	    $(if $(PROBE),--probe '$(PROBE)') $(if $(DRY_RUN),--dry-run)
+	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
 
-boot: ## boot a board from its flash image [BOARD= FRAMES=; VISIBILITY= CLIPPER= as for flash]
+boot: ## boot a board from its flash image [BOARD= FRAMES=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
-	@$(PY) tools/boot.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) \
-	    --dump $(BUILD)/boot/$(BOARD).fxld $(FRAMES_OPTION)
+	@$(TOOL) boot --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK) --dump $(BUILD)/boot/$(BOARD_CHOSEN).fxld
 
-gdb: ## open a debugger on a board, booted from its flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file]
+gdb: ## open a debugger on a board, booted from its flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
 	@tools/setup.sh gdb
 	@$(MAKE) $(WALK)
-	@$(PY) tools/gdb.py --board '$(BOARD)' --image $(IMAGE) --elf $(WALK) $(FRAMES_OPTION) \
-	    $(if $(GDB_COMMANDS),--commands '$(GDB_COMMANDS)')
+	@$(TOOL) gdb --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK)
 
-compare: ## compare two PNGs, folders of PNGs, or frame dumps [A= B= TOLERANCE=0 OUT=]
+compare: ## compare two PNGs, folders of PNGs, or frame dumps [A= B= TOLERANCE=0 OUT= JSON=1]
 ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [SAMPLES= SCENE= SEED= ONLY= FRESH=1]
+REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(HOST_TOOLS))
+
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= SEED= ONLY= FRESH=1]
 	@tools/setup.sh report
-	@$(MAKE) $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(HOST_TOOLS))
-	@$(PY) tools/report.py --out $(BUILD)/report --build $(BUILD) --board '$(BOARD)' \
-	    $(if $(SAMPLES),--samples '$(SAMPLES)') $(if $(SEED),--seed '$(SEED)') $(if $(ONLY),--only '$(ONLY)') $(FRESH_OPTION) \
-	    $(if $(filter command environment,$(origin SCENE)),--scene '$(SCENE)')
+	@$(MAKE) $(REPORT_PROGRAMS)
+	@$(TOOL) report --out $(BUILD)/report --build $(BUILD) --board $(BOARD_CHOSEN)
 
 wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= SCREEN= FRAMES= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(BUILD)/host/wire
-	@$(PY) tools/wire.py --scene '$(SCENE)' --build $(BUILD) $(FRAMES_OPTION) $(SCREEN_OPTION) $(FRESH_OPTION) \
-	    --out '$(if $(filter file,$(origin OUT)),$(BUILD)/wire,$(OUT))'
-
-PICTURE ?= $(BUILD)/screen/$(BOARD).png
+	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
 screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
-	@$(PY) tools/screen.py --board '$(BOARD)' --scene '$(SCENE)' --out '$(PICTURE)' --build $(BUILD) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(METHODS_OPTIONS) $(if $(DEVICE),--device '$(DEVICE)')
+	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
-pictures: ## renew the pictures of the documents (needs make run and make report)
+pictures: ## renew the pictures of the documents (needs make run and make report) [BOARD=]
 	@tools/setup.sh test
-	@$(MAKE) $(BOARD_WALK.$(BOARD)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
+	@$(MAKE) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
 	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
 	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(PY) tools/first_program.py --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
@@ -193,24 +236,23 @@ pictures: ## renew the pictures of the documents (needs make run and make report
 	@for scene in landscape gallery car; do $(PY) tools/scene.py build scenes/$$scene.toml --screen 320x240 -o $(BUILD)/$$scene.fxls && \
 	    $(BUILD)/host/frames $(BUILD)/$$scene.fxls $(BUILD)/$$scene.fxld || exit 1; done
 	@$(PY) tools/pictures.py --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
-	@$(PY) tools/record.py --board '$(BOARD)' --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
+	@$(PY) tools/record.py --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
 lib: ## build the library and its headers for your firmware [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
-$(BUILD)/lib/$(CORE)/flags: | set-up-lib
 set-up-lib:
 	@tools/setup.sh lib
 
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
 
-size: ## print flash, RAM and stack; check that the library has no float and no heap
+size: ## print flash, RAM and stack; check that the library has no float and no heap [BOARD= PROGRAM=walk]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
 	    $(MAKE) lib CORE=$$core >/dev/null || exit; done
-	@$(PY) tools/size.py --board '$(BOARD)' $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
-	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD))/lib) \
+	@$(PY) tools/size.py --board $(BOARD_CHOSEN) $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
+	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD_CHOSEN))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
 # What make predict has costs of: bench/costs.json.
@@ -220,19 +262,18 @@ LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BO
 predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= SCREEN= FRAMES= JSON=]
 	@tools/setup.sh predict
 	@$(MAKE) $(BUILD)/host/predict
-	@$(PY) tools/predict.py --board '$(BOARD)' --core '$(BOARD_CORE.$(BOARD))' --scene '$(SCENE)' --build $(BUILD) \
-	    --band $(BOARD_BAND_BYTES.$(BOARD)) --order $(BOARD_ORDER_ENTRIES.$(BOARD)) --list $(BOARD_LIST_BYTES.$(BOARD)) \
-	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD)) --list-most $(call LIST_MOST_OF,$(BOARD)) \
-	    $(if $(filter WALK_WITHOUT_SURFACES,$(BOARD_SETTINGS.$(BOARD))),--without-surfaces) \
-	    $(FRAMES_OPTION) $(SCREEN_OPTION) $(if $(JSON),--json '$(JSON)')
+	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \
+	    --band $(BOARD_BAND_BYTES.$(BOARD_CHOSEN)) --order $(BOARD_ORDER_ENTRIES.$(BOARD_CHOSEN)) --list $(BOARD_LIST_BYTES.$(BOARD_CHOSEN)) \
+	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD_CHOSEN)) --list-most $(call LIST_MOST_OF,$(BOARD_CHOSEN)) $(if $(filter WALK_WITHOUT_SURFACES,$(BOARD_SETTINGS.$(BOARD_CHOSEN))),--without-surfaces)
 
+COSTED_BOARDS := $(foreach board,$(COSTS_BOARDS),$(or $(call ONE_OF,$(board),$(BOARDS)),$(error COSTS_BOARDS: there is no board "$(board)"; the boards are: $(BOARDS))))
 costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=]
 	@tools/setup.sh report
-	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTS_BOARDS),$(BOARD_WALK.$(board)))
-	@$(PY) tools/costs.py --cores $(COSTS_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTS_BOARDS) --build $(BUILD)
+	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTED_BOARDS),$(BOARD_WALK.$(board)))
+	@$(PY) tools/costs.py --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
 
 # BOARD= on the command line: what runs on that board and nothing else.
-TEST_BOARD := $(if $(filter command environment,$(origin BOARD)),$(BOARD))
+TEST_BOARD := $(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN))
 # Without it, the unit tests run on a board for each build of the library, on the one with the most memory for a band of
 # pixels; make boards runs them on every board.
 TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_SHARED,$(call CORE_NAME,$(board)))),$(board)))
@@ -255,8 +296,7 @@ test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)
 test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
-	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(if $(WHOLE),FIXEL_WHOLE=1) $(PY) tools/test.py $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) \
-	    $(TEST_BOARD:%=--board %) $(if $(ONLY),--only '$(ONLY)')
+	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(TOOL) test $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) $(TEST_BOARD:%=--board %)
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 
@@ -275,8 +315,7 @@ bench: ## count the instructions of frames and kernels on four cores, beside the
 clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]
 	@tools/setup.sh report
 	@$(MAKE) $(CLIPPERS_BUILT) $(BOARD_WALK.host)
-	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES) \
-	    $(FRAMES_OPTION) $(if $(ONLY),--only '$(ONLY)')
+	@$(TOOL) clippers --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES)
 
 clippers-accept: ## take the last make clippers into docs/clipping.md and bench/clippers.json
 	@tools/setup.sh report
@@ -284,37 +323,34 @@ clippers-accept: ## take the last make clippers into docs/clipping.md and bench/
 
 bench-diff: ## compare the last make bench with bench/baseline.json [THRESHOLD=0.5]
 	@tools/setup.sh tools
-	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json $(if $(THRESHOLD),--threshold '$(THRESHOLD)')
+	@$(TOOL) bench-diff --current $(BENCH_OUT)/bench.json
 
 bench-baseline: ## take the last make bench as the baseline, and renew the tables of docs/performance.md
 	@tools/setup.sh tools
 	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json --accept
 
 # CORE here is one of the bench's; the default of the other commands is none.
-PROFILE_CORE := $(if $(filter file,$(origin CORE)),m3,$(CORE))
-PROFILE_RENDERER := $(or $(RENDERER),fixel)
+PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES)),m3)
+PROFILE_PROGRAM := $(filter %/$(or $(call ONE_OF,$(RENDERER),$(BENCH_PROGRAMS)),fixel).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 profile: ## show where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
 	@tools/setup.sh run
-	@$(MAKE) $(BENCH_COUNTER) $(filter %/$(PROFILE_RENDERER).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE)))
-	@$(PY) tools/profile_frame.py --workload '$(or $(WORKLOAD),w1)' --core '$(PROFILE_CORE)' \
-	    --renderer '$(PROFILE_RENDERER)' --build $(BUILD) $(FRAMES_OPTION)
+	@$(MAKE) $(BENCH_COUNTER) $(PROFILE_PROGRAM)
+	@$(TOOL) profile --workload w1 --core m3 --build $(BUILD)
 
 equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
 	@tools/setup.sh run
 	@$(MAKE) $(EQUALITY_PROGRAMS)
-	@$(PY) tools/equality.py $(EQUALITY_PROGRAMS) $(if $(THOUSANDS),--thousands '$(THOUSANDS)') $(if $(JOBS),--jobs '$(JOBS)') \
-	    $(if $(KEEP),--keep '$(KEEP)')
+	@$(TOOL) equality $(EQUALITY_PROGRAMS)
 
 fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60]
 	@tools/setup.sh fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-	@$(FUZZ_TOOLS_INPUT)
-	@$(PY) tools/fuzz.py --seconds $(or $(SECONDS),60) --build $(BUILD) --clang '$(FUZZ_CLANG)'
+	@$(TOOL) fuzz --seconds 60 --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
-kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [KILLS=200 SEED=1]
+kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [BOARD= KILLS=200 SEED=1]
 	@tools/setup.sh test
-	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD)) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
-	@$(PY) tools/kills.py --board '$(BOARD)' --streaming lm3s6965evb --build $(BUILD) $(if $(KILLS),--kills '$(KILLS)') $(if $(SEED),--seed '$(SEED)')
+	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
+	@$(TOOL) kills --board $(BOARD_CHOSEN) --streaming lm3s6965evb --build $(BUILD)
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
 	@tools/setup.sh units
@@ -329,8 +365,7 @@ coverage: ## print which lines, branches and conditions of lib/ the unit tests a
 mutants: ## put random small mistakes into the library; a test must fail for most of them [SEED=1 COUNT=200 ONLY=]
 	@tools/setup.sh units
 	@$(MAKE) $(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-	@$(PY) tools/mutants.py --seed '$(or $(SEED),1)' --count '$(or $(COUNT),200)' $(if $(ONLY),--only '$(ONLY)') \
-	    --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
+	@$(TOOL) mutants --seed 1 --count 200 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
 	    host_tests/fuzz/corpus/$(target) $(FUZZ_REPLAY_OBJECTS_$(target)))
 

@@ -175,6 +175,8 @@ $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core)))
 # The programs that make costs measures: bands as boards of several sizes have them. $(1): the core.
 # The settings of a program: rows of a band, words of the display list, entries of the cache.
 COSTS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
+COSTED_CORES := $(foreach core,$(COSTS_CORES),$(or $(call ONE_OF,$(core),$(BENCH_CORES_HERE)),\
+    $(error COSTS_CORES: there is no core "$(core)"; the cores are: $(BENCH_CORES_HERE))))
 COSTS_LARGE := 240 65536 1024
 COSTS_MIDDLE := 25 4096 64
 COSTS_SMALL := 8 1024 8
@@ -187,9 +189,9 @@ BENCH_OBJECTS.costs-$(2) := $(2)/draw_bands $(BENCH_FRAMES)
 $(BENCH_OUT)/$(1)/$(2)/draw_bands.o: bench/firmware/draw_bands.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(call COSTS_FLAGS,$(2)))
 endef
-$(foreach core,$(COSTS_CORES),$(foreach size,$(COSTS_SIZES),$(eval $(call COSTS_RULES,$(core),$(size)))\
+$(foreach core,$(COSTED_CORES),$(foreach size,$(COSTS_SIZES),$(eval $(call COSTS_RULES,$(core),$(size)))\
     $(eval $(call BENCH_PROGRAM_RULES,$(core),costs-$(size)))))
-COSTS_PROGRAMS := $(foreach core,$(COSTS_CORES),$(COSTS_SIZES:%=$(BENCH_OUT)/$(core)/costs-%.elf))
+COSTS_PROGRAMS := $(foreach core,$(COSTED_CORES),$(COSTS_SIZES:%=$(BENCH_OUT)/$(core)/costs-%.elf))
 # What the tool is told: NAME=rows:words:entries.
 COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COSTS_$(size))))
 

@@ -37,14 +37,6 @@ FIRMWARE_SAY = $(info $(space) $(1) $@)
 FIRMWARE_OUT := $(BUILD)/boards
 CORE_OUT := $(BUILD)/core
 
-empty :=
-space := $(empty) $(empty)
-, := ,
-define newline
-
-
-endef
-
 # --- settings ------------------------------------------------------------------
 
 # What a board.mk must set; what it may set; what it may leave empty.
@@ -118,11 +110,11 @@ BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard fir
 # (firmware/walk/act.h).
 PROGRAMS := walk game
 PROGRAM ?= walk
-ifeq ($(filter $(PROGRAM),$(PROGRAMS)),)
+ifeq ($(call ONE_OF,$(PROGRAM),$(PROGRAMS)),)
 $(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
 endif
 # A board without the memory for a program: make says so before anything is built.
-ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD))),)
+ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD_CHOSEN))),)
 $(error PROGRAM=$(PROGRAM) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(board))),,$(board))))
 endif
 PROGRAM_SOURCES.walk := $(wildcard firmware/walk/*.c)
@@ -135,10 +127,10 @@ PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 # walk-<visibility>-<clipper>, that differs in three objects: board.mk may set memory by VISIBILITY.
 CLIPPERS := view world normalised once half-spaces triangles near left
 VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces depth depth-32
-ifneq ($(filter-out $(CLIPPERS),$(CLIPPER)),)
+ifeq ($(if $(CLIPPER),$(call ONE_OF,$(CLIPPER),$(CLIPPERS)),none),)
 $(error there is no CLIPPER "$(CLIPPER)"; the clippers are: $(CLIPPERS))
 endif
-ifneq ($(filter-out $(VISIBILITIES),$(VISIBILITY)),)
+ifeq ($(if $(VISIBILITY),$(call ONE_OF,$(VISIBILITY),$(VISIBILITIES)),none),)
 $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VISIBILITIES))
 endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
@@ -152,7 +144,7 @@ WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$
 
 # With ROWS=, its bands have so many rows at most: another program too.
 ifneq ($(ROWS),)
-ifeq ($(filter $(ROWS),$(shell seq 1024)),)
+ifeq ($(call ONE_OF,$(ROWS),$(shell seq 1024)),)
 $(error ROWS=$(ROWS) is no number of rows from 1 to 1024)
 endif
 endif
@@ -160,13 +152,13 @@ endif
 # boards/parts/driver_panel.c, in bands of eight rows where ROWS= is not given.
 DRIVERS_OF_COLOUR := st7789 ili9341 st7735
 DRIVERS_OF_PAGES := ssd1306 sh1106
-ifneq ($(filter-out $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES),$(DRIVER)),)
+ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)),none),)
 $(error there is no DRIVER "$(DRIVER)"; the drivers are: $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES))
 endif
 ifneq ($(filter-out $(shell seq 8 8 1024),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(ROWS))),)
 $(error DRIVER=$(DRIVER) takes pages of eight rows: ROWS=$(ROWS) must be a multiple of 8)
 endif
-ifeq ($(if $(DRIVER),$(BOARD_DRIVER_ROWS.$(BOARD))),0)
+ifeq ($(if $(DRIVER),$(BOARD_DRIVER_ROWS.$(BOARD_CHOSEN))),0)
 $(error DRIVER=$(DRIVER) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter 0,$(BOARD_DRIVER_ROWS.$(board))),,$(board))))
 endif
 WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))

@@ -51,7 +51,7 @@ $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
 # SIZE=1 asks for few bytes instead of few instructions.
 LIB_CORES := cortex-m0 cortex-m0plus cortex-m1 cortex-m23 cortex-m3 $(LIB_TUNED) host
-LIB_CORE := $(or $(filter $(CORE) cortex-$(CORE),$(LIB_CORES)),unknown)
+LIB_CORE := $(or $(call ONE_OF,$(CORE),$(LIB_CORES)),$(call ONE_OF,cortex-$(CORE),$(LIB_CORES)),unknown)
 LIB_OUT := $(BUILD)/lib/$(LIB_CORE)
 LIB_FLAGS ?=
 LIB_CORE_FLAGS := $(if $(filter host,$(LIB_CORE)),,-mcpu=$(LIB_CORE) -mthumb)
@@ -61,13 +61,11 @@ LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
 LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
 
 .PHONY: lib
-ifeq ($(LIB_CORE),unknown)
-lib:
-	@echo "error: CORE=$(CORE) is unknown; the cores are: $(LIB_CORES)" >&2; exit 2
-else
+ifneq ($(and $(filter unknown,$(LIB_CORE)),$(filter lib,$(MAKECMDGOALS))),)
+$(error CORE=$(CORE) is unknown; the cores are: $(LIB_CORES))
+endif
 lib: $(LIB_OUT)/libfixel.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
 	@printf '  %s and %s\n' '$(LIB_OUT)/libfixel.a' '$(LIB_OUT)/include/fixel.h'
-endif
 
 # Flags are part of what was built: another choice builds anew.
 $(LIB_OUT)/flags: FORCE | set-up-lib

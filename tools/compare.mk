@@ -8,9 +8,7 @@
 # even with -n: then there is none to bring up to date, and the goal shows the steps.
 
 VERDICT := $(BUILD)/compare/verdict.mk
-COMPARE_OUT := $(if $(filter file,$(origin OUT)),$(BUILD)/compare,$(OUT))
-COMPARE := $(PY) tools/compare.py --a '$(A)' --b '$(B)' --tolerance '$(if $(filter undefined,$(origin TOLERANCE)),0,$(TOLERANCE))' \
-    --out '$(COMPARE_OUT)' $(if $(JSON),--json)
+COMPARE := $(TOOL) compare --out $(BUILD)/compare
 
 .PHONY: set-up-tools
 set-up-tools:

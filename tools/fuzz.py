@@ -284,6 +284,18 @@ def add_records(build):
               f"{len(new)} in all")
 
 
+# --- the tools' input ---------------------------------------------------------------
+
+def fuzz_tools_input(examples, seed):
+    """The tests that give the tools random input, with so many examples."""
+    environment = {**os.environ, "FUZZ_SEED": str(seed), "FUZZ_EXAMPLES": str(examples)}
+    done = children.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider",
+                         str(CHECKOUT / "host_tests" / "tools" / "test_input_fuzz.py")],
+                        cwd=CHECKOUT, env=environment, stdout=None, stderr=None)
+    if done.returncode:
+        raise ToolError("the tools failed on random input; pytest's words are above", exit_code=1)
+
+
 # --- all together -----------------------------------------------------------------
 
 def print_result(result, total):
@@ -306,6 +318,8 @@ def print_result(result, total):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seconds", type=int, default=60, help="time of fuzzing")
+    parser.add_argument("--examples", type=int, default=0,
+                        help="first give the tools so many random inputs a test; --seconds chooses which")
     parser.add_argument("--build", default="build", help="folder of the programs")
     parser.add_argument("--clang", default="clang", help="the clang that built them")
     parser.add_argument("--renew-corpus", action="store_true",
@@ -318,6 +332,8 @@ def main(argv):
     if options.add_records:
         add_records(build)
         return 0
+    if options.examples:
+        fuzz_tools_input(options.examples, options.seconds)
     if options.renew_corpus:
         make_seeds(build)
     workers = run_fuzzers(build, options.seconds)

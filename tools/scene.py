@@ -158,6 +158,13 @@ def arguments_of(argv):
     return parser.parse_args(argv)
 
 
+def say(out, made):
+    """What was written, for people."""
+    for note in made.notes:
+        print(f"note: {one_line(note)}", file=sys.stderr)
+    print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {made.frames} frames", file=sys.stderr)
+
+
 def main(argv):
     arguments = arguments_of(argv)
     if arguments.command == "info":
@@ -171,9 +178,7 @@ def main(argv):
         made = making.export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen, arguments.tree, limits)
     else:
         made = making.build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree, limits)
-    for note in made.notes:
-        print(f"note: {one_line(note)}", file=sys.stderr)
-    print(f"{one_line(arguments.out)}: {made.size:,} bytes, {made.objects} objects, {made.frames} frames", file=sys.stderr)
+    say(arguments.out, made)
     return 0
 
 

@@ -226,11 +226,14 @@ def main(argv):
     units.add_options(parser)
     parser.add_argument("--board", default="", help="run only the suites of this board")
     parser.add_argument("--only", default="", help="run only suites with this word in their name")
+    parser.add_argument("--whole", action="store_true", help="run all of what is otherwise sampled")
     # One more than processors: some suites wait, for a browser or for time to pass.
     parser.add_argument("--workers", type=int, default=(os.cpu_count() or 1) + 1)
     options = parser.parse_args(argv)
     # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    if options.whole:
+        os.environ["FIXEL_WHOLE"] = "1"     # host_tests/tools/conftest.py reads it
     outcomes, taken = run_all(all_jobs(options), max(1, options.workers))
     print_left_out(options, outcomes)
     passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes.values())

@@ -90,9 +90,7 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 # --- the tools' input ------------------------------------------------------------
 
 # make test has a fixed seed and few examples; here are ten times as many, and another seed with each SECONDS=.
-FUZZ_TOOLS_EXAMPLES ?= 1500
-FUZZ_TOOLS_INPUT = FUZZ_SEED='$(or $(SECONDS),60)' FUZZ_EXAMPLES='$(FUZZ_TOOLS_EXAMPLES)' \
-    $(PY) -m pytest -q -p no:cacheprovider host_tests/tools/test_input_fuzz.py
+FUZZ_TOOLS_EXAMPLES := 1500
 
 FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))
 HOST_TOOLS += $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/branches_%)

@@ -30,7 +30,7 @@ WITHIN = 0.15
 def options_of(board):
     """The options that make gives tools/predict.py for a board."""
     lines = dry_run("predict", f"BOARD={board}", "SCENE=x").stdout.replace("\\\n", " ")
-    command = next(line for line in lines.splitlines() if "tools/predict.py" in line)
+    command = next(line for line in lines.splitlines() if "tools/make.py predict" in line)
     words = re.findall(r"(--[a-z-]+) (?:'([^']*)'|([^-\s]\S*))", command)
     return {name: quoted or plain for name, quoted, plain in words if name not in ("--scene", "--build", "--board")}
 

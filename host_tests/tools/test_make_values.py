@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: MIT
+"""No value of a make variable runs as code, and each reaches its tool as it was given.
+
+The recipes run, with a stand-in for the tools' Python that writes down what it was called with; nothing is built."""
+
+import json
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from conftest import CHECKOUT, environment, run_make
+from fixel.base import make_variables, nearest
+
+COMMANDS = make_variables.commands()
+# make itself compares these with the names that there are, and refuses any other value.
+CHECKED = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
+# Read by make in the commands that are named here, and by a tool in the others.
+CHECKED_IN = {"CORE": ["lib"]}
+# Any value that is not empty means yes.
+SWITCHES = {"SIZE"}
+# Commands that call none of the tools.
+WITHOUT_TOOL = {"help", "lib", "all", "format", "clean"}
+
+# Recorded: the options, and the variables that make exported.
+RECORDER = """#!/usr/bin/env python3
+import json, os, sys
+with open({log!r}, "a") as log:
+    print(json.dumps([sys.argv[1:], dict(os.environ)]), file=log)
+"""
+
+
+@pytest.fixture
+def stand_in(tmp_path):
+    """A function that runs a command of make, and returns the process and what its tools were called with."""
+    log, python = tmp_path / "log.jsonl", tmp_path / "python"
+    python.write_text(RECORDER.format(log=str(log)), encoding="ascii")
+    python.chmod(0o755)
+
+    def run(command, *settings, **changes):
+        log.unlink(missing_ok=True)
+        log.touch()
+        done = run_make(command, f"PY={python}", f"BUILD={tmp_path / 'build'}", "MAKE=:", *settings, **changes)
+        return done, [json.loads(line) for line in log.read_text().splitlines()]
+    return run
+
+
+def hostile(marker):
+    """Values of which a shell or make would run a part: each would write the marker."""
+    return [f"2; touch {marker}", f"x'; touch {marker}; '", f'x"; touch {marker}; "', f"$(shell touch {marker})x.toml",
+            f"`touch {marker}`", f"$$(touch {marker})", f"${{shell touch {marker}}}", f"x\ntouch {marker}\n",
+            f"x & touch {marker} #", f"x\\'; touch {marker}; '"]
+
+
+def free(command):
+    """A command's variables that may have any value."""
+    return [name for name in COMMANDS[command]
+            if name not in CHECKED and name not in SWITCHES and command not in CHECKED_IN.get(name, ())]
+
+
+@pytest.mark.parametrize("command", [command for command in COMMANDS if free(command)])
+def test_no_value_runs_and_each_reaches_the_tool(stand_in, tmp_path, command):
+    """All of a command's variables at once, each with another of the values; another command begins with another one."""
+    marker = tmp_path / "marker"
+    values, first = hostile(marker), list(COMMANDS).index(command)
+    given = {name: values[(at + first) % len(values)] for at, name in enumerate(free(command))}
+    done, called = stand_in(command, *(f"{name}={value}" for name, value in given.items()))
+    assert done.returncode == 0, done.stderr
+    assert not marker.exists(), given
+    (words, variables), = [each for each in called if each[0][:2] == ["tools/make.py", command]]
+    assert not any("touch" in word for word in words)
+    assert {name: variables[name] for name in given} == given
+    for name, value in given.items():
+        option, = make_variables.option(command, name, value)
+        assert re.match("--[a-z-]+$", option) or option[option.index("=") + 1:] == value
+
+
+@pytest.mark.parametrize("name", sorted(CHECKED | set(CHECKED_IN)))
+def test_a_checked_variable_refuses_such_values(tmp_path, name):
+    marker = tmp_path / "marker"
+    for value in hostile(marker):
+        done = run_make("lib", f"{name}={value}")
+        assert done.returncode == 2 and name in done.stderr.upper() and not marker.exists(), (value, done.stderr)
+        assert done.stdout == ""
+
+
+def test_the_marker_is_made_by_a_value_that_runs(tmp_path):
+    """The control: with recipes that name a variable, as anybody would write them, the same values do run."""
+    marker = tmp_path / "marker"
+    (tmp_path / "Makefile").write_text("all:\n\t@: '$(X)' \"$(X)\"\n\t@: $(X)\n", encoding="ascii")
+    for value in hostile(marker)[:4]:
+        subprocess.run(["make", "-C", tmp_path, f"X={value}"], capture_output=True, check=False, env=environment())
+        assert marker.exists(), value
+        marker.unlink()
+
+
+def test_a_value_of_the_environment_does_not_run_either(stand_in, tmp_path):
+    marker = tmp_path / "marker"
+    value = f"$(shell touch {marker})'; touch {marker}; '"
+    done, called = stand_in("run", SCENE=value)
+    assert done.returncode == 0 and called[-1][1]["SCENE"] == value and not marker.exists()
+
+
+@pytest.mark.parametrize("name", ["HOSTCC", "HOSTAR", "CROSS", "CMOCK_DIR", "UNITY_DIR", "BUILD", "PY", "MAKE"])
+def test_a_command_or_folder_that_is_more_than_words_is_refused(tmp_path, name):
+    marker = tmp_path / "marker"
+    for value in hostile(marker):
+        done = run_make("-n", "predict", f"{name}={value}")
+        assert done.returncode == 2 and f'{name} is "' in done.stderr and not marker.exists(), (value, done.stderr)
+
+
+def test_a_folder_that_make_would_take_apart_is_refused():
+    for value in ("a b", "a%b", "a:b"):
+        done = run_make("help", f"BUILD={value}")
+        assert done.returncode == 2 and f'BUILD is "{value}"' in done.stderr
+
+
+def test_every_command_has_a_tool_or_is_known_to_have_none(stand_in):
+    """So a new command cannot be forgotten above: each that has variables reads them from the environment."""
+    for command in COMMANDS:
+        done = run_make("-n", command, "MAKE=:") if not free(command) else None
+        assert done is None or (".venv/bin/python tools/" in done.stdout) == (command not in WITHOUT_TOOL), command
+
+
+# --- no recipe names a variable ---------------------------------------------------
+
+def test_no_recipe_names_a_users_variable():
+    """But LIB_FLAGS, which make refuses where it is more than words."""
+    named = re.compile(rf"\$\(({'|'.join(sorted(make_variables.names() - {'LIB_FLAGS'}))})[):]")
+    for file in [CHECKOUT / "Makefile", *CHECKOUT.glob("tools/*.mk"), *CHECKOUT.glob("*/*.mk"), *CHECKOUT.glob("*/*/*.mk")]:
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            if line.startswith("\t"):
+                assert not named.search(line), f"{file}:{number}: {line}"
+
+
+# --- names of files, with the real tools --------------------------------------------
+
+NAMES = ["bob's scene", "dollar$HOME", "a  b", 'double"quote', "per%cent", "has#hash", "new\nline", "-dash", "back\\slash",
+         "$(shell exit)", "semi;colon"]
+
+
+@pytest.fixture
+def named(tmp_path):
+    """A function that makes a scene of a name."""
+    def make(name):
+        return shutil.copy(CHECKOUT / "scenes" / "tiny.toml", tmp_path / f"{name}.toml")
+    return make
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_scene_of_any_name_is_drawn(build, tmp_path, named, name):
+    out = tmp_path / f"out {name}"
+    done = run_make("run", "BOARD=host", f"SCENE={named(name)}", "FRAMES=1", f"OUT={out}")
+    assert done.returncode == 0, done.stderr
+    assert json.loads((out / "summary.json").read_text())["frames"] == 1
+    again = run_make("compare", f"A={out}", f"B={out}", f"OUT={tmp_path / 'compared'}{name}")
+    assert again.returncode == 0 and (tmp_path / f"compared{name}" / "compare.json").exists(), again.stderr
+
+
+@pytest.mark.parametrize("name", ["bob's scene", "dollar$HOME", "a  b", "new\nline"])
+def test_other_commands_take_such_a_name(build, tmp_path, named, name):
+    scene = named(name)
+    for command, *settings in (("wire", f"OUT={tmp_path / name}"), ("predict", f"JSON={tmp_path / name}.json"), ("flash",)):
+        done = run_make(command, f"SCENE={scene}", "FRAMES=1", *settings)
+        assert done.returncode == 0, (command, done.stderr)
+    assert (tmp_path / name / "summary.json").exists() and (tmp_path / f"{name}.json").exists()
+    assert (CHECKOUT / "build" / "scenes" / f"{name}.fxls").exists()
+    (CHECKOUT / "build" / "scenes" / f"{name}.fxls").unlink()
+
+
+# --- what is refused ----------------------------------------------------------------
+
+@pytest.mark.parametrize("value", ["%", "host mps2-an385", "host,mps2-an385", "", "mps2-%"])
+def test_a_board_is_exactly_one(value):
+    done = run_make("run", f"BOARD={value}", "SCENE=scenes/tiny.toml")
+    assert done.returncode == 2 and f'there is no board "{value}"; the boards are: host ' in done.stderr
+    assert done.stdout == ""
+
+
+@pytest.mark.parametrize("setting", ["PROGRAM=%", "PROGRAM=walk game", "CLIPPER=%", "CLIPPER=view world", "VISIBILITY=%",
+                                     "VISIBILITY=box spans", "ROWS=%", "ROWS=8 16", "DRIVER=%", "DRIVER=ssd1306 sh1106",
+                                     "CORE=%", "CORE=cortex-m0 cortex-m3", "COSTS_CORES=%", "COSTS_BOARDS=%"])
+def test_patterns_and_lists_are_refused(setting):
+    done = run_make("lib", setting)
+    name, value = setting.split("=")
+    assert done.returncode == 2 and name in done.stderr and (f'"{value.split()[0]}' in done.stderr or setting in done.stderr)
+    assert done.stdout == ""
+
+
+@pytest.mark.parametrize("arguments, sentence", [
+    (["predict", "SCEEN=x"], "no command has a variable SCEEN=; did you mean SCENE= or SCREEN=?"),
+    (["run", "OUTPUT=x"], "no command has a variable OUTPUT="),
+    (["viewer"], 'there is no command "viewer"; did you mean view?'),
+    (["clean", "cleen"], 'there is no command "cleen"; did you mean clean?'),
+    (["it's"], 'there is no command "it\'s" (see make help)'),
+])
+def test_an_unknown_name_is_answered_by_the_one_that_was_meant(arguments, sentence):
+    done = run_make(*arguments)
+    assert done.returncode == 2 and sentence in done.stderr
+    assert done.stdout == "" and len(done.stderr.splitlines()) == 1
+
+
+def test_unknown_names_do_not_run(tmp_path):
+    marker = tmp_path / "marker"
+    for goal in (f"$(shell touch {marker})", f"x'; touch {marker}; '", f"x';touch${{IFS}}{marker};'"):
+        assert run_make(goal).returncode == 2 and not marker.exists()
+
+
+def test_make_and_the_tools_find_the_same_variables():
+    """The Makefile finds them by sed, the tools by a regular expression."""
+    line, = re.findall(r"^VARIABLES := (.*)$", run_make("-pn", "help").stdout, re.MULTILINE)
+    assert set(line.split()) == make_variables.names()
+    assert {"SCENE", "A", "GDB_COMMANDS", "COSTS_BOARDS"} <= make_variables.names()
+
+
+# --- words ----------------------------------------------------------------------------
+
+def test_distances():
+    for one, other, steps in (("", "", 0), ("a", "", 1), ("abc", "abc", 0), ("abc", "abd", 1), ("abc", "acb", 1), ("abc", "bc", 1),
+                              ("sceen", "scene", 1), ("sceen", "screen", 1), ("kitten", "sitting", 3)):
+        assert nearest.distance(one, other) == nearest.distance(other, one) == steps
+
+
+def test_the_nearest_words():
+    assert nearest.nearest("viewer", ["view", "wire", "report"]) == ["view"]
+    assert nearest.nearest("xyz", ["view", "wire"]) == []
+    assert nearest.nearest("x", []) == []
