@@ -12,7 +12,7 @@ import pathlib
 
 import scene as scene_tool
 from fixel.board import probe
-from fixel.base import output
+from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line, run_main
 from fixel.board.flash import flash
 from fixel.base.table import table
@@ -32,7 +32,8 @@ def scene_image(options):
         return make_scene_image(options.scene, None, options.frames, options.screen)
     image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
     output.make_folder(image.parent)
-    scene_tool.say(image, scene_tool.build(options.scene, image, options.frames, options.screen))
+    scene_tool.say(image, scene_tool.build(options.scene, image, options.frames, options.screen,
+                                           limits=bounded.limits_of(options)))
     return image
 
 
@@ -56,6 +57,7 @@ def main(argv):
     parser.add_argument("--image", required=True, help="the flash image to write")
     parser.add_argument("--probe", default="", help="openocd: program the real board instead")
     parser.add_argument("--dry-run", action="store_true", help="with --probe: only print the command")
+    bounded.add_options(parser)
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
