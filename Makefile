@@ -69,6 +69,8 @@ PY       := .venv/bin/python
 WARNINGS := -std=c11 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror
 # A command's tool, with the options that the user's variables become.
 TOOL      = $(PY) tools/make.py
+# For what is compiled with -g.
+RELATIVE_PATHS := -ffile-prefix-map=$(CURDIR)=.
 
 BOARD ?= mps2-an385
 CORE  ?= cortex-m3
@@ -189,7 +191,8 @@ ifneq ($(filter compare,$(MAKECMDGOALS)),)
 include tools/compare.mk
 endif
 
-REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(HOST_TOOLS))
+REPORT_TOOLS := $(addprefix $(BUILD)/host/,oracle designs judge raycast stage_errors)
+REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(REPORT_TOOLS))
 
 report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= SEED= ONLY= FRESH=1]
 	@tools/setup.sh report
@@ -349,7 +352,7 @@ fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print t
 
 kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [BOARD= KILLS=200 SEED=1]
 	@tools/setup.sh test
-	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BOARD_WALK.lm3s6965evb) $(HOST_TOOLS)
+	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BOARD_WALK.lm3s6965evb) $(REPORT_TOOLS) $(BUILD)/host/live
 	@$(TOOL) kills --board $(BOARD_CHOSEN) --streaming lm3s6965evb --build $(BUILD)
 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time

@@ -56,11 +56,15 @@ BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list kernel_depth kernel_s
 BENCH_C_LIBRARY := listing-double listing-float memset
 
 # Where the library of a core is: that of the boards with the same flags, if there are any, is the
-# same library. $(1): the core.
-BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS,$(BENCH_FLAGS.$(1))),$(CORES_SHARED))),\
-    $(BENCH_OUT)/$(1))/lib
+# same library. $(1): the core, $(2): a folder of the bench, with a slash, or nothing.
+BENCH_CHOICE_OF.os/ := -Os
+BENCH_CHOICE_OF.small/ := $(BENCH_SMALL)
+BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS,$(BENCH_FLAGS.$(1)) $(if $(2),$(BENCH_CHOICE_OF.$(2)))),\
+    $(CORES_SHARED))),$(BENCH_OUT)/$(1)$(2:%/=/%))/lib
 # $(1): the core, $(2): names of objects.
-BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(BENCH_LIB_OUT)/%,$(2:%=$(BENCH_OUT)/$(1)/%.o))
+BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/small/lib/%,$(call BENCH_LIB_OUT,$(1),small/)/%,\
+    $(patsubst $(BENCH_OUT)/$(1)/os/lib/%,$(call BENCH_LIB_OUT,$(1),os/)/%,\
+    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(2:%=$(BENCH_OUT)/$(1)/%.o))))
 # $(1): the core, $(2): the program.
 BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
@@ -154,7 +158,7 @@ endef
 define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
 BENCH_CC_SMALL.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
-BENCH_CC_SMALL_LTO.$(1) := $$(BENCH_CC_SMALL.$(1)) -flto
+BENCH_CC_SMALL_LTO.$(1) := $$(filter-out -g,$$(BENCH_CC_SMALL.$(1))) -flto
 BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
     $(BENCH_OUT)/$(1)/size/small/fixel.elf $(BENCH_OUT)/$(1)/size/small-flto/fixel.elf
 

@@ -71,11 +71,15 @@ FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstac
 # The host's own library is compiled for its tools anyway (lib/lib.mk).
 LIB_OBJECTS_OF = $(if $(filter host,$(call CORE_NAME,$(1))),$(LIB_HOST_OBJECTS),$(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o))
 
+# No object names the folder of the checkout: what it says of its source is relative to that folder.
+# For assembly the compiler does not pass that on.
+FIRMWARE_RELATIVE = $(RELATIVE_PATHS) $(if $(filter %.S,$<),-Wa$(,)--debug-prefix-map=$(CURDIR)=.)
+
 # $(1): how to call the compiler, without the files.
 define FIRMWARE_COMPILE
 $(MAKE_FOLDER)
 $(call FIRMWARE_SAY,CC  )
-$(FIRMWARE_QUIET)$(1) -c $< -o $@
+$(FIRMWARE_QUIET)$(1) $(FIRMWARE_RELATIVE) -c $< -o $@
 endef
 
 # $(1): the first board with this core, $(2): the name of the core, $(3): its flags.

@@ -39,7 +39,7 @@ endef
 
 LIB_HOST_OBJECTS := $(LIB_NAMES:%=$(BUILD)/host/objects/lib/%.o)
 
-$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g -c $$< -o $$@,,$$(HOST_SAY)))
+$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(HOST_SAY)))
 
 $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 	@rm -f $@

@@ -32,7 +32,7 @@ EQUALITY_CFLAGS := -Ifirmware/equality -ffreestanding -DFXL_ASSERT_HOOK
 # takes a float, so both calling conventions are one; but the linker mixes only objects that do not
 # say which they have.
 define EQUALITY_PORTABLE_RULES
-$(call LIB_RULES,$(EQUALITY_OUT)/portable/$(1),$$(call FIRMWARE_COMPILE,$$(CROSS)gcc $$(BENCH_FLAGS.$(1)) $$(BENCH_CFLAGS) $$(EQUALITY_CFLAGS) $$(EQUALITY_PORTABLE_CFLAGS)),firmware/equality/equality.mk)
+$(call LIB_RULES,$(EQUALITY_OUT)/portable/$(1),$$(call FIRMWARE_COMPILE,$$(CROSS)gcc $$(BENCH_FLAGS.$(1)) $$(filter-out -g,$$(BENCH_CFLAGS)) $$(EQUALITY_CFLAGS) $$(EQUALITY_PORTABLE_CFLAGS)),firmware/equality/equality.mk)
 $(EQUALITY_OUT)/portable/$(1).a: $(EQUALITY_NAMES:%=$(EQUALITY_OUT)/portable/$(1)/%.o)
 	@rm -f $$@ $$@.fxl
 	@$(CROSS)ar rcs $$@.fxl $$^
@@ -42,7 +42,7 @@ endef
 $(foreach core,$(EQUALITY_PORTABLE_CORES),$(eval $(call EQUALITY_PORTABLE_RULES,$(core))))
 
 define EQUALITY_RULES
-EQUALITY_CC.$(1) := $($(EQUALITY_FLAGS).$(EQUALITY_CORE)) $(EQUALITY_CFLAGS) \
+EQUALITY_CC.$(1) := $(filter-out -g,$($(EQUALITY_FLAGS).$(EQUALITY_CORE))) $(EQUALITY_CFLAGS) \
     $(if $(findstring =hard,$(BENCH_FLAGS.$(EQUALITY_CORE))),-mgeneral-regs-only)
 
 $(EQUALITY_OUT)/$(1)/core.o: firmware/equality/sides.c firmware/equality/equality.mk

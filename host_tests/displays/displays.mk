@@ -5,7 +5,7 @@
 CMOCK_DIR ?= /usr/share/cmock
 DISPLAY_TEST := $(BUILD)/host/displays
 DISPLAY_TEST_UNITY := $(CMOCK_DIR)/vendor/unity
-DISPLAY_TEST_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
+DISPLAY_TEST_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
     -Ilib/include -Iboards -I$(DISPLAY_TEST_UNITY)/src
 
 UNITY_TESTS += $(addprefix $(DISPLAY_TEST)/,test_ssd0323 test_ssd0303 test_ports)

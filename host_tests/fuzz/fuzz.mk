@@ -11,7 +11,7 @@ FUZZ_CLANG = $(eval FUZZ_CLANG := $$(shell for name in clang-19 clang-18 clang-1
     clang-14 clang; do command -v $$$$name && break; done))$(FUZZ_CLANG)
 
 FUZZ_SANITIZERS := -fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=all
-FUZZ_CFLAGS := -std=c11 -g -Ilib/include -Ilib -MMD -MP
+FUZZ_CFLAGS := -std=c11 -g1 $(RELATIVE_PATHS) -Ilib/include -Ilib -MMD -MP
 # No silent wrap: in the library an unsigned one counts too, but where it is meant.
 FUZZ_WRAPS := -fsanitize=unsigned-integer-overflow -fsanitize-ignorelist=host_tests/fuzz/wraps.txt
 FUZZ_COVERAGE := -O1 -fprofile-instr-generate -fcoverage-mapping
@@ -46,7 +46,7 @@ $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 # --- replay --------------------------------------------------------------------
 
 # With the library of the unit tests, which has the same sanitizers and its assertions on.
-FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
+FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
     -Ilib/include -Ilib -MMD -MP
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk

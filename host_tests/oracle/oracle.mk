@@ -46,7 +46,7 @@ $(ORACLE_UNIT)/unity.o: $(ORACLE_UNIT_UNITY)/src/unity.c
 $(ORACLE_UNIT)/test_%.o: host_tests/oracle/unit/test_%.c
 	$(MAKE_FOLDER)
 	$(HOST_SAY)
-	$(HOSTCC) $(WARNINGS) -O1 -g -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests \
+	$(HOSTCC) $(WARNINGS) -O1 -g1 $(RELATIVE_PATHS) -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests \
 	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
 
 $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \

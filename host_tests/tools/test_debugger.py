@@ -104,6 +104,19 @@ def test_numbers_and_angles_are_printed_readably(tmp_path):
         "90 degrees [0x40000000]", "65536", "-163840"], done.stderr
 
 
+def test_programs_name_no_folder_of_the_checkout_and_sources_are_found(image, walk, tmp_path):
+    """From another folder too."""
+    for program in (walk, built("host/walk")):
+        assert os.fsencode(ROOT) not in program.read_bytes()
+    commands = tmp_path / "commands"
+    commands.write_text("list main\ninfo source\n")
+    done = subprocess.run([sys.executable, ROOT / "tools/gdb.py", *words(image, walk, "--commands", commands)], cwd=tmp_path,
+                          text=True, capture_output=True, check=False, env=environment())
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.search(r"^\d+\s+int main\(", done.stdout, re.MULTILINE), done.stdout
+    assert f"Located in {ROOT}/firmware/walk/" in done.stdout, done.stdout
+
+
 def test_a_command_that_fails(image, walk, tmp_path):
     (tmp_path / "commands").write_text("break no_such_function_at_all\nprint no_such_thing\n", encoding="ascii")
     done = run_cli("gdb", *words(image, walk, "--commands", tmp_path / "commands"), TMPDIR=str(tmp_path))

@@ -8,7 +8,7 @@ WALK_TEST_UNITY := $(CMOCK_DIR)/vendor/unity
 WALK_TEST_CONTRACT := $(wildcard boards/contract/*.h)
 WALK_TEST_MOCKS := $(WALK_TEST_CONTRACT:boards/contract/%.h=$(WALK_TEST)/mock_%.c)
 # Small, so that a small scene takes several bands and can want too much.
-WALK_TEST_CFLAGS := $(WARNINGS) -g -O1 -fsanitize=undefined -fno-sanitize-recover \
+WALK_TEST_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=undefined -fno-sanitize-recover \
     -Ilib/include -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests -Ihost_tests/walk -I$(WALK_TEST) \
     -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4 -DWALK_LIST_BYTES=100 \
     -DWALK_CACHE_ENTRIES=8

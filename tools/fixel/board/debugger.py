@@ -17,6 +17,7 @@ from fixel.base.errors import ToolError
 from fixel.board.execute import kill
 
 GDB = "gdb-multiarch"
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 PRINTERS = pathlib.Path(__file__).resolve().with_name("gdb_printers.py")
 CONNECT = 60.0  # seconds of CPU time that GDB may take to read the symbols
 LINGER = 0.5  # seconds that GDB has to thank for the last message
@@ -33,7 +34,8 @@ def gdb_command(program, address, commands):
     """GDB, connected, and the program run to main; then the file of commands,
     after which it ends, or a person."""
     batch = ["-nx", "-batch"] if commands else []
-    start = ["set confirm off", f"source {PRINTERS}", "set remotetimeout 20", f"target remote {address}", "tbreak main", "continue"]
+    # The program says where its sources are below the checkout, not where that is.
+    start = ["set confirm off", f"directory {ROOT}", f"source {PRINTERS}", "set remotetimeout 20", f"target remote {address}", "tbreak main", "continue"]
     return [find_gdb(), "-q", *batch, *(word for line in start for word in ("-ex", line)),
             *(["-x", str(pathlib.Path(commands).resolve())] if commands else []), str(program.path)]
 
