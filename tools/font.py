@@ -69,7 +69,7 @@ def export(source, out, name=None, characters="32-126"):
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(prog="font.py", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("font", help="a BDF file")
     parser.add_argument("-o", "--out", required=True)
     parser.add_argument("--name", help="what the header's names begin with; without, the file's name")

@@ -49,7 +49,7 @@ def add(scene, records, build, folder):
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(prog="frame_hashes.py", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("scenes", nargs="+", metavar="SCENE")
     parser.add_argument("--build", default="build")
     options = parser.parse_args(argv)

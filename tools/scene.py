@@ -130,7 +130,7 @@ def info(file, as_json):
 
 
 def arguments_of(argv):
-    parser = argparse.ArgumentParser(prog="scene.py", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     commands = parser.add_subparsers(dest="command", required=True)
     building = commands.add_parser("build", help="compile a .toml or a model into a scene image")
     exporting = commands.add_parser("export", help="write a .toml, a model or a .fxls as a C header")

@@ -99,6 +99,14 @@ venv_key() {
 venv_is_made() {
     [ -x "$venv/bin/python" ] && [ "$(cat "$venv/.made" 2>/dev/null)" = "$(venv_key)" ]
 }
+# The tools as one program, also in a venv that was made without it.
+make_launcher() {
+    [ -x "$venv/bin/fixel" ] && return
+    printf '%s\n' '#!/bin/sh' 'bin=$(dirname "$0")' 'exec "$bin/python" "$bin/../../tools/fixel/launcher.py" "$@"' \
+        >"$venv/bin/fixel.new"
+    chmod +x "$venv/bin/fixel.new"
+    mv "$venv/bin/fixel.new" "$venv/bin/fixel"
+}
 # A group's stamp is a copy of its requirements.
 missing_groups() {
     for group in $python_groups; do
@@ -235,6 +243,7 @@ unknown() { for package in $packages; do candidate "$package" || printf '%s ' "$
 make_venv() {
     say "making .venv"
     python3 -m venv --clear "$venv" || die "python3 -m venv failed; its words are above"
+    make_launcher
     venv_key >"$venv/.made"
 }
 # $1: a group.
@@ -264,6 +273,7 @@ is_ready() {
     find_missing "$@"
     [ -z "$packages" ] && { [ -z "$python_groups" ] || [ -n "$packages_only" ] || venv_is_ready; }
 }
+if venv_is_made; then make_launcher; fi
 is_ready "$@" && exit 0
 
 exec 9<tools/setup.sh

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""fixel COMMAND: the tools as one program."""
+
+import subprocess
+import sys
+
+import pytest
+
+from conftest import CHECKOUT, environment
+from fixel import launcher
+
+LAUNCHER = CHECKOUT / "tools" / "fixel" / "launcher.py"
+NO_COMMANDS = {"make", "apt_mirror"}    # what the Makefile and set-up call
+
+
+def fixel(*words, options=()):
+    return subprocess.run([sys.executable, *options, str(LAUNCHER), *words], capture_output=True, text=True, check=False,
+                          env=environment(), stdin=subprocess.DEVNULL)
+
+
+def test_each_tool_is_a_command():
+    tools = {file.stem for file in (CHECKOUT / "tools").glob("*.py")} - NO_COMMANDS
+    assert set(launcher.COMMANDS.values()) == tools
+    for tool in tools:
+        assert "\ndef main(argv):\n" in (CHECKOUT / "tools" / f"{tool}.py").read_text(encoding="utf-8"), tool
+
+
+def test_help_lists_each_command_once():
+    text = fixel("--help").stdout
+    for room, commands in launcher.ROOMS.items():
+        assert f"\n{room}:\n" in text
+        for name, (_, what) in commands.items():
+            line, = [line for line in text.splitlines() if line.startswith(f"  {name} ")]
+            assert line.endswith(what)
+
+
+def test_no_command_is_a_request_for_help():
+    assert fixel().stdout == fixel("--help").stdout
+
+
+@pytest.mark.parametrize("name", ["build", "info", "font", "run", "compare"])
+def test_help_of_one_imports_nothing_of_another(name):
+    done = fixel(name, "--help", options=["-X", "importtime"])
+    assert done.returncode == 0 and done.stdout.startswith(f"usage: fixel {name} ")
+    assert "matplotlib" not in done.stderr and "aiohttp" not in done.stderr
+    assert "fixel.launcher" in done.stderr or "fixel.base.errors" in done.stderr
+
+
+def test_an_unknown_command_is_answered_by_the_one_that_was_meant():
+    done = fixel("biuld", "x.toml")
+    assert done.returncode == 2
+    assert "error: fixel has no command 'biuld'; did you mean build? (see fixel --help)" in done.stderr
+
+
+def test_the_exit_code_is_the_tools():
+    done = fixel("info", "no such.fxls")
+    assert done.returncode == 2 and "no such.fxls" in done.stderr
+
+
+def test_set_up_makes_it():
+    done = subprocess.run([CHECKOUT / ".venv" / "bin" / "fixel", "--help"], capture_output=True, text=True, check=True,
+                          env=environment(), cwd="/")
+    assert done.stdout == fixel("--help").stdout
