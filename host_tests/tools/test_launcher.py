@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """fixel COMMAND: the tools as one program."""
 
+import re
 import subprocess
 import sys
 
@@ -55,6 +56,17 @@ def test_an_unknown_command_is_answered_by_the_one_that_was_meant():
 def test_the_exit_code_is_the_tools():
     done = fixel("info", "no such.fxls")
     assert done.returncode == 2 and "no such.fxls" in done.stderr
+
+
+def test_each_package_has_a_readme_that_names_modules_and_commands():
+    told = set()
+    for package in (CHECKOUT / "tools" / "fixel").glob("*/__init__.py"):
+        text = (package.parent / "README.md").read_text(encoding="utf-8")
+        modules = re.findall(r"`(\w+\.py)`", text)
+        assert modules and all((package.parent / module).exists() for module in modules), package
+        told |= set(re.findall(r"`([a-z-]+)`", text.replace("`fixel ", "`")))
+    # They use modules of several packages.
+    assert set(launcher.COMMANDS) - told == {"compare", "wire", "pictures", "equality", "fuzz"}
 
 
 def test_set_up_makes_it():
