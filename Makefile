@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants size predict costs format clean
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants tool-mutants size predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
 VARIABLES := $(sort $(shell sed -n 's/^[a-z-]*:.* \[\([A-Z].*\)\]$$/\1/p' Makefile | grep -o '[A-Z_]*=' | tr -d '='))
@@ -362,8 +362,13 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach
 	@tools/setup.sh coverage
 	@$(MAKE) $(COVERAGE_TESTS) $(COVERAGE_REPLAYS)
-	@$(PY) tools/coverage.py --library $(COVERAGE_LIBRARY) --tests $(COVERAGE_TESTS) --out $(BUILD)/coverage.json \
+	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERAGE_TESTS) --out $(BUILD)/coverage.json \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target))
+
+tool-mutants: ## put random small mistakes into the tools; a test of the tools must fail for most of them [SEED=1 COUNT=100 ONLY=]
+	@tools/setup.sh test
+	@$(MAKE) all
+	@$(TOOL) tool-mutants --seed 1 --count 100 --build $(BUILD)
 
 mutants: ## put random small mistakes into the library; a test must fail for most of them [SEED=1 COUNT=200 ONLY=]
 	@tools/setup.sh units
