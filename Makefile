@@ -117,7 +117,7 @@ endif
 
 include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
-include $(wildcard host_tests/*/*.mk)
+include $(wildcard host_tests/*/*.mk host_tests/*/*/*.mk)
 include bench/bench.mk
 include bench/clippers.mk
 include firmware/equality/equality.mk

@@ -61,13 +61,13 @@ $(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
 # --- the host ----------------------------------------------------------------------
 
 COMPARISON_OUT := $(BUILD)/host/comparison
-COMPARISON_OBJECTS := $(patsubst host_tests/comparison/%.c,$(COMPARISON_OUT)/%.o,$(wildcard host_tests/comparison/*.c)) \
-    $(addprefix $(BUILD)/host/objects/,clippers/case.o clippers/outline.o stages/bridge.o \
-        frames/dump.o frames/path.o frames/read_file.o frames/session.o)
-COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ilib/include -Iboards -Ibench/firmware \
+COMPARISON_OBJECTS := $(patsubst host_tests/stages/comparison/%.c,$(COMPARISON_OUT)/%.o,$(wildcard host_tests/stages/comparison/*.c)) \
+    $(addprefix $(BUILD)/host/objects/,stages/clippers/case.o stages/clippers/outline.o stages/bridge.o \
+        judges/frames/dump.o judges/frames/path.o judges/frames/read_file.o judges/frames/session.o)
+COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Iboards -Ibench/firmware \
     -Ifirmware/walk -MMD -MP
 
-$(COMPARISON_OUT)/%.o: host_tests/comparison/%.c
+$(COMPARISON_OUT)/%.o: host_tests/stages/comparison/%.c
 	$(MAKE_FOLDER)
 	$(HOST_SAY)
 	$(COMPARISON_CC) -c $< -o $@

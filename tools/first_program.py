@@ -18,7 +18,7 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
-    parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/examples/hud.c)")
+    parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
     parser.add_argument("--crowd", action="store_true", help="examples/crowd")
     parser.add_argument("--crate", action="store_true", help="examples/crate")
     parser.add_argument("--neon", action="store_true", help="examples/neon")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Adds the frame hashes of scenes to host_tests/frames/hashes.json. Changes no record.
+"""Adds the frame hashes of scenes to host_tests/judges/frames/hashes.json. Changes no record.
 
     frame_hashes.py SCENE... [--build DIR]
 

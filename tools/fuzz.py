@@ -290,7 +290,7 @@ def fuzz_tools_input(examples, seed):
     """The tests that give the tools random input, with so many examples."""
     environment = {**os.environ, "FUZZ_SEED": str(seed), "FUZZ_EXAMPLES": str(examples)}
     done = children.run([sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider",
-                         str(CHECKOUT / "host_tests" / "tools" / "test_input_fuzz.py")],
+                         str(CHECKOUT / "host_tests" / "fuzz" / "test_input_fuzz.py")],
                         cwd=CHECKOUT, env=environment, stdout=None, stderr=None)
     if done.returncode:
         raise ToolError("the tools failed on random input; pytest's words are above", exit_code=1)

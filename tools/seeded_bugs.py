@@ -4,7 +4,7 @@
 
     seeded_bugs.py [--build DIR] [--only WORD | --sample N]
 
-Each bug of host_tests/seeded_bugs/bugs.toml must make a test fail; without a
+Each bug of host_tests/build/seeded_bugs/bugs.toml must make a test fail; without a
 bug none may. --sample tries N bugs, chosen by what the library and its tests
 hold, so that the same sources give the same sample and other sources another.
 Works on copies under DIR/seeded_bugs and never in the checkout.

@@ -33,7 +33,7 @@ HOST_CPU = 300          # seconds of CPU time for one program of the host
 PYTEST_CPU = 1800       # and for all that the tests of a file start
 SLOWEST = 10            # files of tests that are named
 QUIET = 20.0            # seconds without a line after which the one running is named
-TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests" / "tools"
+TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests"
 
 
 @dataclasses.dataclass
@@ -130,7 +130,7 @@ def board_jobs(options):
 
 def all_jobs(options):
     """The long ones first."""
-    jobs = [Job((f"tools/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("test_*.py"))]
+    jobs = [Job((f"{file.parent.name}/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("*/test_*.py"))]
     jobs += [Job((f"host/{name}",), run_host, pathlib.Path(folder) / name)
              for folder, *names in options.host_units for name in names]
     return [job for job in jobs
@@ -233,7 +233,7 @@ def main(argv):
     # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     if options.whole:
-        os.environ["FIXEL_WHOLE"] = "1"     # host_tests/tools/conftest.py reads it
+        os.environ["FIXEL_WHOLE"] = "1"     # host_tests/conftest.py reads it
     outcomes, taken = run_all(all_jobs(options), max(1, options.workers))
     print_left_out(options, outcomes)
     passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes.values())

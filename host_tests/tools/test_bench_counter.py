@@ -76,7 +76,7 @@ def test_the_kernels_are_those_of_the_plan_and_repeat():
 def double(folder, *flags):
     """The double of QEMU, compiled."""
     program = folder / "qemu_double"
-    subprocess.run(["gcc", "-std=gnu11", "-rdynamic", *flags, str(CHECKOUT / "host_tests/tools/qemu_double.c"),
+    subprocess.run(["gcc", "-std=gnu11", "-rdynamic", *flags, str(CHECKOUT / "host_tests/boards/qemu_double.c"),
                     "-o", str(program), "-ldl"], check=True)
     return program
 

@@ -132,7 +132,7 @@ def test_boards_and_scenes_without_costs(tmp_path):
 
 def test_every_count_has_a_cost_and_a_name():
     known = costs.load()
-    names = set(re.findall(r"X\((\w+)\)", (ROOT / "host_tests/predict/counts.h").read_text(encoding="utf-8"))) - {"name"}
+    names = set(re.findall(r"X\((\w+)\)", (ROOT / "host_tests/judges/predict/counts.h").read_text(encoding="utf-8"))) - {"name"}
     assert set(costs.NAMES) == names
     for core in known["cores"].values():
         assert set(core) == names and min(core.values()) >= 0 and sum(value > 0 for value in core.values()) >= 8

@@ -57,7 +57,7 @@ def verdict_of(answer):
 
 
 def names_of(faces):
-    """What host_tests/reference calls these faces in a dump of names: ref_face_name; 0 for the background."""
+    """What host_tests/judges/reference calls these faces in a dump of names: ref_face_name; 0 for the background."""
     mixed = (faces[..., 0] * numpy.uint32(2654435761)) ^ (faces[..., 1] * numpy.uint32(2246822519))
     return numpy.where(faces[..., 0] == NO_FACE, 0, 1 + (mixed >> 16) % 255)
 

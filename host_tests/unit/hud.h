@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A small display over a picture: a panel with text, a cross, sprites and a bar. test_hud.c draws
- * it on boards, and host_tests/examples/hud.c for docs/hud.png. */
+ * it on boards, and host_tests/boards/examples/hud.c for docs/hud.png. */
 #ifndef HUD_H
 #define HUD_H
 

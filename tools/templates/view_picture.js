@@ -5,7 +5,7 @@ const GREY = 0.35, FLOOR = 20;             // the dimmed frame under marks and l
 const MARK = 0xffa000ff, RING = 0xffdcaaff; // ABGR: magenta, and a paler one around it
 const RING_DISTANCE = 3;                    // pixels: one pixel alone is easily overlooked
 const LINE = "#ffd34d";
-const WITHIN = 1, BEYOND = 2;               // of the verdict; host_tests/live/main.c
+const WITHIN = 1, BEYOND = 2;               // of the verdict; host_tests/judges/live/main.c
 
 /** Opaque ABGR words, as a canvas keeps them, of a palette of 256 x red, green, blue. */
 export function paletteWords(bytes) {

@@ -6,7 +6,7 @@ import hashlib
 import pathlib
 import random
 
-SOURCES = ("lib", "host_tests/unit", "host_tests/seeded_bugs")
+SOURCES = ("lib", "host_tests/unit", "host_tests/build/seeded_bugs")
 
 
 def _digest(root):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a frame costs on a core: bench/costs.json, how it is fitted, and what it says of a scene.
 
-build/host/predict walks a scene's path as a board would, and counts what the library does (host_tests/predict). The
+build/host/predict walks a scene's path as a board would, and counts what the library does (host_tests/judges/predict). The
 instructions of a frame are a sum of these counts, each times a cost. The costs are fitted by least squares of the
 relative errors; none is negative."""
 
@@ -19,7 +19,7 @@ WALK_CPU = 600.0        # seconds of CPU time for a walk on the host
 SWEEPS = 20_000
 RIDGE = 1e-9            # keeps counts that always go together from taking turns
 
-# What each count of host_tests/predict/counts.h is, for people.
+# What each count of host_tests/judges/predict/counts.h is, for people.
 NAMES = {
     "frames": "a frame", "instances": "an instance of the scene", "instances_seen": "an instance in sight",
     "instances_viewed": "an instance's model view", "instances_passed": "an instance that a band looks at, beside the list",

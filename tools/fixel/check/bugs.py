@@ -5,7 +5,7 @@ A line of the library is marked by a comment at its end, or by one alone on the 
 
     screen->y = centre_y - y; /* bug: screen-y-up */
 
-host_tests/seeded_bugs/bugs.toml says what the line becomes.
+host_tests/build/seeded_bugs/bugs.toml says what the line becomes.
 """
 
 import dataclasses
@@ -15,7 +15,7 @@ import tomllib
 
 from fixel.base.errors import ToolError
 
-BUGS = pathlib.Path("host_tests/seeded_bugs/bugs.toml")
+BUGS = pathlib.Path("host_tests/build/seeded_bugs/bugs.toml")
 LIBRARY = pathlib.Path("lib")
 SOURCES = (".c", ".h", ".S")
 MARKER = re.compile(r"/\* bug: (\S+) \*/")

@@ -12,7 +12,7 @@ import pathlib
 from fixel.base import output
 from fixel.base.errors import ToolError
 
-FILE = pathlib.Path(__file__).resolve().parents[3] / "host_tests" / "frames" / "hashes.json"
+FILE = pathlib.Path(__file__).resolve().parents[3] / "host_tests" / "judges" / "frames" / "hashes.json"
 DIGITS = 16     # of a frame's SHA-256: 64 bits
 # What became of the polygons; what depends on memory (spilled) or on the caller is left out.
 COUNTERS = ("in", "backfacing", "outside", "degenerate", "refused", "drawn", "clipped")

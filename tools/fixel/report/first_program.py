@@ -20,8 +20,8 @@ CRATE_FRAMES = 28   # of which the last shows three sides
 NEON = ROOT / "examples" / "neon" / "main.c"
 NEON_FRAMES = 60
 NEON_FLAGS = [f"-DEXAMPLE_FRAMES={NEON_FRAMES}", "-DEXAMPLE_PIXEL=uint16_t"]
-FRAME = ROOT / "host_tests" / "examples" / "frame.c"
-HUD = ROOT / "host_tests" / "examples" / "hud.c"
+FRAME = ROOT / "host_tests" / "boards" / "examples" / "frame.c"
+HUD = ROOT / "host_tests" / "boards" / "examples" / "hud.c"
 HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
 WIDTH, HEIGHT = 320, 240
 
@@ -57,7 +57,7 @@ def draw_neon(library):
 
 
 def draw_hud(library):
-    """The first program's picture with text and sprites over it (host_tests/examples/hud.c)."""
+    """The first program's picture with text and sprites over it (host_tests/boards/examples/hud.c)."""
     pixels, palette = draw(library, HUD)
     palette[250:250 + len(HUD_COLOURS)] = HUD_COLOURS
     return pixels, palette

@@ -15,7 +15,7 @@ from fixel.board import dump
 from fixel.base.errors import ToolError
 
 PARTS = 4                                       # of an answer, in the order of these bits
-FRAME, OUTLINES, FACES, VERDICT = 1, 2, 4, 8    # what may be wanted, as bits; host_tests/live says what each is
+FRAME, OUTLINES, FACES, VERDICT = 1, 2, 4, 8    # what may be wanted, as bits; host_tests/judges/live says what each is
 WANTS_ALL = FRAME | OUTLINES | FACES | VERDICT
 FACE_SIZE = 4                                   # bytes of a pixel's face
 REQUEST = struct.Struct("<4sB3x3i3II")

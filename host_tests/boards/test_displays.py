@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""docs/displays.md is true to the letter: its driver is compiled and shows frames, and what comes over
+the wires is read back as the display would."""
+
+import re
+import subprocess
+
+import numpy
+import pytest
+
+from conftest import CHECKOUT
+from fixel.board import controllers, grey, wires
+from fixel.board.wires import rgb565
+
+PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
+MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
+WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
+INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
+PUMP = CHECKOUT / "lib" / "extra" / "pump"
+LIBRARY = [*sorted((CHECKOUT / "lib" / "extra" / "display").glob("*.c")),
+           *sorted((CHECKOUT / "lib" / "extra" / "pixels").glob("*.c")),
+           CHECKOUT / "lib" / "kernels" / "portable" / "row_to_16.c"]
+# A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
+OLED = """
+#include <stdio.h>
+#include <fixel/extra/display.h>
+extern const fxl_display_port wires;
+bool i2c_write(uint8_t address, const uint8_t *bytes, size_t size);
+void wait_for(uint32_t milliseconds);
+static uint8_t palette[768], frame[64][128];
+static fxl_display display;
+static fxl_pump pump;
+static uint64_t memory[FXL_PUMP_MEMORY(128, 8, 1)];
+bool i2c_write(uint8_t address, const uint8_t *bytes, size_t size)
+{
+    return address == 0x3C && putchar((int)size) != EOF && fwrite(bytes, 1, size, stdout) == size;
+}
+void wait_for(uint32_t milliseconds) { (void)milliseconds; }
+int main(void)
+{
+    const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
+    const fxl_pump_config pages = {&display.pixels, 128, 64, 8};
+    if (fread(palette, 1, 768, stdin) != 768 || fread(frame, 1, 128 * 64, stdin) != 128 * 64 ||
+        fxl_display_open(&display, &config, &wires, palette) ||
+        fxl_pump_init(&pump, &pages, &display.sink, memory, sizeof memory)) { return 1; }
+    for (uint16_t y = 0; y < 64; y = (uint16_t)(y + 8)) {
+        const fxl_band band = {frame[y], 128, 128, y, 8};
+        if (fxl_pump_send_rows(&pump, &band)) { return 1; }
+    }
+    return fxl_pump_wait(&pump) != FXL_OK;
+}
+"""
+# The panel draws no frame itself, so what the pump calls to draw one is not linked.
+LINK = ["-ffunction-sections", "-Wl,--gc-sections"]
+SHOW = ["tft_panel.c", "board.c", MOCK / "wires_mock.c", MOCK / "show.c", CHECKOUT / "boards" / "parts" / "display.c",
+        *LIBRARY, *LINK]
+WIDTH, HEIGHT = 320, 240
+
+
+def write_sources(folder):
+    """The page's pieces of code as files."""
+    i2c, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
+    assert "tft_panel" in driver and "board_panels" in board
+    assert "i2c_write" in i2c
+    (folder / "i2c_wires.c").write_text(i2c, encoding="utf-8")
+    (folder / "tft_panel.c").write_text(driver, encoding="utf-8")
+    # The dump has a file of its own to go to, which is not this test's.
+    (folder / "board.c").write_text(board.replace("&dump_panel, ", ""), encoding="utf-8")
+
+
+def compile_all(compiler, folder, *options):
+    """Compiles without a word of warning."""
+    done = subprocess.run([*compiler, *WARNINGS, f"-I{folder}", f"-I{MOCK}", *INCLUDES, *options], cwd=folder,
+                          text=True, capture_output=True, check=False)
+    assert done.returncode == 0 and not done.stderr, done.stderr
+
+
+@pytest.fixture(scope="module", params=("late", "early", "ili9341"), name="show")
+def fixture_show(request, tmp_path_factory):
+    """The program, for DMA that reads late or early, and for the other controller."""
+    folder = tmp_path_factory.mktemp(request.param)
+    write_sources(folder)
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], folder,
+                f"-DLATE={int(request.param != 'early')}",
+                *(["-DDRIVER=fxl_ili9341"] if request.param == "ili9341" else []), *SHOW, PUMP / "pump.c", "-o", "show")
+
+    def run(palette, frames, rows):
+        height, width = frames[0].shape
+        done = subprocess.run(["./show", str(width), str(height), str(rows)], cwd=folder, capture_output=True,
+                              input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames), check=False)
+        return done, folder / "wires.bin", request.param == "ili9341"
+
+    return run
+
+
+def read_wires(file):
+    """The display after all that came: a controller of 240 x 320 that was turned."""
+    display = controllers.MODELS["ili9341"]()
+    with open(file, "rb") as record:
+        assert not list(wires.read(record, display)), "the mock notes no frames"
+    return display
+
+
+def random_frames(width, height):
+    generator = numpy.random.default_rng(width)
+    return (generator.integers(0, 256, (256, 3), dtype=numpy.uint8),
+            [generator.integers(0, 256, (height, width), dtype=numpy.uint8) for _ in range(2)])
+
+
+@pytest.mark.parametrize("width, height, rows", [(320, 240, 240), (320, 240, 7), (128, 64, 1), (319, 239, 100),
+                                                 (1, 1, 1)])
+def test_the_display_shows_the_last_frame(show, width, height, rows):
+    palette, frames = random_frames(width, height)
+    done, record, is_ili9341 = show(palette, frames, rows)
+    assert done.returncode == 0, done.stderr.decode()
+    display = read_wires(record)
+    left, top = (WIDTH - width) // 2, (HEIGHT - height) // 2
+    expected = numpy.zeros((HEIGHT, WIDTH), numpy.uint16)
+    expected[top:top + height, left:left + width] = rgb565(palette)[frames[1]]
+    assert (display.memory == expected).all()
+    assert display.on
+    assert (display.access, display.inverted) == ((0x28, False) if is_ili9341 else (0x60, True))
+
+
+def test_a_frame_that_is_too_large_is_not_for_it(show):
+    palette, frames = random_frames(321, 10)
+    done, _, _ = show(palette, frames, 10)
+    assert done.returncode == 1     # it is the board's only panel: nobody can show that
+
+
+def test_the_driver_compiles_for_a_microcontroller(tmp_path):
+    write_sources(tmp_path)
+    compile_all(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-ffreestanding", "-O2"], tmp_path,
+                "-c", "tft_panel.c", "-o", "tft_panel.o")
+
+
+def test_a_pump_with_one_buffer_is_caught(tmp_path):
+    """The mock sees what the contract forbids: DMA reads what is filled anew."""
+    write_sources(tmp_path)
+    whole = (PUMP / "pump.c").read_text(encoding="utf-8")
+    broken = whole.replace("pump->free_buffer ^= 1u;", "")
+    assert broken != whole
+    (tmp_path / "pump.c").write_text(broken, encoding="utf-8")
+    compile_all(["gcc"], tmp_path, *SHOW, f"-I{PUMP}", "pump.c", "-o", "show")
+    palette, frames = random_frames(320, 240)
+    subprocess.run(["./show", "320", "240", "16"], cwd=tmp_path, check=True,
+                   input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames))
+    assert (read_wires(tmp_path / "wires.bin").memory != rgb565(palette)[frames[1]]).any()
+
+
+def read_messages(data):
+    """(64 x 128 pixels, whether it is on) of an SSD1306 after these messages."""
+    display = controllers.MODELS["ssd1306"]()
+    while data:
+        size, data = data[0], data[1:]
+        message, data = data[:size], data[size:]
+        assert message[0] in (0x00, 0x40)
+        (display.take_data if message[0] == 0x40 else display.take_command)(message[1:])
+    return display.picture(), display.on
+
+
+def build_oled(folder):
+    """The program that shows a frame of 128 x 64 on an OLED."""
+    write_sources(folder)
+    (folder / "oled.c").write_text(OLED, encoding="utf-8")
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], folder, "oled.c",
+                "i2c_wires.c", *LIBRARY, *LINK, PUMP / "pump.c", "-o", "oled")
+    return folder / "oled"
+
+
+def test_an_oled_on_i2c_shows_a_frame(tmp_path):
+    oled = build_oled(tmp_path)
+    palette, (frame, _) = random_frames(128, 64)
+    done = subprocess.run([oled], cwd=tmp_path, capture_output=True, input=palette.tobytes() + frame.tobytes(),
+                          check=True)
+    shown, on = read_messages(done.stdout)
+    assert on and (shown == grey.levels(frame, palette, 1)).all()

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# build/host/loader: what the loader says of many images, for the test of the checker in Python.
+
+LOADER_OBJECTS := $(BUILD)/host/objects/judges/loader/main.o $(BUILD)/host/objects/judges/frames/read_file.o
+HOST_TOOLS += $(BUILD)/host/loader
+
+$(BUILD)/host/objects/judges/loader/%.o: host_tests/judges/loader/%.c
+	$(MAKE_FOLDER)
+	$(HOST_SAY)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -MMD -MP -c $< -o $@
+
+$(BUILD)/host/loader: $(LOADER_OBJECTS) $(BUILD)/host/libfixel.a
+	$(HOST_SAY)
+	$(HOSTCC) $^ -o $@

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# build/host/predict: walks a scene's path as a board would, and counts what the library does.
+
+PREDICT_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard host_tests/judges/predict/*.c)) \
+    $(addprefix $(BUILD)/host/objects/judges/frames/,session.o read_file.o path.o)
+HOST_TOOLS += $(BUILD)/host/predict
+
+# The functions that wraps.c puts itself in the place of.
+PREDICT_WRAPPED = $(shell sed -n 's/^WRAPPED.[a-z0-9_ *]*, \(fxl_[a-z_]*\),.*/\1/p' host_tests/judges/predict/wraps.c)
+
+$(BUILD)/host/objects/judges/predict/%.o: host_tests/judges/predict/%.c
+	@mkdir -p $(@D)
+	$(HOST_SAY)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
+
+$(BUILD)/host/predict: $(PREDICT_OBJECTS) $(BUILD)/host/libfixel.a
+	$(HOST_SAY)
+	$(HOSTCC) $^ $(PREDICT_WRAPPED:%=-Wl,--wrap=%) -lm -o $@

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+# The third judge: rays in double against the twin's frames.
+
+RAYCAST_SOURCES := $(wildcard host_tests/judges/raycast/*.c)
+
+# No fused multiply-add: an edge must give neighbours opposite answers, bit for bit.
+$(BUILD)/host/raycast: $(RAYCAST_SOURCES) $(wildcard host_tests/judges/raycast/*.h)
+	$(MAKE_FOLDER)
+	$(HOST_SAY)
+	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off $(RAYCAST_SOURCES) -o $@ -lm
+
+HOST_TOOLS += $(BUILD)/host/raycast

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""No pixel changes: every scene draws the frames on record, on the host and on emulated cores. Of the cores, each state
+of the sources tries a sample of the scenes."""
+
+import pathlib
+import shutil
+
+from board_programs import built
+from conftest import CHECKOUT, run_cli, sampled
+import pytest
+
+import frame_hashes as hashes_tool
+import scene as scene_tool
+from fixel.board import dump, emulator, flash
+from fixel.check import frame_hashes
+
+MODELS = CHECKOUT.parent / "shared" / "models"
+OWN = sorted((CHECKOUT / "scenes").glob("*.toml"))
+OTHERS = [CHECKOUT / "host_tests" / "judges" / "frames" / f"{name}.toml" for name in ("spot", "teapot")]
+# Armv6-M, Armv7-M, Armv8.1-M, and the library built for size.
+BOARDS = ("microbit", "mps2-an385", "mps3-an547", "mps2-an505")
+# Sorted models need more entries for the order of drawing than 16 KB of RAM hold, and these two
+# images are larger than a scene partition of 256 KB.
+NO_ROOM = {"microbit": {"spot", "teapot", "w3", "w3b", "c500", "e300", "f32", "g2000"},
+           "mps3-an547": {"spot", "teapot"}}
+SCENES = [*OWN, *OTHERS]
+ON_BOARDS = sampled("frame hashes", [(board, scene) for scene in SCENES for board in BOARDS
+                                     if scene.stem not in NO_ROOM.get(board, ())], 20)
+TIMEOUT = 60.0      # seconds of CPU time without a new frame
+
+
+@pytest.fixture(scope="module", params=SCENES, ids=lambda file: file.stem, name="scene")
+def fixture_scene(request, tmp_path_factory):
+    """A scene's name and its image."""
+    folder = tmp_path_factory.mktemp("frames")
+    source = request.param
+    if source in OTHERS:
+        model = MODELS / f"{source.stem}.obj"
+        if not model.exists():
+            pytest.skip(f"there is no ../shared/models/{model.name}")
+        source = pathlib.Path(shutil.copy(source, folder))
+        shutil.copy(model, folder)
+    image = folder / "scene.fxls"
+    scene_tool.build(str(source), str(image))
+    return source.stem, image
+
+
+def test_the_image_is_on_record_and_the_host_draws_it(build, scene, tmp_path):
+    name, image = scene
+    records = frame_hashes.load()
+    key = frame_hashes.image_key(image)
+    assert key in records, (f"no record of {name}'s image {key}: where the scene was changed on purpose, "
+                            "tools/frame_hashes.py adds one")
+    drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
+    assert frame_hashes.difference(records[key], drawn) == ""
+
+
+@pytest.mark.parametrize("board, scene", ON_BOARDS, indirect=["scene"],
+                         ids=lambda value: value if isinstance(value, str) else value.stem)
+def test_emulated_cores_draw_it(build, board, scene, tmp_path):
+    _, image = scene
+    record = frame_hashes.load()[frame_hashes.image_key(image)]
+    elf = built(f"{board}/walk.elf")
+    flash.flash(board, elf, image, tmp_path / "flash.bin")
+    out = tmp_path / "frames.fxld"
+    emulator.run(board, tmp_path / "flash.bin", elf, out, timeout=TIMEOUT)
+    assert frame_hashes.difference(record, dump.read_dump(out)) == ""
+
+
+def test_a_changed_pixel_or_counter_is_seen(build, tmp_path):
+    image = tmp_path / "tiny.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
+    record = frame_hashes.load()[frame_hashes.image_key(image)]
+    drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
+    drawn.frames[3].counters["drawn"] += 1
+    assert frame_hashes.difference(record, drawn).startswith("counters are")
+    pixels = drawn.frames[5].pixels.copy()
+    pixels[7, 9] ^= 1
+    object.__setattr__(drawn.frames[5], "pixels", pixels)
+    assert frame_hashes.difference(record, drawn).startswith("frame 5 ")
+
+
+def test_the_tool_alters_no_record(build, tmp_path, monkeypatch):
+    image = tmp_path / "tiny.fxls"
+    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
+    records = frame_hashes.load()
+    assert hashes_tool.add(image, records, build, tmp_path) == "on record"
+    key = frame_hashes.image_key(image)
+    records[key] = {**records[key], "frames": ["0" * frame_hashes.DIGITS] * len(records[key]["frames"])}
+    with pytest.raises(hashes_tool.ToolError, match="frame 0"):
+        hashes_tool.add(image, records, build, tmp_path)
+
+
+def test_wrong_usage_is_said():
+    done = run_cli("frame_hashes", "none.toml")
+    assert done.returncode == 2 and "none.toml" in done.stderr

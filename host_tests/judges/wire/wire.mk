@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# build/host/wire: a scene's frames as wireframes, against the reference renderer's.
+
+WIRE_OBJECTS := $(BUILD)/host/objects/judges/wire/main.o $(BUILD)/host/objects/judges/frames/dump.o \
+    $(BUILD)/host/objects/judges/frames/path.o $(BUILD)/host/objects/judges/frames/session.o $(BUILD)/host/objects/judges/frames/read_file.o \
+    $(BUILD)/host/objects/judges/frames/moving_reference.o
+HOST_TOOLS += $(BUILD)/host/wire
+
+$(BUILD)/host/objects/judges/wire/%.o: host_tests/judges/wire/%.c
+	$(MAKE_FOLDER)
+	$(HOST_SAY)
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
+
+$(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+	$(HOST_SAY)
+	$(HOSTCC) $^ -lm -o $@
