@@ -82,12 +82,21 @@ export CROSS HOSTCC
 .DELETE_ON_ERROR:
 .SUFFIXES:
 
-# Quiet unless V=1: a recipe for the host names the file that it makes. There are thousands of
-# recipes, so make itself names the file, and looks whether its folder is there: no process starts.
+# Quiet unless V=1, which shows the commands: a terminal has one line that changes, "120 of 285"; elsewhere there is a
+# line each 10 seconds. There are thousands of recipes, so make itself counts, and looks whether a folder is there. How
+# many there are, make -n says once something is built; it is asked in a make that a command called, and by make lib.
 ifndef V
 .SILENT:
+SAY = $(if $(FIXEL_COUNTING),$(info +),$(eval BUILT += +)$(if $(TOTAL),,$(COUNT_ALL))$(if $(MAKE_TERMERR),$(TELL_TERMINAL),$(TELL_NOW_AND_THEN)))
 endif
-HOST_SAY = $(info $(space) HOST $@)
+COUNT_ALL = $(eval TOTAL := $(if $(or $(filter-out 0,$(MAKELEVEL)),$(filter lib,$(MAKECMDGOALS))),\
+    $(shell FIXEL_COUNTING=1 $(MAKE) -n $(MAKECMDGOALS) 2>/dev/null | grep -c '^+$$'),?))
+TELL = $(words $(BUILT)) of $(TOTAL)
+TELL_TERMINAL = $(shell printf '  %s\r' '$(TELL)' >&2)
+# The time is asked for at each tenth file. The first one begins the 10 seconds.
+TELL_NOW_AND_THEN = $(if $(filter %1 %2 %3 %4 %5 %6 %7 %8 %9,$(lastword $(words $(BUILT)))),,$(call TELL_LATE,$(shell date +%s)))
+TELL_LATE = $(if $(TOLD),$(if $(filter 1,$(shell expr $(1) - $(TOLD) '>=' 10)),$(eval TOLD := $(1))$(info $(space) building: $(TELL))),$(eval TOLD := $(1)))
+HOST_SAY = $(SAY)
 MAKE_FOLDER = $(if $(wildcard $(@D)/.),,@mkdir -p $(@D))
 MAKEFLAGS += --no-print-directory
 # As many jobs as there are processors; -j1 on the command line is heeded. A sub-make shares the jobs of the first.

@@ -33,7 +33,7 @@
 # V=1 shows the commands.
 FIRMWARE_QUIET := $(if $(V),,@)
 # $(1): what is done. Make says it itself, without a process.
-FIRMWARE_SAY = $(info $(space) $(1) $@)
+FIRMWARE_SAY = $(SAY)
 FIRMWARE_OUT := $(BUILD)/boards
 CORE_OUT := $(BUILD)/core
 

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: The Fixel authors
+"""What make says while it builds: how many files of how many on a terminal, little elsewhere, commands with V=1."""
+
+import os
+import pty
+import re
+import subprocess
+
+from conftest import CHECKOUT, environment
+
+OBJECTS = ("dump", "explain", "judge", "light")
+
+
+def command(tmp_path, *settings):
+    """The make that a command calls to have files built."""
+    return ["make", "--no-print-directory", *settings, f"BUILD={tmp_path}", *(f"{tmp_path}/host/objects/judges/judge/{name}.o" for name in OBJECTS)]
+
+
+def built(tmp_path, *settings):
+    return subprocess.run(command(tmp_path, *settings), cwd=CHECKOUT, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          check=True, env=environment(MAKELEVEL="1"))
+
+
+def test_a_terminal_has_one_line_that_changes(tmp_path):
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen(command(tmp_path), cwd=CHECKOUT, stdin=subprocess.DEVNULL, stdout=theirs, stderr=theirs,
+                               env=environment(MAKELEVEL="1"))
+    os.close(theirs)
+    said = b""
+    try:
+        while more := os.read(ours, 4096):
+            said += more
+    except OSError:     # the terminal's other end is closed
+        pass
+    os.close(ours)
+    assert process.wait() == 0
+    assert re.findall(r"(\d+) of (\d+)\r", said.decode()) == [(str(n), str(len(OBJECTS))) for n in range(1, len(OBJECTS) + 1)]
+    assert b"\n" not in said and b"judge" not in said
+
+
+def test_a_pipe_has_no_line_for_each_file(tmp_path):
+    done = built(tmp_path)
+    assert done.stdout == "" and done.stderr == ""
+    assert {file.stem for file in tmp_path.rglob("*.o")} == set(OBJECTS)
+
+
+def test_v_shows_the_commands(tmp_path):
+    assert sum(" -c host_tests/judges/judge/" in line for line in built(tmp_path, "V=1").stdout.replace("\\\n", " ").splitlines()) \
+        == len(OBJECTS)
