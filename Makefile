@@ -90,13 +90,13 @@ ifndef V
 SAY = $(if $(FIXEL_COUNTING),$(info +),$(eval BUILT += +)$(if $(TOTAL),,$(COUNT_ALL))$(if $(MAKE_TERMERR),$(TELL_TERMINAL),$(TELL_NOW_AND_THEN)))
 endif
 COUNT_ALL = $(eval TOTAL := $(if $(or $(filter-out 0,$(MAKELEVEL)),$(filter lib,$(MAKECMDGOALS))),\
-    $(shell FIXEL_COUNTING=1 $(MAKE) -n $(MAKECMDGOALS) 2>/dev/null | grep -c '^+$$'),?))
+    $(shell FIXEL_COUNTING=1 MAKEFLAGS='$(subst ','\'',$(MAKEFLAGS))' $(MAKE) -n $(MAKECMDGOALS) 2>/dev/null | grep -c '^+$$'),?))
 TELL = $(words $(BUILT)) of $(TOTAL)
 TELL_TERMINAL = $(shell printf '  %s\r' '$(TELL)' >&2)
 # The time is asked for at each tenth file. The first one begins the 10 seconds.
 TELL_NOW_AND_THEN = $(if $(filter %1 %2 %3 %4 %5 %6 %7 %8 %9,$(lastword $(words $(BUILT)))),,$(call TELL_LATE,$(shell date +%s)))
 TELL_LATE = $(if $(TOLD),$(if $(filter 1,$(shell expr $(1) - $(TOLD) '>=' 10)),$(eval TOLD := $(1))$(info $(space) building: $(TELL))),$(eval TOLD := $(1)))
-HOST_SAY = $(SAY)
+
 MAKE_FOLDER = $(if $(wildcard $(@D)/.),,@mkdir -p $(@D))
 MAKEFLAGS += --no-print-directory
 # As many jobs as there are processors; -j1 on the command line is heeded. A sub-make shares the jobs of the first.

@@ -30,7 +30,7 @@ BENCH_COUNTER := $(BUILD)/host/bench_counter.so
 
 $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -fPIC -shared -fvisibility=hidden $(filter %.c,$^) -o $@
 
 # --- programs --------------------------------------------------------------------

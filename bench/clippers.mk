@@ -69,18 +69,18 @@ COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost
 
 $(COMPARISON_OUT)/%.o: host_tests/stages/comparison/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(COMPARISON_CC) -c $< -o $@
 
 # $(1): a clipper, $(2): what hides what.
 define COMPARISON_RULES
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o: bench/firmware/combination.c $(CLIPPERS_PLAN)
 	$$(MAKE_FOLDER)
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(COMPARISON_CC) $(call CLIPPERS_DEFINES,$(1),$(2)) -c $$< -o $$@
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o \
         $(COMPARISON_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 
 endef

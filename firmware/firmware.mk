@@ -32,8 +32,6 @@
 
 # V=1 shows the commands.
 FIRMWARE_QUIET := $(if $(V),,@)
-# $(1): what is done. Make says it itself, without a process.
-FIRMWARE_SAY = $(SAY)
 FIRMWARE_OUT := $(BUILD)/boards
 CORE_OUT := $(BUILD)/core
 
@@ -78,7 +76,7 @@ FIRMWARE_RELATIVE = $(RELATIVE_PATHS) $(if $(filter %.S,$<),-Wa$(,)--debug-prefi
 # $(1): how to call the compiler, without the files.
 define FIRMWARE_COMPILE
 $(MAKE_FOLDER)
-$(call FIRMWARE_SAY,CC  )
+$(SAY)
 $(FIRMWARE_QUIET)$(1) $(FIRMWARE_RELATIVE) -c $< -o $@
 endef
 
@@ -181,7 +179,7 @@ BOARD_LINK_SCRIPTS = boards/$(1)/memory.ld $(wildcard linker/*.ld)
 
 define FIRMWARE_LINK
 $(MAKE_FOLDER)
-$(call FIRMWARE_SAY,LD  )
+$(SAY)
 $(FIRMWARE_QUIET)$(1) -o $@
 endef
 

@@ -39,7 +39,7 @@ endef
 
 LIB_HOST_OBJECTS := $(LIB_NAMES:%=$(BUILD)/host/objects/lib/%.o)
 
-$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(HOST_SAY)))
+$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(SAY)))
 
 $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 	@rm -f $@
@@ -76,7 +76,7 @@ $(LIB_OUT)/flags: FORCE | set-up-lib
 LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FLAGS) $(call LIB_TUNE,$(LIB_CORE_FLAGS)) \
     -ffunction-sections -fdata-sections -fstack-usage -c
 
-$(eval $(call LIB_RULES,$(LIB_OUT)/objects,@printf '  %-4s %s\n' CC $$@ && $$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags))
+$(eval $(call LIB_RULES,$(LIB_OUT)/objects,$$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags,$$(SAY)))
 
 $(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
 	@rm -f $@

@@ -31,7 +31,7 @@ BOARD_TEST_FOREIGN_CC = $(filter-out -W%,$(BOARD_TEST_CC)) -w
 UNIT_RUNNERS := $(CORE_OUT)/runners
 $(UNIT_RUNNERS)/made: $(BOARD_TESTS:%=host_tests/unit/%.c) firmware/unittest/runners.rb
 	$(MAKE_FOLDER)
-	$(call FIRMWARE_SAY,RUBY)
+	$(SAY)
 	$(FIRMWARE_QUIET)ruby -W0 -I$(UNITY_DIR)/auto firmware/unittest/runners.rb $(@D) $(filter %.c,$^)
 	@touch $@
 $(BOARD_TESTS:%=$(UNIT_RUNNERS)/%_runner.c): $(UNIT_RUNNERS)/made ;
@@ -86,7 +86,7 @@ BOARD_UNITS.$(1) := $(FIRMWARE_OUT)/$(1)/unit/units.json
 
 $$(BOARD_UNITS.$(1)): $(BOARD_CORE_OUT)/unit/libtests.a $(BOARD_TEST_OBJECTS) $(BOARD_TEST_ARCHIVES) $(BOARD_LINK_SCRIPTS) firmware/unittest/programs.py
 	$$(MAKE_FOLDER)
-	$$(call FIRMWARE_SAY,LD  )
+	$$(SAY)
 	$(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --folder $$(@D) --cross $(CROSS) --tests $$< --archives $(BOARD_TEST_ARCHIVES) \
 	    -- $(BOARD_LINK) $(BOARD_TEST_LINK) $$(filter %.o,$$^) $$< $(BOARD_TEST_ARCHIVES) -lm -lc -lgcc
 endef

@@ -26,21 +26,21 @@ FUZZ_LIB := $(LIB_NAMES)
 
 $(eval $(call LIB_RULES,$(FUZZ_OUT)/asan/lib,\
     $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) -O1 $$(FUZZ_SANITIZERS) $$(FUZZ_WRAPS) -DFXL_ASSERT_HOOK -c $$< -o $$@,\
-    host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
+    host_tests/fuzz/wraps.txt host_tests/fuzz/fuzz.mk,$$(SAY)))
 
 $(FUZZ_OUT)/asan/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 $(FUZZ_SANITIZERS) -c $< -o $@
 
 # --- branches: the library as it is shipped, without assertions ----------------
 
 $(eval $(call LIB_RULES,$(FUZZ_OUT)/cover/lib,\
-    $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
+    $$(FUZZ_CLANG) $$(FUZZ_CFLAGS) $$(FUZZ_COVERAGE) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(SAY)))
 
 $(FUZZ_OUT)/cover/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(FUZZ_CLANG) $(FUZZ_CFLAGS) -O1 -fsanitize=fuzzer-no-link -c $< -o $@
 
 # --- replay --------------------------------------------------------------------
@@ -51,7 +51,7 @@ FUZZ_REPLAY_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=address,u
 
 $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(FUZZ_REPLAY_CFLAGS) -c $< -o $@
 
 # --- replay that counts branches, of the library as it is shipped --------------
@@ -59,30 +59,30 @@ $(FUZZ_OUT)/replay/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 FUZZ_BRANCHES_CFLAGS := $(WARNINGS) -O0 --coverage -Ilib/include -Ilib -MMD -MP
 
 $(eval $(call LIB_RULES,$(FUZZ_OUT)/branches/lib,\
-    $$(HOSTCC) $$(FUZZ_BRANCHES_CFLAGS) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(HOST_SAY)))
+    $$(HOSTCC) $$(FUZZ_BRANCHES_CFLAGS) -c $$< -o $$@,host_tests/fuzz/fuzz.mk,$$(SAY)))
 
 $(FUZZ_OUT)/branches/%.o: host_tests/fuzz/%.c host_tests/fuzz/fuzz.mk
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O1 -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
 define FUZZ_PROGRAM
 $(FUZZ_OUT)/fuzz_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/asan/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/asan/lib/%.o)
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(FUZZ_CLANG) -fsanitize=address,undefined,fuzzer $$^ -o $$@
 
 $(FUZZ_OUT)/cover_$(1): $(FUZZ_PARTS_$(1):%=$(FUZZ_OUT)/cover/%.o) $(FUZZ_LIB:%=$(FUZZ_OUT)/cover/lib/%.o)
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(FUZZ_CLANG) -fprofile-instr-generate -fsanitize=fuzzer $$^ -o $$@
 
 FUZZ_REPLAY_OBJECTS_$(1) := $(patsubst %,$(FUZZ_OUT)/replay/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1))))
 $(FUZZ_OUT)/replay_$(1): $$(FUZZ_REPLAY_OBJECTS_$(1)) $(BUILD)/host/unit/libfixel.a
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(HOSTCC) -fsanitize=address,undefined $$^ -o $$@
 
 $(FUZZ_OUT)/branches_$(1): $(patsubst %,$(FUZZ_OUT)/branches/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
         $(FUZZ_LIB:%=$(FUZZ_OUT)/branches/lib/%.o)
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(HOSTCC) --coverage $$^ -o $$@
 endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))

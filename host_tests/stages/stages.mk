@@ -6,10 +6,10 @@ HOST_TOOLS += $(BUILD)/host/stage_errors
 
 $(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib \
 	    -MMD -MP -c $< -o $@
 
 $(BUILD)/host/stage_errors: $(STAGES_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -lm -o $@

@@ -19,33 +19,33 @@ UNIT_HELPER_OBJECTS := $(patsubst host_tests/unit/%.c,$(UNIT_OUT)/%.o,\
 UNIT_PART_OBJECTS := $(UNIT_PARTS:boards/parts/%.c=$(UNIT_OUT)/parts/%.o)
 UNIT_PROGRAMS := $(patsubst host_tests/unit/%.c,$(UNIT_OUT)/%,$(wildcard host_tests/unit/test_*.c))
 
-$(eval $(call LIB_RULES,$(UNIT_OUT)/lib,$$(HOSTCC) $$(UNIT_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@,host_tests/unit/unit.mk,$$(HOST_SAY)))
+$(eval $(call LIB_RULES,$(UNIT_OUT)/lib,$$(HOSTCC) $$(UNIT_CFLAGS) -DFXL_ASSERT_HOOK -c $$< -o $$@,host_tests/unit/unit.mk,$$(SAY)))
 
 $(UNIT_OUT)/parts/%.o: boards/parts/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 # What an assertion of the library calls.
 $(UNIT_OUT)/assert.o: host_tests/fuzz/assert.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 $(UNIT_OUT)/%.o: host_tests/unit/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(UNIT_CFLAGS) -c $< -o $@
 
 # The runner of the boards, where it is not called main (firmware/unittest/unittest.mk).
 $(UNIT_OUT)/%_main.o: $(UNIT_RUNNERS)/%_runner.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -Dunittest_run=main -c $< -o $@
 
 $(UNIT_OUT)/unity.o: $(UNITY_DIR)/src/unity.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(UNIT_FOREIGN_CFLAGS) -c $< -o $@
 
 # Archives, so that a test links the stages that it names and what they use.
@@ -58,7 +58,7 @@ $(UNIT_OUT)/libhelpers.a $(UNIT_OUT)/libfixel.a $(UNIT_OUT)/libparts.a:
 
 $(UNIT_PROGRAMS): $(UNIT_OUT)/test_%: $(UNIT_OUT)/test_%.o $(UNIT_OUT)/test_%_main.o \
         $(UNIT_OUT)/unity.o $(UNIT_OUT)/assert.o $(UNIT_OUT)/libhelpers.a $(UNIT_OUT)/libfixel.a $(UNIT_OUT)/libparts.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) -fsanitize=address,undefined $^ -o $@ -lm
 
 UNITY_TESTS += $(UNIT_PROGRAMS)

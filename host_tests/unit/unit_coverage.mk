@@ -12,17 +12,17 @@ COVERAGE_REPLAYS := $(FUZZ_TARGETS:%=$(COVERAGE_OUT)/replay_%)
 COVERAGE_HELPERS := $(UNIT_HELPER_OBJECTS:$(UNIT_OUT)/%=$(COVERAGE_OUT)/%) $(UNIT_PART_OBJECTS:$(UNIT_OUT)/%=$(COVERAGE_OUT)/%)
 
 $(eval $(call LIB_RULES,$(COVERAGE_OUT)/lib,\
-    $$(COVERAGE_CLANG) $$(COVERAGE_CFLAGS) $$(COVERAGE_COUNTERS) -c $$< -o $$@,host_tests/unit/unit_coverage.mk,$$(HOST_SAY)))
+    $$(COVERAGE_CLANG) $$(COVERAGE_CFLAGS) $$(COVERAGE_COUNTERS) -c $$< -o $$@,host_tests/unit/unit_coverage.mk,$$(SAY)))
 
 # One shared library, so that each of its functions is counted once, whichever program calls it.
 $(COVERAGE_LIBRARY): $(LIB_NAMES:%=$(COVERAGE_OUT)/lib/%.o)
-	$(HOST_SAY)
+	$(SAY)
 	$(COVERAGE_CLANG) -shared -fprofile-instr-generate $^ -o $@
 
 define COVERAGE_OBJECTS
 $(COVERAGE_OUT)/$(1): $(2)
 	$$(MAKE_FOLDER)
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(COVERAGE_CLANG) $$(COVERAGE_CFLAGS) $(3) -c $$< -o $$@
 endef
 $(eval $(call COVERAGE_OBJECTS,parts/%.o,boards/parts/%.c))
@@ -41,13 +41,13 @@ COVERAGE_LINK = $(COVERAGE_CLANG) $^ -Wl,-rpath,'$$ORIGIN' -o $@ -lm
 
 $(COVERAGE_TESTS): $(COVERAGE_OUT)/test_%: $(COVERAGE_OUT)/test_%.o $(COVERAGE_OUT)/test_%_main.o \
         $(COVERAGE_OUT)/unity.o $(COVERAGE_OUT)/assert.o $(COVERAGE_OUT)/libhelpers.a $(COVERAGE_LIBRARY)
-	$(HOST_SAY)
+	$(SAY)
 	$(COVERAGE_LINK)
 
 define COVERAGE_REPLAY
 $(COVERAGE_OUT)/replay_$(1): $(patsubst %,$(COVERAGE_OUT)/fuzz/%.o,replay $(filter-out mutate_scene,$(FUZZ_PARTS_$(1)))) \
         $(COVERAGE_LIBRARY)
-	$$(HOST_SAY)
+	$$(SAY)
 	$$(COVERAGE_LINK)
 endef
 $(foreach target,$(FUZZ_TARGETS),$(eval $(call COVERAGE_REPLAY,$(target))))

@@ -12,34 +12,34 @@ UNITY_TESTS += $(addprefix $(DISPLAY_TEST)/,test_ssd0323 test_ssd0303 test_ports
 
 $(DISPLAY_TEST)/%_runner.c: host_tests/boards/displays/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	ruby -W0 $(DISPLAY_TEST_UNITY)/auto/generate_test_runner.rb $< $@
 
 $(DISPLAY_TEST)/%.o: host_tests/boards/displays/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 $(DISPLAY_TEST)/%.o: boards/parts/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 # Generated code, and others': not by our warnings.
 $(DISPLAY_TEST)/%_runner.o: $(DISPLAY_TEST)/%_runner.c
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -w -c $< -o $@
 
 $(DISPLAY_TEST)/unity.o: $(DISPLAY_TEST_UNITY)/src/unity.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) -w -c $< -o $@
 
 $(DISPLAY_TEST)/test_ssd0323: $(addprefix $(DISPLAY_TEST)/,ssd0323.o) $(BUILD)/host/unit/libfixel.a
 $(DISPLAY_TEST)/test_ssd0303: $(addprefix $(DISPLAY_TEST)/,ssd0303.o) $(BUILD)/host/unit/libfixel.a
 $(DISPLAY_TEST)/test_ports: $(addprefix $(DISPLAY_TEST)/,pl022.o sbcon.o)
 $(DISPLAY_TEST)/test_%: $(DISPLAY_TEST)/test_%.o $(DISPLAY_TEST)/test_%_runner.o $(DISPLAY_TEST)/unity.o
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(DISPLAY_TEST_CFLAGS) $^ -o $@
 
 .PRECIOUS: $(DISPLAY_TEST)/%_runner.c $(DISPLAY_TEST)/%.o

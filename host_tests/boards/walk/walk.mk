@@ -19,74 +19,74 @@ UNITY_TESTS += $(addprefix $(WALK_TEST)/,test_walk test_path test_dump test_disp
 
 $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h: boards/contract/%.h host_tests/boards/walk/cmock.yml
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	ruby -W0 $(CMOCK_DIR)/lib/cmock.rb -ohost_tests/boards/walk/cmock.yml --mock_path=$(WALK_TEST) $<
 
 $(WALK_TEST)/%_runner.c: host_tests/boards/walk/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	ruby -W0 $(WALK_TEST_UNITY)/auto/generate_test_runner.rb $< $@
 
 $(WALK_TEST_OBJECTS): $(WALK_TEST_MOCKS:.c=.h) host_tests/boards/walk/walk.mk
 
 $(WALK_TEST)/%.o: host_tests/boards/walk/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 $(WALK_TEST)/%.o: firmware/walk/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 $(WALK_TEST)/%.o: boards/parts/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -MMD -MP -c $< -o $@
 
 # Generated code, and others': not by our warnings.
 $(WALK_TEST)/mock_%.o: $(WALK_TEST)/mock_%.c
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/%_runner.o: $(WALK_TEST)/%_runner.c $(WALK_TEST_MOCKS:.c=.h)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/unity.o: $(WALK_TEST_UNITY)/src/unity.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/cmock.o: $(CMOCK_DIR)/src/cmock.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/test_walk: $(addprefix $(WALK_TEST)/,test_walk.o test_walk_runner.o board_double.o \
         scene_bytes.o walk.o billboards.o looks.o surfaces.o methods.o act_path.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(BUILD)/host/libfixel.a \
         $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -lm -o $@
 
 $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o scene_bytes.o path.o unity.o) \
         $(BUILD)/host/libfixel.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
 $(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o display.o dump.o unity.o)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
 $(WALK_TEST)/test_display: $(addprefix $(WALK_TEST)/,test_display.o test_display_runner.o display.o mock_panel.o \
         unity.o cmock.o)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
 # What a board's memory.ld says: of this symbol the address is the size.
 $(WALK_TEST)/test_window: $(addprefix $(WALK_TEST)/,test_window.o test_window_runner.o window.o mock_system.o \
         unity.o cmock.o)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -no-pie -Wl,--defsym=fxl_window_size=65536 $^ -o $@
 
 .PRECIOUS: $(WALK_TEST)/mock_%.c $(WALK_TEST)/mock_%.h $(WALK_TEST)/%_runner.c

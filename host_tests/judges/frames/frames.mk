@@ -9,14 +9,14 @@ FRAMES_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges 
 
 $(BUILD)/host/objects/judges/frames/%.o: host_tests/judges/frames/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(FRAMES_CC) $< -o $@
 
 $(BUILD)/host/objects/judges/frames/path.o: firmware/walk/path.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(FRAMES_CC) $< -o $@
 
 $(BUILD)/host/frames: $(FRAMES_OBJECTS) $(BUILD)/host/libfixel.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -o $@

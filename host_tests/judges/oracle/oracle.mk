@@ -10,7 +10,7 @@ HOST_TOOLS += $(BUILD)/host/oracle
 
 $(BUILD)/host/objects/judges/oracle/%.o: host_tests/judges/oracle/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib -Ilib/include \
 	    -MMD -MP -c $< -o $@
 
@@ -24,12 +24,12 @@ ORACLE_OBJECTS += $(ORACLE_TURNS)
 
 $(ORACLE_TURNS): $(BUILD)/host/objects/%.o: host_tests/%.c
 	@mkdir -p $(@D)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ilib/include -MMD -MP -c $< -o $@
 
 $(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(ORACLE_BRIDGE) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -lgmp -lm -o $@
 
 # --- the oracle's own tests ----------------------------------------------------
@@ -40,19 +40,19 @@ UNITY_TESTS += $(ORACLE_UNIT)/test_tie $(ORACLE_UNIT)/test_exact
 
 $(ORACLE_UNIT)/unity.o: $(ORACLE_UNIT_UNITY)/src/unity.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) -std=c11 -O1 -w -c $< -o $@
 
 $(ORACLE_UNIT)/test_%.o: host_tests/judges/oracle/unit/test_%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O1 -g1 $(RELATIVE_PATHS) -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages \
 	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
 
 $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
         $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(ORACLE_BRIDGE) $(BUILD)/host/libfixel.a \
         $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@
 
 .PRECIOUS: $(ORACLE_UNIT)/test_%.o

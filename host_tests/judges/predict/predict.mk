@@ -10,9 +10,9 @@ PREDICT_WRAPPED = $(shell sed -n 's/^WRAPPED.[a-z0-9_ *]*, \(fxl_[a-z_]*\),.*/\1
 
 $(BUILD)/host/objects/judges/predict/%.o: host_tests/judges/predict/%.c
 	@mkdir -p $(@D)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
 
 $(BUILD)/host/predict: $(PREDICT_OBJECTS) $(BUILD)/host/libfixel.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ $(PREDICT_WRAPPED:%=-Wl,--wrap=%) -lm -o $@

@@ -6,7 +6,7 @@ RAYCAST_SOURCES := $(wildcard host_tests/judges/raycast/*.c)
 # No fused multiply-add: an edge must give neighbours opposite answers, bit for bit.
 $(BUILD)/host/raycast: $(RAYCAST_SOURCES) $(wildcard host_tests/judges/raycast/*.h)
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off $(RAYCAST_SOURCES) -o $@ -lm
 
 HOST_TOOLS += $(BUILD)/host/raycast

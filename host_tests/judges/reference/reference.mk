@@ -10,10 +10,10 @@ REFERENCE_CFLAGS := -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/jud
 
 $(BUILD)/host/objects/judges/reference/%.o: host_tests/judges/reference/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) $(REFERENCE_CFLAGS) -MMD -MP -c $< -o $@
 
 $(REFERENCE_LIBRARY): $(REFERENCE_OBJECTS)
 	rm -f $@
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTAR) rcs $@ $^

@@ -11,19 +11,19 @@ HIDDEN_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ilib/include -Ilib -Ihost_tests 
 
 $(BUILD)/host/objects/judges/visibility/%.o: host_tests/judges/visibility/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/objects/judges/visibility/%.o: host_tests/unit/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/objects/judges/visibility/%.o: firmware/walk/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HIDDEN_CC) $< -o $@
 
 $(BUILD)/host/hidden: $(HIDDEN_OBJECTS) $(BUILD)/host/libfixel.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -o $@

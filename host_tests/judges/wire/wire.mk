@@ -8,9 +8,9 @@ HOST_TOOLS += $(BUILD)/host/wire
 
 $(BUILD)/host/objects/judges/wire/%.o: host_tests/judges/wire/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
 
 $(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -lm -o $@

@@ -6,12 +6,12 @@ HOST_TOOLS += $(BUILD)/host/clipper_errors
 
 $(BUILD)/host/objects/stages/clippers/%.o: host_tests/stages/clippers/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include \
 	    -MMD -MP -c $< -o $@
 
 $(BUILD)/host/clipper_errors: $(CLIPPERS_OBJECTS) \
         $(addprefix $(BUILD)/host/objects/stages/,bridge.o random.o tally.o) \
         $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -lm -o $@

@@ -7,7 +7,7 @@ HOST_TOOLS += $(BUILD)/host/designs
 # Contraction and excess precision would make float32 what it is not.
 $(BUILD)/host/objects/stages/designs/%.o: host_tests/stages/designs/%.c
 	$(MAKE_FOLDER)
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -MMD -MP -c $< -o $@
 
 # Triangles with surfaces, and what is exact of them.
@@ -15,5 +15,5 @@ DESIGNS_ORACLE := $(addprefix $(BUILD)/host/objects/,$(addprefix judges/oracle/,
     triangle_random.o surface_sample.o surface_shown.o depth_sample.o) stages/bridge.o)
 
 $(BUILD)/host/designs: $(DESIGNS_OBJECTS) $(DESIGNS_ORACLE) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
-	$(HOST_SAY)
+	$(SAY)
 	$(HOSTCC) $^ -lgmp -lm -o $@
