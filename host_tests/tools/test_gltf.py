@@ -145,7 +145,7 @@ BAD = {
     "huge": (vertices(0, 3e30, 0), ["y of vertex 0", "1,000,000,000"]),
     "matrix": (changed(["nodes", 0, "matrix"], [1e300] * 16), ["node 0", "matrix"]),
     "rotation": (changed(["nodes", 0, "rotation"], [0, 0, 0, 0]), ["node 0", "rotation"]),
-    "infinite": (changed(["nodes", 0, "scale"], [float("inf"), 1, 1]), ["node 0", "scale"]),
+    "infinite": (changed(["nodes", 0, "scale"], [float("inf"), 1, 1]), ["value Infinity", "not a number of JSON"]),
     "no faces": (changed(["nodes"], [{"name": "empty"}]), ["no face"]),
     "buffer": (changed(["buffers", 0, "byteLength"], 1 << 31), ["buffer 0", "2,147,483,648 bytes are promised"]),
     "view": (changed(["bufferViews", 0, "byteLength"], 1 << 20), ["buffer view reaches"]),

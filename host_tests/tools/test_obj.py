@@ -71,7 +71,7 @@ def test_a_right_handed_cube_faces_outward_and_is_not_mirrored(tmp_path):
     ("f 1 2 /1", ["/1"]),
     ("f 1 2 1.5", ["1.5"]),
     ("v 1 2", ["v needs 3"]),
-    ("v 1 2 nan", ["out of every range"]),
+    ("v 1 2 nan", ['"nan" is not a number']),
     ("v 1 2 1e30", ["out of every range"]),
     ("v 1 2 three", ['"three"']),
     ("hello there", ["model.obj:20", "hello"]),

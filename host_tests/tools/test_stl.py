@@ -56,7 +56,7 @@ BAD = {
     "huge": (make([(0, 0, 1e30), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["triangle 0", "z of corner 0"]),
     "word": (stl_text().replace(b"endfacet", b"nonsense", 1), ["model.stl:8", '"nonsense"']),
     "number": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 zero 0", 1), ["model.stl:4", '"zero" is not a number']),
-    "nan": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 nan 0", 1), ["model.stl:4", "out of every range"]),
+    "nan": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 nan 0", 1), ["model.stl:4", '"nan" is not a number']),
     "two": (stl_text().replace(b"vertex 0 0 0\n", b"", 1), ["model.stl:6", "this one has 2"]),
     "end": (stl_text().rsplit(b"endloop", 1)[0], ["ends within a facet"]),
     "few": (stl_text().replace(b"vertex 0 0 0", b"vertex 0 0", 1), ["model.stl:4", "3 numbers, found 2"]),

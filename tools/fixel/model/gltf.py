@@ -164,6 +164,10 @@ class _Reader:
         values = self.checked.accessor(attributes[key], where, kinds, _PARTS)
         if len(values) != count:
             self.checked.fail(where, f"{key} has {len(values):,} values for {count:,} vertices: the file is damaged")
+        wrong = np.argwhere(~np.isfinite(values))
+        if len(wrong):
+            row, column = wrong[0]
+            self.checked.fail(where, f"{key} of vertex {row} has the value {values[row, column]:g}; it must be finite")
         return values
 
     def _coordinates(self, attributes, material, number, count, where):

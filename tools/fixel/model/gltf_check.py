@@ -180,8 +180,10 @@ def _glb(blob, name):
 
 
 def _parse(text, name):
+    def refuse(word):
+        raise ToolError(f"{name}: its JSON has the value {word}, which is not a number of JSON: save the model again")
     try:
-        data = json.loads(text.decode("utf-8"))
+        data = json.loads(text.decode("utf-8"), parse_constant=refuse)
     except RecursionError:
         raise ToolError(f"{name}: its JSON is nested deeper than any model's") from None
     except json.JSONDecodeError as error:

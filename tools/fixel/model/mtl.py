@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Reading the materials of Wavefront OBJ files: newmtl, Kd, map_Kd, d and Tr of an MTL file."""
 
-import math
-
 from fixel.base import reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import Beside, quoted
+from fixel.model import number_text
 from fixel.model.surface import Material
 
 FILE_MAX = 1 << 20          # bytes
@@ -16,11 +15,9 @@ _OPTIONS = {"-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-b
 
 def _number(words, where, what):
     try:
-        value = float(words[0])
+        value = number_text.decimal(words[0])
     except (IndexError, ValueError):
         raise ToolError(f"{where}: {what} needs a number, found {quoted(words[0] if words else '')}") from None
-    if not math.isfinite(value):
-        raise ToolError(f"{where}: {what} is {quoted(words[0])}; it must be 0..1")
     return min(max(value, 0.0), 1.0)
 
 

@@ -15,7 +15,7 @@ import io
 import os
 import re
 
-from fixel.model import mtl
+from fixel.model import mtl, number_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
@@ -37,7 +37,7 @@ _LINES_A_WORD = 4096        # lines between two words about the progress
 def _coordinate(words, where):
     """u and v, v downward as in an image. What cannot be used is 0, 0."""
     try:
-        u, v = float(words[0]), float(words[1]) if len(words) > 1 else 0.0
+        u, v = number_text.decimal(words[0]), number_text.decimal(words[1]) if len(words) > 1 else 0.0
     except ValueError:
         raise ToolError(f"{where}: {quoted(' '.join(words[:2]))} is not a texture coordinate") from None
     return (u, 1 - v) if abs(u) <= _UV_MAX and abs(v) <= _UV_MAX else (0.0, 0.0)
@@ -53,12 +53,14 @@ def _vertex(words, where):
             value = int(whole + part) * 10 ** (_PLACES - len(part))
             point.append(-value if sign else value)
             continue
+        if not number_text.is_decimal(word):
+            raise ToolError(f"{where}: {quoted(word)} is not a number")
         try:
             value = Decimal(word)
-        except InvalidOperation:
+        except InvalidOperation:    # an exponent of very many digits
             raise ToolError(f"{where}: {quoted(word)} is not a number") from None
         # copy_abs: abs rounds, and fails where the exponent is larger than it can be after that.
-        if not value.is_finite() or value.copy_abs() > COORDINATE_LIMIT:
+        if value.copy_abs() > COORDINATE_LIMIT:
             raise ToolError(f"{where}: coordinate {quoted(word)} is out of every range: it must be within "
                             f"{COORDINATE_LIMIT:,}")
         point.append(int((value * UNIT).to_integral_value()))
@@ -68,7 +70,7 @@ def _vertex(words, where):
 def _index(text, counts, kind, where):
     """An index, from 1 or negative from the end, as a number from 0."""
     try:
-        index = int(text)
+        index = number_text.whole(text)
     except ValueError:
         raise ToolError(f"{where}: {quoted(text)} is not an index") from None
     count = counts[kind]

@@ -21,8 +21,8 @@ COORDINATE_MAX = 8191
 EXPONENT_MAX = 18
 DIGITS_MAX = 24         # characters of a number
 
-_RATIONAL = re.compile(r"\s*([+-]?\d{1,18})\s*/\s*(\d{1,18})\s*")
-_DECIMAL = re.compile(r"\s*[+-]?(\d{1,18}(\.\d{0,18})?|\.\d{1,18})([eE][+-]?\d{1,2})?\s*")
+_RATIONAL = re.compile(r"\s*([+-]?\d{1,18})\s*/\s*(\d{1,18})\s*", re.ASCII)
+_DECIMAL = re.compile(r"\s*[+-]?(\d{1,18}(\.\d{0,18})?|\.\d{1,18})([eE][+-]?\d{1,2})?\s*", re.ASCII)
 
 
 def decimal(text):

@@ -8,6 +8,7 @@ import re
 import numpy as np
 
 from fixel.base.errors import ToolError
+from fixel.model import number_text
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
@@ -46,7 +47,7 @@ def _binary(blob, name, count):
 
 def _number(word, where):
     try:
-        value = float(word)
+        value = number_text.decimal(word)
     except ValueError:
         raise ToolError(f"{where}: {quoted(word)} is not a number") from None
     if not abs(value) <= COORDINATE_LIMIT:
