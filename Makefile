@@ -364,9 +364,9 @@ kills: ## kill run, flash, boot, view and report at random moments: nothing may 
 	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BOARD_WALK.lm3s6965evb) $(REPORT_TOOLS) $(BUILD)/host/live
 	@$(TOOL) kills --board $(BOARD_CHOSEN) --streaming lm3s6965evb --build $(BUILD)
 
-seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time
+seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time [ONLY=]
 	@tools/setup.sh units
-	@$(PY) tools/seeded_bugs.py --build $(BUILD)
+	@$(TOOL) seeded-bugs --build $(BUILD)
 
 coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach
 	@tools/setup.sh coverage
