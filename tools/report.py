@@ -15,7 +15,7 @@ import argparse
 import pathlib
 import sys
 
-from fixel.base import kept, output, scratch, spent
+from fixel.base import bounded, kept, output, scratch, spent
 from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
 from fixel.base.arguments import whole_number
@@ -44,7 +44,7 @@ def gather(options, work):
     kinds = (*report_shards.CLAIMS, *report_shards.STAGES, *report_shards.SWEEPS)
     shards = report_shards.run_shards(build, kinds, options.samples, options.seed, options.processes)
     sources = [options.scene] if options.scene else report_frames.default_sources()
-    found = report_frames.walks(sources, work, limit)
+    found = report_frames.walks(sources, work, limit, bounded.limits_of(options))
     programs = HostPrograms(build, kept.Kept(build, options.fresh))
     frames, pixels, shown = report_frames.judge_walks(programs, found, work)
     twins = report_stages.measure(programs, found[0], options.samples, options.seed, work)
@@ -133,6 +133,7 @@ def read_options(argv):
     parser.add_argument("--seed", default="1", help="seed of the random samples (SEED=)")
     parser.add_argument("--only", default="", help="measure these claims alone, like \"texel_affine depth_16\"; no page (ONLY=)")
     parser.add_argument("--scene", help="judge only the frames of this .toml, .obj or .fxls (SCENE=)")
+    bounded.add_options(parser)
     parser.add_argument("--board", default="mps2-an385", help="board that counts instructions for the claim scale")
     parser.add_argument("--processes", default="0", help="processes at a time; 0: one for each core")
     parser.add_argument("--out", default="build/report")

@@ -19,11 +19,11 @@ SMALL = bounded.Limits(cpu=1, memory=200)
 NAMED = r"x\.toml: at the stage '{}' .*{}.*; the limits are 1 s of CPU time \(--cpu-limit\) and 200 MiB of memory \(--memory-limit\)$"
 
 
-def run(folder, body, limits=SMALL):
+def run(folder, body, limits=SMALL, subject="x.toml"):
     """A job of these lines, which may use request and report."""
     (folder / "worker.py").write_text(HEAD + "def do(request, report):\n" +
                                       "".join(f"    {line}\n" for line in body.splitlines()) + "job.serve(do)\n")
-    return bounded.run(str(folder / "worker.py"), {"asked": 5}, "x.toml", limits)
+    return bounded.run(str(folder / "worker.py"), {"asked": 5}, subject, limits)
 
 
 def test_a_job_answers(tmp_path):
@@ -32,7 +32,7 @@ def test_a_job_answers(tmp_path):
 
 def test_the_files_that_a_job_read_are_known(tmp_path):
     (tmp_path / "in").write_text("x")
-    run(tmp_path, f"from fixel.base import reading\nreading.read_all({str(tmp_path / 'in')!r})")
+    run(tmp_path, f"from fixel.base import reading\nreading.read_all({str(tmp_path / 'in')!r})", subject=str(tmp_path / "x.toml"))
     assert reading.identity(tmp_path / "in") in reading.opened()
 
 

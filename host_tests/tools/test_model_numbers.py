@@ -16,7 +16,7 @@ WORDS = ["nan", "NaN", "-nan", "inf", "-inf", "Infinity", "1_0", "\u0661", "\uff
 VALUES = [float("nan"), float("inf"), float("-inf")]
 OBJ = "mtllib m.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
 MTL = "newmtl red\nKd 1 0 0\nd 0.5\nmap_Kd skin.png\n"
-SCENE = '[[objects]]\nsolid = "cube"\nscale = 1\n[path]\nkeys = [{ position = [0, 0, -4], yaw = 1 }]\n'
+SCENE = '[[objects]]\nsolid = "box"\nscale = 1\n[path]\nkeys = [{ position = [0, 0, -4], yaw = 1 }]\n'
 
 
 def refused(tmp_path, name, text, *words):

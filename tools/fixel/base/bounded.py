@@ -43,9 +43,11 @@ def _at_most_present(kind, wanted):
 
 @dataclass(frozen=True)
 class Limits:
-    """CPU time in seconds and memory in MiB that a job may take; None: the default."""
+    """CPU time in seconds and memory in MiB that a job may take; None: the default. outside: whether it may open files
+    outside the folder of its subject, and below."""
     cpu: int = None
     memory: int = None
+    outside: bool = False
 
     def effective(self):
         """(seconds, bytes) that hold, with the limits that this process has itself."""
@@ -59,6 +61,8 @@ def add_options(parser):
                         help=f"CPU time in which the scene must be read and compiled ({CPU})")
     parser.add_argument("--memory-limit", metavar="MIB",
                         help=f"memory that this may take, in MiB ({MEMORY:,}, and at most half of the machine's)")
+    parser.add_argument("--allow-outside", action="store_true",
+                        help="let the scene or model name files outside its folder and the folders below")
 
 
 def _whole(text, name, least, most):
@@ -72,7 +76,7 @@ def _whole(text, name, least, most):
 def limits_of(options):
     """The Limits that parsed options ask for."""
     return Limits(_whole(options.cpu_limit, "--cpu-limit", 1, CPU_MAX),
-                  _whole(options.memory_limit, "--memory-limit", MEMORY_MIN, MEMORY_MAX))
+                  _whole(options.memory_limit, "--memory-limit", MEMORY_MIN, MEMORY_MAX), options.allow_outside)
 
 
 class _Job:
@@ -143,8 +147,10 @@ class _Job:
 def run(program, request, subject, limits=None):
     """Runs a job and answers what it answers. program: a Python file that calls job.serve. request: what it is asked, as
     JSON holds it. subject: the file that the job is about, for messages."""
-    job = _Job(subject, limits or Limits())
-    asked = json.dumps({**request, "seconds": job.seconds, "bytes": job.bytes}).encode()
+    limits = limits or Limits()
+    job = _Job(subject, limits)
+    asked = json.dumps({**request, "seconds": job.seconds, "bytes": job.bytes, "subject": os.fspath(subject),
+                        "outside": limits.outside}).encode()
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}   # threads would reserve memory, for nothing
     with children.start([sys.executable, "-I", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment) as process:
         try:

@@ -96,6 +96,8 @@ def serve(do):
     os.dup2(2, 1)
     gc.disable()    # a scene makes a million small objects, and no cycles: looking for these takes a sixth of the time
     request = json.load(sys.stdin.buffer)
+    if not request["outside"]:
+        reading.confine(request["subject"])
     report = Report(lambda message: _write(pipe, json.dumps(message).encode() + b"\n"))
     lacking = _limit(request["seconds"], request["bytes"])
     if lacking:

@@ -31,9 +31,40 @@ def note_opened(files):
     _opened.update((device, inode) for device, inode in files)
 
 
+_confined = None        # (the file that the user named, its identity, its folder, the folder without symbolic links)
+
+
+def confine(named):
+    """From here on this process opens as input no file outside the folder of the file that the user named, and below.
+    Symbolic links are resolved; the named file itself may be one."""
+    global _confined
+    named = os.fspath(named)
+    folder = os.path.dirname(named) or "."
+    _confined = named, identity(named), folder, os.path.realpath(folder)
+
+
+def _refuse_outside(path, found):
+    """Refuses an open file outside the folder; found: its os.stat_result, as the name may have changed in between."""
+    named, itself, folder, real = _confined
+    opened_now = found.st_dev, found.st_ino
+    if opened_now == itself:
+        return
+    target = os.path.realpath(path)
+    if os.path.commonpath([real, target]) == real and identity(target) == opened_now:
+        return
+    raise ToolError(f"{path}: is outside {folder}, the folder of {named}, and what lies below it; put the file there, or allow "
+                    "files outside with --allow-outside")
+
+
 def open_file(path):
     """A regular file, opened as input for reading bytes."""
     file, found = open_regular(path)
+    if _confined:
+        try:
+            _refuse_outside(path, found)
+        except ToolError:
+            file.close()
+            raise
     _opened.add((found.st_dev, found.st_ino))
     return file
 

@@ -70,20 +70,20 @@ def _rolled(scene):
     return dataclasses.replace(scene, path=path, start=slant(scene.start))
 
 
-def load_scene(source, folder):
-    """A .toml or .obj compiled, or a scene image read."""
+def load_scene(source, folder, limits=None):
+    """A .toml or .obj compiled, or a scene image read. limits: a bounded.Limits."""
     if pathlib.Path(source).suffix == ".fxls":
         return image.load(source)
     file = folder / "compiled.fxls"
-    scene_tool.build(str(source), file)
+    scene_tool.build(str(source), file, limits=limits)
     return image.load(file)
 
 
-def walks(sources, folder, limit=None):
-    """Every walk: each scene's own, and again with the camera rolled."""
+def walks(sources, folder, limit=None, limits=None):
+    """Every walk: each scene's own, and again with the camera rolled. limits: a bounded.Limits for compiling."""
     found = []
     for source in sources:
-        name, scene = pathlib.Path(source).stem, load_scene(source, folder)
+        name, scene = pathlib.Path(source).stem, load_scene(source, folder, limits)
         if scene.frames == 1 and scene.path_kind == image.POSES:
             scene = _swept(scene, VIEWS if limit is None else min(VIEWS, limit))
         scene = _at_most(scene, limit)
