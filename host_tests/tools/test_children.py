@@ -21,7 +21,7 @@ def tool(folder, body):
     file = folder / "tool.py"
     file.write_text("import pathlib, sys, time, threading, concurrent.futures\n"
                     f"sys.path.insert(0, {str(TOOLS)!r})\nfolder = pathlib.Path({str(folder)!r})\n"
-                    "from fixel.base import children\nfrom fixel.errors import run_main\n"
+                    "from fixel.base import children\nfrom fixel.base.errors import run_main\n"
                     f"def main(argv):\n{textwrap.indent(textwrap.dedent(body), '    ')}\n    return 0\nrun_main(main)\n",
                     encoding="utf-8")
     return [sys.executable, str(file)]

@@ -49,7 +49,7 @@ def check(path, frames):
 
 
 def watch(path, progress):
-    """A watch for fixel.execute: news is the dump's size."""
+    """A watch for fixel.board.execute: news is the dump's size."""
     announced = None
 
     def look():
