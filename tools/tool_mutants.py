@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Tests the tests of the tools: puts small mistakes into tools/fixel, drawn at random, one at a time.
 
-A mutant is tried in a copy of tools/ and host_tests/tools/ below --build, with the --files files of tests that are
+A mutant is tried in a copy of tools/ and host_tests/ below --build, with the --files files of tests that are
 likeliest to see it (fixel.check.likely). It is killed where one of them fails. A file of tests that fails as it is, or
 takes more than --slow seconds of CPU time, is passed over. host_tests/tools/survivors.toml has the mutants that change
 no result: they are not drawn. Exit: 0 done, 1 fewer than --least per cent were killed, 2 could not run.
@@ -31,7 +31,7 @@ from fixel.check import likely, mutate_python, survivors
 
 CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
 KNOWN = "host_tests/tools/survivors.toml"
-COPIED = ("tools", "host_tests/tools")
+COPIED = ("tools", "host_tests")
 UNCOPIED = shutil.ignore_patterns("__pycache__")
 CPU_TIMES = 4       # a file of tests may take so many times what it takes without a mutant
 NICE = 5
@@ -45,11 +45,9 @@ class Tree:
         shutil.rmtree(folder, ignore_errors=True)
         for name in COPIED:
             shutil.copytree(CHECKOUT / name, folder / name, ignore=UNCOPIED)
-        for place in (CHECKOUT, CHECKOUT / "host_tests"):
-            for each in place.iterdir():
-                to = folder / each.relative_to(CHECKOUT)
-                if not to.exists() and each.name != ".git":
-                    to.symlink_to(each)
+        for each in CHECKOUT.iterdir():
+            if not (folder / each.name).exists() and each.name != ".git":
+                (folder / each.name).symlink_to(each)
 
     def run(self, tests, cpu):
         """None if files of tests pass, else the words of the first failure."""

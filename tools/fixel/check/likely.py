@@ -12,7 +12,8 @@ FAR = 99
 def module_files(checkout):
     """{name that an import says: file} of the tools and of what their tests share."""
     checkout, found = pathlib.Path(checkout), {}
-    for folder, pattern in (("tools", "*.py"), ("tools", "fixel/**/*.py"), ("host_tests/tools", "*.py")):
+    rooms = sorted(file.parent.relative_to(checkout) for file in checkout.glob("host_tests/*/README.md"))
+    for folder, pattern in (("tools", "*.py"), ("tools", "fixel/**/*.py"), *((room, "*.py") for room in ["host_tests", *rooms])):
         for file in (checkout / folder).glob(pattern):
             name = file.relative_to(checkout / folder).with_suffix("").as_posix().replace("/", ".")
             found[name.removesuffix(".__init__")] = file
