@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from conftest import CHECKOUT, TOOLS, environment, run_cli
+from conftest import CHECKOUT, environment
 from model_files import png
 
 DRIVER = pathlib.Path(__file__).with_name("killed_at.py")
@@ -19,10 +19,29 @@ MOST = 200                   # calls of a command; one that survives none of the
 BACK = "a command was killed while it put its results there; those before are back"
 
 
-def killed_at(number, *words):
+home = None     # a checkout of these tests alone: a tool that other tests start would mend what is broken here
+
+
+@pytest.fixture(scope="module", autouse=True)
+def checkout(tmp_path_factory):
+    global home
+    home = tmp_path_factory.mktemp("checkout")
+    shutil.copytree(CHECKOUT / "tools", home / "tools", ignore=shutil.ignore_patterns("__pycache__"))
+    (home / ".venv").symlink_to(CHECKOUT / ".venv")
+
+
+def run(*words):
+    return subprocess.run([sys.executable, *words], cwd=home, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          check=False, env=environment())
+
+
+def run_tool(command, *words):
+    return run(home / "tools" / f"{command}.py", *words)
+
+
+def killed_at(number, command, *words):
     """A command that is killed before its N-th call."""
-    return subprocess.run([sys.executable, DRIVER, str(number), TOOLS / f"{words[0]}.py", *words[1:]], cwd=CHECKOUT,
-                          stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, env=environment())
+    return run(DRIVER, str(number), home / "tools" / f"{command}.py", *words)
 
 
 def frames(folder, count, colour):
@@ -37,13 +56,13 @@ def words(place, count):
 
 
 @pytest.fixture(scope="module")
-def wanted(tmp_path_factory):
+def wanted(tmp_path_factory, checkout):
     """The results of two comparisons, and a folder with their input: (place, before, after)."""
     place, found = tmp_path_factory.mktemp("wanted"), []
     for count in (OLD, NEW):
         frames(place / f"a{count}", count, 10 + count)
         frames(place / f"b{count}", count, 50 + count)
-        assert run_cli(*words(place, count)).returncode == 1
+        assert run_tool(*words(place, count)).returncode == 1
         found.append(results(place / "out"))
         shutil.rmtree(place / "out")
     assert len(found[0]) == OLD + 1 and len(found[1]) == NEW + 1
@@ -101,7 +120,7 @@ def test_a_kill_at_each_call(wanted):
         assert one_is_whole, number
         assert_strangers(place / "out")
         broken += not out_is_whole
-        assert_mended(place, before, after, out_is_whole, run_cli("boot", "--help").stderr)
+        assert_mended(place, before, after, out_is_whole, run_tool("boot", "--help").stderr)
     assert done.returncode == 1, done.stderr
     assert results(place / "out") == after
     assert_strangers(place / "out")
@@ -121,7 +140,7 @@ def test_a_kill_while_the_next_command_mends(wanted):
         out_is_whole, _ = whole(place, before, after)
         if done.returncode != -signal.SIGKILL:
             break
-        assert_mended(place, before, before, out_is_whole, run_cli("boot", "--help").stderr)
+        assert_mended(place, before, before, out_is_whole, run_tool("boot", "--help").stderr)
     assert done.returncode == 0 and number > 2 * OLD
     assert_mended(place, before, before, False, done.stderr)
 
@@ -132,7 +151,7 @@ def test_a_kill_before_there_was_a_folder(wanted):
         prepare(place, None)
         done = killed_at(number, *words(place, NEW))
         assert not (place / "out").exists() or results(place / "out") == after, number
-        assert run_cli("boot", "--help").returncode == 0
+        assert run_tool("boot", "--help").returncode == 0
         assert not [path for path in place.iterdir() if path.name.startswith(".")]
         if done.returncode != -signal.SIGKILL:
             break
