@@ -79,7 +79,7 @@ def test_names_of_images_and_dumps(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(flash_tool, "flash", lambda *_: result)
     monkeypatch.setattr(flash_tool, "table", lambda *_: "")
     boot_tool.main(["--board", BOARD, "--elf", "a", "--image", "a", "--dump", ODD])
-    flash_tool.main(["--board", BOARD, "--elf", "a", "--scene", "a", "--image", ODD])
+    flash_tool.main(["--board", BOARD, "--elf", "a", "--scene", "a.fxls", "--image", ODD])
     said = capsys.readouterr().out
     assert said.count(SHOWN) == 2 and "\x1b" not in said, said
 

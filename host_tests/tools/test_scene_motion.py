@@ -115,7 +115,6 @@ def test_a_base_rises_with_the_size(tmp_path):
     ("motion = { circle = 1, degrees = 1, frames = 4 }\n", ["frames", "does not belong to circle"]),
     ("motion = { by = [0, 0, 1], frames = 0 }\n", ["frames = 0"]),
     ("motion = { keys = [{ offset = [0, 0, 20000] }] }\n", ["offset"]),
-    ("motion = { keys = [{ turn = 1e9, frames = 900000 }, {}] }\n", ["keys of motions (100 %)"]),
     ('parent = "nobody"\n', ["parent", "nobody"]),
     ("motion = { circle = 8188, degrees = 1, start = 180 }\n", ["range", "motion 0"]),
     ("colour = 'red'\nturns = 4\n", ['unknown key "turns"', '"turn"']),

@@ -54,6 +54,7 @@ ROOMS = {
         "fuzz": ("fuzz", "fuzz the library and the tools' input"),
         "kills": ("kills", "kill commands at random moments"),
         "mutants": ("mutants", "put random small mistakes into the library"),
+        "tool-mutants": ("tool_mutants", "put random small mistakes into the tools"),
         "seeded-bugs": ("seeded_bugs", "break the library on purpose"),
     },
 }
