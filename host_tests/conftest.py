@@ -59,6 +59,11 @@ def run_cli(verb, *arguments, **changes):
     return warm_start.run([str(TOOLS / f"{verb}.py"), *map(str, arguments)], CHECKOUT, environment(**changes))
 
 
+def without_progress(text):
+    """What a command said on stderr, less the lines that a slow machine hears of a scene that is compiled."""
+    return [line for line in text.splitlines() if not line.startswith("scene: ")]
+
+
 def run_make(*arguments, **changes):
     """make in the checkout as a finished process."""
     return subprocess.run(["make", *map(str, arguments)], cwd=CHECKOUT, stdin=subprocess.DEVNULL,

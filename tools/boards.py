@@ -19,8 +19,8 @@ import pathlib
 import sys
 import threading
 
-import scene as scene_tool
 from fixel.base import output, scratch
+from fixel.scene import making
 from fixel.board import dump, emulator, firmware, fleet, methods, unit_tests
 from fixel.check import units
 from fixel.base.errors import ToolError, one_line, run_main
@@ -34,7 +34,7 @@ def make_scenes(sources, build, folder):
     for source in sources:
         name = pathlib.Path(source).stem
         image, file = folder / f"{name}.fxls", folder / f"{name}.fxld"
-        scene_tool.build(source, image, None)
+        making.build(source, image, None)
         with Progress(f"drawing {name} on the host") as progress:
             emulator.run(firmware.HOST, image, methods.elf_of(firmware.HOST, build), file, progress=progress)
         host = dump.read_dump(file)

@@ -115,8 +115,9 @@ class Frames:
             raise ToolError(f"{path}: holds no frames")
 
     def _of_folder(self):
-        """The frames of a folder: frame_*.png where make run wrote it, else every PNG."""
-        files = sorted(self.path.glob("frame_*.png")) or sorted(self.path.glob("*.png"))
+        """The frames of a folder: frame_0000.png and so on where make run wrote it, else every PNG."""
+        files = sorted(file for pattern in output.numbered("frame_", ".png") for file in self.path.glob(pattern)) \
+            or sorted(self.path.glob("*.png"))
         if not files:
             raise ToolError(f"{self.path}: a folder without a PNG")
         return files

@@ -17,8 +17,8 @@ import sys
 
 import numpy as np
 
-import scene as scene_tool
 from fixel.base import output, parallel, scratch
+from fixel.scene import making
 from fixel.bench import bench_plan, bench_run, costs
 from fixel.board import fleet, methods, qemu
 from fixel.image import image
@@ -66,7 +66,7 @@ def cores(plan, names, sizes, folder):
     files = {}
     for source in scenes_of(plan):
         files[source] = pathlib.Path(folder) / f"{pathlib.Path(source).stem}.fxls"
-        scene_tool.build(source, files[source])
+        making.build(source, files[source])
     jobs = {(core, size, source): (measure, plan, core, size, settings, file)
             for core in names for size, settings in sizes.items() for source, file in files.items()}
     measured, result, rows = parallel.run("measuring", jobs), {}, []
@@ -82,7 +82,7 @@ def deepest_stack(board, elf, sources, room, folder):
     seen = []
     for source in sources:
         file = pathlib.Path(folder) / f"{board}-{pathlib.Path(source).stem}.fxls"
-        scene_tool.build(source, file, frames=STACK_FRAMES)
+        making.build(source, file, frames=STACK_FRAMES)
         if file.stat().st_size > room:
             continue
         try:

@@ -10,7 +10,7 @@ import argparse
 import itertools
 import pathlib
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.board import probe
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line, run_main
@@ -32,7 +32,7 @@ def scene_image(options):
         return make_scene_image(options.scene, None, options.frames, options.screen)
     image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
     output.make_folder(image.parent)
-    scene_tool.say(image, scene_tool.build(options.scene, image, options.frames, options.screen,
+    making.tell(image, making.build(options.scene, image, options.frames, options.screen,
                                            limits=bounded.limits_of(options)))
     return image
 
@@ -60,7 +60,7 @@ def main(argv):
     bounded.add_options(parser)
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
     if options.probe and options.probe not in probe.PROBES:
         raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
     if options.dry_run and not options.probe:

@@ -17,8 +17,8 @@ import argparse
 import pathlib
 import sys
 
-import scene as scene_tool
 from fixel.base import scratch
+from fixel.scene import making
 from fixel.board import dump
 from fixel.check import frame_hashes
 from fixel.base.errors import ToolError, one_line, run_main
@@ -37,7 +37,7 @@ def add(scene, records, build, folder):
     image = pathlib.Path(scene)
     if image.suffix != ".fxls":
         image = folder / "scene.fxls"
-        scene_tool.build(str(scene), str(image))
+        making.build(str(scene), str(image))
     key, drawn = frame_hashes.image_key(image), drawn_by_host(image, build, folder)
     if key in records:
         wrong = frame_hashes.difference(records[key], drawn)

@@ -15,8 +15,8 @@ import random
 import signal
 import sys
 
-import scene as scene_tool
 from fixel.base import output, scratch
+from fixel.scene import making
 from fixel.check import kill_campaign
 from fixel.base.arguments import whole_number
 from fixel.base.errors import run_main
@@ -47,7 +47,7 @@ def make_campaign(options, folder):
     scenes = {}
     for name, frames in kill_campaign.FRAMES.items():
         scenes[name] = folder / f"{name}.fxls"
-        scene_tool.build(SCENE, str(scenes[name]), frames)
+        making.build(SCENE, str(scenes[name]), frames)
     with Progress("running each command undisturbed"):
         campaign = kill_campaign.Campaign(folder, options.build, scenes, options.samples, options.board,
                                           options.streaming)

@@ -15,8 +15,8 @@ import pathlib
 import sys
 
 import run as run_tool
-import scene as scene_tool
 from fixel.base import output, scratch
+from fixel.scene import making
 from fixel.bench import costs
 from fixel.image import image, memory_needed
 from fixel.base import bounded
@@ -112,7 +112,7 @@ def main(argv):
     parser.add_argument("--build", default="build", help="folder that make builds in")
     options = parser.parse_args(argv)
     options.frames = run_tool.frame_count(options.frames) if options.frames is not None else None
-    screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    screen = making.parse_screen(options.screen) if options.screen else None
     output.make_folder(options.build)
     with scratch.folder("predict", options.build) as folder:
         result = predict(options, run_tool.make_scene_image(options.scene, folder, options.frames, screen, bounded.limits_of(options)))

@@ -19,8 +19,8 @@ import sys
 
 import numpy
 
-import scene as scene_tool
 from fixel.base import bounded, kept, output, picture, scratch, spent
+from fixel.scene import making
 from fixel.board import drawing, dump, emulator, firmware, methods, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
@@ -55,7 +55,7 @@ def make_scene_image(scene, folder, frames, screen=None, limits=None):
             check_frames(scene, frames, scene_image.load(scene).frames)
         return pathlib.Path(scene)
     image = folder / "scene.fxls"
-    for note in scene_tool.build(scene, image, frames, screen, limits=limits).notes:
+    for note in making.build(scene, image, frames, screen, limits=limits).notes:
         print(f"  {one_line(note)}", file=sys.stderr)
     return image
 
@@ -297,7 +297,7 @@ def main(argv):
     kept.add_option(parser)
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
     options.kept = kept.Kept(options.build, options.fresh)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)

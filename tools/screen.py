@@ -11,8 +11,8 @@ import pathlib
 
 from PIL import Image
 
-import scene as scene_tool
 from fixel.base import output, picture, scratch
+from fixel.scene import making
 from fixel.board import firmware, flash, methods
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line, run_main
@@ -54,7 +54,7 @@ def main(argv):
     parser.add_argument("--timeout", type=float, default=120.0, help="limit of the drawing time in seconds (120)")
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
     with scratch.folder("screen") as folder:
         pixels, frames = photograph(options, folder)
     output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))

@@ -17,8 +17,8 @@ import sys
 
 from elftools.elf.elffile import ELFFile
 
-import scene as scene_tool
 from fixel.base import output, reading, scratch, spent
+from fixel.scene import making
 from fixel.bench import linked_size, stack
 from fixel.board import firmware, fleet
 from fixel.base.errors import ToolError, one_line, run_main
@@ -108,7 +108,7 @@ def measure_run(board, elf, scenes):
     with scratch.folder("size") as folder:
         for scene in scenes:
             image = pathlib.Path(folder) / f"{pathlib.Path(scene).stem}.fxls"
-            scene_tool.build(scene, image, frames=SCENE_FRAMES)
+            making.build(scene, image, frames=SCENE_FRAMES)
             if image.stat().st_size <= firmware.load(elf, board).scene_size:
                 seen.append(fleet.stack_seen(board, elf, image, pathlib.Path(folder)))
     return max(filter(None, seen), default=None)

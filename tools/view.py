@@ -27,7 +27,7 @@ from fixel.view.view_pump import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
 from fixel.view.view_reference import Reference
 from run import make_scene_image
-from scene import parse_screen
+from fixel.scene.making import parse_screen
 
 
 def open_page(file, address):

@@ -8,8 +8,8 @@ interpreter.choose()  # before the imports that need a package
 
 import argparse
 
-import scene as scene_tool
 from fixel.base import kept, output, picture, scratch
+from fixel.scene import making
 from fixel.board import dump
 from fixel.base import bounded
 from fixel.base.errors import one_line, run_main
@@ -52,7 +52,7 @@ def main(argv):
     kept.add_option(parser)
     options = parser.parse_args(argv)
     options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = scene_tool.parse_screen(options.screen) if options.screen else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)

@@ -11,7 +11,7 @@ import struct
 import subprocess
 import zlib
 
-import scene as scene_tool
+from fixel.scene import making
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOARD = "mps2-an385"
@@ -44,7 +44,7 @@ def built(name):
 def tiny_scene(folder):
     """scenes/tiny.toml as an image."""
     path = folder / "tiny.fxls"
-    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
+    making.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
     return path
 
 

@@ -4,8 +4,8 @@
 import dataclasses
 import pathlib
 
-import scene as scene_tool
 from board_programs import ROOT, built
+from fixel.scene import making
 from fixel.board import dump, emulator, firmware, flash, session
 
 
@@ -22,7 +22,7 @@ def flashed(board, scene, folder, screen=None):
     """scenes/<scene>.toml in the flash of a board, at a screen of its own where one is given."""
     folder = pathlib.Path(folder)
     image, bin_file, frames = folder / "scene.fxls", folder / "board.bin", folder / "host.fxld"
-    scene_tool.build(str(ROOT / "scenes" / f"{scene}.toml"), str(image), screen=screen)
+    making.build(str(ROOT / "scenes" / f"{scene}.toml"), str(image), screen=screen)
     elf = built(f"{board}/walk.elf")
     flash.flash(board, elf, image, bin_file)
     emulator.run(firmware.HOST, image, built("host/walk"), frames)

@@ -15,10 +15,10 @@ import time
 
 import pytest
 
-import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import assert_one_sentence, environment, run_cli
 from fixel.base import limits
+from fixel.scene import making
 from fixel.board import debugger, flash, qemu
 
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
@@ -31,7 +31,7 @@ def walk():
 
 def flashed(board, folder):
     """A board's flash image with its walk and a scene."""
-    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
+    making.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
     flash.flash(board, built(f"{board}/walk.elf"), folder / "tiny.fxls", folder / "board.bin")
     return folder / "board.bin"
 

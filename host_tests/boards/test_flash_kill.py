@@ -12,9 +12,9 @@ import time
 import pytest
 import warm_start
 
-import scene as scene_tool
 from board_programs import BOARD, ROOT, built, fake_qemu
 from conftest import environment, run_cli
+from fixel.scene import making
 from fixel.board import emulator, flash
 
 # tools/flash.py, which gets SIGKILL before its Nth line in the files that write the image.
@@ -66,7 +66,7 @@ def scenes(tmp_path_factory):
     """The scene that is there, and the one that is to come."""
     folder = tmp_path_factory.mktemp("scenes")
     for name, frames in (("old", 2), ("new", 3)):
-        scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / f"{name}.fxls"), frames)
+        making.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / f"{name}.fxls"), frames)
     return folder / "old.fxls", folder / "new.fxls"
 
 

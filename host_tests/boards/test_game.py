@@ -9,7 +9,7 @@ import pytest
 from board_programs import EVERY_BOARD, made
 from conftest import CHECKOUT, run_cli, run_make, sampled
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.board import controllers, dump, emulator, firmware, flash, wires
 
 SCENE = "examples/game/game.toml"
@@ -52,7 +52,7 @@ def fixture_image(tmp_path_factory):
     """The scene image for each screen."""
     folder = tmp_path_factory.mktemp("scene")
     for screen in SHA256:
-        scene_tool.build(str(CHECKOUT / SCENE), str(folder / f"{screen}.fxls"), screen=scene_tool.parse_screen(screen))
+        making.build(str(CHECKOUT / SCENE), str(folder / f"{screen}.fxls"), screen=making.parse_screen(screen))
     return lambda screen: folder / f"{screen}.fxls"
 
 

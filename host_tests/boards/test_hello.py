@@ -11,9 +11,9 @@ import numpy
 from PIL import Image
 import pytest
 
-import scene as scene_tool
 from board_programs import BOARD, ROOT, built
 from conftest import run_make
+from fixel.scene import making
 from fixel.board import emulator
 from fixel.board.wires import rgb565
 from test_displays import read_wires
@@ -162,7 +162,7 @@ def page(tmp_path_factory):
     for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("threads_ahead.c", AHEAD), ("threads_spin.c", SPIN), ("wired.c", WIRED),
                        ("whole.c", WHOLE)):
         (folder / name).write_text(text, encoding="utf-8")
-    scene_tool.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
+    making.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
     library("host")
     return folder
 

@@ -12,9 +12,9 @@ import time
 
 import pytest
 
-import scene as scene_tool
 from board_programs import ROOT, built
 from conftest import assert_one_sentence, environment, run_cli
+from fixel.scene import making
 from fixel.board import firmware, probe
 
 DONE = "** Programming Started **\n** Programming Finished **\n** Verified OK **\n"
@@ -37,7 +37,7 @@ BOARD = sorted(CONFIGURED)[0]
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
     path = tmp_path_factory.mktemp("scene") / "tiny.fxls"
-    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
+    making.build(str(ROOT / "scenes" / "tiny.toml"), str(path))
     return path
 
 

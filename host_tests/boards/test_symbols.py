@@ -115,8 +115,8 @@ def test_a_program_without_symbols(tmp_path, faults):
 @pytest.fixture(scope="module")
 def image(tmp_path_factory, faults):
     folder = tmp_path_factory.mktemp("flash")
-    import scene as scene_tool  # tools/scene.py
-    scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
+    from fixel.scene import making
+    making.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
     flash.flash(BOARD, faults, folder / "tiny.fxls", folder / "board.bin")
     return folder / "board.bin"
 

@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-import scene as scene_tool
+from fixel.scene import making
 
 WIDTH, HEIGHT, FRAMES = 320, 240, 3
 ROOM = """
@@ -28,7 +28,7 @@ def judged(build, folder, inset, clipper="view"):
     the judge's verdict)."""
     source, compiled, dump, verdict = (folder / f"room.{end}" for end in ("toml", "fxls", "fxld", "json"))
     source.write_text(ROOM.replace(", INSET", inset).replace("FRAMES", str(FRAMES)), encoding="utf-8")
-    scene_tool.build(source, compiled)
+    making.build(source, compiled)
     subprocess.run([build / "host" / "frames", compiled, dump, "--clipper", clipper], check=True, capture_output=True)
     subprocess.run([build / "host" / "judge", compiled, dump, "--clipper", clipper, "--json", verdict], check=True,
                    capture_output=True)

@@ -9,10 +9,9 @@ import tomllib
 from conftest import CHECKOUT
 import pytest
 
-import scene as scene_tool
 from fixel.board import dump
 from fixel.image import image
-from fixel.scene import toml_scene, tree
+from fixel.scene import making, toml_scene, tree
 
 SCENES = {"plaza": ("all", 24), "w1": ("0", 20), "knot": ("all", 24), "w3": ("most", 1)}
 ROOM = 1 << 20
@@ -53,7 +52,7 @@ def fixture_folder(build, tmp_path_factory):
 def fixture_planted(request, folder):
     layers, frames = SCENES[request.param]
     file = folder / f"{request.param}.fxls"
-    scene_tool.build(str(CHECKOUT / f"scenes/{request.param}.toml"), str(file), frames,
+    making.build(str(CHECKOUT / f"scenes/{request.param}.toml"), str(file), frames,
                      layers=layers)
     return request.param, file
 
@@ -119,7 +118,7 @@ def test_balls_in_parts_of_a_tree_that_are_out_of_sight(build, folder):
 
 def test_distance_errs_where_the_tree_is_right(build, folder):
     scene = folder / "knot_by_both.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 12, layers="all")
+    making.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 12, layers="all")
     found = {}
     for hidden in ("sorted", "tree"):
         drawn = draw(build, scene, folder / "both.fxld", hidden, pieces=ROOM)
@@ -132,7 +131,7 @@ def test_distance_errs_where_the_tree_is_right(build, folder):
 def test_without_room_the_ball_is_whole(build, folder):
     """Another picture, but one: the ball where its centre is."""
     scene = folder / "knot_whole.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 6, layers="all")
+    making.build(str(CHECKOUT / "scenes/knot.toml"), str(scene), 6, layers="all")
     with_room = pictures(draw(build, scene, folder / "a.fxld", pieces=ROOM))
     without = pictures(draw(build, scene, folder / "b.fxld", pieces=0))
     again = pictures(draw(build, scene, folder / "c.fxld", pieces=0, rows=9, list=50))

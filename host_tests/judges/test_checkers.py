@@ -8,8 +8,8 @@ import zlib
 
 import pytest
 
-import scene as scene_tool
 from conftest import CHECKOUT
+from fixel.scene import making
 from fixel.image import image
 from fixel.base.errors import ToolError
 
@@ -102,7 +102,7 @@ def fixture_blob(request, tmp_path_factory):
     """A scene's image."""
     name, layers = request.param
     file = tmp_path_factory.mktemp("image") / "scene.fxls"
-    scene_tool.build(str(CHECKOUT / f"{name}.toml"), str(file), layers=layers)
+    making.build(str(CHECKOUT / f"{name}.toml"), str(file), layers=layers)
     return file.read_bytes()
 
 

@@ -11,7 +11,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT, sampled
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.image import image
 
 CLIPPERS = ("view", "world", "normalised", "once", "half-spaces", "triangles", "near", "near-box", "left")
@@ -34,7 +34,7 @@ def fixture_scene(request, folder):
             pytest.skip("there is no ../shared/models/spot.obj")
         source, frames = SPOT, 6
     compiled = folder / f"{request.param}.fxls"
-    scene_tool.build(source, compiled, frames=frames)
+    making.build(source, compiled, frames=frames)
     return compiled
 
 
@@ -83,7 +83,7 @@ def test_what_an_inset_hides_is_not_explained(build, folder, tmp_path, clipper):
         source = folder / "inset.toml"
         source.write_text(re.sub(r'inset = "[^"]*"', f'inset = "{inset}"', text), encoding="utf-8")
         compiled = folder / "inset.fxls"
-        scene_tool.build(source, compiled)
+        making.build(source, compiled)
         drawn(build, compiled, clipper, tmp_path / "inset.fxld")
         verdict = tmp_path / "inset.json"
         subprocess.run([build / "host" / "judge", compiled, tmp_path / "inset.fxld", "--clipper", clipper, "--json",

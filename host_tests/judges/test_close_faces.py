@@ -4,7 +4,7 @@
 import pytest
 from conftest import CHECKOUT
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.image import image
 from fixel.model import close_faces
 
@@ -51,5 +51,5 @@ def test_what_does_not_overlap_or_shows_its_back_is_left_alone():
 
 def test_a_scene_of_the_project(tmp_path):
     file = tmp_path / "w1.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes/w1.toml"), str(file), 1)
+    making.build(str(CHECKOUT / "scenes/w1.toml"), str(file), 1)
     assert close_faces.note(image.load(file)) is None

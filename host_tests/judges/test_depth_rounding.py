@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-import scene as scene_tool
+from fixel.scene import making
 
 UNIT = 65536
 NEAR, FAR, INSET = UNIT, 50 * UNIT, 4               # units of 1/65536
@@ -37,7 +37,7 @@ def wall(folder, plane, inward=0):
     source.write_text(SCENE.format(near=NEAR, far=FAR, inset=INSET, middle=front + HALF_WALL, keys=keys),
                       encoding="utf-8")
     compiled = source.with_suffix(".fxls")
-    scene_tool.build(source, compiled)
+    making.build(source, compiled)
     return compiled
 
 

@@ -10,7 +10,7 @@ from conftest import CHECKOUT, run_cli, sampled
 import pytest
 
 import frame_hashes as hashes_tool
-import scene as scene_tool
+from fixel.scene import making
 from fixel.board import dump, emulator, flash
 from fixel.check import frame_hashes
 
@@ -41,7 +41,7 @@ def fixture_scene(request, tmp_path_factory):
         source = pathlib.Path(shutil.copy(source, folder))
         shutil.copy(model, folder)
     image = folder / "scene.fxls"
-    scene_tool.build(str(source), str(image))
+    making.build(str(source), str(image))
     return source.stem, image
 
 
@@ -69,7 +69,7 @@ def test_emulated_cores_draw_it(build, board, scene, tmp_path):
 
 def test_a_changed_pixel_or_counter_is_seen(build, tmp_path):
     image = tmp_path / "tiny.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
+    making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
     record = frame_hashes.load()[frame_hashes.image_key(image)]
     drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
     drawn.frames[3].counters["drawn"] += 1
@@ -82,7 +82,7 @@ def test_a_changed_pixel_or_counter_is_seen(build, tmp_path):
 
 def test_the_tool_alters_no_record(build, tmp_path, monkeypatch):
     image = tmp_path / "tiny.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
+    making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
     records = frame_hashes.load()
     assert hashes_tool.add(image, records, build, tmp_path) == "on record"
     key = frame_hashes.image_key(image)

@@ -9,7 +9,7 @@ import pytest
 from board_programs import made
 from conftest import CHECKOUT, run_cli, sampled
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.board.programs import HostPrograms
 
 # What the scene may cost in pixels that differ from double, of a million.
@@ -37,7 +37,7 @@ def folder(build, tmp_path_factory):
 def scene(request, folder):
     name = request.param
     image = folder / f"{name}.fxls"
-    scene_tool.build(CHECKOUT / "scenes" / f"{name}.toml", image)
+    making.build(CHECKOUT / "scenes" / f"{name}.toml", image)
     return name, image, *walked(folder, f"scenes/{name}.toml")
 
 
@@ -75,7 +75,7 @@ def test_with_a_depth_buffer_nothing_of_what_turns_is_in_the_wrong_order(folder)
 def test_the_third_judge_sees_a_mirrored_picture(folder, tmp_path):
     """A judge that agrees with anything is none."""
     image = tmp_path / "cube.fxls"
-    scene_tool.build(CHECKOUT / "scenes" / "cube.toml", image)
+    making.build(CHECKOUT / "scenes" / "cube.toml", image)
     _, out = walked(folder, "scenes/cube.toml", 2)
     data = bytearray((out / "double.fxld").read_bytes())
     width, height, head, frame_head = 320, 240, 16 + 768, 32

@@ -9,7 +9,7 @@ import subprocess
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make, sampled
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.board import fleet, methods
 from test_run import walk
 
@@ -21,7 +21,7 @@ FRAMES = 6
 def fixture_planted(tmp_path_factory):
     """The knot with a tree."""
     file = tmp_path_factory.mktemp("knot") / "knot.fxls"
-    scene_tool.build(KNOT, str(file), FRAMES, layers="all")
+    making.build(KNOT, str(file), FRAMES, layers="all")
     return file
 
 
@@ -85,7 +85,7 @@ def test_other_methods_draw_the_same_frames(build, tmp_path, planted, plain, wor
     (board, method) for board in ("mps2-an385", "mps3-an547") for method in ("depth", "depth-32")], 2))
 def test_a_depth_buffer_draws_the_nearest_faces(build, tmp_path, board, method):
     knot = tmp_path / "knot.fxls"
-    scene_tool.build(KNOT, str(knot), FRAMES)
+    making.build(KNOT, str(knot), FRAMES)
     summary = chosen(tmp_path / "out", knot, "--visibility", method, board=board)
     assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
     assert summary["order_wrong_pixels"] == 0 and summary["order_judged_pixels"] == summary["pixels"]
@@ -102,7 +102,7 @@ def test_a_depth_buffer_draws_models_whole(build, tmp_path, name):
     scene = tmp_path / f"{name}.toml"
     scene.write_text(text.replace('anchor = "middle"', 'anchor = "middle"\ntwo_sided = true'), encoding="utf-8")
     file = tmp_path / f"{name}.fxls"
-    scene_tool.build(str(scene), str(file), 8)
+    making.build(str(scene), str(file), 8)
     summary = chosen(tmp_path / "out", file, "--visibility", "depth", board="host")
     assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
     assert summary["order_wrong_pixels"] == 0 and summary["pixels_differing"] < 100
@@ -120,7 +120,7 @@ def test_rays_tell_faces_by_their_names_where_there_are_beams_or_surfaces(build,
 
 def test_a_wrong_order_is_counted_by_names_too(build, tmp_path):
     gallery = tmp_path / "gallery.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes/gallery.toml"), str(gallery), 1, (80, 60))
+    making.build(str(CHECKOUT / "scenes/gallery.toml"), str(gallery), 1, (80, 60))
     summary = chosen(tmp_path / "out", gallery, "--visibility", "surfaces", board="host")
     assert summary["order_wrong_pixels"] > summary["pixels"] / 200
 
@@ -148,7 +148,7 @@ def test_a_board_without_room_for_a_tree_surfaces_or_depth_says_so(build, tmp_pa
 def test_a_board_of_8_kb_draws_surfaces_where_asked(build, tmp_path):
     """The program with surfaces has more flash and stack, and scenes have less (boards/stm32vldiscovery/memory.ld)."""
     room = tmp_path / "room.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes/room.toml"), str(room), 6)
+    making.build(str(CHECKOUT / "scenes/room.toml"), str(room), 6)
     summary = chosen(tmp_path / "out", room, "--visibility", "surfaces", board="stm32vldiscovery")
     assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
     # The list is too small, so each band of six rows walks the scene.

@@ -10,8 +10,8 @@ import types
 import pytest
 
 import clippers as clippers_tool
-import scene as scene_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
+from fixel.scene import making
 from fixel.bench import clippers_page, clippers_plan, clippers_rows
 from fixel.base.errors import ToolError
 
@@ -113,7 +113,7 @@ def test_the_page_in_a_browser(sample, chromium):
 def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
     """W1 cut in 16.16: a hundred times what exact sums give."""
     scene = tmp_path / "w1.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes" / "w1.toml"), scene)
+    making.build(str(CHECKOUT / "scenes" / "w1.toml"), scene)
 
     def measured(clipper, sides):
         program = build / "host" / "comparison" / f"{clipper}-sorted"

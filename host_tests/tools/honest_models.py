@@ -2,7 +2,6 @@
 """Large models as people have them: spheres, a terrain, many objects, many materials, concave faces, many nodes. Each
 function writes the files of one into a folder and answers the file that a command takes."""
 
-import json
 import math
 
 import numpy as np

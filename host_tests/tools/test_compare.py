@@ -120,6 +120,14 @@ def test_nothing_there(tmp_path, pictures):
     assert_one_sentence(compare(tmp_path / "none.png", pictures["a"]), "none.png", "no such file")
 
 
+def test_pictures_of_differences_are_no_frames(folders):
+    """A comparison whose results go to the folder of the frames, and the same once more."""
+    for _ in range(2):
+        done = compare(folders["same"], folders["other"], "--out", folders["other"])
+        assert done.returncode == 1 and "2 of 3 frames equal" in done.stdout, done.stderr
+    assert (folders["other"] / "frame_0001_diff.png").exists()
+
+
 def test_empty_folder(tmp_path, pictures):
     (tmp_path / "empty").mkdir()
     assert_one_sentence(compare(tmp_path / "empty", pictures["a"]), "without a PNG")

@@ -9,13 +9,12 @@ from types import SimpleNamespace
 
 import pytest
 
-import scene as scene_tool
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
 from fixel.bench import costs
 from fixel.image import c_names, c_scene, image, memory_needed
 from fixel.base.errors import ToolError
-from fixel.scene import compiler
+from fixel.scene import compiler, making
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Wredundant-decls", "-Werror"]
@@ -59,7 +58,7 @@ def exported(request, tmp_path_factory):
     scene, _ = compiler.compile_scene(str(file), None, None, layers, "program")
     (folder / "scene.fxls").write_bytes(image.pack(scene))
     frames = len(scene.path) if scene.path_kind == image.POSES else None
-    scene_tool.export(str(file), str(folder / "scene.h"), name, frames, None, layers)
+    making.export(str(file), str(folder / "scene.h"), name, frames, None, layers)
     return SimpleNamespace(name=name, folder=folder, scene=scene, frames=frames)
 
 
@@ -229,7 +228,7 @@ PLACES_MAIN = "void places_0(void); void places_1(void); void places_2(void);\n"
 def linked_places(folder, declare, *options):
     """The program of three files, two in C and one in C++, which all include the header; how often it holds the palette.
     declare: with the tables in the first file alone."""
-    scene_tool.export(str(CUBE), str(folder / "cube_scene.h"), "cube")
+    making.export(str(CUBE), str(folder / "cube_scene.h"), "cube")
     scene, _ = compiler.compile_scene(str(CUBE), framed="program")
     (folder / "main.c").write_text(PLACES_MAIN, encoding="utf-8")
     objects = []
@@ -257,7 +256,7 @@ def test_without_sections_the_linker_keeps_what_no_file_uses(tmp_path):
 
 
 def test_the_tables_may_follow_the_declarations(tmp_path):
-    scene_tool.export(str(CUBE), str(tmp_path / "cube_scene.h"), "cube")
+    making.export(str(CUBE), str(tmp_path / "cube_scene.h"), "cube")
     text = '#define CUBE_SCENE_DECLARE\n#include "cube_scene.h"\n#undef CUBE_SCENE_DECLARE\n#include "cube_scene.h"\n' \
            '#include "cube_scene.h"\nint main(void) { return cube_scene.face_count != 6; }\n'
     assert subprocess.run([compiled(tmp_path, text)], check=False).returncode == 0
@@ -384,7 +383,7 @@ def test_what_less_memory_costs(tmp_path, rows, most_moderate, most_least):
     """The header's comment and docs/hello.md say so."""
     ratios = []
     for name, file in MODELS:
-        scene_tool.build(str(ROOT / file), tmp_path / f"{name}.fxls", 12 if str(file).endswith(".obj") else None)
+        making.build(str(ROOT / file), tmp_path / f"{name}.fxls", 12 if str(file).endswith(".obj") else None)
         scene = image.load(tmp_path / f"{name}.fxls")
         least, moderate, most = costs_of_memory(tmp_path / f"{name}.fxls", rows)
         ratios.append((moderate / most, least / most))
@@ -398,7 +397,7 @@ def test_what_less_memory_costs(tmp_path, rows, most_moderate, most_least):
 
 def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):
     for name in ("a.h", "b.h"):
-        scene_tool.export(str(CUBE), str(tmp_path / name), "cube")
+        making.export(str(CUBE), str(tmp_path / name), "cube")
     text = (tmp_path / "a.h").read_text(encoding="utf-8")
     assert text == (tmp_path / "b.h").read_text(encoding="utf-8")
     assert "tools/scene.py from cube.obj:" in text.splitlines()[0] and str(ROOT) not in text
@@ -406,9 +405,9 @@ def test_output_is_the_same_each_time_and_names_no_folder(tmp_path):
 
 
 def test_a_scene_image_gives_the_same_tables(tmp_path):
-    scene_tool.build(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "knot.fxls"), layers="all")
-    scene_tool.export(str(tmp_path / "knot.fxls"), str(tmp_path / "image.h"))
-    scene_tool.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
+    making.build(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "knot.fxls"), layers="all")
+    making.export(str(tmp_path / "knot.fxls"), str(tmp_path / "image.h"))
+    making.export(str(ROOT / "scenes" / "knot.toml"), str(tmp_path / "toml.h"), layers="all")
     scene, _ = compiler.compile_scene(str(ROOT / "scenes" / "knot.toml"), layers="all")
     names = "\n".join([*c_names.text(scene, "knot"), ""])     # which an image does not have
     read = [(tmp_path / name).read_text(encoding="utf-8") for name in ("image.h", "toml.h")]
@@ -460,7 +459,7 @@ def test_nothing_is_written_where_something_is_wrong(tmp_path, arguments, words)
 
 
 def test_a_scene_image_has_its_screen_already(tmp_path):
-    scene_tool.build(str(CUBE), str(tmp_path / "cube.fxls"))
+    making.build(str(CUBE), str(tmp_path / "cube.fxls"))
     done = run_cli("scene", "export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h", "--screen", "64x28")
     assert_one_sentence(done, "cube.fxls", "--screen", "already")
     (tmp_path / "cube.fxls").write_bytes(b"FXLS")
@@ -475,7 +474,7 @@ def test_a_place_where_nothing_can_be_written_is_told(tmp_path):
 
 
 def test_a_build_that_cannot_draw_the_scene_is_refused_by_the_compiler(tmp_path):
-    scene_tool.export(str(ROOT / "scenes" / "plaza.toml"), str(tmp_path / "scene.h"), "plaza")
+    making.export(str(ROOT / "scenes" / "plaza.toml"), str(tmp_path / "scene.h"), "plaza")
     (tmp_path / "main.c").write_text('#include "scene.h"\n', encoding="utf-8")
     done = subprocess.run(["gcc", "-fsyntax-only", "main.c", "-I", ROOT / "lib" / "include", "-DFXL_POLYGON_CAPACITY=12"],
                           cwd=tmp_path, capture_output=True, text=True, check=False)
@@ -488,7 +487,7 @@ def test_names_of_objects_become_enumerations(tmp_path):
             '[[objects]]\nsolid = "tile"\n[[objects]]\nname = "gem red"\nsolid = "box"\nturn = 3\n' \
             "[[objects]]\nname = '\"*/'\nsolid = \"cone\"\n"
     (tmp_path / "scene.toml").write_text(scene, encoding="utf-8")
-    scene_tool.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
+    making.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
     made, _ = compiler.compile_scene(str(tmp_path / "scene.toml"))
     wanted = {"S_INSTANCE_GEM_RED": 0, "S_INSTANCE_PILLARS": 1, "S_INSTANCES_OF_PILLARS": 3, "S_INSTANCE_GEM_RED_2": 6,
               "S_MODEL_GEM_RED": made.objects[0].model, "S_MODEL_PILLARS": made.objects[1].model,
@@ -502,7 +501,7 @@ def test_names_of_objects_become_enumerations(tmp_path):
 
 def test_names_of_textures_and_of_their_objects_become_enumerations(tmp_path):
     file = str(ROOT / "host_tests" / "tools" / "surfaces.toml")
-    scene_tool.export(file, str(tmp_path / "scene.h"), "s")
+    making.export(file, str(tmp_path / "scene.h"), "s")
     made, _ = compiler.compile_scene(file)
     looks = {name: sorted({face.mapped.surface for face in made.models[item.model].faces if face.mapped})
              for name, item in zip(made.names, made.objects)}

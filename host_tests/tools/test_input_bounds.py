@@ -19,11 +19,10 @@ from conftest import CHECKOUT, TOOLS, environment
 from model_files import TETRAHEDRON, glb, gltf, png, stl
 from test_checkers import sealed
 from test_model_files import big_png, grid
-import scene as scene_tool
 from fixel.board import flash
 from fixel.image import image
 from fixel.model import obj
-from fixel.scene import toml_table
+from fixel.scene import making, toml_table
 from fixel.base.errors import ToolError
 
 PATH = "[path]\nkeys = [{ position = [0, 0, 0] }]\n"
@@ -217,7 +216,7 @@ def test_a_file_of_more_bytes_than_the_limit_is_not_read(tmp_path, name, most):
 
 def test_an_image_of_more_bytes_than_the_limit_is_not_flashed(tmp_path):
     file = tmp_path / "scene.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes/tiny.toml"), str(file))
+    making.build(str(CHECKOUT / "scenes/tiny.toml"), str(file))
     with file.open("r+b") as image:
         image.truncate(8 << 30)
     with pytest.raises(ToolError, match="the limit of"):

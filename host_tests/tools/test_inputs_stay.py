@@ -6,10 +6,10 @@ import os
 
 import pytest
 
-import scene as scene_tool
 from board_programs import BOARD, built
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from fixel.base import output, reading
+from fixel.scene import making
 from fixel.board import flash
 from fixel.base.errors import ToolError
 from model_files import gltf, png
@@ -100,7 +100,7 @@ def test_export(folder, name):
 
 
 def test_export_of_an_image(folder):
-    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"), 2)
+    making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"), 2)
     before = contents(folder)
     done = run_cli("scene", "export", "--c", folder / "tiny.fxls", "-o", folder / "tiny.fxls")
     assert_refused(done, folder, before, "tiny.fxls")
@@ -135,7 +135,7 @@ def test_compare(folder, name):
 @pytest.fixture(scope="module")
 def image(tmp_path_factory):
     path = tmp_path_factory.mktemp("flash")
-    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(path / "tiny.fxls"), 2)
+    making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(path / "tiny.fxls"), 2)
     flash.flash(BOARD, built(f"{BOARD}/walk.elf"), path / "tiny.fxls", path / "board.bin")
     return path / "board.bin"
 

@@ -7,11 +7,11 @@ import sys
 
 import pytest
 
-from conftest import CHECKOUT, environment
+from conftest import CHECKOUT, environment, run_cli
 from fixel import launcher
 
 LAUNCHER = CHECKOUT / "tools" / "fixel" / "launcher.py"
-NO_COMMANDS = {"make", "apt_mirror"}    # what the Makefile and set-up call
+NO_COMMANDS = {"make", "apt_mirror", "scene"}   # what the Makefile and set-up call, and SCENE by another name
 
 
 def fixel(*words, options=()):
@@ -21,9 +21,17 @@ def fixel(*words, options=()):
 
 def test_each_tool_is_a_command():
     tools = {file.stem for file in (CHECKOUT / "tools").glob("*.py")} - NO_COMMANDS
-    assert set(launcher.COMMANDS.values()) == tools
-    for tool in tools:
-        assert "\ndef main(argv):\n" in (CHECKOUT / "tools" / f"{tool}.py").read_text(encoding="utf-8"), tool
+    assert set(launcher.COMMANDS.values()) == tools | {launcher.SCENE}
+    for tool in launcher.COMMANDS.values():
+        file = CHECKOUT / "tools" / f"{tool.replace('.', '/')}.py"
+        assert "\ndef main(argv):\n" in file.read_text(encoding="utf-8"), tool
+
+
+def test_the_script_of_scenes_is_the_command():
+    """Documents and programs know it by this name."""
+    for name in ("build", "export", "texture", "info"):
+        done = run_cli("scene", name, "--help")
+        assert done.returncode == 0 and done.stdout.replace("scene.py", "fixel").split() == fixel(name, "--help").stdout.split()
 
 
 def test_help_lists_each_command_once():

@@ -9,9 +9,8 @@ import boot as boot_tool
 import flash as flash_tool
 import pictures as pictures_tool
 import run as run_tool
-import scene as scene_tool
 from board_programs import BOARD, scene_bytes
-from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli
+from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, without_progress
 from fixel.base import output, progress
 from fixel.base.errors import ToolError, one_line
 from fixel.board.symbols import Symbols
@@ -108,7 +107,7 @@ def test_labels_of_progress(capsys):
 def test_an_error_with_a_name_is_one_line(verb, words):
     done = run_cli(verb, *words)
     assert_shown(done, code=2)
-    assert len(done.stderr.splitlines()) == 1, done.stderr
+    assert len(without_progress(done.stderr)) == 1, done.stderr
 
 
 def test_the_lines_of_a_compiler_stay(tmp_path):

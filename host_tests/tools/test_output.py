@@ -8,10 +8,10 @@ import stat
 
 import pytest
 
-import scene as scene_tool
 from board_programs import BOARD, built
 from conftest import CHECKOUT, TOOLS, assert_one_sentence, run_cli
 from fixel.base import output
+from fixel.scene import making
 from fixel.board import emulator, flash
 from fixel.base.errors import ToolError
 
@@ -129,7 +129,7 @@ def test_a_folder_of_results_that_is_none(folder, make):
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
     path = tmp_path_factory.mktemp("scene") / "tiny.fxls"
-    scene_tool.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(path), 2)
+    making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(path), 2)
     return path
 
 

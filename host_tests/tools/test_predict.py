@@ -11,9 +11,9 @@ import pytest
 
 import costs as costs_tool
 import predict as predict_tool
-import scene as scene_tool
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli
+from fixel.scene import making
 from fixel.image import image, memory_needed
 from fixel.bench import bench_plan, costs
 from fixel.board import dump, emulator, flash, fleet
@@ -50,7 +50,7 @@ def drawn(tmp_path_factory):
     for board, source in MEASURED:
         elf = built(f"{board}/walk.elf")
         image, flashed, file = (folder / f"{board}.{suffix}" for suffix in ("fxls", "bin", "fxld"))
-        scene_tool.build(str(ROOT / source), image)
+        making.build(str(ROOT / source), image)
         if image.stat().st_size > fleet.sizes(elf)["scene_room"]:
             found[board, source] = None
             continue
@@ -87,7 +87,7 @@ def test_memory_of_the_program(board):
 
 def test_memory_of_a_program_of_the_users(tmp_path):
     """Not that of the walk, which has tables for any scene."""
-    scene_tool.build(str(ROOT / "scenes/w3.toml"), tmp_path / "w3.fxls")
+    making.build(str(ROOT / "scenes/w3.toml"), tmp_path / "w3.fxls")
     scene = image.load(tmp_path / "w3.fxls")
     own = predicted("mps2-an385", ROOT / "scenes/w3.toml", "--frames", 1)["ram_of_your_program"]
     assert own["without_list"] == 2536 + 8 * memory_needed.least(scene) + 64 * 40 < own["moderate"] < own["with_list"]
@@ -124,7 +124,7 @@ def test_boards_and_scenes_without_costs(tmp_path):
     done = run_cli("predict", "--board", "mps2-an505", "--scene", ROOT / "scenes/tiny.toml", *words)
     assert_one_sentence(done, "mps2-an505", "no costs of its core and flags", "FXL_SMALL", "microbit")
     words = [word for pair in options_of("mps2-an385").items() for word in pair]
-    scene_tool.build(str(ROOT / "scenes/knot.toml"), tmp_path / "tree.fxls", layers="all")
+    making.build(str(ROOT / "scenes/knot.toml"), tmp_path / "tree.fxls", layers="all")
     for scene in (ROOT / "scenes/beam.toml", tmp_path / "tree.fxls"):
         done = run_cli("predict", "--board", "mps2-an385", "--scene", scene, *words)
         assert_one_sentence(done, f"error: {scene}: a scene with", "of which no costs are known")
@@ -144,7 +144,7 @@ def test_every_count_counts(tmp_path):
     for number, source in enumerate(("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml",
                                   "bench/costs_surfaces.toml", "bench/costs_lights.toml")):
         image = tmp_path / f"{number}.fxls"
-        scene_tool.build(str(ROOT / source), image, 12 if number < 2 else None)
+        making.build(str(ROOT / source), image, 12 if number < 2 else None)
         names, counts = costs.count(made("build/host/predict").parents[1], image, 2560, 0, 4096 + 4096 * (number == 1), 8)
         total = total + counts.sum(axis=0)
     assert [name for name, times in zip(names, total) if times == 0] == []

@@ -16,8 +16,8 @@ from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, r
 from PIL import Image
 
 import run as run_tool
-import scene as scene_tool
 from fixel.base import scratch
+from fixel.scene import making
 from fixel.board import dump, emulator
 
 SCENE = "scenes/tiny.toml"
@@ -163,7 +163,7 @@ def test_again_into_the_same_folder(build, tmp_path):
 
 def test_scene_image_instead_of_toml(build, tmp_path, result):
     image = tmp_path / "tiny.fxls"
-    scene_tool.build(str(CHECKOUT / SCENE), str(image))
+    making.build(str(CHECKOUT / SCENE), str(image))
     assert walk(tmp_path / "out", board="host", scene=image).returncode == 0
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert summary["frame_sha256"] == result[0]["frame_sha256"]
@@ -237,7 +237,7 @@ def test_frames_equal_looks_at_pixels_poses_palette_and_count():
 def image_bytes(tmp_path_factory):
     """A good scene image."""
     path = tmp_path_factory.mktemp("image") / "tiny.fxls"
-    scene_tool.build(str(CHECKOUT / SCENE), str(path))
+    making.build(str(CHECKOUT / SCENE), str(path))
     return path.read_bytes()
 
 
@@ -288,7 +288,7 @@ def test_bad_scene_image(build, tmp_path, image_bytes, board, kind):
 
 @pytest.mark.parametrize("suffix", ["toml", "fxls"])
 def test_more_frames_than_the_path_has(build, tmp_path, suffix):
-    scene_tool.build(str(CHECKOUT / SCENE), str(tmp_path / "tiny.fxls"))
+    making.build(str(CHECKOUT / SCENE), str(tmp_path / "tiny.fxls"))
     scene = CHECKOUT / SCENE if suffix == "toml" else tmp_path / "tiny.fxls"
     done = walk(tmp_path / "out", board="host", scene=scene, frames=99)
     assert_one_sentence(done, f"tiny.{suffix}: path: 99 frames are asked for, and the path has 16")

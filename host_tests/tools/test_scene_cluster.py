@@ -10,12 +10,11 @@ import struct
 import pytest
 
 import frame_hashes as hashes_tool
-import scene as scene_tool
 from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image, image_cluster
 from fixel.model import clusters
-from fixel.scene import toml_scene
+from fixel.scene import making, toml_scene
 from fixel.base.errors import ToolError
 from fixel.board.programs import run_program
 from test_scene_image import patched
@@ -222,7 +221,7 @@ def test_a_terrain_draws_the_same_pixels_without_clusters(build, tmp_path):
 def test_the_reference_renderer_counts_the_same(build, tmp_path, file):
     """It applies the sphere test to clusters by its definition, in double."""
     scene, frames, twin = (tmp_path / name for name in ("scene.fxls", "frames.fxld", "double.fxld"))
-    scene_tool.build(str(CHECKOUT / file), str(scene))
+    making.build(str(CHECKOUT / file), str(scene))
     run_program([build / "host" / "frames", scene, frames])
     run_program([build / "host" / "judge", scene, frames, "--json", tmp_path / "report.json", "--twin", twin])
     ours, theirs = dump.read_dump(frames).frames, dump.read_dump(twin).frames

@@ -16,8 +16,8 @@ import record
 from PIL import Image
 from conftest import assert_one_sentence, run_cli
 
-import scene as scene_tool
 from board_programs import ROOT, built
+from fixel.scene import making
 from fixel.view import browser
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError
@@ -458,7 +458,7 @@ def test_a_scene_with_surfaces_is_walked_beside_the_reference(name, chromium, bu
     """build/view/<scene>.png is how it looked."""
     ready("mps2-an385", build)
     image = tmp_path / f"{name}.fxls"
-    scene_tool.build(str(ROOT / "scenes" / f"{name}.toml"), str(image), None, (160, 120))
+    making.build(str(ROOT / "scenes" / f"{name}.toml"), str(image), None, (160, 120))
     with browser.viewing("mps2-an385", image, build) as (_, address), \
             browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.set_default_timeout(0)
@@ -484,7 +484,7 @@ def test_a_pixel_within_the_bound_is_no_difference(chromium, build, tmp_path):
     """Surfaces show other texels than the reference does, all of them within the bound of `make run`."""
     ready("mps2-an385", build)
     image = tmp_path / "room.fxls"
-    scene_tool.build(str(ROOT / "scenes" / "room.toml"), str(image), None, (160, 120))
+    making.build(str(ROOT / "scenes" / "room.toml"), str(image), None, (160, 120))
     with browser.viewing("mps2-an385", image, build) as (_, address), \
             browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.set_default_timeout(0)
@@ -510,7 +510,7 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
     ready("mps2-an385", build)
     built("mps2-an385/game.elf")
     image = tmp_path / "game.fxls"
-    scene_tool.build(str(ROOT / "examples" / "game" / "game.toml"), str(image))
+    making.build(str(ROOT / "examples" / "game" / "game.toml"), str(image))
     with browser.viewing("mps2-an385", image, build, ("--program", "game")) as (_, address), \
             browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.set_default_timeout(0)

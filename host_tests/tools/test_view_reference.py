@@ -9,8 +9,8 @@ import subprocess
 import numpy
 import pytest
 
-import scene as scene_tool
 from board_programs import ROOT
+from fixel.scene import making
 from fixel.board import dump
 from fixel.image import image
 from fixel.view.view_reference import FACES, FRAME, OUTLINES, VERDICT, WANTS_ALL, Reference
@@ -26,7 +26,7 @@ class Case:
     def __init__(self, build, folder, name, *methods):
         self.build, self.methods = build, methods
         self.image = folder / f"{name}.fxls"
-        scene_tool.build(str(ROOT / "scenes" / f"{name}.toml"), str(self.image), None, (160, 120))
+        making.build(str(ROOT / "scenes" / f"{name}.toml"), str(self.image), None, (160, 120))
         frames, names, verdict = (folder / each for each in ("frames.fxld", "names.fxld", "verdict.json"))
         self.run("frames", self.image, frames, "--frames", str(FRAMES), *methods)
         self.run("judge", self.image, frames, "--json", verdict, "--names", names, *methods)

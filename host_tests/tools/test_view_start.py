@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-import scene as scene_tool
 from board_programs import ROOT, built
+from fixel.scene import making
 from fixel.board import firmware, flash, qmp
 from fixel.base.errors import ToolError
 from fixel.board.session import Session
@@ -35,7 +35,7 @@ def started(tmp_path):
     """For a board: its program, a flash image with a scene, and a folder."""
     def prepare(board):
         elf, scene, image = built(f"{board}/walk.elf"), tmp_path / "tiny.fxls", tmp_path / "flash.bin"
-        scene_tool.build(str(ROOT / "scenes" / "tiny.toml"), str(scene))
+        making.build(str(ROOT / "scenes" / "tiny.toml"), str(scene))
         flash.flash(board, elf, scene, image)
         return firmware.load(elf, board), image, tmp_path
 

@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-import scene as scene_tool
+from fixel.scene import making
 from board_programs import ROOT, built
 
 BOARDS = ("mps2-an385", "lm3s6965evb")
@@ -25,7 +25,7 @@ def ready(board, build):
 def plaza(folder):
     """The plaza as a scene image, so that not every viewer compiles it."""
     image = folder / "plaza.fxls"
-    scene_tool.build(str(ROOT / "scenes" / "plaza.toml"), str(image))
+    making.build(str(ROOT / "scenes" / "plaza.toml"), str(image))
     return image
 
 

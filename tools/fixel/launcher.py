@@ -11,13 +11,14 @@ import sys
 
 TOOLS = pathlib.Path(__file__).resolve().parents[1]
 
-# {room: {command: (tool, one line of help)}}
+SCENE = "fixel.scene.command"   # has several commands, and takes their name as its first word
+# {room: {command: (module, one line of help)}}
 ROOMS = {
     "Scenes": {
-        "build": ("scene", "compile a scene file or a model into a scene image"),
-        "export": ("scene", "write a scene as a C header"),
-        "info": ("scene", "say what is in a scene image"),
-        "texture": ("scene", "write an image as a texture in C"),
+        "build": (SCENE, "compile a scene file or a model into a scene image"),
+        "export": (SCENE, "write a scene as a C header"),
+        "info": (SCENE, "say what is in a scene image"),
+        "texture": (SCENE, "write an image as a texture in C"),
         "font": ("font", "write a font as a C header"),
     },
     "Boards": {
@@ -80,8 +81,8 @@ def main(argv):
     if name not in COMMANDS:
         raise ToolError(f"fixel has no command '{name}'{question(name, COMMANDS)} (see fixel --help)")
     tool = importlib.import_module(COMMANDS[name])
-    sys.argv[0] = "fixel" if COMMANDS[name] == "scene" else f"fixel {name}"
-    return tool.main([name, *words] if COMMANDS[name] == "scene" else words)
+    sys.argv[0] = "fixel" if COMMANDS[name] == SCENE else f"fixel {name}"
+    return tool.main([name, *words] if COMMANDS[name] == SCENE else words)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@
 import pathlib
 import tomllib
 
-import scene as scene_tool
 from fixel.base import output
+from fixel.scene import making
 from fixel.bench import bench_textured, bench_turned
 from fixel.image import image
 from fixel.base.errors import ToolError
@@ -70,7 +70,7 @@ class Plan:
 def compile_scene(workload, folder):
     """A workload's scene image in a folder: (file, scene)."""
     file = pathlib.Path(folder) / f"{workload['name']}.fxls"
-    scene_tool.build(workload["scene"], file)
+    making.build(workload["scene"], file)
     compiled = image.load(file)
     if "turned" in workload:
         compiled = bench_turned.turned(compiled, workload["turned"])

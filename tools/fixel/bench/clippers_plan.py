@@ -6,7 +6,7 @@ import math
 import pathlib
 import tomllib
 
-import scene as scene_tool
+from fixel.scene import making
 from fixel.bench import bench_plan
 from fixel.board import dump, emulator
 from fixel.image import image
@@ -107,7 +107,7 @@ def compile_scene(plan, entry, folder, tree, frames=None):
     still is in a tree."""
     name = f"{entry['name']}-tree" if tree else entry["name"]
     whole = pathlib.Path(folder) / f"{name}-whole.fxls"
-    scene_tool.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else None)
+    making.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else None)
     scene = image.load(whole)
     poses = scene.path
     if scene.path_kind != image.POSES:

@@ -4,8 +4,8 @@
 import dataclasses
 import pathlib
 
-import scene as scene_tool
 from fixel.base import output
+from fixel.scene import making
 from fixel.board import drawing, dump, firmware, methods
 from fixel.image import image
 from fixel.base.errors import ToolError
@@ -75,7 +75,7 @@ def load_scene(source, folder, limits=None):
     if pathlib.Path(source).suffix == ".fxls":
         return image.load(source)
     file = folder / "compiled.fxls"
-    scene_tool.build(str(source), file, limits=limits)
+    making.build(str(source), file, limits=limits)
     return image.load(file)
 
 

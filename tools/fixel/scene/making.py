@@ -3,10 +3,14 @@
 limits (fixel/base/bounded.py), which leaves the result in a temporary file. This process puts it in place."""
 
 import os
+import re
+import sys
 from dataclasses import dataclass
 
-from fixel.base import output, reading, scratch
-from fixel.base import bounded
+from fixel.base import bounded, output, reading, scratch
+from fixel.base.errors import ToolError, one_line
+from fixel.base.reading import quoted
+from fixel.image import image_lens
 
 WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
 
@@ -50,3 +54,19 @@ def texture(image, out, name, size=None, levels=1, clamp=False, limits=None):
     """Writes an image as a texture in C; answers the number of its texels."""
     request = {"job": "texture", "image": os.fspath(image), "name": name, "size": size, "levels": levels, "clamp": clamp}
     return _make(out, request, image, limits)["texels"]
+
+
+def parse_screen(text):
+    """Width and height from "128x64"."""
+    match = re.fullmatch(r"([0-9]{1,4})x([0-9]{1,4})", text)
+    screen = tuple(map(int, match.groups())) if match else ()
+    if not screen or not all(1 <= side <= image_lens.SCREEN_MAX for side in screen):
+        raise ToolError(f"SCREEN is {quoted(text)}; it must be like 128x64, both from 1 to {image_lens.SCREEN_MAX}")
+    return screen
+
+
+def tell(out, made):
+    """What was written, for people."""
+    for note in made.notes:
+        print(f"note: {one_line(note)}", file=sys.stderr)
+    print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {made.frames} frames", file=sys.stderr)

@@ -12,7 +12,7 @@ from fixel.scene import (palette, parts, toml_billboard, toml_images, toml_light
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
-from fixel.model.mesh import FACES_MAX, shape, two_sided
+from fixel.model.mesh import FACES_MAX, two_sided
 from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.turning import matrix
