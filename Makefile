@@ -21,7 +21,8 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants tool-mutants size predict costs format clean
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants tool-mutants size \
+    predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
 VARIABLES := $(sort $(shell sed -n 's/^[a-z-]*:.* \[\([A-Z].*\)\]$$/\1/p' Makefile | grep -o '[A-Z_]*=' | tr -d '='))
@@ -30,8 +31,8 @@ SETTINGS_OF_TESTS := BUILD PY MAKE
 
 # A value is text and never runs. make would expand a $(shell ...) in it at each use, and once more when it exports the
 # variable; a recipe would hand its quotes to the shell. So each variable that the user gives is taken literally and
-# exported, and no recipe names one: tools/fixel/base/make_variables.py makes a tool's options of them. What the tests set is not exported,
-# nor read from the environment.
+# exported, and no recipe names one: tools/fixel/base/make_variables.py makes a tool's options of them. What the tests
+# set is not exported, nor read from the environment.
 GIVEN := $(foreach name,$(VARIABLES) $(SETTINGS),$(if $(filter command environment,$(firstword $(origin $(name)))),$(name)))
 $(foreach name,$(GIVEN),$(eval override $(name) := $$(value $(name)))$(eval export $(name)))
 GIVEN_BY_TESTS := $(foreach name,BUILD PY MAKE,$(if $(filter command,$(firstword $(origin $(name)))),$(name)))
@@ -94,7 +95,7 @@ COUNT_ALL = $(eval TOTAL := $(if $(or $(filter-out 0,$(MAKELEVEL)),$(filter lib,
 TELL = $(words $(BUILT)) of $(TOTAL)
 TELL_TERMINAL = $(shell printf '  %s\r' '$(TELL)' >&2)
 # The time is asked for at each tenth file. The first one begins the 10 seconds.
-TELL_NOW_AND_THEN = $(if $(filter %1 %2 %3 %4 %5 %6 %7 %8 %9,$(lastword $(words $(BUILT)))),,$(call TELL_LATE,$(shell date +%s)))
+TELL_NOW_AND_THEN = $(if $(filter-out %0,$(words $(BUILT))),,$(call TELL_LATE,$(shell date +%s)))
 TELL_LATE = $(if $(TOLD),$(if $(filter 1,$(shell expr $(1) - $(TOLD) '>=' 10)),$(eval TOLD := $(1))$(info $(space) building: $(TELL))),$(eval TOLD := $(1)))
 
 MAKE_FOLDER = $(if $(wildcard $(@D)/.),,@mkdir -p $(@D))
