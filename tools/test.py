@@ -129,7 +129,7 @@ def board_jobs(options):
 
 
 def all_jobs(options):
-    """The long ones first."""
+    """The tests for pytest first, which take longest, then those of the host, then those of boards."""
     jobs = [Job((f"{file.parent.name}/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("*/test_*.py"))]
     jobs += [Job((f"host/{name}",), run_host, pathlib.Path(folder) / name)
              for folder, *names in options.host_units for name in names]
