@@ -171,17 +171,17 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
 	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
 
-view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
+view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
 	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(TOOL) view $(DRAW_OPTIONS)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
 	@tools/setup.sh $(FLASH_SETUP)
 	@$(MAKE) $(WALK)
 	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
@@ -204,17 +204,17 @@ endif
 REPORT_TOOLS := $(addprefix $(BUILD)/host/,oracle designs judge raycast stage_errors)
 REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(REPORT_TOOLS))
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 SEED= ONLY= FRESH=1]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SEED= ONLY= FRESH=1]
 	@tools/setup.sh report
 	@$(MAKE) $(REPORT_PROGRAMS)
 	@$(TOOL) report --out $(BUILD)/report --build $(BUILD) --board $(BOARD_CHOSEN)
 
-wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= ALLOW_OUTSIDE=1 SCREEN= FRAMES= OUT= FRESH=1]
+wire: ## draw a scene's path as wireframes on this machine, compare it with double [SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
-screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
+screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
@@ -272,7 +272,7 @@ size: ## print flash, RAM and stack; check that the library has no float and no 
 COSTS_BOARDS := microbit mps2-an385 lm3s6965evb stm32vldiscovery netduinoplus2 mps2-an386 mps2-an500 mps3-an547
 LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BOARD_SETTINGS.$(1)))),0)
 
-predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 SCREEN= FRAMES= JSON=]
+predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= JSON=]
 	@tools/setup.sh predict
 	@$(MAKE) $(BUILD)/host/predict
 	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \

@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 import pytest
+from conftest import run_make
 
 from fixel.base import bounded, make_variables
 from fixel.base.errors import ToolError
@@ -125,8 +126,18 @@ def test_each_command_that_compiles_has_the_option(tool):
     assert "--allow-outside" in said
 
 
-def test_each_command_of_make_that_takes_a_scene_has_the_variable():
+def test_each_command_of_make_that_takes_a_scene_has_the_variables():
     taking = [command for command, names in make_variables.commands().items() if "SCENE" in names]
     assert "run" in taking
     for command in taking:
-        assert make_variables.options(command, {"ALLOW_OUTSIDE": "1"}) == ["--allow-outside"], command
+        given = {"ALLOW_OUTSIDE": "1", "CPU_LIMIT": "9", "MEMORY_LIMIT": "300"}
+        assert sorted(make_variables.options(command, given)) == ["--allow-outside", "--cpu-limit=9", "--memory-limit=300"], command
+
+
+def test_make_draws_a_scene_with_files_outside(tmp_path):
+    words = ["wire", f"SCENE={place(tmp_path, 'model', 'dots')}", f"OUT={tmp_path / 'out'}", "FRAMES=1"]
+    refused = run_make(*words)
+    assert refused.returncode and "--allow-outside" in refused.stderr, refused.stderr
+    assert "--cpu-limit is '0'" in run_make(*words, "CPU_LIMIT=0").stderr
+    done = run_make(*words, "ALLOW_OUTSIDE=1")
+    assert done.returncode == 0 and (tmp_path / "out/frame_0000.png").exists(), done.stderr
