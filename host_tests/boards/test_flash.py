@@ -6,6 +6,7 @@ import dataclasses
 import os
 import pathlib
 import random
+import resource
 import struct
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import time
 import pytest
 
 from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
-from fixel.board import firmware, flash, qemu
+from fixel.board import emulator, firmware, flash, qemu
 from fixel.base.errors import ToolError
 
 
@@ -225,6 +226,31 @@ def test_an_image_of_another_size(elf, scene, image):
     image.parent.mkdir()
     image.write_bytes(b"\xff" * 1000)
     assert "1000 bytes, 4194304 expected" in refuse(image, BOARD, elf, scene)
+
+
+@pytest.fixture
+def little_memory():
+    """256 MiB more than the process has now."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_AS)
+    pages = int(pathlib.Path("/proc/self/statm").read_text().split()[0])
+    resource.setrlimit(resource.RLIMIT_AS, (pages * resource.getpagesize() + (256 << 20), hard))
+    yield
+    resource.setrlimit(resource.RLIMIT_AS, (soft, hard))
+
+
+def test_a_file_of_3_gib_is_refused_unread(elf, scene, tmp_path, little_memory):
+    huge = tmp_path / "huge.bin"
+    huge.touch()
+    os.truncate(huge, 3 << 30)
+    with pytest.raises(MemoryError):
+        huge.read_bytes()
+    with pytest.raises(ToolError, match="3221225472 bytes, 4194304 expected"):
+        flash.flash(BOARD, elf, scene, huge)
+    with pytest.raises(ToolError, match="3221225472 bytes, 4194304 expected"):
+        emulator.run(BOARD, huge, elf, tmp_path / "dump")
+    with pytest.raises(ToolError, match="huge.bin"):
+        flash.flash(BOARD, elf, huge, tmp_path / "board.bin")
+    assert [path.name for path in tmp_path.iterdir() if path != scene] == [huge.name]
 
 
 def test_an_image_that_cannot_be_written(elf, scene, tmp_path):
