@@ -14,18 +14,8 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, environment, run_cli
 
 from fixel.view import browser
-from viewers import BOARDS, HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, \
-    own_build, own_port, plaza, ready
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory):
-    return plaza(tmp_path_factory.mktemp("plaza"))
-
-
-@pytest.fixture(scope="module", params=BOARDS)
-def board(request, build):
-    return ready(request.param, build)
+from viewers import HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, own_build, own_port, \
+    plaza_image, ready, ready_board     # two are fixtures
 
 
 @pytest.fixture

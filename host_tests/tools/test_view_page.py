@@ -21,7 +21,7 @@ from fixel.scene import making
 from fixel.view import browser
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError
-from viewers import BOARDS, HEIGHT, WIDTH, left, own_build, plaza, port_of, ready
+from viewers import HEIGHT, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board   # two are fixtures
 
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
 LINE = (255, 211, 77)   # of an outline
@@ -36,16 +36,6 @@ SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32
 # docs/extras/surfaces.md, which `make run` judges.
 TURNING = 10    # frames for which a key is held there: the model stays in sight
 SURFACES = {"landscape": 20, "gallery": 1000, "car": 50, "room": 1000}
-
-
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory):
-    return plaza(tmp_path_factory.mktemp("plaza"))
-
-
-@pytest.fixture(scope="module", params=BOARDS)
-def board(request, build):
-    return ready(request.param, build)
 
 
 @pytest.fixture(scope="module")

@@ -22,11 +22,18 @@ def ready(board, build):
     return board
 
 
-def plaza(folder):
+@pytest.fixture(scope="module", name="scene")
+def plaza_image(tmp_path_factory):
     """The plaza as a scene image, so that not every viewer compiles it."""
-    image = folder / "plaza.fxls"
+    image = tmp_path_factory.mktemp("plaza") / "plaza.fxls"
     making.build(str(ROOT / "scenes" / "plaza.toml"), str(image))
     return image
+
+
+@pytest.fixture(scope="module", name="board", params=BOARDS)
+def ready_board(request, build):
+    """A board; what a viewer of it starts is built."""
+    return ready(request.param, build)
 
 
 def own_build(build, folder):
