@@ -50,7 +50,7 @@ $(error BUILD is "$(BUILD)"; it must be a folder without a blank, % or : in its 
 endif
 
 # "; did you mean ...?", or nothing. $(1): a name, $(2): what stands after each word, $(3): the words.
-DID_YOU_MEAN = $(shell python3 tools/make.py --nearest '$(subst ','\'',$(1))' '$(2)' $(3) 2>/dev/null)
+DID_YOU_MEAN = $(shell python3 tools/fixel/base/nearest.py '$(subst ','\'',$(1))' '$(2)' $(3) 2>/dev/null)
 UNKNOWN := $(firstword $(filter-out $(SETTINGS_OF_TESTS),\
     $(foreach name,$(.VARIABLES),$(if $(filter command,$(firstword $(origin $(name)))),$(name)))))
 ifneq ($(UNKNOWN),)
@@ -68,8 +68,9 @@ HOSTCC   ?= gcc
 CROSS    ?= arm-none-eabi-
 PY       := .venv/bin/python
 WARNINGS := -std=c11 -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror
-# A command's tool, with the options that the user's variables become.
-TOOL      = $(PY) tools/make.py
+# The tools; a command of make, with the options that the user's variables become.
+FIXEL     = $(PY) tools/fixel/launcher.py
+TOOL      = $(FIXEL) make
 # For what is compiled with -g.
 RELATIVE_PATHS := -ffile-prefix-map=$(CURDIR)=.
 
@@ -198,7 +199,7 @@ gdb: ## open a debugger on a board, booted from its flash image, stopped at main
 
 compare: ## compare two PNGs, folders of PNGs, or frame dumps [A= B= TOLERANCE=0 OUT= JSON=1]
 ifneq ($(filter compare,$(MAKECMDGOALS)),)
-include tools/compare.mk
+include tools/fixel/report/compare.mk
 endif
 
 REPORT_TOOLS := $(addprefix $(BUILD)/host/,oracle designs judge raycast stage_errors)
@@ -222,34 +223,34 @@ screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM
 pictures: ## renew the pictures of the documents (needs make run and make report) [BOARD=]
 	@tools/setup.sh test
 	@$(MAKE) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
-	@$(PY) tools/pictures.py --run $(BUILD)/run --out docs/plaza.png
-	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --out docs/cube.png
-	@$(PY) tools/first_program.py --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
-	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --crowd --out docs/world.png
-	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --crate --out docs/crate.png
-	@$(PY) tools/first_program.py --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png
+	@$(FIXEL) pictures --run $(BUILD)/run --out docs/plaza.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --out docs/cube.png
+	@$(FIXEL) first-program --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crowd --out docs/world.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crate --out docs/crate.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
-	@$(PY) tools/report.py --out $(BUILD)/report --picture docs/precision.png
+	@$(FIXEL) report --out $(BUILD)/report --picture docs/precision.png
 	@$(MAKE) run SCENE=scenes/beam.toml OUT=$(BUILD)/beam
-	@$(PY) tools/pictures.py --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
+	@$(FIXEL) pictures --run $(BUILD)/beam --frames 20,66,92 --out docs/beam.png
 	@$(MAKE) run SCENE=scenes/room.toml SCREEN=320x240 OUT=$(BUILD)/room
-	@$(PY) tools/pictures.py --run $(BUILD)/room --frames 4,18,31 --out docs/room.png
+	@$(FIXEL) pictures --run $(BUILD)/room --frames 4,18,31 --out docs/room.png
 	@$(MAKE) run SCENE=scenes/grove.toml SCREEN=320x240 OUT=$(BUILD)/grove
-	@$(PY) tools/pictures.py --run $(BUILD)/grove --frames 4,22,44 --out docs/grove.png
+	@$(FIXEL) pictures --run $(BUILD)/grove --frames 4,22,44 --out docs/grove.png
 	@$(MAKE) run SCENE=scenes/spin.toml OUT=$(BUILD)/spin
-	@$(PY) tools/pictures.py --run $(BUILD)/spin --frames 5,25,70 --out docs/spin.png
+	@$(FIXEL) pictures --run $(BUILD)/spin --frames 5,25,70 --out docs/spin.png
 	@$(MAKE) run PROGRAM=game OUT=$(BUILD)/game
-	@$(PY) tools/pictures.py --run $(BUILD)/game --frames 60,120,200 --out docs/game.png
+	@$(FIXEL) pictures --run $(BUILD)/game --frames 60,120,200 --out docs/game.png
 	@$(MAKE) wire SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/wire
-	@$(PY) tools/pictures.py --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
-	@$(PY) tools/scene.py build scenes/plaza.toml -o $(BUILD)/lit.fxls
+	@$(FIXEL) pictures --run $(BUILD)/wire --frames 30,45,105 --out docs/wire.png
+	@$(FIXEL) build scenes/plaza.toml -o $(BUILD)/lit.fxls
 	@for light in day lamps dusk; do $(BUILD)/host/frames $(BUILD)/lit.fxls $(BUILD)/$$light.fxld --light $$light || exit 1; done
-	@$(PY) tools/pictures.py --dumps $(BUILD)/day.fxld $(BUILD)/lamps.fxld $(BUILD)/dusk.fxld --frames 40,40,20 --out docs/light.png
-	@for scene in landscape gallery car; do $(PY) tools/scene.py build scenes/$$scene.toml --screen 320x240 -o $(BUILD)/$$scene.fxls && \
+	@$(FIXEL) pictures --dumps $(BUILD)/day.fxld $(BUILD)/lamps.fxld $(BUILD)/dusk.fxld --frames 40,40,20 --out docs/light.png
+	@for scene in landscape gallery car; do $(FIXEL) build scenes/$$scene.toml --screen 320x240 -o $(BUILD)/$$scene.fxls && \
 	    $(BUILD)/host/frames $(BUILD)/$$scene.fxls $(BUILD)/$$scene.fxld || exit 1; done
-	@$(PY) tools/pictures.py --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
-	@$(PY) tools/record.py --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
+	@$(FIXEL) pictures --dumps $(BUILD)/landscape.fxld $(BUILD)/gallery.fxld $(BUILD)/car.fxld --frames 70,6,63 --out docs/scenes.png
+	@$(FIXEL) record --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
 lib: ## build the library and its headers for your firmware [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
@@ -264,7 +265,7 @@ size: ## print flash, RAM and stack; check that the library has no float and no 
 	@$(MAKE) $(WALK)
 	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
 	    $(MAKE) lib CORE=$$core >/dev/null || exit; done
-	@$(PY) tools/size.py --board $(BOARD_CHOSEN) $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
+	@$(FIXEL) size --board $(BOARD_CHOSEN) $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
 	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD_CHOSEN))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
 
@@ -283,7 +284,7 @@ COSTED_BOARDS := $(foreach board,$(COSTS_BOARDS),$(or $(call ONE_OF,$(board),$(B
 costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=]
 	@tools/setup.sh report
 	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTED_BOARDS),$(BOARD_WALK.$(board)))
-	@$(PY) tools/costs.py --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
+	@$(FIXEL) costs --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
 
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN))
@@ -316,13 +317,13 @@ boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests
 	@tools/setup.sh units
 	@$(MAKE) boards-programs
-	@$(PY) tools/boards.py --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
+	@$(FIXEL) boards --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
 bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON
 	@tools/setup.sh report
 	@$(MAKE) bench-programs
-	@$(PY) tools/bench.py --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
+	@$(FIXEL) bench --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
 clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]
@@ -332,7 +333,7 @@ clippers: ## compare every clipper with every visibility method: an HTML page, J
 
 clippers-accept: ## take the last make clippers into docs/clipping.md and bench/clippers.json
 	@tools/setup.sh report
-	@$(PY) tools/clippers.py --out $(BUILD)/clippers --build $(BUILD) --accept
+	@$(FIXEL) clippers --out $(BUILD)/clippers --build $(BUILD) --accept
 
 bench-diff: ## compare the last make bench with bench/baseline.json [THRESHOLD=0.5]
 	@tools/setup.sh tools
@@ -340,7 +341,7 @@ bench-diff: ## compare the last make bench with bench/baseline.json [THRESHOLD=0
 
 bench-baseline: ## take the last make bench as the baseline, and renew the tables of docs/performance.md
 	@tools/setup.sh tools
-	@$(PY) tools/bench_diff.py --current $(BENCH_OUT)/bench.json --accept
+	@$(FIXEL) bench-diff --current $(BENCH_OUT)/bench.json --accept
 
 # CORE here is one of the bench's; the default of the other commands is none.
 PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES)),m3)

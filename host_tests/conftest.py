@@ -15,6 +15,7 @@ import warm_start
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[1]
 TOOLS = CHECKOUT / "tools"
+LAUNCHER = TOOLS / "fixel" / "launcher.py"
 sys.path.insert(0, str(TOOLS))
 
 # A shell ignores one for what it starts in the background, nohup ignores the other, and what these start inherits it:
@@ -53,10 +54,10 @@ def environment(**changes):
     return {**kept, **changes}
 
 
-def run_cli(verb, *arguments, **changes):
-    """tools/VERB.py as a finished process, run in the checkout. Without a limit of its own: tools/test.py
+def run_cli(command, *arguments, **changes):
+    """fixel COMMAND as a finished process, run in the checkout. Without a limit of its own: fixel test
     limits the CPU time and the sleep of the tests of a file and all that they start."""
-    return warm_start.run([str(TOOLS / f"{verb}.py"), *map(str, arguments)], CHECKOUT, environment(**changes))
+    return warm_start.run([str(LAUNCHER), command, *map(str, arguments)], CHECKOUT, environment(**changes))
 
 
 def without_progress(text):

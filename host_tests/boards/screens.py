@@ -6,7 +6,7 @@ import pathlib
 
 from board_programs import ROOT, built
 from fixel.scene import making
-from fixel.board import dump, emulator, firmware, flash, session
+from fixel.board import dump, emulator, firmware, flash_memory, session
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,7 +24,7 @@ def flashed(board, scene, folder, screen=None):
     image, bin_file, frames = folder / "scene.fxls", folder / "board.bin", folder / "host.fxld"
     making.build(str(ROOT / "scenes" / f"{scene}.toml"), str(image), screen=screen)
     elf = built(f"{board}/walk.elf")
-    flash.flash(board, elf, image, bin_file)
+    flash_memory.flash(board, elf, image, bin_file)
     emulator.run(firmware.HOST, image, built("host/walk"), frames)
     return Flashed(firmware.load(elf, board), bin_file, image, dump.read_dump(frames))
 

@@ -12,8 +12,9 @@ import zlib
 
 import pytest
 
-from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes, tiny_scene
-from fixel.board import emulator, firmware, flash
+from board_programs import BOARD, built, fake_qemu, scene_bytes, tiny_scene
+from conftest import LAUNCHER
+from fixel.board import emulator, firmware, flash_memory
 from fixel.base.errors import ToolError
 
 FRAMES = 3
@@ -37,14 +38,14 @@ def scene(tmp_path_factory):
 @pytest.fixture(scope="module")
 def image(tmp_path_factory, walk, scene):
     path = tmp_path_factory.mktemp("flash") / "board.bin"
-    flash.flash(BOARD, walk, scene, path)
+    flash_memory.flash(BOARD, walk, scene, path)
     return path
 
 
 @pytest.fixture(scope="module")
 def faults_image(tmp_path_factory, faults, scene):
     path = tmp_path_factory.mktemp("faults") / "board.bin"
-    flash.flash(BOARD, faults, scene, path)
+    flash_memory.flash(BOARD, faults, scene, path)
     return path
 
 
@@ -162,7 +163,7 @@ def test_a_host_that_takes_only_part_of_the_dump(image, walk, dump, tmp_path, mo
 ])
 def test_a_bad_scene_ends_with_a_status_and_no_fault(image, walk, scene, dump, tmp_path, spoil, words):
     program = firmware.load(walk)
-    data, _ = flash.program_flash(program, spoil(scene.read_bytes()), image.read_bytes())
+    data, _ = flash_memory.program_flash(program, spoil(scene.read_bytes()), image.read_bytes())
     bad = tmp_path / "bad.bin"
     bad.write_bytes(data)
     sentence = refuse(dump, BOARD, bad, walk)
@@ -202,14 +203,14 @@ def test_a_dump_that_cannot_be_written(image, walk, tmp_path):
 
 
 def test_the_command(image, walk, dump):
-    command = [sys.executable, ROOT / "tools" / "boot.py", "--board", BOARD, "--image", image, "--elf", walk,
+    command = [sys.executable, LAUNCHER, "boot", "--board", BOARD, "--image", image, "--elf", walk,
                "--dump", dump, "--frames", "2"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "2 frames" in done.stdout
     done = subprocess.run([*command[:-1], "0"], capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    done = subprocess.run([*command[:5], image.with_name("none.bin"), *command[6:]],
+    done = subprocess.run([*command[:6], image.with_name("none.bin"), *command[7:]],
                           capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "error: cannot read the flash image" in done.stderr
@@ -227,7 +228,7 @@ def host(*arguments, limit=None):
 
 def test_the_host_as_a_board(scene, dump):
     image = dump.parent.parent / "host.bin"
-    flash.flash("host", built("host/walk"), scene, image)
+    flash_memory.flash("host", built("host/walk"), scene, image)
     result = emulator.run("host", image, built("host/walk"), dump, FRAMES)
     assert (result.board, result.frames) == ("host", FRAMES)
     assert dump.read_bytes()[:4] == b"FXLD"
@@ -265,5 +266,5 @@ def test_a_scene_that_only_looks_like_one(walk, dump, tmp_path):
     fake = tmp_path / "fake.fxls"
     fake.write_bytes(scene_bytes())
     image = tmp_path / "fake.bin"
-    flash.flash(BOARD, walk, fake, image)
+    flash_memory.flash(BOARD, walk, fake, image)
     assert "walk: scene refused" in refuse(dump, BOARD, image, walk)

@@ -5,11 +5,11 @@ import numpy
 from conftest import CHECKOUT
 from PIL import Image
 
-from fixel.report import first_program
+from fixel.report import examples
 
 
 def test_the_crowd_is_that_of_the_document(build):
-    pixels, palette = first_program.draw_crowd(build / "host" / "libfixel.a")
+    pixels, palette = examples.draw_crowd(build / "host" / "libfixel.a")
     shown = numpy.array(Image.open(CHECKOUT / "docs" / "world.png").convert("RGB"))
     assert len(numpy.unique(pixels)) > 100
     assert numpy.array_equal(palette[pixels], shown)

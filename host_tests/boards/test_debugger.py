@@ -16,10 +16,10 @@ import time
 import pytest
 
 from board_programs import BOARD, ROOT, built, fake_qemu
-from conftest import assert_one_sentence, environment, run_cli
+from conftest import LAUNCHER, assert_one_sentence, environment, run_cli
 from fixel.base import limits
 from fixel.scene import making
-from fixel.board import debugger, flash, qemu
+from fixel.board import debugger, flash_memory, qemu
 
 ELSEWHERE = "stm32vldiscovery"  # its flash does not begin at 0
 
@@ -32,7 +32,7 @@ def walk():
 def flashed(board, folder):
     """A board's flash image with its walk and a scene."""
     making.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
-    flash.flash(board, built(f"{board}/walk.elf"), folder / "tiny.fxls", folder / "board.bin")
+    flash_memory.flash(board, built(f"{board}/walk.elf"), folder / "tiny.fxls", folder / "board.bin")
     return folder / "board.bin"
 
 
@@ -110,7 +110,7 @@ def test_programs_name_no_folder_of_the_checkout_and_sources_are_found(image, wa
         assert os.fsencode(ROOT) not in program.read_bytes()
     commands = tmp_path / "commands"
     commands.write_text("list main\ninfo source\n")
-    done = subprocess.run([sys.executable, ROOT / "tools/gdb.py", *words(image, walk, "--commands", commands)], cwd=tmp_path,
+    done = subprocess.run([sys.executable, LAUNCHER, "gdb", *words(image, walk, "--commands", commands)], cwd=tmp_path,
                           text=True, capture_output=True, check=False, env=environment())
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"^\d+\s+int main\(", done.stdout, re.MULTILINE), done.stdout
@@ -125,13 +125,13 @@ def test_a_command_that_fails(image, walk, tmp_path):
 
 
 class Terminal:
-    """gdb.py at a terminal, and a person before it."""
+    """fixel gdb at a terminal, and a person before it."""
 
     def __init__(self, folder, *arguments):
         self.ours, theirs = pty.openpty()
         self.seen = ""
         self.process = subprocess.Popen(
-            [sys.executable, ROOT / "tools" / "gdb.py", *map(str, arguments)], stdin=theirs, stdout=theirs,
+            [sys.executable, LAUNCHER, "gdb", *map(str, arguments)], stdin=theirs, stdout=theirs,
             stderr=theirs, start_new_session=True, cwd=ROOT,
             env=environment(TMPDIR=str(folder), TERM="dumb", HOME=str(folder)),
             preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0))

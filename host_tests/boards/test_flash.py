@@ -14,8 +14,9 @@ import time
 
 import pytest
 
-from board_programs import BOARD, ROOT, built, fake_qemu, scene_bytes
-from fixel.board import emulator, firmware, flash, qemu
+from board_programs import BOARD, built, fake_qemu, scene_bytes
+from conftest import LAUNCHER
+from fixel.board import emulator, firmware, flash_memory, qemu
 from fixel.base.errors import ToolError
 
 
@@ -40,7 +41,7 @@ def refuse(image, *arguments):
     """The sentence of a refusal; nothing may have been written."""
     before = image.read_bytes() if image.exists() else None
     with pytest.raises(ToolError) as caught:
-        flash.flash(*arguments, image)
+        flash_memory.flash(*arguments, image)
     assert (image.read_bytes() if image.exists() else None) == before
     if image.parent.exists():
         assert [path.name for path in image.parent.iterdir()] == ([image.name] if before is not None else [])
@@ -60,7 +61,7 @@ def moved(elf, target, address):
 
 
 def test_what_is_written(elf, scene, image):
-    result = flash.flash(BOARD, elf, scene, image)
+    result = flash_memory.flash(BOARD, elf, scene, image)
     data = image.read_bytes()
     program = firmware.load(elf)
     assert len(data) == program.flash_size == result.verified
@@ -78,7 +79,7 @@ def test_only_touched_sectors_are_erased(elf, scene, image):
     image.parent.mkdir()
     old = bytearray(b"\x00" * program.flash_size)
     image.write_bytes(old)
-    result = flash.flash(BOARD, elf, scene, image)
+    result = flash_memory.flash(BOARD, elf, scene, image)
     data = image.read_bytes()
     (sector,) = set(program.sectors)
     used = sum(len(content) for _, content in program.segments)
@@ -109,7 +110,7 @@ def test_sectors_of_different_sizes(elf, scene, image, tmp_path):
     image.write_bytes(b"\0" * program.flash_size)
     used = sum(len(content) for _, content in program.segments)
     assert used <= 16384
-    assert flash.flash(BOARD, uneven, scene, image).sectors_erased == (16384, 131072)
+    assert flash_memory.flash(BOARD, uneven, scene, image).sectors_erased == (16384, 131072)
     data = image.read_bytes()
     assert data[used:16384] == b"\xff" * (16384 - used) and data[16384] == 0
     base = program.scene_base
@@ -121,7 +122,7 @@ def test_a_program_over_sectors_of_different_sizes(elf):
     program = dataclasses.replace(
         firmware.load(elf), sectors=(16384,) * 4 + (65536,) + (131072,) * 31, flash_base=0x08000000,
         scene_base=0x08080000, segments=((0x08000000 + 3 * 16384 - 4, b"\x11" * (16384 + 8)),))
-    data, erased = flash.program_flash(program, b"\x22" * 131073, b"\0" * program.flash_size)
+    data, erased = flash_memory.program_flash(program, b"\x22" * 131073, b"\0" * program.flash_size)
     assert erased == (16384, 16384, 65536, 131072, 131072)
     assert data[32767] == 0 and data[32768:49148] == b"\xff" * 16380 and data[49148:65540] == b"\x11" * 16392
     assert data[65540:131072] == b"\xff" * 65532 and data[131072:0x80000] == bytes(0x80000 - 131072)
@@ -141,10 +142,10 @@ def test_a_map_of_sectors_that_cannot_be(elf, scene, image, tmp_path, runs, word
 
 
 def test_a_second_scene_replaces_the_first(elf, scene, image, tmp_path):
-    flash.flash(BOARD, elf, scene, image)
+    flash_memory.flash(BOARD, elf, scene, image)
     other = tmp_path / "other.fxls"
     other.write_bytes(scene_bytes(200))
-    flash.flash(BOARD, elf, other, image)
+    flash_memory.flash(BOARD, elf, other, image)
     base = firmware.load(elf).scene_base
     assert image.read_bytes()[base:base + 400] == other.read_bytes() + b"\xff" * 200
 
@@ -215,7 +216,7 @@ def test_a_scene_that_is_not_one(elf, scene, image, spoil, words):
 
 def test_a_scene_that_just_fits(elf, scene, image):
     scene.write_bytes(scene_bytes(3584 * 1024))
-    assert flash.flash(BOARD, elf, scene, image).parts[1].room == 3584 * 1024
+    assert flash_memory.flash(BOARD, elf, scene, image).parts[1].room == 3584 * 1024
 
 
 def test_a_scene_that_is_not_there(elf, image, tmp_path):
@@ -245,22 +246,22 @@ def test_a_file_of_3_gib_is_refused_unread(elf, scene, tmp_path, little_memory):
     with pytest.raises(MemoryError):
         huge.read_bytes()
     with pytest.raises(ToolError, match="3221225472 bytes, 4194304 expected"):
-        flash.flash(BOARD, elf, scene, huge)
+        flash_memory.flash(BOARD, elf, scene, huge)
     with pytest.raises(ToolError, match="3221225472 bytes, 4194304 expected"):
         emulator.run(BOARD, huge, elf, tmp_path / "dump")
     with pytest.raises(ToolError, match="huge.bin"):
-        flash.flash(BOARD, elf, huge, tmp_path / "board.bin")
+        flash_memory.flash(BOARD, elf, huge, tmp_path / "board.bin")
     assert [path.name for path in tmp_path.iterdir() if path != scene] == [huge.name]
 
 
 def test_an_image_that_cannot_be_written(elf, scene, tmp_path):
     (tmp_path / "file").write_bytes(b"")
     with pytest.raises(ToolError, match="cannot be written: Not a directory"):
-        flash.flash(BOARD, elf, scene, tmp_path / "file" / "board.bin")
+        flash_memory.flash(BOARD, elf, scene, tmp_path / "file" / "board.bin")
 
 
 def test_a_failed_verification_leaves_the_old_image(elf, scene, image, monkeypatch):
-    flash.flash(BOARD, elf, scene, image)
+    flash_memory.flash(BOARD, elf, scene, image)
     scene.write_bytes(scene_bytes(800))
     real = qemu.read_memory
 
@@ -274,7 +275,7 @@ def test_a_failed_verification_leaves_the_old_image(elf, scene, image, monkeypat
 
 
 def test_missing_qemu_leaves_the_old_image(elf, scene, image, monkeypatch, tmp_path):
-    flash.flash(BOARD, elf, scene, image)
+    flash_memory.flash(BOARD, elf, scene, image)
     monkeypatch.setenv("PATH", str(tmp_path))
     scene.write_bytes(scene_bytes(800))
     assert "apt-get install qemu-system-arm" in refuse(image, BOARD, elf, scene)
@@ -282,11 +283,11 @@ def test_missing_qemu_leaves_the_old_image(elf, scene, image, monkeypatch, tmp_p
 
 @pytest.mark.parametrize("number", ["INT", "KILL"])
 def test_an_interrupted_flash_leaves_the_old_image(elf, scene, image, tmp_path, number):
-    flash.flash(BOARD, elf, scene, image)
+    flash_memory.flash(BOARD, elf, scene, image)
     before = image.read_bytes()
     scene.write_bytes(scene_bytes(800))
     path = fake_qemu(tmp_path / "bin", f"touch {tmp_path}/started; exec sleep 20")
-    process = subprocess.Popen([sys.executable, ROOT / "tools" / "flash.py", "--board", BOARD, "--elf", elf,
+    process = subprocess.Popen([sys.executable, LAUNCHER, "flash", "--board", BOARD, "--elf", elf,
                                 "--scene", scene, "--image", image], env={**os.environ, "PATH": path},
                                stderr=subprocess.PIPE, text=True)
     while not (tmp_path / "started").exists():
@@ -302,7 +303,7 @@ def test_an_interrupted_flash_leaves_the_old_image(elf, scene, image, tmp_path, 
 
 
 def test_the_command(elf, scene, image):
-    command = [sys.executable, ROOT / "tools" / "flash.py", "--board", BOARD, "--elf", elf, "--scene", scene,
+    command = [sys.executable, LAUNCHER, "flash", "--board", BOARD, "--elf", elf, "--scene", scene,
                "--image", image]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
@@ -314,7 +315,7 @@ def test_the_command(elf, scene, image):
 
 
 def test_the_host_has_the_scene_for_an_image(scene, image):
-    result = flash.flash("host", built("host/walk"), scene, image)
+    result = flash_memory.flash("host", built("host/walk"), scene, image)
     assert image.read_bytes() == scene.read_bytes()
     assert result.verified == 400
 
@@ -322,4 +323,4 @@ def test_the_host_has_the_scene_for_an_image(scene, image):
 def test_a_program_without_content(elf):
     empty = dataclasses.replace(firmware.load(elf), segments=())
     with pytest.raises(ToolError, match="nothing to program"):
-        flash.check_program(empty)
+        flash_memory.check_program(empty)

@@ -13,11 +13,11 @@ import pytest
 import warm_start
 
 from board_programs import BOARD, ROOT, built, fake_qemu
-from conftest import environment, run_cli
+from conftest import LAUNCHER, environment, run_cli
 from fixel.scene import making
-from fixel.board import emulator, flash
+from fixel.board import emulator, flash_memory
 
-# tools/flash.py, which gets SIGKILL before its Nth line in the files that write the image.
+# fixel flash, which gets SIGKILL before its Nth line in the files that write the image.
 KILLED_AT_LINE = """
 import os, signal, sys
 at = int(sys.argv.pop(1))
@@ -32,7 +32,7 @@ def trace(frame, event, _):
             os.kill(os.getpid(), signal.SIGKILL)
     return trace
 sys.path.insert(0, "tools")
-import flash
+from fixel.board import flash
 from fixel.base.errors import run_main
 def main(argv):
     sys.settrace(trace)
@@ -49,7 +49,7 @@ signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
 resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 sys.path.insert(0, "tools")
-import flash
+from fixel.board import flash
 from fixel.base.errors import run_main
 run_main(flash.main)
 """
@@ -73,7 +73,7 @@ def scenes(tmp_path_factory):
 @pytest.fixture
 def image(tmp_path, walk, scenes):
     path = tmp_path / "flash" / "board.bin"
-    flash.flash(BOARD, walk, scenes[0], path)
+    flash_memory.flash(BOARD, walk, scenes[0], path)
     return path
 
 
@@ -83,7 +83,7 @@ def flash_command(walk, scene, image):
 
 def killed(driver, at, walk, scene, image):
     """A flash with a driver from above: its exit code."""
-    words = ["flash.py", at, *flash_command(walk, scene, image)]
+    words = ["fixel flash", at, *flash_command(walk, scene, image)]
     return warm_start.run([*map(str, words)], ROOT, environment(), driver).returncode
 
 
@@ -94,7 +94,7 @@ def boots_with(image, walk, folder):
 
 def test_killed_at_any_line(image, walk, scenes, tmp_path):
     old = image.read_bytes()
-    flash.flash(BOARD, walk, scenes[1], tmp_path / "new.bin")
+    flash_memory.flash(BOARD, walk, scenes[1], tmp_path / "new.bin")
     new = (tmp_path / "new.bin").read_bytes()
     assert old != new
     states = []     # whether it is the new image; one that equals an image that has booted boots too
@@ -134,7 +134,7 @@ def test_a_full_disk(image, walk, scenes):
     def limit():
         resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, 1 << 20))
 
-    done = subprocess.run([sys.executable, ROOT / "tools" / "flash.py", *flash_command(walk, scenes[1], image)],
+    done = subprocess.run([sys.executable, LAUNCHER, "flash", *flash_command(walk, scenes[1], image)],
                           capture_output=True, text=True, preexec_fn=limit, check=False)
     assert done.returncode == 2
     assert done.stderr == f"error: {image}: cannot be written: File too large; it is unchanged\n"
@@ -155,7 +155,7 @@ def test_a_cleaner_finds_no_file_before_it_is_locked(image, walk, scenes, monkey
         return handle
 
     monkeypatch.setattr(os, "open", make)
-    flash.flash(BOARD, walk, scenes[1], image)
+    flash_memory.flash(BOARD, walk, scenes[1], image)
     assert others[1].returncode == 0, others[1].stderr
     assert [path.name for path in image.parent.iterdir()] == [image.name]
 
@@ -165,12 +165,12 @@ def test_two_at_a_time_leave_each_other_alone(image, walk, scenes, tmp_path):
     go = tmp_path / "go"
     path = fake_qemu(tmp_path / "bin", f"touch {tmp_path}/started; while [ ! -e {go} ]; do sleep 0.05; done; "
                                        'exec "$REAL" "$@"')
-    slow = subprocess.Popen([sys.executable, ROOT / "tools" / "flash.py", *flash_command(walk, scenes[0], image)],
+    slow = subprocess.Popen([sys.executable, LAUNCHER, "flash", *flash_command(walk, scenes[0], image)],
                             env={**os.environ, "PATH": path}, stdout=subprocess.DEVNULL)
     while not (tmp_path / "started").exists():
         assert slow.poll() is None
         time.sleep(0.02)
-    flash.flash(BOARD, walk, scenes[1], image)
+    flash_memory.flash(BOARD, walk, scenes[1], image)
     assert boots_with(image, walk, tmp_path) == 3
     go.touch()
     assert slow.wait() == 0

@@ -10,7 +10,7 @@ from board_programs import EVERY_BOARD, made
 from conftest import CHECKOUT, run_cli, run_make, sampled
 
 from fixel.scene import making
-from fixel.board import controllers, dump, emulator, firmware, flash, wires
+from fixel.board import controllers, dump, emulator, firmware, flash_memory, wires
 
 SCENE = "examples/game/game.toml"
 SMALL = "128x64"
@@ -79,7 +79,7 @@ def test_every_board_plays_the_same_game_and_sends_it(tmp_path, image, board, sc
     elf = made(f"build/boards/{board}/game-on-{driver}{'' if board == firmware.HOST else '.elf'}", f"BOARD={board}",
                "PROGRAM=game", f"DRIVER={driver}")
     file, record = tmp_path / "board.fxld", tmp_path / "wires.bin"
-    flash.flash(board, elf, image(screen), tmp_path / "board.bin")
+    flash_memory.flash(board, elf, image(screen), tmp_path / "board.bin")
     emulator.run(board, tmp_path / "board.bin", elf, file, record=record)
     drawn = dump.read_dump(file)
     assert digest(drawn) == SHA256[screen]

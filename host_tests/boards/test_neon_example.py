@@ -8,11 +8,11 @@ from conftest import CHECKOUT
 from PIL import Image
 
 from fixel.base import picture
-from fixel.report import first_program
+from fixel.report import examples
 
 
 def test_the_picture_is_that_of_the_document(build):
-    pixels = first_program.draw_neon(build / "host" / "libfixel.a")
+    pixels = examples.draw_neon(build / "host" / "libfixel.a")
     shown = numpy.array(Image.open(CHECKOUT / "docs" / "neon.png").convert("RGB"))
     assert len(numpy.unique(pixels)) > 256  # more than a palette has
     assert numpy.array_equal(numpy.array(picture.rgb565_image(pixels)), shown)
@@ -25,9 +25,9 @@ def test_a_channel_of_a_picture_is_rounded_to_nearest():
 
 def test_it_compiles_for_a_small_core(tmp_path):
     subprocess.run(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", "-c",
-                    f"-I{CHECKOUT / 'lib' / 'include'}", str(first_program.NEON)], cwd=tmp_path, check=True)
+                    f"-I{CHECKOUT / 'lib' / 'include'}", str(examples.NEON)], cwd=tmp_path, check=True)
 
 
 def test_it_is_as_short_as_it_says():
-    lines = first_program.NEON.read_text(encoding="utf-8").splitlines()
+    lines = examples.NEON.read_text(encoding="utf-8").splitlines()
     assert len([line for line in lines if line.strip() and not line.startswith("/*")]) == 68

@@ -13,7 +13,7 @@ import time
 import pytest
 
 from board_programs import ROOT, built
-from conftest import assert_one_sentence, environment, run_cli
+from conftest import LAUNCHER, assert_one_sentence, environment, run_cli
 from fixel.scene import making
 from fixel.board import firmware, probe
 
@@ -106,7 +106,7 @@ def test_what_is_said_of_a_failure(scene, image, tmp_path, script, how, state):
 def test_an_interrupt_says_what_the_board_is_left_with(scene, image, tmp_path):
     script = f"trap 'exit 1' INT; {say('** Programming Started **')}; echo >&2; touch {tmp_path}/started; " \
              "while true; do sleep 0.05; done"
-    process = subprocess.Popen([sys.executable, ROOT / "tools" / "flash.py", *words(scene, image)],
+    process = subprocess.Popen([sys.executable, LAUNCHER, "flash", *words(scene, image)],
                                env=environment(PATH=fake_openocd(tmp_path / "bin", script)), text=True,
                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
     while not (tmp_path / "started").exists():

@@ -10,7 +10,7 @@ import pytest
 from elftools.elf.elffile import ELFFile
 
 from board_programs import BOARD, ROOT, built
-from fixel.board import emulator, ending, flash
+from fixel.board import emulator, ending, flash_memory
 from fixel.board.symbols import Symbols
 
 SOURCE = "firmware/faults/core_cases.c"
@@ -117,7 +117,7 @@ def image(tmp_path_factory, faults):
     folder = tmp_path_factory.mktemp("flash")
     from fixel.scene import making
     making.build(str(ROOT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"))
-    flash.flash(BOARD, faults, folder / "tiny.fxls", folder / "board.bin")
+    flash_memory.flash(BOARD, faults, folder / "tiny.fxls", folder / "board.bin")
     return folder / "board.bin"
 
 
@@ -125,12 +125,12 @@ def image(tmp_path_factory, faults):
                                         ("hang", 124), ("lockup", 134), ("reset", 1), ("mute", 1)])
 def test_with_what_a_tool_ends(image, faults, tmp_path, monkeypatch, capsys, case, code):
     """The program's own code where it has one."""
-    import boot  # tools/boot.py
+    from fixel.board import boot
     from fixel.base.errors import run_main
 
     real = emulator.run
     monkeypatch.setattr(boot, "run", lambda *arguments: real(*arguments, extra=[case]))
-    monkeypatch.setattr(sys, "argv", ["boot.py", "--board", BOARD, "--image", str(image), "--elf", str(faults),
+    monkeypatch.setattr(sys, "argv", ["fixel boot", "--board", BOARD, "--image", str(image), "--elf", str(faults),
                                       "--dump", str(tmp_path / "x.fxld"), "--timeout", "1"])
     with pytest.raises(SystemExit) as caught:
         run_main(boot.main)

@@ -7,7 +7,7 @@ import numpy
 import pytest
 from conftest import CHECKOUT
 
-from fixel.report import first_program
+from fixel.report import examples
 
 EXAMPLE = CHECKOUT / "examples" / "turn" / "main.c"
 FRAMES = 121    # a whole turn, and the first frame of the next
@@ -26,7 +26,7 @@ int show(const uint8_t *pixels)
 
 @pytest.fixture(name="folder")
 def fixture_folder(tmp_path):
-    first_program.write_scene(tmp_path)
+    examples.write_scene(tmp_path)
     (tmp_path / "show.c").write_text(SHOW, encoding="utf-8")
     return tmp_path
 

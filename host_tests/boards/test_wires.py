@@ -141,7 +141,7 @@ def test_one_wrong_pixel_is_a_frame_that_differs(tmp_path):
 
 def test_a_run_whose_wires_differ_fails(tmp_path, monkeypatch):
     """A driver that shows another frame than was drawn ends in FAIL, and exit code 1."""
-    import run as run_tool
+    from fixel.board import run as run_tool
     made("build/boards/host/walk-on-sh1106", "BOARD=host", "DRIVER=sh1106")
     monkeypatch.setattr(wires, "shown", lambda driver, pixels, palette: numpy.zeros((64, 128), numpy.uint16))
     code = run_tool.main(["--board", "host", "--scene", "scenes/tiny.toml", "--screen", "128x64", "--frames", "4",

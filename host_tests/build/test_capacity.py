@@ -84,7 +84,7 @@ def test_no_two_sources_have_one_name():
 
 def link(folder, source, objects, *options):
     (folder / "program.c").write_text(source, encoding="utf-8")
-    run_cli("scene", "export", "--c", ROOT / "examples/cube/cube.obj", "-o", folder / "cube_scene.h")
+    run_cli("export", "--c", ROOT / "examples/cube/cube.obj", "-o", folder / "cube_scene.h")
     return gcc(folder / "program.c", f"-I{folder}", *objects, *INCLUDES, *options, "-o",
                folder / "program")
 

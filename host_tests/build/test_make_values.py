@@ -10,9 +10,10 @@ import subprocess
 
 import pytest
 
-from conftest import CHECKOUT, environment, run_make
+from conftest import CHECKOUT, LAUNCHER, environment, run_make
 from fixel.base import make_variables, nearest
 
+LAUNCHED = str(LAUNCHER.relative_to(CHECKOUT))
 COMMANDS = make_variables.commands()
 # make itself compares these with the names that there are, and refuses any other value.
 CHECKED = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
@@ -68,7 +69,7 @@ def test_no_value_runs_and_each_reaches_the_tool(stand_in, tmp_path, command):
     done, called = stand_in(command, *(f"{name}={value}" for name, value in given.items()))
     assert done.returncode == 0, done.stderr
     assert not marker.exists(), given
-    (words, variables), = [each for each in called if each[0][:2] == ["tools/make.py", command]]
+    (words, variables), = [each for each in called if each[0][:3] == [LAUNCHED, "make", command]]
     assert not any("touch" in word for word in words)
     assert {name: variables[name] for name in given} == given
     for name, value in given.items():
@@ -120,7 +121,7 @@ def test_every_command_has_a_tool_or_is_known_to_have_none(stand_in):
     """So a new command cannot be forgotten above: each that has variables reads them from the environment."""
     for command in COMMANDS:
         done = run_make("-n", command, "MAKE=:") if not free(command) else None
-        assert done is None or (".venv/bin/python tools/" in done.stdout) == (command not in WITHOUT_TOOL), command
+        assert done is None or (f".venv/bin/python {LAUNCHED}" in done.stdout) == (command not in WITHOUT_TOOL), command
 
 
 # --- no recipe names a variable ---------------------------------------------------
@@ -128,7 +129,7 @@ def test_every_command_has_a_tool_or_is_known_to_have_none(stand_in):
 def test_no_recipe_names_a_users_variable():
     """But LIB_FLAGS, which make refuses where it is more than words."""
     named = re.compile(rf"\$\(({'|'.join(sorted(make_variables.names() - {'LIB_FLAGS'}))})[):]")
-    for file in [CHECKOUT / "Makefile", *CHECKOUT.glob("tools/*.mk"), *CHECKOUT.glob("*/*.mk"), *CHECKOUT.glob("*/*/*.mk")]:
+    for file in [CHECKOUT / "Makefile", *CHECKOUT.glob("tools/**/*.mk"), *CHECKOUT.glob("*/*.mk"), *CHECKOUT.glob("*/*/*.mk")]:
         for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
             if line.startswith("\t"):
                 assert not named.search(line), f"{file}:{number}: {line}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What tools/mutants.py takes for a mistake, and what it leaves alone."""
+"""What fixel mutants takes for a mistake, and what it leaves alone."""
 
 import pytest
 

@@ -105,6 +105,6 @@ def test_samples_reach_every_bug(root):
 
 
 def test_a_sample_of_seeded_bugs_is_caught(tmp_path):
-    done = run_cli("seeded_bugs", "--sample", SAMPLE, "--build", tmp_path)
+    done = run_cli("seeded-bugs", "--sample", SAMPLE, "--build", tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
     assert f"{SAMPLE} of {SAMPLE} bugs caught" in done.stdout + done.stderr

@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-import size as size_tool
+from fixel.bench import size as size_tool
 from fixel.bench import linked_size, stack
 
 CROSS = "arm-none-eabi-"

@@ -22,7 +22,7 @@ def inputs(target):
 @pytest.mark.parametrize("target", TARGETS)
 def test_corpus_runs_clean_and_the_answers_are_on_record(build, target):
     """Where the library answers otherwise on purpose: remove the lines of the record that the failure names, and call
-    tools/fuzz.py --add-records, which also adds those of new inputs."""
+    fixel fuzz --add-records, which also adds those of new inputs."""
     files, record = inputs(target), RECORDS / f"{target}.txt"
     assert len(files) > 10
     done = replayed(build, target, "--record", record, *files)
@@ -50,7 +50,7 @@ def replayed(build, target, *words):
 
 def test_corpus_reaches_the_branches_of_the_library(build, tmp_path):
     """branches.py says which branches count. Whoever adds code that no input reaches renews the corpus:
-    tools/fuzz.py --renew-corpus."""
+    fixel fuzz --renew-corpus."""
     programs = build / "host" / "fuzz"
     for target in TARGETS:
         branches.run(programs / f"branches_{target}", inputs(target), tmp_path)

@@ -9,10 +9,10 @@ from board_programs import built
 from conftest import CHECKOUT, run_cli, sampled
 import pytest
 
-import frame_hashes as hashes_tool
+import frozen_frames as hashes_tool
 from fixel.scene import making
-from fixel.board import dump, emulator, flash
-from fixel.check import frame_hashes
+from fixel.board import dump, emulator, flash_memory
+from fixel.check import frozen_frames
 
 MODELS = CHECKOUT.parent / "shared" / "models"
 OWN = sorted((CHECKOUT / "scenes").glob("*.toml"))
@@ -47,50 +47,50 @@ def fixture_scene(request, tmp_path_factory):
 
 def test_the_image_is_on_record_and_the_host_draws_it(build, scene, tmp_path):
     name, image = scene
-    records = frame_hashes.load()
-    key = frame_hashes.image_key(image)
+    records = frozen_frames.load()
+    key = frozen_frames.image_key(image)
     assert key in records, (f"no record of {name}'s image {key}: where the scene was changed on purpose, "
-                            "tools/frame_hashes.py adds one")
+                            "fixel frame-hashes adds one")
     drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
-    assert frame_hashes.difference(records[key], drawn) == ""
+    assert frozen_frames.difference(records[key], drawn) == ""
 
 
 @pytest.mark.parametrize("board, scene", ON_BOARDS, indirect=["scene"],
                          ids=lambda value: value if isinstance(value, str) else value.stem)
 def test_emulated_cores_draw_it(build, board, scene, tmp_path):
     _, image = scene
-    record = frame_hashes.load()[frame_hashes.image_key(image)]
+    record = frozen_frames.load()[frozen_frames.image_key(image)]
     elf = built(f"{board}/walk.elf")
-    flash.flash(board, elf, image, tmp_path / "flash.bin")
+    flash_memory.flash(board, elf, image, tmp_path / "flash.bin")
     out = tmp_path / "frames.fxld"
     emulator.run(board, tmp_path / "flash.bin", elf, out, timeout=TIMEOUT)
-    assert frame_hashes.difference(record, dump.read_dump(out)) == ""
+    assert frozen_frames.difference(record, dump.read_dump(out)) == ""
 
 
 def test_a_changed_pixel_or_counter_is_seen(build, tmp_path):
     image = tmp_path / "tiny.fxls"
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
-    record = frame_hashes.load()[frame_hashes.image_key(image)]
+    record = frozen_frames.load()[frozen_frames.image_key(image)]
     drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
     drawn.frames[3].counters["drawn"] += 1
-    assert frame_hashes.difference(record, drawn).startswith("counters are")
+    assert frozen_frames.difference(record, drawn).startswith("counters are")
     pixels = drawn.frames[5].pixels.copy()
     pixels[7, 9] ^= 1
     object.__setattr__(drawn.frames[5], "pixels", pixels)
-    assert frame_hashes.difference(record, drawn).startswith("frame 5 ")
+    assert frozen_frames.difference(record, drawn).startswith("frame 5 ")
 
 
 def test_the_tool_alters_no_record(build, tmp_path, monkeypatch):
     image = tmp_path / "tiny.fxls"
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
-    records = frame_hashes.load()
+    records = frozen_frames.load()
     assert hashes_tool.add(image, records, build, tmp_path) == "on record"
-    key = frame_hashes.image_key(image)
-    records[key] = {**records[key], "frames": ["0" * frame_hashes.DIGITS] * len(records[key]["frames"])}
+    key = frozen_frames.image_key(image)
+    records[key] = {**records[key], "frames": ["0" * frozen_frames.DIGITS] * len(records[key]["frames"])}
     with pytest.raises(hashes_tool.ToolError, match="frame 0"):
         hashes_tool.add(image, records, build, tmp_path)
 
 
 def test_wrong_usage_is_said():
-    done = run_cli("frame_hashes", "none.toml")
+    done = run_cli("frame-hashes", "none.toml")
     assert done.returncode == 2 and "none.toml" in done.stderr

@@ -15,7 +15,7 @@ EXPLAINED = 1 / 8192  # pixels from an edge: that of make run
 
 def built(scene, folder, *options):
     image = folder / f"{scene}.fxls"
-    made = run_cli("scene", "build", f"scenes/{scene}.toml", "-o", image, *options)
+    made = run_cli("build", f"scenes/{scene}.toml", "-o", image, *options)
     assert made.returncode == 0, made.stderr
     return image
 

@@ -34,7 +34,7 @@ keys = [{ position = [0, 0, 0], yaw = 20, frames = 3 }, { position = [1, 0.5, 0]
 
 def built(scene, folder, name="scene"):
     image = folder / f"{name}.fxls"
-    made = run_cli("scene", "build", scene, "-o", image)
+    made = run_cli("build", scene, "-o", image)
     assert made.returncode == 0, made.stderr
     return image
 

@@ -20,7 +20,7 @@ def fixture_found(request, build, tmp_path_factory):
     """A scene's name and what was counted, by distance or by a tree over all of it."""
     scene, tree = request.param
     image = tmp_path_factory.mktemp("hidden") / f"{scene}.fxls"
-    made = run_cli("scene", "build", pathlib.Path("scenes") / f"{scene}.toml", "-o", image,
+    made = run_cli("build", pathlib.Path("scenes") / f"{scene}.toml", "-o", image,
                    *(["--tree", "all"] if tree else []))
     assert made.returncode == 0, made.stderr
     done = subprocess.run([build / "host" / "hidden", image, "--frames", str(FRAMES), "--seed", "7",

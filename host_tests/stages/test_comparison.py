@@ -9,7 +9,7 @@ import types
 
 import pytest
 
-import clippers as clippers_tool
+from fixel.bench import clippers as clippers_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.scene import making
 from fixel.bench import clippers_page, clippers_plan, clippers_rows

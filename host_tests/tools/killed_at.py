@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs a command of the tools that is killed just before its N-th rename, unlink or link.
 
-    killed_at.py N tools/COMMAND.py ARGUMENT...      N = 0 counts them: the last line of stdout says how many there were
+    killed_at.py N tools/fixel/launcher.py COMMAND ARGUMENT...      N = 0 counts them: the last line of stdout says how many there were
 """
 
 import os

@@ -11,7 +11,7 @@ import numpy
 import pytest
 from elftools.elf.elffile import ELFFile
 
-import bench as bench_tool
+from fixel.bench import bench as bench_tool
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, bench_terrain, link_map
 from fixel.image import image
@@ -380,7 +380,7 @@ def compare(folder, before, after, *options):
     """bench-diff of two results."""
     for name, data in (("before.json", before), ("after.json", after)):
         (folder / name).write_text(json.dumps(data))
-    return run_cli("bench_diff", "--baseline", folder / "before.json", "--current", folder / "after.json", *options)
+    return run_cli("bench-diff", "--baseline", folder / "before.json", "--current", folder / "after.json", *options)
 
 
 def changed(baseline, factor, renderer="fixel", measure="instructions"):
@@ -426,7 +426,7 @@ def test_what_is_missing_and_what_is_new(tmp_path, baseline):
 def test_no_result_is_one_sentence(tmp_path, text, words):
     if text is not None:
         (tmp_path / "after.json").write_text(text)
-    assert_one_sentence(run_cli("bench_diff", "--current", tmp_path / "after.json"), words)
+    assert_one_sentence(run_cli("bench-diff", "--current", tmp_path / "after.json"), words)
 
 
 def test_accepting_renews_baseline_and_document(tmp_path, baseline):
@@ -434,11 +434,11 @@ def test_accepting_renews_baseline_and_document(tmp_path, baseline):
     (tmp_path / "now.json").write_text(json.dumps(changed(baseline, 1.0)))
     options = ["--accept", "--baseline", tmp_path / "baseline.json", "--current", tmp_path / "now.json",
                "--document", tmp_path / "performance.md"]
-    assert run_cli("bench_diff", *options).returncode == 0
+    assert run_cli("bench-diff", *options).returncode == 0
     assert json.loads((tmp_path / "baseline.json").read_text()) == baseline
     assert (tmp_path / "performance.md").read_text() == DOCUMENT.read_text(encoding="utf-8")
     (tmp_path / "now.json").write_text(json.dumps({**baseline, "left_out": ["m55"]}))
-    assert_one_sentence(run_cli("bench_diff", *options), "m55")
+    assert_one_sentence(run_cli("bench-diff", *options), "m55")
 
 
 def test_the_make_commands_are_there():

@@ -111,7 +111,7 @@ def test_the_defaults(monkeypatch):
 @pytest.mark.parametrize("option", ["--cpu-limit", "--memory-limit"])
 @pytest.mark.parametrize("text", ["0", "-1", "1_0", "٣", "nan", "9" * 5000, ""])
 def test_limits_that_are_none(tmp_path, option, text):
-    done = run_cli("scene", "build", CHECKOUT / "scenes" / "tiny.toml", "-o", tmp_path / "out", option, text)
+    done = run_cli("build", CHECKOUT / "scenes" / "tiny.toml", "-o", tmp_path / "out", option, text)
     assert_one_sentence(done, option, "must be a whole number from")
     assert not (tmp_path / "out").exists()
 

@@ -296,12 +296,12 @@ def test_what_cannot_have_a_tree_says_why():
 
 def test_the_command_says_what_it_did(tmp_path, checkout):
     out = tmp_path / "knot.fxls"
-    done = run_cli("scene", "build", checkout / "scenes/knot.toml", "-o", out, "--tree", "all")
+    done = run_cli("build", checkout / "scenes/knot.toml", "-o", out, "--tree", "all")
     assert done.returncode == 0, done.stderr
     assert "18 faces in" in done.stderr and "splits" in done.stderr and "deep" in done.stderr
-    done = run_cli("scene", "info", out)
+    done = run_cli("info", out)
     assert "tree" in done.stdout and "over object 1" in done.stdout
-    done = run_cli("scene", "build", checkout / "scenes/knot.toml", "-o", out, "--tree", "3")
+    done = run_cli("build", checkout / "scenes/knot.toml", "-o", out, "--tree", "3")
     assert done.returncode == 2 and "layers of the tree" in done.stderr
 
 

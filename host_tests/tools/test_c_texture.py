@@ -38,7 +38,7 @@ def noise(folder, width, height, clear=0.0):
 
 def made(folder, *options, compiler=("gcc", "-std=c11")):
     """(members of the record, texels) as a compiled program has them."""
-    done = run_cli("scene", "texture", folder / "noise.png", "-o", folder / "made.h", "--name", "wood", *options)
+    done = run_cli("texture", folder / "noise.png", "-o", folder / "made.h", "--name", "wood", *options)
     assert done.returncode == 0, done.stderr
     name = "main.cpp" if "++" in compiler[0] else "main.c"
     first, second = printed(compiled(folder, PRINTER, compiler=compiler, name=name)).splitlines()
@@ -96,7 +96,7 @@ def test_scaled(tmp_path):
     (("--levels", 10, "--size", "4x4"), ["from 1 to 9"]), (("--size", "4x4", "--name", "2x"), ["--name"])])
 def test_refused(tmp_path, options, words):
     Image.new("RGB", (100, 60)).save(tmp_path / "noise.png")
-    done = run_cli("scene", "texture", tmp_path / "noise.png", "-o", tmp_path / "made.h", *options)
+    done = run_cli("texture", tmp_path / "noise.png", "-o", tmp_path / "made.h", *options)
     assert_one_sentence(done, *words)
     assert not (tmp_path / "made.h").exists()
 
@@ -104,5 +104,5 @@ def test_refused(tmp_path, options, words):
 @pytest.mark.parametrize("content", [b"", b"\x89PNG\r\n\x1a\n" + b"\0" * 40, b"not an image"])
 def test_no_image(tmp_path, content):
     (tmp_path / "noise.png").write_bytes(content)
-    assert_one_sentence(run_cli("scene", "texture", tmp_path / "noise.png", "-o", tmp_path / "made.h"), "noise.png", "cannot be read")
-    assert_one_sentence(run_cli("scene", "texture", tmp_path / "none.png", "-o", tmp_path / "made.h"), "none.png")
+    assert_one_sentence(run_cli("texture", tmp_path / "noise.png", "-o", tmp_path / "made.h"), "noise.png", "cannot be read")
+    assert_one_sentence(run_cli("texture", tmp_path / "none.png", "-o", tmp_path / "made.h"), "none.png")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""make compare and tools/compare.py: the three exits, tolerance, JSON, pictures."""
+"""make compare and fixel compare: the three exits, tolerance, JSON, pictures."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, ru
 from PIL import Image
 from test_input_bounds import run_bounded
 
-import compare as compare_tool
+from fixel.report import compare as compare_tool
 from fixel.base import picture
 
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
@@ -176,7 +176,7 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path, kind, name):
     file = folder / name
     {"FIFO": lambda: os.mkfifo(file), "device": lambda: file.symlink_to("/dev/zero"), "folder": file.mkdir}[kind]()
     for path in ([folder] if name.endswith(".png") else []) + ([file] if kind != "folder" else []):
-        code, said = run_bounded("--a", path, "--b", path, tool="compare.py")
+        code, said = run_bounded("compare", "--a", path, "--b", path)
         assert code == 2 and f"{name}: is a {kind}; give a regular file" in said
 
 
@@ -188,7 +188,7 @@ def test_files_beyond_the_limit(tmp_path):
     for name, words in (("big.png", "limit of 67,108,864"), ("big.fxld", "limit of 1,073,741,824")):
         with (tmp_path / name).open("wb") as file:
             file.truncate((1 << 30) + 1)
-        code, said = run_bounded("--a", tmp_path / name, "--b", tmp_path / name, tool="compare.py")
+        code, said = run_bounded("compare", "--a", tmp_path / name, "--b", tmp_path / name)
         assert code == 2 and f"{name}: 1,073,741,825 bytes" in said and words in said
 
 
@@ -200,7 +200,7 @@ def test_pictures_of_too_many_pixels(tmp_path, width, height):
     bomb.write_bytes(bomb.read_bytes()[:8] + chunk(b"IHDR", head) + bomb.read_bytes()[33:])
     twice = made_png(tmp_path / "twice.png", 1, 1, more=chunk(b"IHDR", head))
     for file in (bomb, twice):
-        code, said = run_bounded("--a", file, "--b", file, tool="compare.py")
+        code, said = run_bounded("compare", "--a", file, "--b", file)
         assert code == 2 and "Warning" not in said and len(said.splitlines()) == 1
         if file == bomb or "cannot be read" not in said:
             assert f"{width}x{height} pixels are too many" in said and "4,096 a side and 8,388,608 together" in said
@@ -211,7 +211,7 @@ def test_pictures_of_as_many_pixels_as_there_may_be(tmp_path, width, height):
     a = made_png(tmp_path / "a.png", width, height, 8, 6, bytes(range(256)) * (width // 64))
     b = made_png(tmp_path / "b.png", width, height, 1, row=b"\xff" * (width // 8))
     out = tmp_path / "out"
-    code, said = run_bounded("--a", a, "--b", b, "--out", out, tool="compare.py")
+    code, said = run_bounded("compare", "--a", a, "--b", b, "--out", out)
     assert code == 1 and "of 8,388,608 pixels" in said
 
 
@@ -235,7 +235,7 @@ def test_a_png_without_pixels(tmp_path, width, height):
 def test_a_png_with_very_many_texts(tmp_path):
     profile = chunk(b"iCCP", b"n\0\0" + zlib.compress(bytes((1 << 20) - 1), 9))
     file = made_png(tmp_path / "texts.png", 4, 4, more=profile * 2000)
-    code, said = run_bounded("--a", file, "--b", file, tool="compare.py")
+    code, said = run_bounded("compare", "--a", file, "--b", file)
     assert code == 2 and "more than 64 chunks of compressed text" in said
 
 

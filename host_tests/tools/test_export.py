@@ -11,7 +11,7 @@ import pytest
 
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
-from fixel.bench import costs
+from fixel.bench import frame_costs
 from fixel.image import c_names, c_scene, image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
@@ -367,14 +367,14 @@ MODELS = [("plaza", "scenes/plaza.toml"), ("sphere", "scenes/w3.toml"), ("spin",
 
 def costs_of_memory(file, rows):
     """Instructions of a mean frame on a Cortex-M3 with each of the three sizes, by what the library does."""
-    scene, known = image.load(file), costs.load()["cores"]["m3"]
+    scene, known = image.load(file), frame_costs.load()["cores"]["m3"]
     band, taken = (rows or scene.height) * scene.width, []
     for size in (memory_needed.least, memory_needed.moderate, memory_needed.most):
         entries, words = divided(scene, size(scene))
         # Light and motions have memory of their own. The limit of 0 words is written 1 byte.
         limit = 4 * words * bool(rows) or 1
-        names, counts = costs.count(made("build/host/predict").parents[1], file, band, 0, 1 << 20, entries, limit, 6)
-        taken.append(costs.instructions(known, names, counts).mean())
+        names, counts = frame_costs.count(made("build/host/predict").parents[1], file, band, 0, 1 << 20, entries, limit, 6)
+        taken.append(frame_costs.instructions(known, names, counts).mean())
     return taken
 
 
@@ -427,7 +427,7 @@ def test_an_obj_is_seen_whole_by_the_eye_of_the_first_program(tmp_path):
     ("a\nb", ["--name a_b"]),
 ])
 def test_names_that_are_no_c_names_are_refused(tmp_path, name, words):
-    done = run_cli("scene", "export", "--c", CUBE, "-o", tmp_path / "x.h", f"--name={name}")
+    done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", f"--name={name}")
     assert done.returncode == 2 and "Traceback" not in done.stderr
     for word in ["error: the name", *words]:
         assert word in done.stderr
@@ -441,7 +441,7 @@ def test_a_name_that_is_proposed_is_taken():
 
 def test_a_file_whose_name_is_no_c_name_is_told_to_have_another(tmp_path):
     (tmp_path / "my model.obj").write_bytes(CUBE.read_bytes())
-    done = run_cli("scene", "export", "--c", tmp_path / "my model.obj", "-o", tmp_path / "x.h")
+    done = run_cli("export", "--c", tmp_path / "my model.obj", "-o", tmp_path / "x.h")
     assert_one_sentence(done, '"my model"', "--name my_model")
 
 
@@ -453,23 +453,23 @@ def test_a_file_whose_name_is_no_c_name_is_told_to_have_another(tmp_path):
     ([CUBE, "--screen", "5000x1"], ["5000x1"]),
 ])
 def test_nothing_is_written_where_something_is_wrong(tmp_path, arguments, words):
-    done = run_cli("scene", "export", "--c", *arguments, "-o", tmp_path / "x.h")
+    done = run_cli("export", "--c", *arguments, "-o", tmp_path / "x.h")
     assert_one_sentence(done, *words)
     assert not list(tmp_path.iterdir())
 
 
 def test_a_scene_image_has_its_screen_already(tmp_path):
     making.build(str(CUBE), str(tmp_path / "cube.fxls"))
-    done = run_cli("scene", "export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h", "--screen", "64x28")
+    done = run_cli("export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h", "--screen", "64x28")
     assert_one_sentence(done, "cube.fxls", "--screen", "already")
     (tmp_path / "cube.fxls").write_bytes(b"FXLS")
-    done = run_cli("scene", "export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h")
+    done = run_cli("export", "--c", tmp_path / "cube.fxls", "-o", tmp_path / "x.h")
     assert_one_sentence(done, "cube.fxls", "bytes")
 
 
 def test_a_place_where_nothing_can_be_written_is_told(tmp_path):
     (tmp_path / "x.h").mkdir()
-    done = run_cli("scene", "export", "--c", CUBE, "-o", tmp_path / "x.h")
+    done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h")
     assert_one_sentence(done, "x.h", "cannot be written")
 
 

@@ -4,19 +4,17 @@
 import base64
 import json
 import os
-import pathlib
 import subprocess
 import sys
 
 import pytest
-from conftest import run_make
+from conftest import LAUNCHER, run_make
 
 from fixel.base import bounded, make_variables
 from fixel.base.errors import ToolError
 from fixel.scene import making
 from model_files import gltf, png, stl
 
-TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 OBJ = "mtllib {}\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n"
 MTL = "newmtl red\nKd 1 0 0\n"
 PATH = "[path]\nkeys = [{{ position = [0, 0, -4] }}]\n"
@@ -113,16 +111,16 @@ def test_the_named_file_may_be_a_link(tmp_path):
 @pytest.mark.parametrize("command", [["build"], ["export", "--c"]])
 def test_the_option_of_the_commands(tmp_path, command):
     named = place(tmp_path, "model", "dots")
-    words = [sys.executable, TOOLS / "scene.py", *command, named.name, "-o", tmp_path / "out"]
+    words = [sys.executable, LAUNCHER, *command, named.name, "-o", tmp_path / "out"]
     refused = subprocess.run(words, cwd=named.parent, capture_output=True, text=True, check=False)
     assert refused.returncode == 2 and "is outside ., the folder of s.toml" in refused.stderr, refused.stderr
     assert not os.path.exists(tmp_path / "out")
     subprocess.run([*words, "--allow-outside"], cwd=named.parent, capture_output=True, check=True)
 
 
-@pytest.mark.parametrize("tool", ["run", "view", "flash", "predict", "report", "wire", "screen"])
-def test_each_command_that_compiles_has_the_option(tool):
-    said = subprocess.run([sys.executable, TOOLS / f"{tool}.py", "--help"], capture_output=True, text=True, check=True).stdout
+@pytest.mark.parametrize("command", ["run", "view", "flash", "predict", "report", "wire", "screen"])
+def test_each_command_that_compiles_has_the_option(command):
+    said = subprocess.run([sys.executable, LAUNCHER, command, "--help"], capture_output=True, text=True, check=True).stdout
     assert "--allow-outside" in said
 
 

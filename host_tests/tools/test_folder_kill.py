@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from conftest import CHECKOUT, environment
+from conftest import CHECKOUT, LAUNCHER, environment
 from model_files import png
 
 DRIVER = pathlib.Path(__file__).with_name("killed_at.py")
@@ -36,12 +36,12 @@ def run(*words):
 
 
 def run_tool(command, *words):
-    return run(home / "tools" / f"{command}.py", *words)
+    return run(home / LAUNCHER.relative_to(CHECKOUT), command, *words)
 
 
 def killed_at(number, command, *words):
     """A command that is killed before its N-th call."""
-    return run(DRIVER, str(number), home / "tools" / f"{command}.py", *words)
+    return run(DRIVER, str(number), home / LAUNCHER.relative_to(CHECKOUT), command, *words)
 
 
 def frames(folder, count, colour):

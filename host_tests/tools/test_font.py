@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""tools/font.py: BDF files into headers that compilers take and that draw what the file shows, and refusals in one
+"""fixel font: BDF files into headers that compilers take and that draw what the file shows, and refusals in one
 sentence."""
 
 import pathlib
@@ -9,7 +9,7 @@ import tempfile
 import pytest
 from hypothesis import given, strategies as st
 
-import font as font_tool
+from fixel.image import font as font_tool
 from board_programs import ROOT
 from conftest import assert_one_sentence, run_cli
 from fixel.image import bdf

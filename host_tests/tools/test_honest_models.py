@@ -27,7 +27,7 @@ MODELS = {f"sphere of {count:,} faces, {suffix}": ((lambda folder, suffix=suffix
 @pytest.mark.parametrize("name", sampled("honest models", MODELS, 3))
 def test_a_large_model_is_compiled(tmp_path, name):
     make, faces, objects = MODELS[name]
-    done = run_cli("scene", "build", make(tmp_path), "-o", tmp_path / "out.fxls")
+    done = run_cli("build", make(tmp_path), "-o", tmp_path / "out.fxls")
     assert done.returncode == 0, done.stderr[-2000:]
     made = image.load(tmp_path / "out.fxls")
     assert len(made.objects) == objects and max(len(model.faces) for model in made.models) <= FACES_MAX
@@ -41,7 +41,7 @@ def test_there_are_eleven():
 def test_a_model_that_turns_is_not_divided(tmp_path):
     honest_models.terrain(tmp_path)
     (tmp_path / "scene.toml").write_text('[[objects]]\nmodel = "model.obj"\nfit = 9\nturn = 3\n')
-    done = run_cli("scene", "build", tmp_path / "scene.toml", "-o", tmp_path / "out.fxls")
+    done = run_cli("build", tmp_path / "scene.toml", "-o", tmp_path / "out.fxls")
     assert done.returncode == 2 and "200000 faces; a model has at most 65535 of each, so split it" in done.stderr, done.stderr
 
 

@@ -15,11 +15,11 @@ import sys
 
 import pytest
 
-from conftest import CHECKOUT, TOOLS, environment
+from conftest import CHECKOUT, LAUNCHER, environment
 from model_files import TETRAHEDRON, glb, gltf, png, stl
 from test_checkers import sealed
 from test_model_files import big_png, grid
-from fixel.board import flash
+from fixel.board import flash_memory
 from fixel.image import image
 from fixel.model import obj
 from fixel.scene import making, toml_table
@@ -36,10 +36,10 @@ MEMORY = 1024       # MiB
 COMPILING = ("build", "export", "texture")
 
 
-def run_bounded(*arguments, tool="scene.py", cpu=CPU):
-    """A tool with these arguments, under limits: code and words."""
+def run_bounded(*arguments, cpu=CPU):
+    """A command with these arguments, under limits: code and words."""
     limits = ["--cpu-limit", cpu, "--memory-limit", MEMORY] if arguments[0] in COMPILING else []
-    command = [sys.executable, str(TOOLS / tool), *map(str, [*arguments, *limits])]
+    command = [sys.executable, str(LAUNCHER), *map(str, [*arguments, *limits])]
 
     def limit():
         """The tool itself does little more than its process that compiles."""
@@ -220,7 +220,7 @@ def test_an_image_of_more_bytes_than_the_limit_is_not_flashed(tmp_path):
     with file.open("r+b") as image:
         image.truncate(8 << 30)
     with pytest.raises(ToolError, match="the limit of"):
-        flash.read_scene(file)
+        flash_memory.read_scene(file)
 
 
 def waves(cells):
@@ -333,7 +333,7 @@ BDF_GLYPH = "STARTCHAR a\nENCODING {}\nDWIDTH 8 0\nBBX 8 2 0 0\nBITMAP\nFF\n81\n
 def test_fonts_of_any_size(tmp_path, text, code, words):
     file, out = tmp_path / "font.bdf", tmp_path / "font.h"
     file.write_text(BDF_HEAD + text + "ENDFONT\n")
-    found, said = run_bounded(file, "-o", out, tool="font.py")
+    found, said = run_bounded("font", file, "-o", out)
     assert found == code and words in said and len(said) < 500 + len(str(out)), said[-900:]
     assert out.exists() == (code == 0)
 
@@ -344,5 +344,5 @@ def test_a_font_beyond_the_limit_or_no_file(tmp_path):
         big.truncate((16 << 20) + 1)
     os.mkfifo(fifo)
     for path, words in ((file, "limit of 16,777,216"), (fifo, "is a FIFO"), ("/dev/zero", "is a device")):
-        code, said = run_bounded(path, "-o", tmp_path / "font.h", tool="font.py")
+        code, said = run_bounded("font", path, "-o", tmp_path / "font.h")
         assert code == 2 and words in said and not (tmp_path / "font.h").exists()

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from conftest import CHECKOUT, TOOLS, environment
+from conftest import CHECKOUT, LAUNCHER, environment
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
 from test_input_bounds import PATH, assert_ended, run_bounded
 from fixel.model import gltf_check, model_file, sources
@@ -288,7 +288,7 @@ def test_names_that_are_no_text_are_printed_escaped(tmp_path, arguments):
     write(tmp_path, t_png=png([[(1, 2, 3)] * 4] * 4))
     (tmp_path / f"{name}.toml").write_text(PATH + '[[objects]]\nsolid = "box"\n')
     (tmp_path / f"{name}.obj").write_text(CORNERS + FACES)
-    command = [sys.executable, str(TOOLS / "scene.py")]
+    command = [sys.executable, str(LAUNCHER)]
     subprocess.run([*command, "build", "scenes/tiny.toml", "-o", str(tmp_path / f"{name}.fxls")], cwd=CHECKOUT, check=True,
                    capture_output=True)
     done = subprocess.run([*command, *(each.format(name=name) for each in arguments)], cwd=tmp_path, capture_output=True,

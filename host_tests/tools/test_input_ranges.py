@@ -64,10 +64,10 @@ def test_what_overlaps_is_not_copied(tmp_path, kind):
 
 @pytest.mark.parametrize("name", ["room", "grove"])
 def test_an_image_of_the_tools_is_exported(tmp_path, name):
-    built = run_cli("scene", "build", CHECKOUT / "scenes" / f"{name}.toml", "-o", tmp_path / "a.fxls")
+    built = run_cli("build", CHECKOUT / "scenes" / f"{name}.toml", "-o", tmp_path / "a.fxls")
     assert built.returncode == 0, built.stderr
     for source, out in ((tmp_path / "a.fxls", "image.h"), (CHECKOUT / "scenes" / f"{name}.toml", "scene.h")):
-        done = run_cli("scene", "export", "--c", source, "--name", "a", "-o", tmp_path / out)
+        done = run_cli("export", "--c", source, "--name", "a", "-o", tmp_path / out)
         assert done.returncode == 0, done.stderr
     first, second = ((tmp_path / out).read_text().splitlines() for out in ("image.h", "scene.h"))
     assert [line for line in first if "_texels" in line or "_sprite" in line] == \
@@ -136,7 +136,7 @@ def test_an_ordinary_picture_becomes_a_texture(tmp_path):
 def test_what_is_no_picture_is_refused_in_the_same_words_each_time(tmp_path):
     picture = tmp_path / "words.png"
     picture.write_text("not a picture")
-    first, second = (run_cli("scene", "texture", picture, "-o", tmp_path / "out.h") for _ in range(2))
+    first, second = (run_cli("texture", picture, "-o", tmp_path / "out.h") for _ in range(2))
     assert first.returncode == 2 and without_progress(first.stderr) == without_progress(second.stderr)
     assert "words.png: this image cannot be read; it must be" in first.stderr
 

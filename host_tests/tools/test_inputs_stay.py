@@ -10,7 +10,7 @@ from board_programs import BOARD, built
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from fixel.base import output, reading
 from fixel.scene import making
-from fixel.board import flash
+from fixel.board import flash_memory
 from fixel.base.errors import ToolError
 from model_files import gltf, png
 
@@ -77,9 +77,9 @@ NAMED = ["scene.toml", "wall.png", "tree.png", "m.obj", "m.mtl", "p.png", "m.stl
 
 def test_the_control(folder):
     """The commands of this file do their work where the output is another file."""
-    for command in (["scene", "build", folder / "scene.toml", "-o", folder / "out"],
-                    ["scene", "export", "--c", "--name", "x", folder / "m.obj", "-o", folder / "out"],
-                    ["scene", "texture", folder / "p.png", "-o", folder / "out"],
+    for command in (["build", folder / "scene.toml", "-o", folder / "out"],
+                    ["export", "--c", "--name", "x", folder / "m.obj", "-o", folder / "out"],
+                    ["texture", folder / "p.png", "-o", folder / "out"],
                     ["font", folder / "font.bdf", "-o", folder / "out"]):
         done = run_cli(*command)
         assert done.returncode == 0, done.stderr
@@ -89,24 +89,24 @@ def test_the_control(folder):
 @pytest.mark.parametrize("name", NAMED)
 def test_build(folder, name):
     before = contents(folder)
-    assert_refused(run_cli("scene", "build", folder / "scene.toml", "-o", folder / name), folder, before, name)
+    assert_refused(run_cli("build", folder / "scene.toml", "-o", folder / name), folder, before, name)
 
 
 @pytest.mark.parametrize("name", ["m.obj", "m.mtl", "p.png"])
 def test_export(folder, name):
     before = contents(folder)
-    done = run_cli("scene", "export", "--c", "--name", "x", folder / "m.obj", "-o", folder / name)
+    done = run_cli("export", "--c", "--name", "x", folder / "m.obj", "-o", folder / name)
     assert_refused(done, folder, before, name)
 
 
 def test_export_of_an_image(folder):
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(folder / "tiny.fxls"), 2)
     before = contents(folder)
-    done = run_cli("scene", "export", "--c", folder / "tiny.fxls", "-o", folder / "tiny.fxls")
+    done = run_cli("export", "--c", folder / "tiny.fxls", "-o", folder / "tiny.fxls")
     assert_refused(done, folder, before, "tiny.fxls")
 
 
-@pytest.mark.parametrize("command", [["scene", "texture", "p.png"], ["font", "font.bdf"]])
+@pytest.mark.parametrize("command", [["texture", "p.png"], ["font", "font.bdf"]])
 def test_texture_and_font(folder, command):
     before, (*words, name) = contents(folder), command
     assert_refused(run_cli(*words, folder / name, "-o", folder / name), folder, before, name)
@@ -116,7 +116,7 @@ def test_texture_and_font(folder, command):
 def test_another_name_of_the_input(folder, make):
     make(folder / "m.obj", folder / "other")
     before = contents(folder)
-    assert_refused(run_cli("scene", "build", folder / "scene.toml", "-o", folder / "other"), folder, before, "other")
+    assert_refused(run_cli("build", folder / "scene.toml", "-o", folder / "other"), folder, before, "other")
 
 
 @pytest.mark.parametrize("name", ["frame_diff.png", "compare.json"])
@@ -136,7 +136,7 @@ def test_compare(folder, name):
 def image(tmp_path_factory):
     path = tmp_path_factory.mktemp("flash")
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(path / "tiny.fxls"), 2)
-    flash.flash(BOARD, built(f"{BOARD}/walk.elf"), path / "tiny.fxls", path / "board.bin")
+    flash_memory.flash(BOARD, built(f"{BOARD}/walk.elf"), path / "tiny.fxls", path / "board.bin")
     return path / "board.bin"
 
 

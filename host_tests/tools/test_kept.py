@@ -10,9 +10,9 @@ import subprocess
 import sys
 
 import pytest
-from conftest import CHECKOUT, TOOLS, environment, run_cli
+from conftest import CHECKOUT, LAUNCHER, TOOLS, environment, run_cli
 
-import run as run_tool
+from fixel.board import run as run_tool
 from fixel.base import kept
 from fixel.board import qemu
 from fixel.board.programs import HostPrograms
@@ -139,7 +139,7 @@ def test_a_folder_that_cannot_be_written_fails_no_run(folder):
 
 
 def test_two_runs_at_once_and_a_third(folder):
-    command = [sys.executable, str(TOOLS / "run.py"), "--board", "host", "--scene", SCENE, "--frames", "2",
+    command = [sys.executable, str(LAUNCHER), "run", "--board", "host", "--scene", SCENE, "--frames", "2",
                "--build", str(folder), "--out"]
     running = [subprocess.Popen([*command, str(folder.parent / f"out{number}")], cwd=CHECKOUT, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, text=True, env=environment(FIXEL_KEPT="", CI=""))
@@ -234,7 +234,7 @@ def test_a_command_that_is_killed_leaves_whole_entries(allowed, tmp_path):
                f"kept.Kept({str(tmp_path)!r}).obtain('thing', [1], [file], lambda: file.write_bytes(b'x' * 100))\n")
     assert subprocess.run([sys.executable, "-c", program], cwd=CHECKOUT, check=False).returncode == -9
     assert not entries(tmp_path) and len(list((tmp_path / "kept").glob(".fixel-kept-*"))) == 1
-    run_cli("scene", "--help")
+    run_cli("--help")
     assert not list((tmp_path / "kept").glob(".fixel-kept-*"))
     assert obtain(kept.Kept(tmp_path), 1, 100, tmp_path) == 1 and len(entries(tmp_path)) == 1
 

@@ -4,13 +4,14 @@
 import os
 
 import pytest
+import warm_start
 
-import boot as boot_tool
-import flash as flash_tool
-import pictures as pictures_tool
-import run as run_tool
+from fixel.board import boot as boot_tool
+from fixel.board import flash as flash_tool
+from fixel.report import pictures as pictures_tool
+from fixel.board import run as run_tool
 from board_programs import BOARD, scene_bytes
-from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, without_progress
+from conftest import CHECKOUT, assert_one_sentence, dump_bytes, environment, random_frames, run_cli, without_progress
 from fixel.base import output, progress
 from fixel.base.errors import ToolError, one_line
 from fixel.board.symbols import Symbols
@@ -24,7 +25,7 @@ TINY = CHECKOUT / "scenes" / "tiny.toml"
 
 @pytest.fixture
 def fifo(tmp_path):
-    """One that nobody writes into. A test that waits for it sleeps until tools/test.py ends it."""
+    """One that nobody writes into. A test that waits for it sleeps until fixel test ends it."""
     os.mkfifo(tmp_path / "fifo")
     return tmp_path / "fifo"
 
@@ -56,14 +57,14 @@ def assert_shown(done, code=0):
 
 def test_names_of_scenes(tmp_path):
     file = tmp_path / f"{ODD}.fxls"
-    assert_shown(run_cli("scene", "build", TINY, "-o", file, "--frames", 2))
-    assert_shown(run_cli("scene", "info", file))
-    assert_shown(run_cli("scene", "export", "--c", "--name", "tiny", file, "-o", tmp_path / f"{ODD}.h"))
+    assert_shown(run_cli("build", TINY, "-o", file, "--frames", 2))
+    assert_shown(run_cli("info", file))
+    assert_shown(run_cli("export", "--c", "--name", "tiny", file, "-o", tmp_path / f"{ODD}.h"))
 
 
 def test_names_of_textures_and_fonts(tmp_path):
     (tmp_path / "a.ppm").write_bytes(b"P6 1 1 255\n123")
-    assert_shown(run_cli("scene", "texture", tmp_path / "a.ppm", "-o", tmp_path / f"{ODD}.h"))
+    assert_shown(run_cli("texture", tmp_path / "a.ppm", "-o", tmp_path / f"{ODD}.h"))
     (tmp_path / "a.bdf").write_text("STARTFONT 2.1\nFONTBOUNDINGBOX 3 3 0 0\nSTARTPROPERTIES 2\nFONT_ASCENT 3\nFONT_DESCENT 0\n"
                                     "ENDPROPERTIES\nCHARS 1\nSTARTCHAR a\nENCODING 65\nDWIDTH 4 0\nBBX 1 1 0 0\nBITMAP\n80\n"
                                     "ENDCHAR\nENDFONT\n")
@@ -100,8 +101,8 @@ def test_labels_of_progress(capsys):
     assert capsys.readouterr().err == f"{SHOWN}: 1\n"
 
 
-@pytest.mark.parametrize("verb, words", [("scene", ["info", f"{ODD}.fxls"]), ("scene", ["build", f"{ODD}.toml", "-o", "out"]),
-                                         ("scene", ["build", f"{ODD}/x.obj", "-o", "out"]),
+@pytest.mark.parametrize("verb, words", [("info", [f"{ODD}.fxls"]), ("build", [f"{ODD}.toml", "-o", "out"]),
+                                         ("build", [f"{ODD}/x.obj", "-o", "out"]),
                                          ("font", [f"{ODD}.bdf", "--name", "a", "-o", "out"]),
                                          ("pictures", ["--dumps", ODD, "--frames", "1", "--out", "out"])])
 def test_an_error_with_a_name_is_one_line(verb, words):
@@ -116,14 +117,14 @@ def test_the_lines_of_a_compiler_stay(tmp_path):
               "def main(argv): raise errors.ToolError(argv[0], words='why\\nand where\\x1b')\n"
               "errors.run_main(main)\n")
     (tmp_path / "fail.py").write_text(script)
-    done = run_cli(tmp_path / "fail", "a\nb")
+    done = warm_start.run([str(tmp_path / "fail.py"), "a\nb"], CHECKOUT, environment())
     assert (done.returncode, done.stderr) == (2, "error: a\\nb\nwhy\nand where\\x1b\n")
 
 
 def test_a_name_is_told_whole():
     """One from the command line: a person gave it."""
     assert one_line("x" * 200) == "x" * 200 and one_line(ODD) == SHOWN
-    assert_one_sentence(run_cli("scene", "info", "x" * 200), "x" * 200)
+    assert_one_sentence(run_cli("info", "x" * 200), "x" * 200)
 
 
 # --- what is given for something else -------------------------------------------------

@@ -12,7 +12,7 @@ from board_programs import BOARD, built
 from conftest import CHECKOUT, TOOLS, assert_one_sentence, run_cli
 from fixel.base import output
 from fixel.scene import making
-from fixel.board import emulator, flash
+from fixel.board import emulator, flash_memory
 from fixel.base.errors import ToolError
 
 
@@ -136,15 +136,15 @@ def scene(tmp_path_factory):
 @pytest.fixture(scope="module")
 def image(tmp_path_factory, scene):
     path = tmp_path_factory.mktemp("flash") / "board.bin"
-    flash.flash(BOARD, built(f"{BOARD}/walk.elf"), scene, path)
+    flash_memory.flash(BOARD, built(f"{BOARD}/walk.elf"), scene, path)
     return path
 
 
 def commands(scene, image, out):
     """Commands that write a file, by name."""
     elf = built(f"{BOARD}/walk.elf")
-    return {"build": ["scene", "build", scene.with_name("tiny.toml"), "-o", out],
-            "export": ["scene", "export", "--c", "--name", "tiny", scene, "-o", out],
+    return {"build": ["build", scene.with_name("tiny.toml"), "-o", out],
+            "export": ["export", "--c", "--name", "tiny", scene, "-o", out],
             "flash": ["flash", "--board", BOARD, "--elf", elf, "--scene", scene, "--image", out],
             "boot": ["boot", "--board", BOARD, "--elf", elf, "--image", image, "--dump", out]}
 
@@ -183,7 +183,7 @@ def test_an_image_that_is_no_file_is_not_read(folder, image, scene, make, what):
     with pytest.raises(ToolError, match=f"cannot read the flash image: thing: is {what}; .* 'make flash BOARD={BOARD}'"):
         emulator.run(BOARD, "thing", built(f"{BOARD}/walk.elf"), "walk.fxld")
     with pytest.raises(ToolError, match=f"cannot read thing: it is {what}"):
-        flash.flash(BOARD, built(f"{BOARD}/walk.elf"), "thing", folder / "board.bin")
+        flash_memory.flash(BOARD, built(f"{BOARD}/walk.elf"), "thing", folder / "board.bin")
 
 
 def test_no_tool_replaces_a_file_otherwise():

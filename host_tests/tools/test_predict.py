@@ -9,14 +9,14 @@ import subprocess
 import numpy
 import pytest
 
-import costs as costs_tool
-import predict as predict_tool
+import frame_costs as costs_tool
+from fixel.bench import predict as predict_tool
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli
 from fixel.scene import making
 from fixel.image import image, memory_needed
-from fixel.bench import bench_plan, costs
-from fixel.board import dump, emulator, flash, fleet
+from fixel.bench import bench_plan, frame_costs
+from fixel.board import dump, emulator, flash_memory, fleet
 
 SCENES = ("scenes/spin.toml", "scenes/knot.toml", "examples/game/game.toml")
 BOARDS = ("microbit", "mps2-an385")
@@ -28,9 +28,9 @@ WITHIN = 0.15
 
 
 def options_of(board):
-    """The options that make gives tools/predict.py for a board."""
+    """The options that make gives fixel predict for a board."""
     lines = dry_run("predict", f"BOARD={board}", "SCENE=x").stdout.replace("\\\n", " ")
-    command = next(line for line in lines.splitlines() if "tools/make.py predict" in line)
+    command = next(line for line in lines.splitlines() if "launcher.py make predict" in line)
     words = re.findall(r"(--[a-z-]+) (?:'([^']*)'|([^-\s]\S*))", command)
     return {name: quoted or plain for name, quoted, plain in words if name not in ("--scene", "--build", "--board")}
 
@@ -54,7 +54,7 @@ def drawn(tmp_path_factory):
         if image.stat().st_size > fleet.sizes(elf)["scene_room"]:
             found[board, source] = None
             continue
-        flash.flash(board, elf, image, flashed)
+        flash_memory.flash(board, elf, image, flashed)
         done = emulator.run(board, flashed, elf, file, FRAMES)
         frames = dump.read_dump(file).frames
         found[board, source] = (numpy.mean([frame.instructions for frame in frames]),
@@ -131,9 +131,9 @@ def test_boards_and_scenes_without_costs(tmp_path):
 
 
 def test_every_count_has_a_cost_and_a_name():
-    known = costs.load()
+    known = frame_costs.load()
     names = set(re.findall(r"X\((\w+)\)", (ROOT / "host_tests/judges/predict/counts.h").read_text(encoding="utf-8"))) - {"name"}
-    assert set(costs.NAMES) == names
+    assert set(frame_costs.NAMES) == names
     for core in known["cores"].values():
         assert set(core) == names and min(core.values()) >= 0 and sum(value > 0 for value in core.values()) >= 8
 
@@ -145,7 +145,7 @@ def test_every_count_counts(tmp_path):
                                   "bench/costs_surfaces.toml", "bench/costs_lights.toml")):
         image = tmp_path / f"{number}.fxls"
         making.build(str(ROOT / source), image, 12 if number < 2 else None)
-        names, counts = costs.count(made("build/host/predict").parents[1], image, 2560, 0, 4096 + 4096 * (number == 1), 8)
+        names, counts = frame_costs.count(made("build/host/predict").parents[1], image, 2560, 0, 4096 + 4096 * (number == 1), 8)
         total = total + counts.sum(axis=0)
     assert [name for name, times in zip(names, total) if times == 0] == []
 
@@ -154,20 +154,20 @@ def test_the_fit_finds_what_is_there():
     """Known costs, of which one is 0, from counts and their sums."""
     chance = numpy.random.default_rng(5)
     rows, wanted = chance.integers(1, 500, (300, 4)).astype(float), numpy.array([3.0, 0.0, 12.5, 700.0])
-    found = costs.fit(rows, rows @ wanted, numpy.ones(300))
+    found = frame_costs.fit(rows, rows @ wanted, numpy.ones(300))
     assert numpy.allclose(found, wanted, rtol=1e-3, atol=1e-2)
-    assert costs.fit(rows, rows @ [5, 5, 5, -1], numpy.ones(300)).min() == 0    # no cost is negative
+    assert frame_costs.fit(rows, rows @ [5, 5, 5, -1], numpy.ones(300)).min() == 0    # no cost is negative
 
 
 def test_the_parts_add_up():
     names, table_of = ["frames", "pixels"], {"frames": 10.0, "pixels": 2.0}
     parts = predict_tool.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
     assert [part[2] for part in parts] == [120, 10]
-    assert costs.instructions(table_of, names, numpy.array([[1, 50]])).tolist() == [110]
+    assert frame_costs.instructions(table_of, names, numpy.array([[1, 50]])).tolist() == [110]
 
 
 def test_the_core_of_flags():
-    assert costs.core_of("-mcpu=cortex-m7 -mthumb") == "m3" and costs.core_of("-mcpu=cortex-m0 -mthumb") == "m0"
-    assert costs.core_of("-mcpu=cortex-m55 -mfloat-abi=soft") == "m3"
-    assert costs.core_of("-mcpu=cortex-m3 -Os") is None and costs.core_of("-mcpu=cortex-m55 -mfloat-abi=hard") is None
-    assert pathlib.Path(costs.FILE).name == "costs.json"
+    assert frame_costs.core_of("-mcpu=cortex-m7 -mthumb") == "m3" and frame_costs.core_of("-mcpu=cortex-m0 -mthumb") == "m0"
+    assert frame_costs.core_of("-mcpu=cortex-m55 -mfloat-abi=soft") == "m3"
+    assert frame_costs.core_of("-mcpu=cortex-m3 -Os") is None and frame_costs.core_of("-mcpu=cortex-m55 -mfloat-abi=hard") is None
+    assert pathlib.Path(frame_costs.FILE).name == "costs.json"

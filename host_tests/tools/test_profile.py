@@ -257,7 +257,7 @@ def test_a_flame_graph_says_what_it_shows_and_is_the_same_twice():
 # --- the command --------------------------------------------------------------------
 
 def test_the_command(tmp_path):
-    done = run_cli("profile_frame", "--workload", "w3b", "--core", "m3", "--out", tmp_path / "out")
+    done = run_cli("profile", "--workload", "w3b", "--core", "m3", "--out", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     data = json.loads((tmp_path / "out/profile.json").read_text())
     for key in ("functions", "lines", "stages"):
@@ -273,7 +273,7 @@ def test_the_command(tmp_path):
 @pytest.mark.parametrize("workload, core, words", [("w9", "m3", ("no workload 'w9'", "w3b")),
                                                    ("w1", "m7", ("no core 'm7'", "m55"))])
 def test_the_command_says_what_there_is(workload, core, words):
-    assert_one_sentence(run_cli("profile_frame", "--workload", workload, "--core", core), *words)
+    assert_one_sentence(run_cli("profile", "--workload", workload, "--core", core), *words)
 
 
 assert set(cycles.LEAVING) <= set(thumb.KINDS)

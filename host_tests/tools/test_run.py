@@ -15,7 +15,7 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from PIL import Image
 
-import run as run_tool
+from fixel.board import run as run_tool
 from fixel.base import scratch
 from fixel.scene import making
 from fixel.board import dump, emulator

@@ -114,7 +114,7 @@ def test_wrong_billboards_are_refused(tmp_path, text, says):
 
 
 def test_a_tree_draws_no_billboards(tmp_path):
-    done = run_cli("scene", "build", CHECKOUT / SCENES[0], "-o", tmp_path / "grove.fxls", "--tree", "all")
+    done = run_cli("build", CHECKOUT / SCENES[0], "-o", tmp_path / "grove.fxls", "--tree", "all")
     assert done.returncode == 2 and "a BSP tree draws no billboards" in done.stderr
     assert not (tmp_path / "grove.fxls").exists()
 
@@ -125,7 +125,7 @@ def test_a_tree_draws_no_billboards(tmp_path):
 def fixture_built(request, tmp_path_factory):
     """A scene's image."""
     file = tmp_path_factory.mktemp("billboards") / "scene.fxls"
-    done = run_cli("scene", "build", CHECKOUT / request.param, "-o", file)
+    done = run_cli("build", CHECKOUT / request.param, "-o", file)
     assert done.returncode == 0, done.stderr
     return file
 

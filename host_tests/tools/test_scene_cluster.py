@@ -9,7 +9,7 @@ import struct
 
 import pytest
 
-import frame_hashes as hashes_tool
+from fixel.check import frame_hashes as hashes_tool
 from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image, image_cluster
@@ -181,7 +181,7 @@ def test_damaged_clusters_are_refused(tmp_path):
 def test_the_model_of_a_tree_has_no_clusters(tmp_path):
     file, out = tmp_path / "scene.toml", tmp_path / "scene.fxls"
     file.write_text(GLOBE)
-    assert run_cli("scene", "build", str(file), "-o", str(out), "--tree", "all").returncode == 0
+    assert run_cli("build", str(file), "-o", str(out), "--tree", "all").returncode == 0
     scene = image.load(str(out))
     assert scene.tree and not scene.models[0].clusters
 
@@ -189,10 +189,10 @@ def test_the_model_of_a_tree_has_no_clusters(tmp_path):
 def test_info_counts_clusters(tmp_path):
     file, out = tmp_path / "scene.toml", tmp_path / "scene.fxls"
     file.write_text(GLOBE)
-    assert run_cli("scene", "build", str(file), "-o", str(out)).returncode == 0
-    said = json.loads(run_cli("scene", "info", str(out), "--json").stdout)
+    assert run_cli("build", str(file), "-o", str(out)).returncode == 0
+    said = json.loads(run_cli("info", str(out), "--json").stdout)
     assert said["clusters"] == len(made_of(tmp_path, GLOBE).models[0].clusters)
-    assert f"clusters {said['clusters']} of faces" in run_cli("scene", "info", str(out)).stdout
+    assert f"clusters {said['clusters']} of faces" in run_cli("info", str(out)).stdout
 
 
 def test_a_convex_model_is_refused(tmp_path):

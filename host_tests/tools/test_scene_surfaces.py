@@ -279,7 +279,7 @@ def test_a_blend_table_has_the_nearest_entries(tmp_path):
 
 
 def test_a_tree_leaves_surfaces_out_and_says_so(tmp_path):
-    done = run_cli("scene", "build", "scenes/room.toml", "-o", tmp_path / "room.fxls", "--tree", "most")
+    done = run_cli("build", "scenes/room.toml", "-o", tmp_path / "room.fxls", "--tree", "most")
     assert done.returncode == 0 and "surfaces are left out" in done.stderr
     assert image.load(tmp_path / "room.fxls").surfaces is None
 

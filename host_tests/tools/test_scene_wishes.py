@@ -93,12 +93,12 @@ def test_the_image_has_the_wish_in_one_byte(tmp_path):
 
 
 def test_an_unknown_wish_is_refused(tmp_path):
-    done = run_cli("scene", "build", scene_of(tmp_path, SOLIDS % 'visibility = "deep"'), "-o", tmp_path / "out.fxls")
+    done = run_cli("build", scene_of(tmp_path, SOLIDS % 'visibility = "deep"'), "-o", tmp_path / "out.fxls")
     assert_one_sentence(done, "view: visibility", "depth")
 
 
 def test_a_tree_and_a_depth_buffer_exclude_each_other(tmp_path):
-    done = run_cli("scene", "build", scene_of(tmp_path, SOLIDS % 'visibility = "depth"'), "-o", tmp_path / "out.fxls",
+    done = run_cli("build", scene_of(tmp_path, SOLIDS % 'visibility = "depth"'), "-o", tmp_path / "out.fxls",
                    "--tree", "all")
     assert_one_sentence(done, "view.visibility", "--tree")
 
@@ -106,7 +106,7 @@ def test_a_tree_and_a_depth_buffer_exclude_each_other(tmp_path):
 def test_a_header_of_c_says_what_the_scene_asks_for(tmp_path):
     for text, said in (('visibility = "depth"', True), ("", False)):
         out = tmp_path / "scene.h"
-        done = run_cli("scene", "export", "--c", scene_of(tmp_path, SOLIDS % text), "-o", out)
+        done = run_cli("export", "--c", scene_of(tmp_path, SOLIDS % text), "-o", out)
         assert done.returncode == 0, done.stderr
         assert ("fxl_renderer_set_depth" in out.read_text()) == said
 

@@ -12,7 +12,7 @@ import socket
 
 import numpy
 import pytest
-import record
+from fixel.view import record
 from PIL import Image
 from conftest import assert_one_sentence, run_cli
 

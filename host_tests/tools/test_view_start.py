@@ -9,7 +9,7 @@ import pytest
 
 from board_programs import ROOT, built
 from fixel.scene import making
-from fixel.board import firmware, flash, qmp
+from fixel.board import firmware, flash_memory, qmp
 from fixel.base.errors import ToolError
 from fixel.board.session import Session
 from fixel.view.view_board import Board
@@ -36,7 +36,7 @@ def started(tmp_path):
     def prepare(board):
         elf, scene, image = built(f"{board}/walk.elf"), tmp_path / "tiny.fxls", tmp_path / "flash.bin"
         making.build(str(ROOT / "scenes" / "tiny.toml"), str(scene))
-        flash.flash(board, elf, scene, image)
+        flash_memory.flash(board, elf, scene, image)
         return firmware.load(elf, board), image, tmp_path
 
     return prepare

@@ -6,9 +6,9 @@ import signal
 
 import pytest
 import warm_start
-from conftest import CHECKOUT, TOOLS, environment, without_progress
+from conftest import CHECKOUT, LAUNCHER, TOOLS, environment, without_progress
+from fixel.commands import COMMANDS
 
-COMMANDS = sorted(file for file in TOOLS.glob("*.py") if "interpreter.choose()" in file.read_text(encoding="utf-8"))
 
 
 def both(words, program=None, folder=CHECKOUT, **changes):
@@ -18,9 +18,9 @@ def both(words, program=None, folder=CHECKOUT, **changes):
     return [(done.returncode, done.stdout, done.stderr) for done in found]
 
 
-@pytest.mark.parametrize("tool", COMMANDS, ids=lambda tool: tool.stem)
-def test_every_tool_starts_either_way(tool):
-    warm, cold = both([tool, "--help"])
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_starts_either_way(command):
+    warm, cold = both([LAUNCHER, command, "--help"])
     assert warm == cold and "Traceback" not in cold[2]
 
 
@@ -52,16 +52,16 @@ def test_a_process_is_one_of_its_own(tmp_path, program):
 
 
 def test_nothing_is_left_of_the_command_before():
-    change = "import sys; sys.path.insert(0, 'tools'); import run; print(run.PATTERNS); run.PATTERNS.append(1)"
+    change = "import sys; sys.path.insert(0, 'tools'); from fixel.board import run; print(run.PATTERNS); run.PATTERNS.append(1)"
     first, second = (warm_start.run(["x"], CHECKOUT, environment(), change).stdout for _ in range(2))
     assert first == second and "frame" in first
 
 
 def test_a_test_changes_no_command(monkeypatch):
-    import run
+    from fixel.board import run
     monkeypatch.setattr(run, "PATTERNS", ["changed"])
     monkeypatch.setitem(os.environ, "FIXEL_MARK", "changed")
-    words = "import os, sys; sys.path.insert(0, 'tools'); import run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
+    words = "import os, sys; sys.path.insert(0, 'tools'); from fixel.board import run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
     assert "changed" not in warm_start.run(["x"], CHECKOUT, {**environment(), "FIXEL_MARK": "mine"}, words).stdout
 
 

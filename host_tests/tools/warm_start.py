@@ -2,7 +2,7 @@
 """Tools' processes without the time that Python takes to import their packages: half a second, a thousand times.
 
 A server imports what most tools import, and runs nothing. For each command it forks: the copy gets the command's words,
-environment and output, runs the tool's file as a program, and ends as a program does. So no command sees what another,
+environment and output, runs the tool's program, and ends as a program does. So no command sees what another,
 or a test, has changed. test_warm_start.py compares such processes with those that Python starts from nothing."""
 
 import atexit
@@ -18,7 +18,7 @@ import tempfile
 import threading
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
-PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.command", "run", "flash")
+PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.command", "fixel.board.run", "fixel.board.flash")
 REQUEST_MAX = 100_000    # characters
 # A process reads these when Python starts.
 READ_AT_START = ("PYTHON", "LC_", "LANG", "OPENBLAS", "LD_")

@@ -7,14 +7,13 @@ import signal
 import sys
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2]
+LAUNCHER = TOOLS / "fixel" / "launcher.py"
 VENV = TOOLS.parent / ".venv"
 
 
 def choose():
-    """Starts the tool that the user called once more, by the Python of .venv, unless it runs there
-    already. A tool calls this before it imports a package. In any other program it does nothing."""
-    if pathlib.Path(sys.argv[0]).resolve().parent != TOOLS:
-        return
+    """Starts the program that the user called once more, by the Python of .venv, unless it runs there
+    already. The program calls this before it imports a package."""
     # NumPy's linear algebra starts a thread for each processor when it is imported: a third of the time that a tool
     # takes to start. The matrices here are small.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -30,6 +29,11 @@ def choose():
               f"in {TOOLS.parent}", file=sys.stderr)
         sys.exit(2)
     os.execv(python, [str(python), *sys.argv])
+
+
+def command(name):
+    """The words that start a command of fixel."""
+    return [sys.executable, str(LAUNCHER), name]
 
 
 def explain(kind, error, trace):

@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The word that was meant by one that is not known."""
+"""The word that was meant by one that is not known.
+
+    nearest.py NAME ENDING WORD...   the question, for an error of the Makefile, which asks before there is .venv
+"""
+
+import sys
 
 FAR = 0.4   # errors for each character of the longer word: beyond it another word was meant
 
@@ -28,3 +33,7 @@ def question(name, words, ending=""):
     """"; did you mean A or B?", or nothing. ending: what stands after each word."""
     near = nearest(name, words)
     return f"; did you mean {' or '.join(f'{word}{ending}' for word in near)}?" if near else ""
+
+
+if __name__ == "__main__":
+    print(question(sys.argv[1], sys.argv[3:], sys.argv[2]))

@@ -1,128 +1,126 @@
 # SPDX-License-Identifier: MIT
-"""What a frame costs on a core: bench/costs.json, how it is fitted, and what it says of a scene.
+"""Renews bench/costs.json: what a frame costs on the cores given, and what the walk takes on the boards given.
 
-build/host/predict walks a scene's path as a board would, and counts what the library does (host_tests/judges/predict). The
-instructions of a frame are a sum of these counts, each times a cost. The costs are fitted by least squares of the
-relative errors; none is negative."""
+Counts what the library does in scenes of the bench and in two of its own, and the instructions that programs of the bench
+execute for them, with the memory of a large board down to that of a small one. Fits a cost for each count. Exit: 0 done,
+1 a program failed.
+"""
 
-import json
+import argparse
 import pathlib
+import sys
 
 import numpy as np
 
-from fixel.base import limits
+from fixel.base import output, parallel, scratch
+from fixel.scene import making
+from fixel.bench import bench_plan, bench_run, frame_costs
+from fixel.board import fleet, methods, qemu
+from fixel.image import image
 from fixel.base.errors import ToolError
-from fixel.base.reading import shortened
+from fixel.base.table import table
 
-FILE = pathlib.Path(__file__).resolve().parents[3] / "bench" / "costs.json"
-WALK_CPU = 600.0        # seconds of CPU time for a walk on the host
-SWEEPS = 20_000
-RIDGE = 1e-9            # keeps counts that always go together from taking turns
-
-# What each count of host_tests/judges/predict/counts.h is, for people.
-NAMES = {
-    "frames": "a frame", "instances": "an instance of the scene", "instances_seen": "an instance in sight",
-    "instances_viewed": "an instance's model view", "instances_passed": "an instance that a band looks at, beside the list",
-    "turned_checked": "a turned instance whose rotation is checked",
-    "turned_viewed": "the model view of a turned instance",
-    "faces_tested": "a face of a convex instance", "faces_facing": "a face of a sorted instance",
-    "faces_sorted": "a face that is sorted", "faces_clipped": "a face that the clipper gets",
-    "faces_outside": "of these, one outside", "faces_between": "of these, one that covers no pixel",
-    "corners": "a corner that the clipper gets", "vertices": "a vertex that is transformed",
-    "projections": "a vertex that is projected", "assembled": "a face that planes may cut",
-    "cut_edges": "an edge that is cut", "list_polygons": "a polygon for the display list", "list_words": "a word of it",
-    "list_reads": "a polygon that a band draws from the list", "list_scanned": "a word of the list that a band passes",
-    "spilled_faces": "a face that a band looks at, beside the list", "row_searches": "a polygon whose rows are found",
-    "polygons": "a polygon that is scanned", "polygons_drawn": "of these, one with rows in the band",
-    "trapezoids": "a trapezoid", "edges": "an edge of a polygon", "rows": "a row of a polygon",
-    "pixels": "a pixel of a polygon", "bands": "a band", "cleared": "a pixel that is cleared",
-    "brightnesses": "the light of a face or of a corner", "lamps": "a lamp that reaches it",
-    "in_fog": "a face or corner within the fog",
-    "surfaces_found": "a face whose surface is found", "surfaces_listed": "a polygon with a surface for the display list",
-    "surfaces_read": "a polygon with a surface that a band draws from the list",
-    "surfaces_painted": "a polygon with a surface that is painted", "painted_edges": "an edge of it",
-    "painted_rows": "a row of it", "segment_rows": "a row of it by the kernel", "segments": "16 columns of a texture",
-    "segment_pixels": "a pixel of a texture", "lit_segments": "16 columns of a lit texture",
-    "lit_segment_pixels": "a pixel of a lit texture", "slow_rows": "a row of a surface not all by the kernel",
-    "slow_segments": "8 or 16 columns of it beside the kernel",
-    "slow_pixels": "a pixel of a surface beside kernel and loops", "loop_pixels": "a pixel of a surface by a loop of C",
-    "divided_pixels": "a pixel that is divided by itself"}
+FRAMES = 30         # of each scene, at most
+LOOKS_BYTES = 65536     # more than motions, light and surfaces of a scene take
+MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "bench/costs_surfaces.toml", "bench/costs_rooms.toml",
+        "bench/costs_lights.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml", "scenes/landscape.toml")
+STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
+STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml")
+STACK_FRAMES = 4
 
 
-class NoRoom(ToolError):
-    """A board has no room for a scene."""
+def scenes_of(plan):
+    """The scenes of the fit."""
+    return [each["scene"] for each in plan.workloads.values()] + list(MORE)
 
 
-def load():
-    """bench/costs.json."""
-    try:
-        return json.loads(FILE.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise ToolError(f"{FILE}: cannot be read ({shortened(str(error))}); make costs renews it") from error
+def measure(plan, core, size, settings, file):
+    """(counts, instructions) of the frames of a scene image. settings: rows of a band, words of the list, entries of
+    the cache."""
+    scene = image.load(file)
+    rows, words, cache = settings
+    # The bench's programs have memory of their own for motions, light and surfaces, so the list has all its words.
+    names, counts = frame_costs.count(plan.build, file, rows * scene.width, 0, 4 * words + LOOKS_BYTES, cache, 4 * words, FRAMES)
+    drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
+    return names, counts, np.array(drawn.instructions, dtype=float)
 
 
-def core_of(flags):
-    """The core of bench/costs.json that has the code of one with these compiler's flags, or None. A Cortex-M4, M7, M33,
-    and an M55 that passes no floats in registers have the code of an M3 (lib/kernels/family.h)."""
-    words = flags.split()
-    if any(word.startswith(("-O", "-DFXL_")) for word in words):
-        return None
-    cores = {"-mcpu=cortex-m0": "m0", "-mcpu=cortex-m0plus": "m0", "-mcpu=cortex-m3": "m3", "-mcpu=cortex-m4": "m3",
-             "-mcpu=cortex-m7": "m3", "-mcpu=cortex-m33": "m3", "-mcpu=cortex-m55": "m3"}
-    if "-mcpu=cortex-m55" in words and "-mfloat-abi=soft" not in words:
-        return None     # its vectors take other instructions
-    return next((cores[word] for word in words if word in cores), None)
+def fit(core, measured):
+    """Costs of a core, and the error of each scene's mean frame; each program and scene has the same weight."""
+    names = next(iter(measured.values()))[0]
+    rows = np.concatenate([counts for _, counts, _ in measured.values()])
+    wanted = np.concatenate([taken for *_, taken in measured.values()])
+    weights = np.concatenate([np.full(len(taken), 1 / len(taken)) for *_, taken in measured.values()])
+    found = frame_costs.fit(rows, wanted, weights)
+    errors = {key: float((counts @ found).mean() / taken.mean() - 1) for key, (_, counts, taken) in measured.items()}
+    return dict(zip(names, (round(float(cost), 3) for cost in found))), errors
 
 
-def count(build, image, band, order, words, cache, most=0, frames=0, name=None):
-    """(names, array of a row for each frame) of what the library does. band, words: bytes of a band and of the display
-    list; order, cache: entries; most: bytes that limit the list; name: the user's file, for messages."""
-    program = pathlib.Path(build) / "host" / "predict"
-    if not program.exists():
-        raise ToolError(f"{program} is not built: make predict builds it")
-    done = limits.run([program, str(image), *map(str, (band, order, words, cache, most, frames))], WALK_CPU, text=True)
-    if done.returncode:
-        said = done.stderr.strip().removeprefix("error: ").replace(str(image), str(name or image))
-        raise (NoRoom if done.returncode == 1 else ToolError)(said or f"{program} ended with {done.returncode}")
-    data = json.loads(done.stdout)
-    return data["names"], np.array(data["frames"], dtype=float)
+def cores(plan, names, sizes, folder):
+    """{core: costs}, and a table of errors."""
+    files = {}
+    for source in scenes_of(plan):
+        files[source] = pathlib.Path(folder) / f"{pathlib.Path(source).stem}.fxls"
+        making.build(source, files[source])
+    jobs = {(core, size, source): (measure, plan, core, size, settings, file)
+            for core in names for size, settings in sizes.items() for source, file in files.items()}
+    measured, result, rows = parallel.run("measuring", jobs), {}, []
+    for core in names:
+        own = {key[1:]: found for key, found in measured.items() if key[0] == core}
+        result[core], errors = fit(core, own)
+        rows += [[core, source, *(f"{100 * errors[size, source]:+.1f} %" for size in sizes)] for source in files]
+    return result, table(rows, ["core", "scene", *sizes])
 
 
-def fit(rows, wanted, weights):
-    """Costs, none below 0, with the least sum of weights times squares of relative errors: coordinate descent."""
-    scaled = rows / wanted[:, None] * np.sqrt(weights)[:, None]
-    sizes = np.sqrt((scaled ** 2).sum(axis=0))
-    used = sizes > 0
-    scaled = scaled[:, used] / sizes[used]
-    matrix = scaled.T @ scaled + RIDGE * np.eye(used.sum())
-    target = scaled.T @ np.sqrt(weights)
-    found = np.zeros(used.sum())
-    for _ in range(SWEEPS):
-        before = found.copy()
-        for i in range(len(found)):
-            found[i] = max(0.0, found[i] + (target[i] - matrix[i] @ found) / matrix[i, i])
-        if np.abs(found - before).max() < 1e-12:
-            break
-    costs = np.zeros(len(sizes))
-    costs[used] = found / sizes[used]
-    return costs
+def deepest_stack(board, elf, sources, room, folder):
+    """Bytes of the deepest stack that the walk saw in these scenes; None where it has room for none of them."""
+    seen = []
+    for source in sources:
+        file = pathlib.Path(folder) / f"{board}-{pathlib.Path(source).stem}.fxls"
+        making.build(source, file, frames=STACK_FRAMES)
+        if file.stat().st_size > room:
+            continue
+        try:
+            seen.append(fleet.stack_seen(board, elf, file, pathlib.Path(folder)))
+        except ToolError:
+            continue    # no room for the scene's order, motions or surfaces
+    return max(filter(None, seen), default=None)
 
 
-def instructions(costs, names, counts):
-    """Instructions of each frame, as an array. costs: those of a core, by name."""
-    missing = [name for name in names if name not in costs]
-    if missing:
-        raise ToolError(f"{FILE}: it has no cost of {', '.join(missing)}: make costs renews it")
-    return counts @ np.array([costs[name] for name in names])
+def board_sizes(board, build, folder):
+    """What the walk takes on a board, and the deepest stack that it saw: without, and with light and surfaces."""
+    elf = methods.elf_of(board, build)
+    sizes = fleet.sizes(elf)
+    plain = deepest_stack(board, elf, STACK_SCENES, sizes["scene_room"], folder)
+    looks = deepest_stack(board, elf, STACK_LOOKS, sizes["scene_room"], folder)
+    if plain is None:
+        raise ToolError(f"{board}: no scene of {', '.join(STACK_SCENES)} fits", exit_code=1)
+    return {**sizes, "stack_seen": plain, "stack_seen_looks": max(plain, looks or 0),
+            "stack_reserved": fleet.stack_reserved(elf)}
 
 
-# --- the three that are not instructions ----------------------------------------------
+def setting(text):
+    """("SMALL", (8, 1024, 8)) of "SMALL=8:1024:8"."""
+    name, _, numbers = text.partition("=")
+    return name, tuple(map(int, numbers.split(":")))
 
-def memory(board, image_bytes, has_looks=False):
-    """Bytes of flash and RAM on a board of bench/costs.json: what the program and a scene image take, and what there
-    is. The stack is a part of the RAM; seen is the deepest that the fit's scenes went: with light or surfaces, has_looks,
-    or without."""
-    return {"flash": {"program": board["flash_bytes"], "scene": image_bytes, "scene_room": board["scene_room"],
-                      "of": board["flash_size"]},
-            "ram": {"program": board["ram_bytes"], "of": board["ram_size"]},
-            "stack": {"seen": board["stack_seen_looks" if has_looks else "stack_seen"], "reserved": board["stack_reserved"]}}
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--cores", nargs="*", default=[], help="others stay as they are in the file")
+    parser.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES", help="of the cores' programs")
+    parser.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
+    parser.add_argument("--build", default="build", help="folder that make builds in")
+    options = parser.parse_args(argv)
+    plan = bench_plan.Plan(options.build)
+    qemu.find_qemu()
+    if options.cores and not options.sizes:
+        raise ToolError("--cores needs --sizes")
+    known = frame_costs.load() if frame_costs.FILE.exists() else {"cores": {}, "boards": {}}
+    with scratch.folder("costs") as folder:
+        found, errors = cores(plan, options.cores, dict(options.sizes or []), folder) if options.cores else ({}, "")
+        boards = {board: board_sizes(board, options.build, folder) for board in options.boards}
+    output.write_json(frame_costs.FILE, {"cores": {**known["cores"], **found}, "boards": {**known["boards"], **boards}})
+    print(errors)
+    print(f"{frame_costs.FILE}", file=sys.stderr)
+    return 0

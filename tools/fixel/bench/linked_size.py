@@ -6,7 +6,7 @@ import re
 
 from fixel.base import scratch
 from fixel.bench import link_map, stack
-from fixel.report.first_program import write_scene
+from fixel.report.examples import write_scene
 from fixel.base.errors import ToolError
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]

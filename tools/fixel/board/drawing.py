@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The frames that a board draws of a scene: by the board, or as an earlier command kept them."""
 
-from fixel.board import emulator, firmware, flash, qemu
+from fixel.board import emulator, firmware, flash_memory, qemu
 
 TIMEOUT = 60.0      # seconds of CPU time without a new frame
 
@@ -14,7 +14,7 @@ def draw(kept, part, board, elf, scene, folder, frames=None, timeout=TIMEOUT, pr
 
     def compute():
         # The host has no flash: the scene image itself is what it boots from.
-        flash.flash(board, elf, scene, image)
+        flash_memory.flash(board, elf, scene, image)
         emulator.run(board, image, elf, file, frames, timeout, progress, record=record)
         image.unlink()
 

@@ -9,7 +9,7 @@ import statistics
 from elftools.elf.elffile import ELFFile
 
 from fixel.base import reading
-from fixel.board import dump, emulator, firmware, flash, methods
+from fixel.board import dump, emulator, firmware, flash_memory, methods
 from fixel.base.errors import ToolError
 
 TIMEOUT = 60.0          # seconds of CPU time without a new frame
@@ -88,7 +88,7 @@ def _last_words(error):
 
 def _run(result, board, elf, scene, folder):
     image, file = folder / f"{board}-{scene.name}.bin", folder / f"{board}-{scene.name}.fxld"
-    flash.flash(board, elf, scene.image, image)
+    flash_memory.flash(board, elf, scene.image, image)
     done = emulator.run(board, image, elf, file, timeout=TIMEOUT)
     drawn = dump.read_dump(file)
     result.frames = len(drawn.frames)
@@ -106,7 +106,7 @@ def _run(result, board, elf, scene, folder):
 def stack_seen(board, elf, image, folder):
     """The deepest stack of the program that a board saw when it walked a scene; None where it does not say."""
     flashed, file = folder / f"{board}.bin", folder / f"{board}.fxld"
-    flash.flash(board, elf, image, flashed)
+    flash_memory.flash(board, elf, image, flashed)
     seen = STACK.search(emulator.run(board, flashed, elf, file, timeout=TIMEOUT).output)
     return int(seen[1]) if seen else None
 

@@ -17,7 +17,7 @@ def add_options(parser):
     parser.add_argument("--visibility", help="the visibility method (default: what the scene asks for, its BSP "
                                              "tree or its surfaces if it has some, else sorted)")
     parser.add_argument("--clipper", help="the clipper (default: view)")
-    parser.set_defaults(driver=None)    # tools/run.py alone takes one
+    parser.set_defaults(driver=None)    # fixel run alone takes one
     parser.add_argument("--rows", help="the most rows of a band (default: what fits into the board's memory)")
 
 

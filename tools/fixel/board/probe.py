@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 from fixel.base import children
-from fixel.board import flash
+from fixel.board import flash_memory
 from fixel.base.errors import ToolError
 
 OPENOCD = "openocd"
@@ -73,9 +73,9 @@ def run(program, words):
 
 
 def program_board(board, elf, scene, dry_run):
-    """Programs the real board; what flash.flash refuses, is refused here too.
+    """Programs the real board; what flash_memory.flash refuses, is refused here too.
     The command is printed before it runs; dry_run: it does not run."""
-    program, _ = flash.prepare(board, elf, scene)
+    program, _ = flash_memory.prepare(board, elf, scene)
     words = command(program, pathlib.Path(scene))
     print(show(words), flush=True)
     if dry_run:

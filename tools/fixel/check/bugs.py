@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The bugs that tools/seeded_bugs.py puts into the library, and the lines that they stand on.
+"""The bugs that fixel seeded-bugs puts into the library, and the lines that they stand on.
 
 A line of the library is marked by a comment at its end, or by one alone on the line before:
 

@@ -1,95 +1,44 @@
 # SPDX-License-Identifier: MIT
-"""What of the library its tests reach: lines, branches, and conditions of decisions, as Clang counts them.
+"""Says what of the library its tests reach: lines, branches and conditions of each room of lib/.
 
-A condition is reached where two tests show that it alone decides (MC/DC): the decision's value changes with it while
-the other conditions stay or do not matter. A decision of one condition has none: its branches say the same.
+    fixel coverage --library libfixel-coverage.so --tests PROGRAM... [--replay PROGRAM CORPUS]... --out coverage.json
+
+The library is built by Clang with counters (host_tests/unit/unit_coverage.mk). Runs the unit tests of the host and the
+replays of the fuzzer's corpus. The JSON file has every file of lib/, and the conditions that nothing reaches.
+Exit: 0 done, 1 a test failed, 2 could not run.
 """
 
-import collections
-import concurrent.futures
-import json
+import argparse
 import os
 import pathlib
-import subprocess
+import sys
 
-from fixel.base import children
-from fixel.base.errors import ToolError
-from fixel.base.progress import Progress
+from fixel.base import output, scratch
+from fixel.base.table import table
+from fixel.check import clang_coverage
 
-KINDS = {"lines": "lines", "branches": "branches", "mcdc": "conditions"}     # of llvm-cov -> of the table
-WORDS = 2000    # the last characters of what a program said
-LEVELS = 3      # of a path: lib/src/math; lib/kernels/portable
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 
 
-def run_programs(programs, folder, jobs):
-    """Runs [program, arguments...] each: (files of counts in the folder, {name of a program that failed: its words})."""
-    def run(job):
-        number, command = job
-        counts = folder / f"{number}.profraw"
-        done = children.run([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT, text=True, errors="replace",
-                            env={**os.environ, "LLVM_PROFILE_FILE": str(counts)})
-        return counts, done.stdout[-WORDS:] if done.returncode else None
-
-    with Progress("programs", len(programs)) as progress, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        found = []
-        for result in pool.map(run, enumerate(programs)):
-            found.append(result)
-            progress(len(found))
-    failed = {pathlib.Path(command[0]).name: words for command, (_, words) in zip(programs, found) if words is not None}
-    return [counts for counts, _ in found if counts.exists()], failed
-
-
-def call(tool, *words):
-    done = children.run([tool, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if done.returncode:
-        raise ToolError(f"{tool} fails", 1, done.stderr[-WORDS:])
-    return done.stdout
-
-
-def measured(library, counts, version, checkout):
-    """{file of lib/: {kind: [reached, all], "unreached": [line of a condition]}}."""
-    merged = library.with_name("coverage.profdata")
-    listed = library.with_name("counts.txt")
-    listed.write_text("".join(f"{file}\n" for file in counts), encoding="utf-8")
-    call(f"llvm-profdata-{version}", "merge", "-sparse", "-f", listed, "-o", merged)
-    exported = json.loads(call(f"llvm-cov-{version}", "export", "-skip-functions", "-skip-expansions",
-                               f"-instr-profile={merged}", library))
-    return dict(sorted(of_files(exported["data"][0]["files"], checkout).items()))
-
-
-def of_files(files, checkout):
-    """The same, of an export's files."""
-    found = {}
-    for file in files:
-        name = os.path.relpath(checkout / file["filename"], checkout)
-        if name.startswith("lib/"):
-            found[name] = {KINDS[kind]: [file["summary"][kind]["covered"], file["summary"][kind]["count"]] for kind in KINDS}
-            found[name]["unreached"] = unreached(file.get("mcdc_records", []))
-    return found
-
-
-def unreached(records):
-    """[line, condition of the decision there from 1] of conditions that no pair of tests decides by."""
-    return [[record[0], place] for record in records for place, reached in enumerate(record[-1], 1) if not reached]
-
-
-def by_room(files):
-    """{room of lib/: {kind: [reached, all]}}, and "all together"."""
-    rooms = collections.defaultdict(lambda: {kind: [0, 0] for kind in KINDS.values()})
-    for name, counted in files.items():
-        for room in ("/".join(name.split("/")[:-1][:LEVELS]), "all together"):
-            for kind in KINDS.values():
-                rooms[room][kind] = [a + b for a, b in zip(rooms[room][kind], counted[kind])]
-    together = rooms.pop("all together", None)
-    return {**dict(sorted(rooms.items())), **({"all together": together} if together else {})}
-
-
-def percent(reached, every):
-    return 100 * reached / every if every else None
-
-
-def rows(rooms):
-    """Rows of the table: for each room reached, all and per cent of each kind."""
-    return [[room, *(f"{reached:,} of {every:,}" + (f"  {percent(reached, every):5.1f} %" if every else "")
-                     for reached, every in counted.values())] for room, counted in rooms.items()]
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--library", required=True, help="the library with counters, a shared object")
+    parser.add_argument("--tests", nargs="+", required=True, help="unit tests that load it")
+    parser.add_argument("--replay", nargs=2, action="append", default=[], metavar=("PROGRAM", "CORPUS"),
+                        help="a program that replays a corpus, and the corpus")
+    parser.add_argument("--version", default="19", help="of LLVM's tools (default: 19)")
+    parser.add_argument("--out", required=True, help="the JSON file")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    options = parser.parse_args(argv)
+    programs = [[test] for test in options.tests]
+    programs += [[program, *sorted(pathlib.Path(corpus).iterdir())] for program, corpus in options.replay]
+    library = pathlib.Path(options.library).resolve()
+    with scratch.folder("coverage", library.parent) as folder:
+        counts, failed = clang_coverage.run_programs(programs, folder.resolve(), options.jobs)
+        files = clang_coverage.measured(library, counts, options.version, CHECKOUT)
+    rooms = clang_coverage.by_room(files)
+    output.write_json(options.out, {"rooms": rooms, "files": files})
+    print(table(clang_coverage.rows(rooms), ["room", *clang_coverage.KINDS.values()]))
+    for name, words in failed.items():
+        print(f"{name} failed, so what it reaches may be more:\n{words}", file=sys.stderr)
+    return 1 if failed else 0

@@ -1,57 +1,56 @@
 # SPDX-License-Identifier: MIT
-"""Frozen frames: what a scene image draws, as hashes that never change.
+"""Adds the frame hashes of scenes to host_tests/judges/frames/hashes.json. Changes no record.
 
-A frame is a function of the scene image alone: not of the board, the clipper's caches, the
-bands or the list. So the record of an image is found by the image's own CRC-32, and a changed
-scene file is a new record, not a changed one.
+    fixel frame-hashes SCENE... [--build DIR]
+
+SCENE is a .toml, an .obj or an .fxls. The tool compiles each scene, draws it on the host, and adds it
+under the CRC-32 of its image. If an image has a record already, it must draw the same frames.
+Exit: 0 all scenes have records, 1 an image draws other frames than its record, 2 the tool could not run.
 """
 
-import json
+import argparse
 import pathlib
+import sys
 
-from fixel.base import output
-from fixel.base.errors import ToolError
-
-FILE = pathlib.Path(__file__).resolve().parents[3] / "host_tests" / "judges" / "frames" / "hashes.json"
-DIGITS = 16     # of a frame's SHA-256: 64 bits
-# What became of the polygons; what depends on memory (spilled) or on the caller is left out.
-COUNTERS = ("in", "backfacing", "outside", "degenerate", "refused", "drawn", "clipped")
-
-
-def image_key(image):
-    """The CRC-32 that an image states of itself, as the file's key."""
-    return pathlib.Path(image).read_bytes()[12:16][::-1].hex()
+from fixel.base import scratch
+from fixel.scene import making
+from fixel.board import dump
+from fixel.check import frozen_frames
+from fixel.base.errors import ToolError, one_line
+from fixel.board.programs import run_program
 
 
-def record_of(name, drawn):
-    """The record of a dump: a hash for each frame, and the counters added up."""
-    return {"scene": name,
-            "counters": {what: sum(frame.counters[what] for frame in drawn.frames) for what in COUNTERS},
-            "frames": [frame.sha256[:DIGITS] for frame in drawn.frames]}
+def drawn_by_host(image, build, folder):
+    """The frames of an image as build/host/frames draws them."""
+    out = folder / "frames.fxld"
+    run_program([pathlib.Path(build) / "host" / "frames", image, out])
+    return dump.read_dump(out)
 
 
-def load(file=FILE):
-    """All records: key -> record."""
-    try:
-        return json.loads(pathlib.Path(file).read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise ToolError(f"{file}: cannot be read: {error}") from error
+def add(scene, records, build, folder):
+    """Adds a scene's record; answers what was done, as a word."""
+    image = pathlib.Path(scene)
+    if image.suffix != ".fxls":
+        image = folder / "scene.fxls"
+        making.build(str(scene), str(image))
+    key, drawn = frozen_frames.image_key(image), drawn_by_host(image, build, folder)
+    if key in records:
+        wrong = frozen_frames.difference(records[key], drawn)
+        if wrong:
+            raise ToolError(f"{scene}: {wrong}", exit_code=1)
+        return "on record"
+    records[key] = frozen_frames.record_of(pathlib.Path(scene).stem, drawn)
+    return "added"
 
 
-def save(records, file=FILE):
-    """Writes all records, in the order of the scenes' names."""
-    ordered = dict(sorted(records.items(), key=lambda item: (item[1]["scene"], item[0])))
-    output.write_file(file, json.dumps(ordered, indent=1) + "\n")
-
-
-def difference(record, drawn):
-    """The first difference between a dump and its record, as a sentence; "" where they agree."""
-    ours, frozen = record_of(record["scene"], drawn), record["frames"]
-    if len(ours["frames"]) != len(frozen):
-        return f"{len(ours['frames'])} frames, {len(frozen)} are on record"
-    for number, (one, other) in enumerate(zip(ours["frames"], frozen)):
-        if one != other:
-            return f"frame {number} has the hash {one}, on record is {other}"
-    if ours["counters"] != record["counters"]:
-        return f"counters are {ours['counters']}, on record are {record['counters']}"
-    return ""
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("scenes", nargs="+", metavar="SCENE")
+    parser.add_argument("--build", default="build")
+    options = parser.parse_args(argv)
+    records = frozen_frames.load()
+    with scratch.folder("hashes") as folder:
+        for scene in options.scenes:
+            print(f"{one_line(scene)}: {add(scene, records, options.build, folder)}", file=sys.stderr)
+    frozen_frames.save(records)
+    return 0

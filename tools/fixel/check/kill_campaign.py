@@ -12,16 +12,14 @@ import pathlib
 import secrets
 import signal
 import subprocess
-import sys
 import time
 
 from PIL import Image
 
-from fixel.base import children, limits, scratch
+from fixel.base import children, interpreter, limits, scratch
 from fixel.board import dump
 from fixel.base.errors import ToolError
 
-TOOLS = pathlib.Path(__file__).resolve().parents[2]
 MARK = "FIXEL_KILLS"            # in the environment of all that is started
 HEEDING = ("env", "--default-signal=HUP,INT,TERM")  # nohup, and a shell in the background, have some ignored
 SIGNALS = (signal.SIGKILL, signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
@@ -71,7 +69,7 @@ class Campaign:
         """A command as it is typed."""
         build, out = self.folder / "build", self.folder / "out"
         elf, image = build / "boards" / self.board / "walk.elf", out / "flash" / "board.bin"
-        return [sys.executable, TOOLS / f"{command.split('-')[0]}.py", *{
+        return [*interpreter.command(command.split("-")[0]), *{
             "run": ["--board", self.board, "--scene", self.scenes[scene], "--out", out / "run", "--build", build],
             "flash": ["--board", self.board, "--elf", elf, "--scene", self.scenes[scene], "--image", image],
             "boot": ["--board", self.board, "--elf", elf, "--image", self.folder / "boot.bin", "--dump",
@@ -80,7 +78,7 @@ class Campaign:
             "view-stream": ["--board", self.streaming, "--scene", self.scenes[scene], "--build", build],
             "report": ["--board", self.board, "--scene", self.scenes[scene], "--samples", self.samples, "--out",
                        out / "report", "--build", build],
-            "scene": ["info", self.scenes[scene]]}[command]]
+            "info": [self.scenes[scene]]}[command]]
 
     def start(self, command, scene="new"):
         with self.log.open("wb") as log:
@@ -146,7 +144,7 @@ class Campaign:
         self.wait(command, process)
         if is_traceback(self.said()):
             done.complaints.append(f"it says: {self.said()}")
-        self.wait("scene", self.start("scene"))
+        self.wait("info", self.start("info"))
         done.complaints += self.left()
         for number in self.marked():    # told once, and no matter for the next kill
             os.kill(number, signal.SIGKILL)

@@ -5,7 +5,9 @@ import ast
 import pathlib
 import re
 
-CLI = re.compile(r'run_cli\(\s*"(\w+)"')
+from fixel.commands import COMMANDS
+
+CLI = re.compile(r'run_cli\(\s*"([\w-]+)"')
 FAR = 99
 
 
@@ -28,7 +30,7 @@ def imported(file, names):
             found.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and not node.level:
             found.update([node.module, *(f"{node.module}.{alias.name}" for alias in node.names)])
-    found.update(CLI.findall(text))
+    found.update(COMMANDS[command] for command in CLI.findall(text) if command in COMMANDS)
     return {names[name] for name in found if name in names and names[name] != file}
 
 

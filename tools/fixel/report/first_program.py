@@ -1,86 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""The first program (examples/cube) and the other examples of its scene, drawn on this machine."""
+"""Draws the first program (examples/cube), or another example, on this machine and writes its picture."""
 
-import os
+import argparse
 import pathlib
 
-import numpy
-
-from fixel.base import children, scratch
-from fixel.image import c_scene
-from fixel.scene import framing
-from fixel.base.errors import ToolError
-
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-MODEL = ROOT / "examples" / "cube" / "cube.obj"
-PROGRAM = ROOT / "examples" / "cube" / "main.c"
-CROWD = ROOT / "examples" / "crowd" / "main.c"
-CRATE = ROOT / "examples" / "crate" / "main.c"
-CRATE_FRAMES = 28   # of which the last shows three sides
-NEON = ROOT / "examples" / "neon" / "main.c"
-NEON_FRAMES = 60
-NEON_FLAGS = [f"-DEXAMPLE_FRAMES={NEON_FRAMES}", "-DEXAMPLE_PIXEL=uint16_t"]
-FRAME = ROOT / "host_tests" / "boards" / "examples" / "frame.c"
-HUD = ROOT / "host_tests" / "boards" / "examples" / "hud.c"
-HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
-WIDTH, HEIGHT = 320, 240
+from fixel.base import output, picture
+from fixel.report import examples
 
 
-def write_scene(folder):
-    """Writes cube_scene.h into a folder; answers the scene."""
-    scene, _ = framing.compile_model(str(MODEL), framing=framing.PROGRAM)
-    (pathlib.Path(folder) / "cube_scene.h").write_text(c_scene.header(scene, "cube", MODEL.name), encoding="utf-8")
-    return scene
-
-
-def draw(library, program=PROGRAM):
-    """The picture as an array of palette entries, and the palette. library: libfixel.a of this machine. program: the
-    first program, or another with the same scene and the same pixels."""
-    pixels, _, palette = _run(library, program, 0)
-    return pixels, palette
-
-
-def draw_crowd(library):
-    """The picture of examples/crowd, which has a palette of its own."""
-    return _with_palette(library, CROWD)
-
-
-def draw_crate(library):
-    """A picture of examples/crate, which has a palette of its own."""
-    return _with_palette(library, CRATE, f"-DEXAMPLE_FRAMES={CRATE_FRAMES}")
-
-
-def draw_neon(library):
-    """A picture of examples/neon: an array of RGB565."""
-    rows, _, _ = _run(library, NEON, 0, *NEON_FLAGS, row_bytes=2 * WIDTH)
-    return rows.view("<u2")
-
-
-def draw_hud(library):
-    """The first program's picture with text and sprites over it (host_tests/boards/examples/hud.c)."""
-    pixels, palette = draw(library, HUD)
-    palette[250:250 + len(HUD_COLOURS)] = HUD_COLOURS
-    return pixels, palette
-
-
-def _with_palette(library, program, *flags):
-    pixels, colours, _ = _run(library, program, 768, "-DEXAMPLE_PALETTE", *flags)
-    return pixels, numpy.frombuffer(colours, dtype=numpy.uint8).reshape(-1, 3)
-
-
-def _run(library, program, more, *flags, row_bytes=WIDTH):
-    """What a program draws, the `more` bytes before it, and the scene's palette. flags: for the compiler."""
-    if not pathlib.Path(library).exists():
-        raise ToolError(f"{library}: there is no such library; `make build/host/libfixel.a` makes one")
-    with scratch.folder("first") as folder:
-        scene = write_scene(folder)
-        command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{program}"', f"-I{ROOT / 'lib' / 'include'}",
-                   *flags, f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
-        done = children.run(command, text=True)
-        if done.returncode != 0:
-            raise ToolError(f"{program} cannot be compiled with {library}", words=done.stderr.strip())
-        ran = children.run([f"{folder}/frame"])
-    if ran.returncode != 0 or len(ran.stdout) != more + row_bytes * HEIGHT:
-        raise ToolError(f"{program} drew nothing: it ended with {ran.returncode}", exit_code=1)
-    pixels = numpy.frombuffer(ran.stdout[more:], dtype=numpy.uint8).reshape(HEIGHT, row_bytes)
-    return pixels, ran.stdout[:more], numpy.array(scene.palette, dtype=numpy.uint8)
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
+    parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
+    parser.add_argument("--crowd", action="store_true", help="examples/crowd")
+    parser.add_argument("--crate", action="store_true", help="examples/crate")
+    parser.add_argument("--neon", action="store_true", help="examples/neon")
+    options = parser.parse_args(argv)
+    if options.neon:
+        output.write_file(options.out, picture.png_bytes(picture.rgb565_image(examples.draw_neon(options.library))))
+        return 0
+    draw = (examples.draw_hud if options.hud else examples.draw_crowd if options.crowd else
+            examples.draw_crate if options.crate else examples.draw)
+    pixels, palette = draw(options.library)
+    output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
+    return 0

@@ -7,30 +7,28 @@ import pathlib
 import re
 import signal
 import subprocess
-import sys
 
-from fixel.base import children
+from fixel.base import children, interpreter
 from fixel.base.errors import ToolError
 
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
-VIEW = pathlib.Path(__file__).resolve().parents[2] / "view.py"
 ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/[\w-]+/")
 ENDING = 20     # seconds
 
 
 @contextlib.contextmanager
 def viewing(board, scene, build="build", options=(), **how):
-    """Runs view.py as a user would: yields its process and the page's address; ends it by Ctrl-C where
+    """Runs fixel view as a user would: yields its process and the page's address; ends it by Ctrl-C where
     it still runs. options: more words for it; how: for subprocess.Popen."""
     how.setdefault("stdin", subprocess.DEVNULL)
     how.setdefault("stderr", subprocess.PIPE)
-    process = children.start([sys.executable, VIEW, "--board", board, "--scene", scene, "--build", build, *options],
+    process = children.start([*interpreter.command("view"), "--board", board, "--scene", scene, "--build", build, *options],
                              signal.SIGTERM, stdout=subprocess.PIPE, text=True, **how)
     try:
         address = ADDRESS.search(process.stdout.readline())
         if address is None:
             process.wait(ENDING)
-            raise ToolError("view.py did not start", exit_code=1, words=process.stderr.read() if process.stderr else "")
+            raise ToolError("fixel view did not start", exit_code=1, words=process.stderr.read() if process.stderr else "")
         yield process, address[0]
     finally:
         with contextlib.suppress(ProcessLookupError):

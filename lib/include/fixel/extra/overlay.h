@@ -70,7 +70,7 @@ typedef struct {
     uint8_t reserved;      /* 0 */
 } fxl_glyph;
 
-/* A font: characters first .. first + count - 1. tools/font.py makes one of a BDF file. */
+/* A font: characters first .. first + count - 1. fixel font makes one of a BDF file. */
 typedef struct {
     const uint8_t *bits;
     const fxl_glyph *glyphs; /* count entries */

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares all boards: sizes, stack, speed, and whether their frames equal the host's.
 
@@ -6,10 +5,6 @@ Draws the scenes and runs the unit tests on all boards. The first scene must run
 has no room for another scene, the table says why. Exit: 0 all frames equal the host's and no unit test failed,
 1 not, 2 there was nothing to compare with.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import collections
@@ -23,7 +18,7 @@ from fixel.base import output, scratch
 from fixel.scene import making
 from fixel.board import dump, emulator, firmware, fleet, methods, unit_tests
 from fixel.check import units
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
 
@@ -171,7 +166,3 @@ def main(argv):
     good = all(each["hash_equal"] and not each["unit_tests_failed"] for each in rows)
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
     return 0 if good else 1
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Runs the tests: units on the host, the same units on emulated boards, the tools.
 
@@ -7,10 +6,6 @@ for them, and the ten files of tests, or programs of such on a board, that took 
 "N passed, N failed", and ", N skipped" if tests were skipped. Exit: 0 no test failed, 1 a test failed or nothing ran.
 Limits are on CPU time and on sleep (fixel.base.limits), not on wall time.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -26,14 +21,13 @@ import xml.etree.ElementTree
 from fixel.base import limits, scratch, spent
 from fixel.board import unit_tests
 from fixel.check import units
-from fixel.base.errors import run_main
 from fixel.base.table import coloured
 
 HOST_CPU = 300          # seconds of CPU time for one program of the host
 PYTEST_CPU = 1800       # and for all that the tests of a file start
 SLOWEST = 10            # files of tests that are named
 QUIET = 20.0            # seconds without a line after which the one running is named
-TESTS = pathlib.Path(__file__).resolve().parent.parent / "host_tests"
+TESTS = pathlib.Path(__file__).resolve().parents[3] / "host_tests"
 
 
 @dataclasses.dataclass
@@ -244,7 +238,3 @@ def main(argv):
     spent.tell()
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or passed == 0 else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

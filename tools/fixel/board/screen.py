@@ -1,10 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Saves a picture of an emulated board's screen after the last frame."""
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -13,13 +8,13 @@ from PIL import Image
 
 from fixel.base import output, picture, scratch
 from fixel.scene import making
-from fixel.board import firmware, flash, methods
+from fixel.board import firmware, flash_memory, methods
 from fixel.base import bounded
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.image.image import load
 from fixel.base.progress import Progress
 from fixel.board.session import Session
-from run import frame_count, make_scene_image
+from fixel.board.run import frame_count, make_scene_image
 
 DEVICE = "screen"       # what an added display is called
 
@@ -32,7 +27,7 @@ def photograph(options, folder):
         raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")
     scene = make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
     frames = options.frames or load(scene).frames
-    flash.flash(options.board, elf, scene, folder / "board.bin")
+    flash_memory.flash(options.board, elf, scene, folder / "board.bin")
     device = ["-device", f"{options.device},id={DEVICE}"] if options.device else []
     with Progress(f"drawing {frames} frames on {options.board}"), \
             Session(program, folder / "board.bin", folder, [f"frames={frames}", "hold"], device) as session:
@@ -60,7 +55,3 @@ def main(argv):
     output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))
     print(f"{options.board}: its screen after frame {frames - 1}: {one_line(options.out)}")
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,14 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Counts the executed instructions of the workloads and of the library's kernels.
 
 Writes the report bench.md, bench.json, and plots. Two runs give the same figures. Exit: 0 all was
 measured, 1 a program of the bench failed or drew a wrong picture, 2 the bench could not be run.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import os
@@ -19,7 +14,7 @@ import sys
 from fixel.base import children, output, parallel, scratch
 from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run
 from fixel.board import qemu
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
 # The share of pixels in which a renderer may differ from the library: the listing has no near plane, and
@@ -127,7 +122,3 @@ def main(argv):
         print(f"left out, because no board has the core: {', '.join(options.left_out)}", file=sys.stderr)
     print(f"report, plots, JSON: {one_line(pathlib.Path(options.out))}", file=sys.stderr)
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,14 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Prints flash, RAM and stack of the firmware, and of the library for each core.
 
 Also checks on the Cortex-M0 build that the library links neither floating point nor a heap: by its undefined
 symbols, and by linking all of it with the compiler's own helpers alone. Exit 1 if the check fails.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -21,7 +16,7 @@ from fixel.base import output, reading, scratch, spent
 from fixel.scene import making
 from fixel.bench import linked_size, stack
 from fixel.board import firmware, fleet
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.table import coloured, table
 
 # What the library may ask of its surroundings: C's memory functions, which
@@ -231,7 +226,3 @@ def main(argv):
     print(f"JSON: {one_line(options.out)}", file=sys.stderr)
     spent.tell()
     return 0 if result["proof"]["passes"] else 1
-
-
-if __name__ == "__main__":
-    run_main(main)

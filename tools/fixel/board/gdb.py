@@ -1,16 +1,10 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Opens a debugger on a board's program, powered on from its flash image and stopped at main."""
 
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
-
 import argparse
 
-from boot import positive
+from fixel.board.boot import positive
 from fixel.board.debugger import debug
-from fixel.base.errors import run_main
 
 
 def main(argv):
@@ -22,7 +16,3 @@ def main(argv):
     parser.add_argument("--commands", help="a file of GDB commands (default: GDB asks for them)")
     options = parser.parse_args(argv)
     return debug(options.board, options.elf, options.image, options.frames, options.commands)
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,10 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Makes a picture of a document: frames of `make run` or `make wire`, or of frame dumps, side by side."""
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -14,7 +9,7 @@ from PIL import Image
 
 from fixel.base import output, picture, reading
 from fixel.board import dump
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
 FRAMES = "30,45,105"       # of the plaza
@@ -74,7 +69,3 @@ def main(argv):
     # 256 colours suffice for flat shading and make the file a fifth of the size.
     output.write_file(options.out, picture.png_bytes(row.quantize(256, dither=Image.Dither.NONE)))
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,13 +1,8 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Shows where the instructions of a workload go: by function, by line, and as a flame graph.
 
 Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.toml).
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -16,7 +11,7 @@ import sys
 from fixel.base import output, scratch
 from fixel.bench import bench_plan, bench_run, flame, places
 from fixel.board import qemu
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
 from fixel.base.table import table
 
@@ -107,7 +102,3 @@ def main(argv):
     print_profile(data, taken.models)
     print(f"flame graph, stacks, JSON: {one_line(pathlib.Path(out))}", file=sys.stderr)
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,8 +1,7 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Tests the tests: puts one known bug after the other into a copy of the library.
 
-    seeded_bugs.py [--build DIR] [--only WORD | --sample N]
+    fixel seeded-bugs [--build DIR] [--only WORD | --sample N]
 
 Each bug of host_tests/build/seeded_bugs/bugs.toml must make a test fail; without a
 bug none may. --sample tries N bugs, chosen by what the library and its tests
@@ -10,10 +9,6 @@ hold, so that the same sources give the same sample and other sources another.
 Works on copies under DIR/seeded_bugs and never in the checkout.
 Exit: 0 all caught, 1 a bug survived (or a test fails without one), 2 could not run.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -26,14 +21,14 @@ import subprocess
 import sys
 import threading
 
-import equality
+from fixel.check import equality
 from fixel.check import bugs as records
 from fixel.base import children, limits, sampling
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
 
-CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 # What make needs to build the library's tests.
 COPIED = ("Makefile", "lib", "boards", "firmware", "linker", "bench", "host_tests")
 # What make has built of them in the checkout, which it need not build again.
@@ -199,7 +194,3 @@ def main(argv):
     verdicts = try_all(bugs, copies, tests)
     print_verdicts(verdicts)
     return 1 if any(verdict.caught_by is None for verdict in verdicts) else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Starts a board and shows its frames live on a web page of this machine.
 
@@ -6,10 +5,6 @@ Keys go from the page to the firmware; the page shows the frame of the reference
 Ctrl-C ends everything. Exit: 0 after Ctrl-C, 2 the board could not be started; else the board ended by
 itself, with the exit code of its program.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import asyncio
@@ -19,14 +14,14 @@ import signal
 import webbrowser
 
 from fixel.base import output, scratch
-from fixel.board import firmware, flash, methods
+from fixel.board import firmware, flash_memory, methods
 from fixel.base import bounded
-from fixel.base.errors import ENDINGS, ToolError, one_line, run_main
+from fixel.base.errors import ENDINGS, ToolError, one_line
 from fixel.view.view_board import Board
 from fixel.view.view_pump import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
 from fixel.view.view_reference import Reference
-from run import make_scene_image
+from fixel.board.run import make_scene_image
 from fixel.scene.making import parse_screen
 
 
@@ -77,7 +72,7 @@ def view(options):
     output.make_folder(options.build)
     with scratch.folder("view", options.build) as folder:
         scene_image = make_scene_image(options.scene, folder, None, options.screen, bounded.limits_of(options))
-        flash.flash(options.board, elf, scene_image, folder / "flash.bin")
+        flash_memory.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:
             try:
                 error = asyncio.run(serve(board, pathlib.Path(options.build) / "host" / "live", scene_image, options))
@@ -110,7 +105,3 @@ def main(argv):
     options.screen = parse_screen(options.screen) if options.screen else None
     options.port = port_number(options.port) if options.port is not None else None
     return view(options)
-
-
-if __name__ == "__main__":
-    run_main(main)

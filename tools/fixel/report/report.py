@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Measures every claim about accuracy, and compares Fixel with plain 16.16 and float32.
 
@@ -6,10 +5,6 @@ Writes report.json and report.html (one self-contained page). The same seed and 
 same report on every machine. --only measures some claims, with as many samples as you like, and writes
 claims.json. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 the report could not be made.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -19,7 +14,7 @@ from fixel.base import bounded, kept, output, scratch, spent
 from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
 from fixel.base.arguments import whole_number
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms, read_json
 from fixel.base.table import coloured, table
 
@@ -173,7 +168,3 @@ def main(argv):
     print_report(report, options.out)
     spent.tell()
     return 1 if complaints(report) else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares a run of make bench with the baseline, or makes the run the new baseline.
 
@@ -6,17 +5,13 @@ Exit: 0 no figure of Fixel is worse by more than the threshold, 1 a figure is wo
 is nothing to compare. --accept makes the run the baseline, and renews the tables of docs/performance.md.
 """
 
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
-
 import argparse
 import pathlib
 import sys
 
 from fixel.base import output
 from fixel.bench import bench_page, bench_plan
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import read_json
 from fixel.base.table import coloured, table
 
@@ -112,7 +107,3 @@ def main(argv):
         accept(after[0], options.baseline, options.document, bench_plan.Plan("build"))
         return 0
     return compare(read_rows(options.baseline), after, options.threshold)
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,10 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Records the live window for the README: a walk through the plaza, by keys, in a headless browser."""
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import io
@@ -16,7 +11,7 @@ from PIL import Image
 
 from fixel.base import output
 from fixel.view import browser
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import steps
 
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
@@ -102,7 +97,3 @@ def main(argv):
     output.write_file(options.out, record(options))
     print(one_line(options.out))
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,8 +1,7 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Tests the unit tests: puts small mistakes into the library, drawn at random, one at a time.
 
-    mutants.py --seed N [--count N] [--only WORD] --cc "COMMAND" --tests PROGRAM...
+    fixel mutants --seed N [--count N] [--only WORD] --cc "COMMAND" --tests PROGRAM...
 
 A mutant is killed where a unit test of the host fails with it, or where a replay of the fuzzer's corpus has answers
 that are not on record; it survives where all pass. One that no compiler takes, or that leaves the machine code as it
@@ -12,10 +11,6 @@ that include a mutated header. A test is run where the program that make links o
 Tests that take more than --slow seconds of CPU time are left out. Writes all mutants as JSON. Exit: 0 done,
 1 a test fails without a mutant, or fewer than --least per cent were killed, 2 could not run.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -34,10 +29,10 @@ import time
 
 from fixel.base import children, limits, output
 from fixel.check import mutate
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import ToolError
 from fixel.base.progress import Progress, steps
 
-CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 MUTATED = ("lib/src/*/*.[ch]", "lib/extra/*/*.[ch]", "lib/kernels/portable/*.[ch]")
 COMPILED = ("lib/src/*/*.c", "lib/extra/*/*.c", "lib/kernels/*.c", "lib/kernels/*/*.c")
 SOURCES = "lib"
@@ -333,7 +328,3 @@ def main(argv):
     output.write_json(scratch / f"seed-{options.seed}.json", result)
     print_result(result)
     return 1 if result["percent"] < options.least else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

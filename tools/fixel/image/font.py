@@ -1,13 +1,8 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Writes a bitmap font, a BDF file, as a C header for fxl_draw_text.
 
-    font.py FONT.bdf -o OUT.h [--name NAME] [--characters FIRST-LAST]
+    fixel font FONT.bdf -o OUT.h [--name NAME] [--characters FIRST-LAST]
         FIRST-LAST: codes of Latin-1, 32-126 by default"""
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import os
@@ -16,7 +11,7 @@ import sys
 
 from fixel.base import output
 from fixel.image import bdf, c_scene, c_text
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 
 BYTES_MAX = 65535       # of all pictures: fxl_glyph.first_byte
@@ -51,7 +46,7 @@ def header(font, name, source, first, last):
     items = [records.get(code, records[unknown]) for code in range(there[0], last + 1)]
     members = f"{name}_bits, {name}_glyphs, {len(items)}, {there[0]}, {unknown}, {font.line_height}"
     return c_text.header(
-        f"Written by tools/font.py from {c_scene.printable(source)}: characters {there[0]}..{last}, lines of "
+        f"Written by fixel font from {c_scene.printable(source)}: characters {there[0]}..{last}, lines of "
         f"{font.line_height} pixels.", f"{name.upper()}_FONT_H", ["fixel/extra/overlay.h"],
         [c_text.table("uint8_t", f"{name}_bits", bits or ["0x00"]),
          c_text.table("fxl_glyph", f"{name}_glyphs", items, "First byte, width, height, left, top, advance, 0."),
@@ -78,7 +73,3 @@ def main(argv):
     count = export(options.font, options.out, options.name, options.characters)
     print(f"{one_line(options.out)}: {count} characters", file=sys.stderr)
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

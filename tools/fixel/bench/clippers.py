@@ -1,14 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares every clipper with every visibility method: drawn on emulated cores, judged against double.
 
 Writes clippers.json and clippers.html (one self-contained page). Exit: 0 every pixel is explained and
 every core drew the frames of the host, 1 not, 2 the comparison could not be run.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -17,7 +12,7 @@ import sys
 from fixel.base import output, parallel, scratch
 from fixel.bench import clippers_page, clippers_plan, clippers_rows, clippers_run
 from fixel.board import qemu
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import read_json
 from fixel.base.table import coloured
 
@@ -115,7 +110,3 @@ def main(argv):
     word = coloured("FAIL", "red") if result["complaints"] else coloured("pass", "green")
     print(f"{word}: {one_line(options.out)}/clippers.html, {one_line(options.out)}/clippers.json")
     return 1 if result["complaints"] else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Draws a scene's path on a board, and compares the frames with the host's and with double.
 
@@ -6,10 +5,6 @@ Exit: 0 the board's frames equal the host's byte for byte, and every pixel that 
 explained; 1 not; 2 the run could not be made; 124 the program hung; 134 the core locked up; else the code
 of the program that failed (boards/contract/system.h).
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import pathlib
@@ -24,7 +19,7 @@ from fixel.scene import making
 from fixel.board import drawing, dump, emulator, firmware, methods, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
 from fixel.base.reading import quoted
@@ -305,7 +300,3 @@ def main(argv):
     print_summary(summary, options.out)
     spent.tell()
     return 0 if passes(summary) else 1
-
-
-if __name__ == "__main__":
-    run_main(main)

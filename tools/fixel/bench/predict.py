@@ -1,71 +1,66 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Predicts flash, RAM, stack and instructions a frame of a scene on a board, before anything is built for the board.
 
 Exit: 0 the board has room for the scene, 1 it has not, 2 there is no prediction.
 """
 
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
-
 import argparse
 import json
 import pathlib
 import sys
 
-import run as run_tool
+from fixel.board import run as run_tool
 from fixel.base import output, scratch
 from fixel.scene import making
-from fixel.bench import costs
+from fixel.bench import frame_costs
 from fixel.image import image, memory_needed
 from fixel.base import bounded
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.table import coloured, table
 
 
 def board_of(options, known):
     """The board's entry of bench/costs.json, and the core whose costs it has."""
-    core = costs.core_of(options.core)
+    core = frame_costs.core_of(options.core)
     if core is None or options.board not in known["boards"]:
-        raise ToolError(f"{options.board}: {costs.FILE.name} has no costs of its core and flags "
+        raise ToolError(f"{options.board}: {frame_costs.FILE.name} has no costs of its core and flags "
                         f"({' '.join(options.core.split()) or 'none'}); the boards are: {', '.join(known['boards'])}")
     return known["boards"][options.board], core
 
 
 def count(options, scene, size, board, file):
-    """costs.count with the board's settings; NoRoom says what the board has no room for."""
+    """frame_costs.count with the board's settings; NoRoom says what the board has no room for."""
     needed = memory_needed.order_needed(scene)
     if size > board["scene_room"]:
-        raise costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
+        raise frame_costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
     if needed > options.order:
-        raise costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
+        raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
     if options.without_surfaces and scene.surfaces:
-        raise costs.NoRoom("the board has no room to draw surfaces (VISIBILITY=surfaces builds a program that draws them)")
-    return costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
+        raise frame_costs.NoRoom("the board has no room to draw surfaces (VISIBILITY=surfaces builds a program that draws them)")
+    return frame_costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
                        options.frames or 0, options.scene)
 
 
 def parts(names, counts, table_of):
     """[(what, how many a frame, instructions a frame)], the most first."""
     means = counts.mean(axis=0)
-    found = [(costs.NAMES.get(name, name), mean, mean * table_of[name]) for name, mean in zip(names, means)]
+    found = [(frame_costs.NAMES.get(name, name), mean, mean * table_of[name]) for name, mean in zip(names, means)]
     return sorted((each for each in found if each[2] > 0), key=lambda each: -each[2])
 
 
 def predict(options, file):
     """The prediction for a scene image, as plain data."""
-    known = costs.load()
+    known = frame_costs.load()
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "why_not": None, **costs.memory(board, size, bool(scene.surfaces or scene.light)), "instructions_per_frame": None,
+              "why_not": None, **frame_costs.memory(board, size, bool(scene.surfaces or scene.light)), "instructions_per_frame": None,
               "ram_of_your_program": memory_needed.of_program(scene), "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
-    except costs.NoRoom as error:
+    except frame_costs.NoRoom as error:
         return {**result, "why_not": str(error)}
-    taken = costs.instructions(known["cores"][core], names, counts)
+    taken = frame_costs.instructions(known["cores"][core], names, counts)
     result["frames"] = len(taken)
     result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
     result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
@@ -124,7 +119,3 @@ def main(argv):
             output.write_json(options.json, result)
             print(f"JSON: {one_line(options.json)}", file=sys.stderr)
     return 1 if result["why_not"] else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,13 +1,8 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares two sets of frames: PNGs, folders of PNGs, or frame dumps, in any combination.
 
 Exit: 0 equal, 1 different, 2 cannot be compared.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import contextlib
@@ -25,7 +20,7 @@ from PIL import Image, UnidentifiedImageError
 
 from fixel.base import output, picture, reading
 from fixel.board import dump
-from fixel.base.errors import ToolError, one_line, run_main
+from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import steps
 from fixel.base.table import coloured, table
 
@@ -262,7 +257,3 @@ def main(argv):
     else:
         print_table(result, options.out)
     return 0 if result["equal"] else 1
-
-
-if __name__ == "__main__":
-    run_main(main)

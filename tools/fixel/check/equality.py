@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Compares each core's kernels with the portable ones, on the emulated core itself.
 
@@ -7,10 +6,6 @@ differences. The tool prints a line for each kernel. Exit: 0 all kernels are equ
 A journal beside the programs keeps what is done: the tool skips a kernel that the same program has
 already compared with as many inputs.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -25,7 +20,7 @@ import time
 from fixel.board import ending as endings
 from fixel.base import output, scratch
 from fixel.board import emulator, firmware, qemu
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import ToolError
 
 TIMEOUT = 3600.0    # seconds of CPU time for a kernel
 THOUSANDS_MAX = 1000000
@@ -149,7 +144,3 @@ def main(argv):
     inputs, wrong = (sum(row[key] for row in rows) for key in ("inputs", "differ"))
     print(f"{inputs:,} inputs of {len(rows)} kernels in {len(options.elf)} programs, {wrong:,} differ")
     return 1 if wrong else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

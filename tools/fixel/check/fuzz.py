@@ -1,20 +1,15 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Fuzzes the scene loader and the whole pipeline, and prints which branches were reached.
 
-    fuzz.py --seconds N --build DIR [--clang CLANG]     what make fuzz does
-    fuzz.py ... --renew-corpus                          then renews host_tests/fuzz/corpus
-    fuzz.py --add-records --build DIR                   fuzzes nothing: adds to host_tests/fuzz/record
+    fixel fuzz --seconds N --build DIR [--clang CLANG]     what make fuzz does
+    fixel fuzz ... --renew-corpus                          then renews host_tests/fuzz/corpus
+    fixel fuzz --add-records --build DIR                   fuzzes nothing: adds to host_tests/fuzz/record
 
 Inputs that the run found stay under DIR/fuzz/corpus and begin the next run. A record has a line for each input of the
 corpus: its name, and a hash of all that the library answered. Lines are added for new inputs, and removed with theirs;
 no command alters one.
 Exit: 0 nothing found, 1 findings (each kept as a file), 2 could not run.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import dataclasses
@@ -28,10 +23,10 @@ import sys
 import time
 
 from fixel.base import children, output
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import ToolError
 from fixel.base.table import coloured
 
-CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"
 RECORDS = CHECKOUT / "host_tests" / "fuzz" / "record"
 TARGETS = {"scene": 8192, "pipeline": 4096}     # and the longest input in bytes
@@ -355,7 +350,3 @@ def main(argv):
     print_result(result, total)
     print(f"JSON: {relative(build / 'fuzz' / 'fuzz.json')}", file=sys.stderr)
     return 1 if findings else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

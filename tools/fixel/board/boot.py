@@ -1,15 +1,10 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Boots a board from its flash image and fetches its frame dump."""
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 
 from fixel.board.emulator import run
-from fixel.base.errors import one_line, run_main
+from fixel.base.errors import one_line
 from fixel.base.progress import Progress
 
 
@@ -35,7 +30,3 @@ def main(argv):
                      options.timeout, progress)
     print(f"{result.board} ({result.cpu}): {result.frames} frames in {result.seconds:.1f} s: {one_line(options.dump)}")
     return 0
-
-
-if __name__ == "__main__":
-    run_main(main)

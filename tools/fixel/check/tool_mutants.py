@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Tests the tests of the tools: puts small mistakes into tools/fixel, drawn at random, one at a time.
 
@@ -7,10 +6,6 @@ likeliest to see it (fixel.check.likely). It is killed where one of them fails. 
 takes more than --slow seconds of CPU time, is passed over. host_tests/tools/survivors.toml has the mutants that change
 no result: they are not drawn. Exit: 0 done, 1 fewer than --least per cent were killed, 2 could not run.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import concurrent.futures
@@ -25,11 +20,11 @@ import sys
 import threading
 
 from fixel.base import limits, output
-from fixel.base.errors import ToolError, run_main
+from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 from fixel.check import likely, mutate_python, survivors
 
-CHECKOUT = pathlib.Path(__file__).resolve().parent.parent
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 KNOWN = "host_tests/tools/survivors.toml"
 COPIED = ("tools", "host_tests")
 UNCOPIED = shutil.ignore_patterns("__pycache__")
@@ -193,7 +188,3 @@ def main(argv):
                        "known": len(known), "mutants": [{"mutant": str(mutant), **result} for mutant, result in found]})
     print(f"{killed} of {len(found)} mutants of the tools killed: {percent:.1f} % (seed {options.seed})")
     return 1 if percent < options.least else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,14 +1,9 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Kills run, flash, boot, view and report at random moments, and looks at what they leave.
 
 After each kill another command runs. Then there must be no process and no file of theirs, and every result must be
 whole, the old one or the new one. Exit: 0 so it was, 1 not.
 """
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 import random
@@ -19,7 +14,6 @@ from fixel.base import output, scratch
 from fixel.scene import making
 from fixel.check import kill_campaign
 from fixel.base.arguments import whole_number
-from fixel.base.errors import run_main
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
 
@@ -89,7 +83,3 @@ def main(argv):
     with scratch.folder("kills", options.build) as folder:
         kills = carry_out(options, make_campaign(options, folder))
     return 1 if print_kills(kills, options.commands) else 0
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,10 +1,5 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Draws a scene's path as wireframes on this machine, and compares them with double."""
-
-from fixel.base import interpreter
-
-interpreter.choose()  # before the imports that need a package
 
 import argparse
 
@@ -12,10 +7,10 @@ from fixel.base import kept, output, picture, scratch
 from fixel.scene import making
 from fixel.board import dump
 from fixel.base import bounded
-from fixel.base.errors import one_line, run_main
+from fixel.base.errors import one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
-from run import frame_count, make_scene_image
+from fixel.board.run import frame_count, make_scene_image
 
 PATTERNS = [*output.numbered("frame_", ".png"), "walk.gif", "summary.json"]
 
@@ -64,7 +59,3 @@ def main(argv):
     print(f"unexplained            {summary['pixels_unexplained']}")
     print(f"{'pass' if passes(summary) else 'FAIL'}: {one_line(options.out)}")
     return 0 if passes(summary) else 1
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: MIT
+"""What a frame costs on a core: bench/costs.json, how it is fitted, and what it says of a scene.
+
+build/host/predict walks a scene's path as a board would, and counts what the library does (host_tests/judges/predict). The
+instructions of a frame are a sum of these counts, each times a cost. The costs are fitted by least squares of the
+relative errors; none is negative."""
+
+import json
+import pathlib
+
+import numpy as np
+
+from fixel.base import limits
+from fixel.base.errors import ToolError
+from fixel.base.reading import shortened
+
+FILE = pathlib.Path(__file__).resolve().parents[3] / "bench" / "costs.json"
+WALK_CPU = 600.0        # seconds of CPU time for a walk on the host
+SWEEPS = 20_000
+RIDGE = 1e-9            # keeps counts that always go together from taking turns
+
+# What each count of host_tests/judges/predict/counts.h is, for people.
+NAMES = {
+    "frames": "a frame", "instances": "an instance of the scene", "instances_seen": "an instance in sight",
+    "instances_viewed": "an instance's model view", "instances_passed": "an instance that a band looks at, beside the list",
+    "turned_checked": "a turned instance whose rotation is checked",
+    "turned_viewed": "the model view of a turned instance",
+    "faces_tested": "a face of a convex instance", "faces_facing": "a face of a sorted instance",
+    "faces_sorted": "a face that is sorted", "faces_clipped": "a face that the clipper gets",
+    "faces_outside": "of these, one outside", "faces_between": "of these, one that covers no pixel",
+    "corners": "a corner that the clipper gets", "vertices": "a vertex that is transformed",
+    "projections": "a vertex that is projected", "assembled": "a face that planes may cut",
+    "cut_edges": "an edge that is cut", "list_polygons": "a polygon for the display list", "list_words": "a word of it",
+    "list_reads": "a polygon that a band draws from the list", "list_scanned": "a word of the list that a band passes",
+    "spilled_faces": "a face that a band looks at, beside the list", "row_searches": "a polygon whose rows are found",
+    "polygons": "a polygon that is scanned", "polygons_drawn": "of these, one with rows in the band",
+    "trapezoids": "a trapezoid", "edges": "an edge of a polygon", "rows": "a row of a polygon",
+    "pixels": "a pixel of a polygon", "bands": "a band", "cleared": "a pixel that is cleared",
+    "brightnesses": "the light of a face or of a corner", "lamps": "a lamp that reaches it",
+    "in_fog": "a face or corner within the fog",
+    "surfaces_found": "a face whose surface is found", "surfaces_listed": "a polygon with a surface for the display list",
+    "surfaces_read": "a polygon with a surface that a band draws from the list",
+    "surfaces_painted": "a polygon with a surface that is painted", "painted_edges": "an edge of it",
+    "painted_rows": "a row of it", "segment_rows": "a row of it by the kernel", "segments": "16 columns of a texture",
+    "segment_pixels": "a pixel of a texture", "lit_segments": "16 columns of a lit texture",
+    "lit_segment_pixels": "a pixel of a lit texture", "slow_rows": "a row of a surface not all by the kernel",
+    "slow_segments": "8 or 16 columns of it beside the kernel",
+    "slow_pixels": "a pixel of a surface beside kernel and loops", "loop_pixels": "a pixel of a surface by a loop of C",
+    "divided_pixels": "a pixel that is divided by itself"}
+
+
+class NoRoom(ToolError):
+    """A board has no room for a scene."""
+
+
+def load():
+    """bench/costs.json."""
+    try:
+        return json.loads(FILE.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ToolError(f"{FILE}: cannot be read ({shortened(str(error))}); make costs renews it") from error
+
+
+def core_of(flags):
+    """The core of bench/costs.json that has the code of one with these compiler's flags, or None. A Cortex-M4, M7, M33,
+    and an M55 that passes no floats in registers have the code of an M3 (lib/kernels/family.h)."""
+    words = flags.split()
+    if any(word.startswith(("-O", "-DFXL_")) for word in words):
+        return None
+    cores = {"-mcpu=cortex-m0": "m0", "-mcpu=cortex-m0plus": "m0", "-mcpu=cortex-m3": "m3", "-mcpu=cortex-m4": "m3",
+             "-mcpu=cortex-m7": "m3", "-mcpu=cortex-m33": "m3", "-mcpu=cortex-m55": "m3"}
+    if "-mcpu=cortex-m55" in words and "-mfloat-abi=soft" not in words:
+        return None     # its vectors take other instructions
+    return next((cores[word] for word in words if word in cores), None)
+
+
+def count(build, image, band, order, words, cache, most=0, frames=0, name=None):
+    """(names, array of a row for each frame) of what the library does. band, words: bytes of a band and of the display
+    list; order, cache: entries; most: bytes that limit the list; name: the user's file, for messages."""
+    program = pathlib.Path(build) / "host" / "predict"
+    if not program.exists():
+        raise ToolError(f"{program} is not built: make predict builds it")
+    done = limits.run([program, str(image), *map(str, (band, order, words, cache, most, frames))], WALK_CPU, text=True)
+    if done.returncode:
+        said = done.stderr.strip().removeprefix("error: ").replace(str(image), str(name or image))
+        raise (NoRoom if done.returncode == 1 else ToolError)(said or f"{program} ended with {done.returncode}")
+    data = json.loads(done.stdout)
+    return data["names"], np.array(data["frames"], dtype=float)
+
+
+def fit(rows, wanted, weights):
+    """Costs, none below 0, with the least sum of weights times squares of relative errors: coordinate descent."""
+    scaled = rows / wanted[:, None] * np.sqrt(weights)[:, None]
+    sizes = np.sqrt((scaled ** 2).sum(axis=0))
+    used = sizes > 0
+    scaled = scaled[:, used] / sizes[used]
+    matrix = scaled.T @ scaled + RIDGE * np.eye(used.sum())
+    target = scaled.T @ np.sqrt(weights)
+    found = np.zeros(used.sum())
+    for _ in range(SWEEPS):
+        before = found.copy()
+        for i in range(len(found)):
+            found[i] = max(0.0, found[i] + (target[i] - matrix[i] @ found) / matrix[i, i])
+        if np.abs(found - before).max() < 1e-12:
+            break
+    costs = np.zeros(len(sizes))
+    costs[used] = found / sizes[used]
+    return costs
+
+
+def instructions(costs, names, counts):
+    """Instructions of each frame, as an array. costs: those of a core, by name."""
+    missing = [name for name in names if name not in costs]
+    if missing:
+        raise ToolError(f"{FILE}: it has no cost of {', '.join(missing)}: make costs renews it")
+    return counts @ np.array([costs[name] for name in names])
+
+
+# --- the three that are not instructions ----------------------------------------------
+
+def memory(board, image_bytes, has_looks=False):
+    """Bytes of flash and RAM on a board of bench/costs.json: what the program and a scene image take, and what there
+    is. The stack is a part of the RAM; seen is the deepest that the fit's scenes went: with light or surfaces, has_looks,
+    or without."""
+    return {"flash": {"program": board["flash_bytes"], "scene": image_bytes, "scene_room": board["scene_room"],
+                      "of": board["flash_size"]},
+            "ram": {"program": board["ram_bytes"], "of": board["ram_size"]},
+            "stack": {"seen": board["stack_seen_looks" if has_looks else "stack_seen"], "reserved": board["stack_reserved"]}}

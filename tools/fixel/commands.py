@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""The commands of fixel: their modules, and how one starts.
+
+A command's module is imported when it starts, and no other's: a command needs only the Python packages of its own.
+"""
+
+import importlib
+import sys
+
+SCENE = "fixel.scene.command"   # has several commands, and takes their name as its first word
+# {room: {command: (module, one line of help)}}
+ROOMS = {
+    "Scenes": {
+        "build": (SCENE, "compile a scene file or a model into a scene image"),
+        "export": (SCENE, "write a scene as a C header"),
+        "info": (SCENE, "say what is in a scene image"),
+        "texture": (SCENE, "write an image as a texture in C"),
+        "font": ("fixel.image.font", "write a font as a C header"),
+    },
+    "Boards": {
+        "run": ("fixel.board.run", "draw a scene's path on a board, and compare it with double"),
+        "screen": ("fixel.board.screen", "save what a board's screen shows"),
+        "flash": ("fixel.board.flash", "write a program and a scene to a board"),
+        "boot": ("fixel.board.boot", "boot a board from its flash image"),
+        "gdb": ("fixel.board.gdb", "open a debugger on a board"),
+        "boards": ("fixel.board.boards", "compare all boards"),
+        "view": ("fixel.view.view", "show a board live on a web page"),
+        "record": ("fixel.view.record", "record the live window"),
+    },
+    "Pictures and reports": {
+        "compare": ("fixel.report.compare", "compare pictures, folders of pictures, or frame dumps"),
+        "wire": ("fixel.report.wire", "draw a scene's path as wireframes"),
+        "report": ("fixel.report.report", "measure every claim about accuracy"),
+        "pictures": ("fixel.report.pictures", "make a picture of the documents from frames"),
+        "first-program": ("fixel.report.first_program", "draw the picture of an example"),
+    },
+    "What it costs": {
+        "predict": ("fixel.bench.predict", "predict flash, RAM, stack and instructions a frame"),
+        "size": ("fixel.bench.size", "print flash, RAM and stack"),
+        "bench": ("fixel.bench.bench", "count the instructions of frames and kernels"),
+        "bench-diff": ("fixel.bench.bench_diff", "compare a bench with the baseline"),
+        "clippers": ("fixel.bench.clippers", "compare every clipper with every visibility method"),
+        "costs": ("fixel.bench.costs", "measure what predict predicts from"),
+        "profile": ("fixel.bench.profile", "show where a workload's instructions go"),
+    },
+    "Tests": {
+        "test": ("fixel.check.test", "run the tests that make has built"),
+        "coverage": ("fixel.check.coverage", "print what the library's tests reach"),
+        "equality": ("fixel.check.equality", "compare every kernel with the portable one"),
+        "frame-hashes": ("fixel.check.frame_hashes", "add a scene's hashes to the record"),
+        "fuzz": ("fixel.check.fuzz", "fuzz the library and the tools' input"),
+        "kills": ("fixel.check.kills", "kill commands at random moments"),
+        "mutants": ("fixel.check.mutants", "put random small mistakes into the library"),
+        "tool-mutants": ("fixel.check.tool_mutants", "put random small mistakes into the tools"),
+        "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
+    },
+    "The Makefile": {
+        "make": ("fixel.base.make", "a command with the options that variables of make become"),
+    },
+}
+COMMANDS = {name: tool for room in ROOMS.values() for name, (tool, _) in room.items()}
+
+
+def start(name, words, program="fixel"):
+    """Runs a command; the exit code. program: what it says that it is, before its name."""
+    module = COMMANDS[name]
+    tool = importlib.import_module(module)
+    sys.argv[0] = program if module == SCENE else f"{program} {name}"
+    return tool.main([name, *words] if module == SCENE else words)
