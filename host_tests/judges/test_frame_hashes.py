@@ -9,7 +9,7 @@ from board_programs import built
 from conftest import CHECKOUT, run_cli, sampled
 import pytest
 
-import frozen_frames as hashes_tool
+from fixel.check import frame_hashes as hashes_tool
 from fixel.scene import making
 from fixel.board import dump, emulator, flash_memory
 from fixel.check import frozen_frames

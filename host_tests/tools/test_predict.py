@@ -9,7 +9,7 @@ import subprocess
 import numpy
 import pytest
 
-import frame_costs as costs_tool
+from fixel.bench import costs as costs_tool
 from fixel.bench import predict as predict_tool
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli
