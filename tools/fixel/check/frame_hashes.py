@@ -3,9 +3,9 @@
 
     fixel frame-hashes SCENE... [--build DIR]
 
-SCENE is a .toml, an .obj or an .fxls. The tool compiles each scene, draws it on the host, and adds it
-under the CRC-32 of its image. If an image has a record already, it must draw the same frames.
-Exit: 0 all scenes have records, 1 an image draws other frames than its record, 2 the tool could not run.
+SCENE is a .toml, an .obj or an .fxls. The tool compiles each scene, draws it on the host, and adds it under its name,
+which is the file's without the suffix. If the name has a record already, the scene must draw the same frames.
+Exit: 0 all scenes have records, 1 a scene draws other frames than its record, 2 the tool could not run.
 """
 
 import argparse
@@ -33,13 +33,13 @@ def add(scene, records, build, folder):
     if image.suffix != ".fxls":
         image = folder / "scene.fxls"
         making.build(str(scene), str(image))
-    key, drawn = frozen_frames.image_key(image), drawn_by_host(image, build, folder)
-    if key in records:
-        wrong = frozen_frames.difference(records[key], drawn)
+    name, drawn = pathlib.Path(scene).stem, drawn_by_host(image, build, folder)
+    if name in records:
+        wrong = frozen_frames.difference(records[name], drawn)
         if wrong:
             raise ToolError(f"{scene}: {wrong}", exit_code=1)
         return "on record"
-    records[key] = frozen_frames.record_of(pathlib.Path(scene).stem, drawn)
+    records[name] = frozen_frames.record_of(drawn)
     return "added"
 
 
