@@ -127,6 +127,38 @@ void test_a_track_repeats(void)
     TEST_ASSERT_EQUAL_INT32(7 * 32768, instances[2].centre.y);
 }
 
+static void expect_orientation(fxl_angle yaw, const fxl_orientation *orientation)
+{
+    fxl_orientation wanted;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(yaw, 0, 0, &wanted));
+    TEST_ASSERT_EQUAL_MEMORY(&wanted, orientation, sizeof wanted);
+}
+
+void test_steps_spins_and_circles_go_on_where_a_track_repeats(void)
+{
+    const fxl_angle step = 1u << 26; /* 64 frames a turn */
+    fxl_motion_set set = make_track(2);
+    fxl_scene scene;
+    keys[1].frame = 8;
+    motions[0].repeats = 1;
+    motions[0].yaw_step = step;
+    fxl_motion_player player = begin(&set, &scene);
+    for (uint32_t frame = 0; frame < FRAMES; frame++) {
+        fxl_motion_play(&player, frame);
+        expect_orientation(frame * step, &turns[1].orientation);
+    }
+    motions[0].yaw_step = 0;
+    motions[0].axis.y = 1;
+    motions[0].spin_step = step;
+    motions[0].radius = FXL_UNITS(2);
+    motions[0].circle_step = step;
+    player = begin(&set, &scene);
+    fxl_motion_play(&player, 16); /* a quarter of a turn: 16 mod 8 would be none */
+    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), instances[2].centre.x);
+    TEST_ASSERT_EQUAL_INT32(0, instances[2].centre.z);
+    TEST_ASSERT_EQUAL_INT32(0, turns[1].orientation.x.x);
+}
+
 /* From 350 degrees to 20 it is 30 onward, not 330 back. */
 void test_angles_take_the_short_way(void)
 {
