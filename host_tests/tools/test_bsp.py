@@ -14,7 +14,7 @@ from fixel.scene import tree, tree_faces
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
 from fixel.image.image_tree import NONE, PLANARITY_MAX
-from fixel.model.mesh import Mesh, UNIT, cross, dot, minus, newell, shape
+from fixel.model.mesh import DENT_MAX, Mesh, UNIT, cross, dot, is_convex_outline, minus, newell, shape, unit_normal
 from fixel.model.solids import make
 from fixel.scene.toml_object import matrix
 
@@ -61,6 +61,22 @@ boxes = st.lists(st.tuples(
     st.tuples(*[st.integers(1, 9)] * 3),
     st.tuples(*[st.integers(0, 359)] * 3),
     st.sampled_from(["box", "prism", "octahedron"])), min_size=1, max_size=6)
+
+
+def bumpy_torus(around, across):
+    """A torus of triangles that is not convex anywhere inside."""
+    vertices, faces = [], []
+    for i in range(around):
+        for j in range(across):
+            a, b = 2 * math.pi * i / around, 2 * math.pi * j / across
+            thick = 1 + math.sin(3 * a + 2 * b) / 4
+            vertices.append(tuple(round(ONE * c) for c in ((2.5 + thick * math.cos(b)) * math.cos(a), thick * math.sin(b),
+                                                           (2.5 + thick * math.cos(b)) * math.sin(a))))
+            next_i, next_j = (i + 1) % around * across, (j + 1) % across
+            corners = i * across + j, next_i + j, next_i + next_j, i * across + next_j
+            faces += [tuple(corners[k] for k in half) for half in ((0, 1, 2), (0, 2, 3))]
+    return Model(vertices, [Face(unit_normal(newell([vertices[c] for c in corners])), corners, 1) for corners in faces],
+                 image.SORTED)
 
 
 def random_scene(drawn):
@@ -112,6 +128,58 @@ def test_parts_tile_their_face_and_share_every_vertex_of_an_edge(drawn):
         assert all(face.colour == parts[source].colour for face in own)
     for own in by_object.values():
         assert edges_of(own) == {}      # closed: each edge has its two owners, bit for bit
+
+
+def hull_of(points, area):
+    """The convex hull of points of a plane, decided exactly along the area's largest axis."""
+    axis = max(range(3), key=lambda k: abs(area[k]))
+    x, y = (axis + 1) % 3, (axis + 2) % 3
+
+    def half(ordered):
+        kept = []
+        for point in ordered:
+            while len(kept) > 1 and ((kept[-1][x] - kept[-2][x]) * (point[y] - kept[-2][y]) <=
+                                     (kept[-1][y] - kept[-2][y]) * (point[x] - kept[-2][x])):
+                kept.pop()
+            kept.append(point)
+        return kept[:-1]
+    ordered = sorted(set(points), key=lambda point: (point[x], point[y]))
+    return half(ordered) + half(ordered[::-1])
+
+
+def dent(points):
+    """How far a vertex of an outline lies inside its convex hull, squared."""
+    hull = hull_of(points, newell(points))
+    edges = list(zip(hull, hull[1:] + hull[:1]))
+    return max(min(distance_to_edge(point, a, b) for a, b in edges) for point in points)
+
+
+def test_a_dent_is_measured():
+    square = [(0, 0, 0), (0, 900, 0), (900, 900, 0), (900, 0, 0)]
+    assert dent(square) == 0
+    assert dent([*square, (450, 0, 0)]) == 0
+    assert dent([*square, (450, 3, 0)]) == 9
+    assert not is_convex_outline([*square, (450, 3, 0)], newell([*square, (450, 3, 0)]))
+
+
+def dents_of(made):
+    """The dents of the faces that a tree made of a scene."""
+    _, _, _, faces, _, points = grown(made)
+    return [dent([points[corner] for corner in face.corners]) for face in faces]
+
+
+@settings(max_examples=25, deadline=None)
+@given(boxes)
+def test_no_outline_has_a_dent_beyond_its_bound(drawn):
+    """SPEC.md, section 3.4."""
+    assert max(dents_of(random_scene(drawn))) <= DENT_MAX ** 2
+
+
+@pytest.mark.parametrize("around, across", [(10, 7), (13, 9), (16, 8)])
+def test_cuts_of_cuts_leave_dents_within_their_bound(around, across):
+    """SPEC.md, section 3.4. Vertices of an edge are rounded, so there are dents."""
+    dents = dents_of(scene([bumpy_torus(around, across)], [(0, 0, 0)]))
+    assert 0 < max(dents) <= DENT_MAX ** 2
 
 
 def chain_of(edges):
