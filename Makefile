@@ -220,10 +220,11 @@ screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM
 	@$(MAKE) $(WALK)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
-pictures: ## renew the pictures of the documents (needs make run and make report) [BOARD=]
+pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
 	@tools/setup.sh test
 	@$(MAKE) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BUILD)/host/live $(BUILD)/host/frames $(BUILD)/host/libfixel.a
-	@$(FIXEL) pictures --run $(BUILD)/run --out docs/plaza.png
+	@$(MAKE) run SCENE=scenes/plaza.toml FRAMES=106 OUT=$(BUILD)/plaza
+	@$(FIXEL) pictures --run $(BUILD)/plaza --out docs/plaza.png
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(FIXEL) first-program --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crowd --out docs/world.png
