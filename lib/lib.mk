@@ -3,11 +3,11 @@
 
 LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h lib/include/fixel/*/*.h lib/include/fixel/*/*/*.h)
 
-# Every source file, for any core: the files of lib/kernels ask the compiler which core it is
-# for (lib/kernels/family.h), and of each kernel exactly one has contents. An object is named
+# Every source file, for any core: the files of a kernel ask the compiler which core it is
+# for (lib/math/family.h), and of each kernel exactly one has contents. An object is named
 # by its source's path below lib/; a makefile has a rule for .c and one for .S. No two sources
 # share a name, so another build may put all objects into one folder.
-LIB_SOURCES := $(sort $(wildcard lib/src/*/*.c lib/extra/*/*.c lib/kernels/*.c lib/kernels/*/*.c lib/kernels/*/*.S))
+LIB_SOURCES := $(sort $(wildcard lib/*/*.c lib/*/*.S))
 LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 
 # No flag here is needed for a correct library; they save instructions. A kernel's own loop

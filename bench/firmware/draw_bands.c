@@ -6,8 +6,8 @@
  * drawn, as the walk does. */
 #include "contract/system.h"
 #include "draw.h"
-#include "fixel/extra/light.h"
-#include "fixel/extra/surfaces.h"
+#include "fixel/light.h"
+#include "fixel/surfaces.h"
 #include "fixel/stage/fill.h"
 #include "text.h"
 

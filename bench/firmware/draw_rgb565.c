@@ -4,7 +4,7 @@
 #include "draw_fixel.c"
 #undef draw_frame
 
-#include "fixel/extra/pixels.h"
+#include "fixel/pixels.h"
 
 #define BAND_ROWS 8u
 

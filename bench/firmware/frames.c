@@ -9,7 +9,7 @@
 #include "contract/store.h"
 #include "contract/system.h"
 #include "draw.h"
-#include "fixel/extra/motion.h"
+#include "fixel/motion.h"
 #include "fixel/stage/fill.h"
 #include "path.h"
 #include "region.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "kernels.h"
 
-#include "src/math/arith.h"
-#include "kernels/edge_divide.h"
+#include "math/arith.h"
+#include "raster/edge_divide.h"
 
 #define EACH(i) for (uint32_t i = 0; i < KERNEL_COUNT; i++)
 

@@ -5,7 +5,7 @@
 
 #include "fixel/all.h"
 #include "../../host_tests/unit/mapped_quad.h"
-#include "extra/surfaces/paint.h"
+#include "paint/paint.h"
 
 enum {
     LOG_SIZE = 6,

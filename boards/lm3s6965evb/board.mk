@@ -5,7 +5,7 @@ BOARD_CPU := cortex-m3
 BOARD_CORE := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BOARD_QEMU := -M lm3s6965evb
 BOARD_OPENOCD := -f board/ek-lm3s6965.cfg
-# Which of its keys a viewer's bits of fixel/extra/player.h are.
+# Which of its keys a viewer's bits of fixel/player.h are.
 BOARD_NOTE := keys=1:up,2:down,4:left,8:right,16:ctrl+up,32:ctrl+down,64:ctrl+left,128:ctrl+right
 
 # Of 64 KiB: the OLED's frame in one band, other screens in several.

@@ -3,12 +3,12 @@
  * get them, and records its wires (make run DRIVER=ili9341). It stands beside the board's own
  * panels: the linker hands their list to it first (firmware/firmware.mk).
  *
- * DRIVER_NAME: a driver of fixel/extra/display.h. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows
+ * DRIVER_NAME: a driver of fixel/display.h. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows
  * of a transfer. */
 #include <stddef.h>
 
 #include "contract/panel.h"
-#include "fixel/extra/display.h"
+#include "fixel/display.h"
 #include "parts/wires.h"
 
 #if DRIVER_BITS == 1

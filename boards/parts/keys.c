@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-#include "fixel/extra/player.h"
+#include "fixel/player.h"
 
 /* Tells whether the readings of one button agree for long enough. */
 static bool is_settled(keys_debouncer *keys, uint32_t i, bool is_equal, uint32_t milliseconds)

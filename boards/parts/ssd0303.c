@@ -3,7 +3,7 @@
  * window of a frame is collected here, in two pages, and sent when the frame ends. */
 #include "parts/ssd0303.h"
 
-#include "fixel/extra/pixels.h"
+#include "fixel/pixels.h"
 
 #define PAGES        (SSD0303_HEIGHT / 8u)
 #define FIRST_COLUMN 36u /* of the controller's 132 columns: the first one of the module */

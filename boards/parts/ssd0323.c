@@ -3,7 +3,7 @@
  * set for each rectangle, and the controller advances through it. */
 #include "parts/ssd0323.h"
 
-#include "fixel/extra/pixels.h"
+#include "fixel/pixels.h"
 
 #define ROW_BYTES (SSD0323_WIDTH / 2u)
 

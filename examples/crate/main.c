@@ -1,7 +1,7 @@
 /* A crate of planks that turns by a lamp: 49 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
 #include <fixel.h>
-#include <fixel/extra/orientation.h>
-#include <fixel/extra/surfaces.h>
+#include <fixel/orientation.h>
+#include <fixel/surfaces.h>
 #include "cube_scene.h" /* tools/scene.py export --c examples/cube/cube.obj -o cube_scene.h */
 int show(const uint8_t *pixels); /* 0: another frame, please */
 static uint8_t pixels[240][320], planks[32][32], ramp[FXL_LIGHT_RAMP_BYTES(16)];

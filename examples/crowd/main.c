@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Cubes that one program puts up at run time: each in a colour of its own, by one lamp, in fog. */
 #include <fixel.h>
-#include <fixel/extra/light.h>
-#include <fixel/extra/world.h>
+#include <fixel/light.h>
+#include <fixel/world.h>
 #include "cube_scene.h" /* tools/scene.py export --c examples/cube/cube.obj -o cube_scene.h */
 
 #define SIDE   12 /* cubes in a row */

@@ -1,6 +1,6 @@
 /* A cube that turns: 24 lines. show is yours: it takes a frame of 320 x 240 entries of cube_palette. */
 #include <fixel.h>
-#include <fixel/extra/orientation.h>
+#include <fixel/orientation.h>
 #include "cube_scene.h" /* tools/scene.py export --c examples/cube/cube.obj -o cube_scene.h */
 int show(const uint8_t *pixels); /* 0: another frame, please */
 static fxl_renderer renderer;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "edges.h"
 
-#include "kernels/edge_divide.h"
+#include "raster/edge_divide.h"
 #include "equality.h"
 #include "sides.h"
 

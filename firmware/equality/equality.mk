@@ -13,8 +13,8 @@ EQUALITY_CORE = $(patsubst %-os,%,$(patsubst %-small,%,$(1)))
 EQUALITY_LIB = $(EQUALITY_NAMES:%=$(if $(filter %-small,$(1)),small/,$(if $(filter %-os,$(1)),os/))lib/%)
 EQUALITY_FLAGS = $(if $(filter %-small,$(1)),BENCH_CC_SMALL,$(if $(filter %-os,$(1)),BENCH_CC_OS,BENCH_CC))
 
-# The stages with kernels are in lib/src and lib/kernels; a program here names nothing of lib/extra.
-EQUALITY_NAMES := $(filter-out extra/%,$(LIB_NAMES))
+# The rooms with kernels; a program here names nothing of the others.
+EQUALITY_NAMES := $(filter math/% scene/% view/% clip/% raster/% paint/% draw/% screen/row_to_16%,$(LIB_NAMES))
 
 # The program's own; the list of its tests is another for small.
 EQUALITY_OBJECTS := $(patsubst %.c,%.o,$(notdir $(filter-out %/sides.c %/tests.c %/tests_small.c,\

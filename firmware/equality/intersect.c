@@ -4,7 +4,7 @@
 
 #include "equality.h"
 #include "sides.h"
-#include "src/clip/intersect_edge.h"
+#include "clip/intersect_edge.h"
 
 #define DISTANCE_MAX   (((uint64_t)1 << 62) - 1)
 #define COORDINATE_MAX (((uint64_t)1 << 61) - 1)

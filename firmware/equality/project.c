@@ -4,7 +4,7 @@
 #include "project.h"
 
 #include "equality.h"
-#include "src/view/project_any.h"
+#include "view/project_any.h"
 #include "sides.h"
 
 #define SIDE_MAX (((int64_t)1 << 61) - 1)

@@ -4,7 +4,7 @@
 #include "rows.h"
 
 #include "equality.h"
-#include "fixel/extra/pixels.h"
+#include "fixel/pixels.h"
 #include "sides.h"
 
 #define COUNT_MAX 96u

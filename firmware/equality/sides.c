@@ -2,12 +2,12 @@
 /* The inline kernels as functions; SIDE is core_ or portable_. */
 #include "sides.h"
 
-#include "kernels/divide.h"
-#include "kernels/edge_divide.h"
-#include "kernels/estimate.h"
-#include "kernels/leading_zeros.h"
-#include "kernels/multiply.h"
-#include "kernels/multiply_high.h"
+#include "math/divide.h"
+#include "raster/edge_divide.h"
+#include "view/estimate.h"
+#include "math/leading_zeros.h"
+#include "math/multiply.h"
+#include "math/multiply_high.h"
 
 #define JOIN(side, name)   side##name
 #define EXPAND(side, name) JOIN(side, name)

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Both sides under different names: core_ as this core's build has them, portable_ as
- * lib/kernels/portable and lib/src have them. sides.c is compiled once for each. equality.mk
+ * the portable C has them. sides.c is compiled once for each. equality.mk
  * renames what is not inline. */
 #ifndef SIDES_H
 #define SIDES_H
 
 #include "fixel/stage/clipper.h"
 #include "fixel/stage/scan.h"
-#include "extra/surfaces/segments.h"
-#include "src/raster/draw_outline.h"
-#include "src/view/front_faces.h"
+#include "paint/segments.h"
+#include "raster/draw_outline.h"
+#include "view/front_faces.h"
 
 #define SIDES(side) \
     uint64_t side##multiply_u32(uint32_t a, uint32_t b); \

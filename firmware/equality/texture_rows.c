@@ -4,7 +4,7 @@
 #include "texture_rows.h"
 
 #include "equality.h"
-#include "extra/surfaces/segments.h"
+#include "paint/segments.h"
 #include "sides.h"
 
 #define COLUMNS 96u

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "transform_vertex.h"
 
-#include "../../lib/src/view/rotate.h"
+#include "../../lib/view/rotate.h"
 #include "equality.h"
 #include "sides.h"
 

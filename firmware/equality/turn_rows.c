@@ -4,7 +4,7 @@
 
 #include "equality.h"
 #include "sides.h"
-#include "src/view/turn_rows.h"
+#include "view/turn_rows.h"
 
 #include <string.h>
 

@@ -14,7 +14,7 @@
 #define LINE_MAX  256
 #define WORDS_MAX 96
 
-void fxl_assert_failed(const char *file, int at); /* lib/src/math/arith.h */
+void fxl_assert_failed(const char *file, int at); /* lib/math/arith.h */
 
 /* The linker defines them. */
 extern const unittest_entry __start_unittest_entries[], __stop_unittest_entries[];

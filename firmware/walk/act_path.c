@@ -2,7 +2,7 @@
 /* The act of the walk: the camera follows the scene's path, and what has a motion moves. */
 #include "act.h"
 
-#include "fixel/extra/motion.h"
+#include "fixel/motion.h"
 
 static fxl_motion_player motion;
 static bool moves;

@@ -4,7 +4,7 @@
 #ifndef WALK_METHODS_H
 #define WALK_METHODS_H
 
-#include "fixel/extra/billboards.h"
+#include "fixel/billboards.h"
 #include "fixel/render.h"
 #include "fixel/scene.h"
 

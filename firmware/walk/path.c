@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "path.h"
 
-#include "fixel/extra/player.h"
+#include "fixel/player.h"
 
 void walk_path_begin(walk_path *path, const fxl_scene_image *image, bool live)
 {

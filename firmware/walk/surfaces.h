@@ -3,7 +3,7 @@
 #ifndef WALK_SURFACES_H
 #define WALK_SURFACES_H
 
-#include "fixel/extra/light.h"
+#include "fixel/light.h"
 #include "fixel/render.h"
 #include "fixel/scene.h"
 

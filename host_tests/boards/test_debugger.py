@@ -67,7 +67,7 @@ def test_a_file_of_commands(board, tmp_path):
                                  board=board), TMPDIR=str(tmp_path))
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"^Temporary breakpoint 1, main \(.*firmware/walk/main\.c:\d+$", done.stdout, re.MULTILINE)
-    assert re.search(r"^Breakpoint 2, fxl_frame_begin \(.*lib/src/draw/render\.c:\d+$", done.stdout, re.MULTILINE)
+    assert re.search(r"^Breakpoint 2, fxl_frame_begin \(.*lib/draw/render\.c:\d+$", done.stdout, re.MULTILINE)
     assert re.search(r"^#\d+ .*\bwalk \(\) at firmware/walk/walk\.c:\d+$", done.stdout, re.MULTILINE)
     assert re.search(r"^#\d+ .*\bmain \(", done.stdout, re.MULTILINE)
     assert re.search(r"^\$1 = [1-9]\d*$", done.stdout, re.MULTILINE), done.stdout

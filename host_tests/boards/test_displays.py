@@ -16,14 +16,13 @@ PAGE = (CHECKOUT / "docs" / "displays.md").read_text(encoding="utf-8")
 MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
 INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
-PUMP = CHECKOUT / "lib" / "extra" / "pump"
-LIBRARY = [*sorted((CHECKOUT / "lib" / "extra" / "display").glob("*.c")),
-           *sorted((CHECKOUT / "lib" / "extra" / "pixels").glob("*.c")),
-           CHECKOUT / "lib" / "kernels" / "portable" / "row_to_16.c"]
+SCREEN = CHECKOUT / "lib" / "screen"
+LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "ili9341", "mono", "pages", "pixels", "rgb332", "rgb565",
+                                            "row_to_16", "sh1106", "ssd1306", "st7735", "st7789")]
 # A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
 OLED = """
 #include <stdio.h>
-#include <fixel/extra/display.h>
+#include <fixel/display.h>
 extern const fxl_display_port wires;
 bool i2c_write(uint8_t address, const uint8_t *bytes, size_t size);
 void wait_for(uint32_t milliseconds);
@@ -82,7 +81,7 @@ def fixture_show(request, tmp_path_factory):
     write_sources(folder)
     compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], folder,
                 f"-DLATE={int(request.param != 'early')}",
-                *(["-DDRIVER=fxl_ili9341"] if request.param == "ili9341" else []), *SHOW, PUMP / "pump.c", "-o", "show")
+                *(["-DDRIVER=fxl_ili9341"] if request.param == "ili9341" else []), *SHOW, SCREEN / "pump.c", "-o", "show")
 
     def run(palette, frames, rows):
         height, width = frames[0].shape
@@ -137,11 +136,11 @@ def test_the_driver_compiles_for_a_microcontroller(tmp_path):
 def test_a_pump_with_one_buffer_is_caught(tmp_path):
     """The mock sees what the contract forbids: DMA reads what is filled anew."""
     write_sources(tmp_path)
-    whole = (PUMP / "pump.c").read_text(encoding="utf-8")
+    whole = (SCREEN / "pump.c").read_text(encoding="utf-8")
     broken = whole.replace("pump->free_buffer ^= 1u;", "")
     assert broken != whole
     (tmp_path / "pump.c").write_text(broken, encoding="utf-8")
-    compile_all(["gcc"], tmp_path, *SHOW, f"-I{PUMP}", "pump.c", "-o", "show")
+    compile_all(["gcc"], tmp_path, *SHOW, f"-I{SCREEN}", "pump.c", "-o", "show")
     palette, frames = random_frames(320, 240)
     subprocess.run(["./show", "320", "240", "16"], cwd=tmp_path, check=True,
                    input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames))
@@ -164,7 +163,7 @@ def build_oled(folder):
     write_sources(folder)
     (folder / "oled.c").write_text(OLED, encoding="utf-8")
     compile_all(["gcc", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover"], folder, "oled.c",
-                "i2c_wires.c", *LIBRARY, *LINK, PUMP / "pump.c", "-o", "oled")
+                "i2c_wires.c", *LIBRARY, *LINK, SCREEN / "pump.c", "-o", "oled")
     return folder / "oled"
 
 

@@ -47,7 +47,7 @@ def test_a_frame_that_is_no_multiple_of_the_matrix():
 def part(tmp_path_factory):
     """The library's, for the host."""
     library = tmp_path_factory.mktemp("grey") / "grey.so"
-    subprocess.run(["gcc", "-std=c11", "-shared", "-fPIC", "-Ilib/include", "lib/extra/pixels/grey.c", "-o", library],
+    subprocess.run(["gcc", "-std=c11", "-shared", "-fPIC", "-Ilib/include", "lib/screen/grey.c", "-o", library],
                    cwd=CHECKOUT, check=True)
     return ctypes.CDLL(str(library))
 

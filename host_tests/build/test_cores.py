@@ -8,7 +8,7 @@ import subprocess
 from conftest import CHECKOUT, run_make
 
 CORE = "cpu-cortex-m4_float-abi-soft_no-unaligned-access"
-SOURCES = ("extra/clippers/clip_once", "src/view/order", "src/raster/scan")
+SOURCES = ("study/clip_once", "view/order", "raster/scan")
 
 
 def compiling(source, cpu, target):

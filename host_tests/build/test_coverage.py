@@ -14,14 +14,14 @@ def file(name, records=()):
 
 def test_files_and_rooms(tmp_path):
     records = [[7, 9, 8, 20, 0, 5, [True, False]], [30, 1, 30, 9, 0, 5, [False]]]
-    files = clang_coverage.of_files([file(f"{tmp_path}/lib/src/math/a.c", records), file("lib/src/math/b.c"), file("lib/include/fixel/c.h"),
-                               file("lib/include/fixel/extra/d.h"), file("host_tests/unit/e.c"), file("/usr/include/f.h")], tmp_path)
-    assert list(files) == ["lib/src/math/a.c", "lib/src/math/b.c", "lib/include/fixel/c.h", "lib/include/fixel/extra/d.h"]
-    assert files["lib/src/math/a.c"] == {"lines": [9, 10], "branches": [3, 4], "conditions": [1, 3],
+    files = clang_coverage.of_files([file(f"{tmp_path}/lib/math/a.c", records), file("lib/math/b.c"), file("lib/include/fixel/c.h"),
+                               file("lib/include/fixel/d.h"), file("host_tests/unit/e.c"), file("/usr/include/f.h")], tmp_path)
+    assert list(files) == ["lib/math/a.c", "lib/math/b.c", "lib/include/fixel/c.h", "lib/include/fixel/d.h"]
+    assert files["lib/math/a.c"] == {"lines": [9, 10], "branches": [3, 4], "conditions": [1, 3],
                                          "unreached": [[7, 2], [30, 1]]}
     rooms = clang_coverage.by_room(files)
-    assert list(rooms) == ["lib/include/fixel", "lib/src/math", "all together"]
-    assert rooms["lib/src/math"] == {"lines": [18, 20], "branches": [6, 8], "conditions": [2, 6]}
+    assert list(rooms) == ["lib/include/fixel", "lib/math", "all together"]
+    assert rooms["lib/math"] == {"lines": [18, 20], "branches": [6, 8], "conditions": [2, 6]}
     assert rooms["all together"] == {"lines": [36, 40], "branches": [12, 16], "conditions": [4, 12]}
     assert clang_coverage.rows(rooms)[-1] == ["all together", "36 of 40   90.0 %", "12 of 16   75.0 %", "4 of 12   33.3 %"]
 

@@ -64,8 +64,8 @@ def test_a_pattern_of_the_annotations_that_no_file_needs_is_none():
 
 
 @pytest.mark.parametrize("name, content, licence", [
-    ("tools/new.py", b"import os\n", None), ("lib/src/new.c", f"/* {TAG} GPL-2.0 */\n".encode(), "GPL-2.0"),
-    ("lib/src/new.h", f"/* {TAG} MIT */\n".encode(), "MIT"), ("docs/new.png", b"\0", "MIT"),
+    ("tools/new.py", b"import os\n", None), ("lib/math/new.c", f"/* {TAG} GPL-2.0 */\n".encode(), "GPL-2.0"),
+    ("lib/math/new.h", f"/* {TAG} MIT */\n".encode(), "MIT"), ("docs/new.png", b"\0", "MIT"),
     ("tools/new.html", f"{{#- {TAG} MIT\n-#}}\n".encode(), "MIT"), ("lib/new.bin", f"\0{TAG} MIT".encode(), None)])
 def test_what_the_licence_of_a_file_is(name, content, licence):
     assert licence_of(name, content, annotations("SPDX-License-Identifier")[0]) == licence

@@ -35,7 +35,7 @@ def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_p
     source, program = tmp_path / "draw.c", tmp_path / "draw"
     call = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL)"
     for named, text in ((False, call), (True, call + " + fxl_renderer_set_light(NULL, NULL, NULL)")):
-        source.write_text("#include <stddef.h>\n#include <fixel/extra/light.h>\n" + PROGRAM.replace("NAME", text),
+        source.write_text("#include <stddef.h>\n#include <fixel/light.h>\n" + PROGRAM.replace("NAME", text),
                           encoding="utf-8")
         subprocess.run(["gcc", "-std=c11", "-I", build.parent / "lib" / "include", source,
                         build / "host" / "libfixel.a", "-o", program], check=True)
@@ -64,7 +64,7 @@ def test_an_int_of_16_bits_is_refused(build, tmp_path):
     source.write_text("#include <stdbool.h>\n#include <stddef.h>\n#include <stdint.h>\n#include <string.h>\n"
                       "#ifdef SHORT\n#define int short\n#endif\n#include \"math/arith.h\"\n", encoding="utf-8")
     library = build.parent / "lib"
-    command = ["gcc", "-std=c11", "-fsyntax-only", "-I", library / "include", "-I", library / "src", source]
+    command = ["gcc", "-std=c11", "-fsyntax-only", "-I", library / "include", "-I", library, source]
     subprocess.run(command, check=True)
     done = subprocess.run([*command, "-DSHORT"], text=True, capture_output=True, check=False)
     assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr

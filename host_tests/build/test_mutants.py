@@ -55,7 +55,7 @@ def test_a_mutant_changes_its_place_alone():
 
 def test_what_a_header_goes_into(tmp_path):
     notes = tmp_path / "a.d"
-    notes.write_text("a.o: tests/a.c \\\n lib/src/../math/root.h lib/b.h\n\nlib/c.h:\n", encoding="utf-8")
+    notes.write_text("a.o: tests/a.c \\\n lib/draw/../math/root.h lib/b.h\n\nlib/c.h:\n", encoding="utf-8")
     for name, expected in {"lib/math/root.h": True, "lib/b.h": True, "tests/a.c": True, "lib/c.h": False,
-                           "lib/src/root.h": False, "root.h": False}.items():
+                           "lib/draw/root.h": False, "root.h": False}.items():
         assert mutate.includes(notes, tmp_path, name) == expected

@@ -4,7 +4,7 @@
 
 #include "demand.h"
 #include "draw.h"
-#include "fixel/extra/rgb565.h"
+#include "fixel/rgb565.h"
 #include "record.h"
 
 enum {

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../../lib/src/scene/crc.h"
+#include "../../lib/scene/crc.h"
 
 enum {
     HEADER_SIZE = 160,

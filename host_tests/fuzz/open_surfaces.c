@@ -5,7 +5,7 @@
 
 #include "demand.h"
 #include "draw.h"
-#include "fixel/extra/surfaces.h"
+#include "fixel/surfaces.h"
 #include "record.h"
 
 enum {

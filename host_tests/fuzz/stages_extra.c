@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The stages of lib/extra that work on records of their own, and the sort of faces. */
+/* The other clippers and splitters, which work on records of their own, and the sort of faces. */
 #include <string.h>
 
 #include "demand.h"

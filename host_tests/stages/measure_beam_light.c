@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../../lib/extra/beams/lit_pieces.h"
+#include "../../lib/paint/lit_pieces.h"
 #include "reference/beam_light.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"

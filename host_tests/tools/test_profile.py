@@ -135,7 +135,7 @@ class Code:
 
 class Debug:
     """small is inlined at 0x102 into outer."""
-    files = {"outer": "lib/src/view/project.c", "small": "lib/src/math/arith.h", "helper": "libgcc/div.c"}
+    files = {"outer": "lib/view/project.c", "small": "lib/math/arith.h", "helper": "libgcc/div.c"}
 
     @staticmethod
     def file_of(name, address):
@@ -147,7 +147,7 @@ class Debug:
 
     @staticmethod
     def line(address):
-        return None if address >= 0x200 else f"lib/src/view/project.c:{address - 0x100}"
+        return None if address >= 0x200 else f"lib/view/project.c:{address - 0x100}"
 
 
 def small_profile():
@@ -168,7 +168,7 @@ def test_every_instruction_has_one_function_one_line_one_stack_and_one_stage():
     assert {names: each.instructions for names, each in taken.stacks.items()} == \
         {("outer",): 20, ("outer", "small (inlined)"): 10, ("outer", "helper"): 20}
     assert {line: each.instructions for line, each in taken.lines.items()} == \
-        {"lib/src/view/project.c:0": 10, "lib/src/view/project.c:2": 10, "lib/src/view/project.c:4": 10, "helper (no source)": 20}
+        {"lib/view/project.c:0": 10, "lib/view/project.c:2": 10, "lib/view/project.c:4": 10, "helper (no source)": 20}
     assert taken.stages == {"project": 50}      # a helper's work is its caller's
     assert taken.staged == {("project", "outer"): 20, ("project", "small"): 10, ("project", "helper"): 20}
     data = places.as_json(taken, 5)
@@ -177,9 +177,9 @@ def test_every_instruction_has_one_function_one_line_one_stack_and_one_stage():
     assert data["cycles_estimate"]["cortex-m3"] == [40 + 6 + 4 * 2, 40 + 6 + 4 * 4]
 
 
-FILES = {"frame": "lib/src/draw/render.c", "outline": "lib/src/raster/scan.c", "fxl_scan_outline": "lib/src/raster/scan.c",
-         "next": "lib/src/raster/scan.c", "rows": "lib/kernels/armv7m/fill.S", "product": "lib/src/math/arith.h",
-         "divide": "lib/src/math/divide_wide.c", "main": "bench/firmware/frames.c", "new": "lib/src/unheard_of.c"}
+FILES = {"frame": "lib/draw/render.c", "outline": "lib/raster/scan.c", "fxl_scan_outline": "lib/raster/scan.c",
+         "next": "lib/raster/scan.c", "rows": "lib/raster/fill_armv7m.S", "product": "lib/math/arith.h",
+         "divide": "lib/math/divide_wide.c", "main": "bench/firmware/frames.c", "new": "lib/draw/unheard_of.c"}
 
 
 @pytest.mark.parametrize("names, stage", [
@@ -203,8 +203,8 @@ def test_debug_information_knows_lines_and_inlined_functions():
     code, debug = MachineCode(elf), DebugLines(elf)
     (function,) = [each for each in code.functions if each.name == "fxl_frame_begin"]
     inside = [address for address, _ in code.each_instruction() if function.start <= address < function.end]
-    assert all(re.fullmatch(r"lib/(src/\w+|include/fixel(/\w+)*)/\w+\.[ch]:\d+", debug.line(address)) for address in inside)
-    assert debug.files["fxl_frame_begin"] == "lib/src/draw/render.c"
+    assert all(re.fullmatch(r"lib/(\w+|include/fixel(/\w+)*)/\w+\.[ch]:\d+", debug.line(address)) for address in inside)
+    assert debug.files["fxl_frame_begin"] == "lib/draw/render.c"
     assert debug.files.get("bench_begin") == "bench/firmware/region.c"
     tool = subprocess.run([f"{CROSS}addr2line", "-i", "-f", "-e", str(elf), *map(hex, inside)], capture_output=True,
                           text=True, check=True).stdout.splitlines()

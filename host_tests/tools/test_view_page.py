@@ -29,7 +29,7 @@ FIGURES = ("x", "y", "z", "yaw", "pitch", "roll")
 # What a key changes, and which way.
 KEYS = {"ArrowUp": ("z", 1), "ArrowRight": ("yaw", 1), "ArrowLeft": ("yaw", -1), "ArrowDown": ("z", -1),
         "KeyR": ("pitch", 1), "KeyF": ("pitch", -1), "KeyQ": ("roll", 1), "KeyE": ("roll", -1)}
-# Other keys that mean the same: bits of fixel/extra/player.h.
+# Other keys that mean the same: bits of fixel/player.h.
 SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32}
 
 # Pixels of a frame that may show another texel or level than the reference does: within their bounds of

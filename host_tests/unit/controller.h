@@ -5,7 +5,7 @@
 #ifndef CONTROLLER_H
 #define CONTROLLER_H
 
-#include "fixel/extra/display.h"
+#include "fixel/display.h"
 #include "transfer.h"
 
 enum {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../../lib/src/raster/fill_row.h"
+#include "../../lib/raster/fill_row.h"
 
 static const uint8_t *counted_pixels;
 static uint8_t *counted_writes;
@@ -21,7 +21,7 @@ static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
 #define fxl_span_buffer_begin counted_span_buffer_begin
 #define fxl_span_buffer_draw  counted_span_buffer_draw
 #define fxl_fill_row          count_and_fill
-#include "../../lib/extra/spans/span_buffer.c"
+#include "../../lib/study/span_buffer.c"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)

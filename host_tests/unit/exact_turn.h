@@ -4,7 +4,7 @@
 #ifndef EXACT_TURN_H
 #define EXACT_TURN_H
 
-#include "fixel/extra/orientation.h"
+#include "fixel/orientation.h"
 
 #define EXACT_PI  3.14159265358979323846264338327950288L
 #define EXACT_ONE ((long double)FXL_Q2_30_ONE)

@@ -4,7 +4,7 @@
 #ifndef HUD_H
 #define HUD_H
 
-#include "fixel/extra/overlay.h"
+#include "fixel/overlay.h"
 
 /* The entries of the palette that it uses. */
 typedef struct {

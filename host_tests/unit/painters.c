@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "painters.h"
 
-#include "fixel/extra/spans.h"
+#include "fixel/study/spans.h"
 
 static struct {
     uint8_t background;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Corners whose attributes become linear on the screen: all on it, or none of them changes. */
 #include "clip_views.h"
-#include "extra/surfaces/affine.h"
+#include "paint/affine.h"
 
 enum {
     WIDTH = 40,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Divisions and the square root by what they promise, up to the ends of their ranges. */
-#include "../../lib/src/math/arith.h"
-#include "../../lib/src/math/ratio.h"
-#include "../../lib/src/math/square_root.h"
+#include "../../lib/math/arith.h"
+#include "../../lib/math/ratio.h"
+#include "../../lib/math/square_root.h"
 #include "unit.h"
 
 void setUp(void)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A renderer with a light: what lies in the beam is lit, all else is as before, in bands as
  * whole, and no pixel between lit and dark is left out or drawn twice. */
-#include "../../lib/extra/beams/lit_pieces.h"
+#include "../../lib/paint/lit_pieces.h"
 #include "painters.h"
 #include "tiny.h"
 #include "tiny_frames.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The walk over a side of a billboard, pixel by pixel, by its definition. */
-#include "../../lib/extra/billboards/billboard_walk.h"
+#include "../../lib/paint/billboard_walk.h"
 #include "unit.h"
 
 enum {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The rules of clipping in the view, worked out by hand; what a new vertex may
  * err by stands in test_clip_view_bounds.c. */
-#include "../../lib/src/clip/clip_stats.h"
+#include "../../lib/clip/clip_stats.h"
 #include "plane_cases.h"
 #include "unit.h"
 

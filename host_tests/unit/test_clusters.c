@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clusters outside the frustum and clusters turned away. */
 #include "cluster_scene.h"
-#include "src/view/clusters.h"
+#include "view/clusters.h"
 
 enum {
     WIDTH = 48,

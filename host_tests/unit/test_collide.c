@@ -2,7 +2,7 @@
 /* Overlaps and segments against exact arithmetic of 128 bits and double. */
 #include <math.h>
 
-#include "extra/collide/exact.h"
+#include "game/exact.h"
 #include "tiny.h"
 #include "wide.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "src/view/facing.h"
+#include "view/facing.h"
 #include "fixel/stage/order.h"
 #include "tiny.h"
 

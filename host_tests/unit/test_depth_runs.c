@@ -3,9 +3,9 @@
  * near their cells. */
 #include <string.h>
 
-#include "extra/depth/depth_cells.h"
-#include "extra/depth/depth_code.h"
-#include "kernels/depth_run.h"
+#include "paint/depth_cells.h"
+#include "paint/depth_code.h"
+#include "paint/depth_run.h"
 
 #include "unit.h"
 

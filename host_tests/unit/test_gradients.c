@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "clip_views.h"
-#include "extra/surfaces/gradients.h"
+#include "paint/gradients.h"
 
 static int width, height;
 static fxl_view view;

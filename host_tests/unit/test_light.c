@@ -2,9 +2,9 @@
 /* Light and fog, against the definitions in double (docs/extras/light.md). */
 #include <math.h>
 
-#include "../../lib/extra/light/light_level.h"
+#include "../../lib/paint/light_level.h"
 #include "fixel/all.h"
-#include "../../lib/src/draw/submit.h"
+#include "../../lib/draw/submit.h"
 #include "exact_light.h"
 #include "tiny.h"
 #include "tiny_frames.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Faces split by beams fit together: along every edge between two pieces, of one face or of
  * two, both have the same points. */
-#include "../../lib/extra/beams/lit_pieces.h"
+#include "../../lib/paint/lit_pieces.h"
 #include "unit.h"
 
 enum {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The normalised frustum: its matrix, its planes and what it cuts. */
-#include "../../lib/extra/clippers/intersection.h"
+#include "../../lib/clip/intersection.h"
 #include "clip_shapes.h"
 
 /* One room for all tests: some boards have 16 KB. */

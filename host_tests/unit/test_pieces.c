@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Faces of which several polygons come: by their clipper, by their walk, by light. Counted
  * once, and in the list wholly or not at all. */
-#include "../../lib/src/draw/submit.h"
+#include "../../lib/draw/submit.h"
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bands that pass over what does not reach them: the same frames, and less work. */
-#include "fixel/extra/clippers.h"
-#include "fixel/extra/spans.h"
+#include "fixel/study/clippers.h"
+#include "fixel/study/spans.h"
 #include "frame_bands.h"
 #include "tiny.h"
 

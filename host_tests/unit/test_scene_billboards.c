@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Billboards in a scene image: version 7, a header of 320 bytes. */
 #include "expect_scene.h"
-#include "fixel/extra/billboards.h"
+#include "fixel/billboards.h"
 
 enum {
     BOARD_HEADER = 320,

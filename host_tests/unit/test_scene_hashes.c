@@ -4,7 +4,7 @@
 #include "bsp_sight.h"
 #include "cluster_scene.h"
 #include "frame_bands.h"
-#include "fixel/extra/spans.h"
+#include "fixel/study/spans.h"
 
 enum {
     FRAMES = 60, /* of each kind */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Surfaces in a scene image: version 6, a header of 296 bytes. */
 #include "expect_scene.h"
-#include "fixel/extra/surfaces.h"
+#include "fixel/surfaces.h"
 
 enum {
     SURFACE_HEADER = 296,

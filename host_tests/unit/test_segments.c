@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "extra/surfaces/segments.h"
+#include "paint/segments.h"
 #include "unity.h"
 
 enum {

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "fixel/extra/rgb565.h"
+#include "fixel/rgb565.h"
 #include "mapped_quad.h"
 #include "unit.h"
 

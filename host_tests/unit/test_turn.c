@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers of turned instances, against their definitions in whole numbers of 128 bits. */
-#include "src/scene/turn_code.h"
+#include "scene/turn_code.h"
 #include "turns.h"
 #include "wide.h"
 

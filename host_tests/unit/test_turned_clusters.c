@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Clusters of turned instances: their spheres, and cones before an eye that was rounded. */
 #include "cluster_scene.h"
-#include "src/scene/turn_code.h"
-#include "src/view/clusters.h"
-#include "src/view/turned_view.h"
+#include "scene/turn_code.h"
+#include "view/clusters.h"
+#include "view/turned_view.h"
 #include "turns.h"
 
 enum {

@@ -2,8 +2,8 @@
 /* Turned instances in a renderer: whole frames, with every clipper and method. */
 #include "clippers_list.h"
 #include "frame_bands.h"
-#include "fixel/extra/spans.h"
-#include "src/scene/face_bounds.h"
+#include "fixel/study/spans.h"
+#include "scene/face_bounds.h"
 #include "turns.h"
 #include "tiny.h"
 #include "tiny_frames.h"

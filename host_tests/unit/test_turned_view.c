@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The turned view of an instance: vertices, facing, order and the sphere test. */
-#include "src/view/turned_view.h"
+#include "view/turned_view.h"
 #include "turns.h"
 #include "wide.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What hides what: front to back is back to front turned round, and the picture the same. */
-#include "../../lib/src/draw/submit.h"
+#include "../../lib/draw/submit.h"
 #include "counted_spans.h"
 #include "frame_bands.h"
 #include "tiny.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* How memory for a workspace, or for a visibility method, is divided into parts. */
-#include "../../lib/src/draw/renderer.h"
+#include "../../lib/draw/renderer.h"
 #include "tiny.h"
 
 enum {

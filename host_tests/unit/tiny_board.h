@@ -3,7 +3,7 @@
 #ifndef TINY_BOARD_H
 #define TINY_BOARD_H
 
-#include "fixel/extra/billboards.h"
+#include "fixel/billboards.h"
 #include "tiny.h"
 
 /* A sprite without a key, 4 x 3 units about its centre. Its pixels are 100 and more. */

@@ -5,7 +5,7 @@
 
 #include "picture.h"
 #include "polygon_face.h"
-#include "src/view/turned_view.h"
+#include "view/turned_view.h"
 #include "turns.h"
 
 /* The outline around both: all edges but those that one walks one way and the

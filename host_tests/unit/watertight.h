@@ -3,7 +3,7 @@
 #ifndef WATERTIGHT_H
 #define WATERTIGHT_H
 
-#include "fixel/extra/clippers/workspace.h"
+#include "fixel/study/workspace.h"
 #include "unit.h"
 
 enum {

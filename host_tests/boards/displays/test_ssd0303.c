@@ -2,7 +2,7 @@
 /* The panel of dark and light against a controller that the test plays. */
 #include <string.h>
 
-#include "fixel/extra/pixels.h"
+#include "fixel/pixels.h"
 #include "parts/ssd0303.h"
 #include "unity.h"
 

@@ -3,7 +3,7 @@
  * in its memory, and what becomes of wires that fail. */
 #include <string.h>
 
-#include "fixel/extra/pixels.h"
+#include "fixel/pixels.h"
 #include "parts/ssd0323.h"
 #include "unity.h"
 

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "fixel/extra/display.h"
+#include "fixel/display.h"
 
 #ifndef LATE
 #define LATE 1

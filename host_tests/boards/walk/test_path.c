@@ -4,7 +4,7 @@
 
 #include "path.h"
 
-#include "fixel/extra/player.h"
+#include "fixel/player.h"
 #include "scene_bytes.h"
 #include "unity.h"
 

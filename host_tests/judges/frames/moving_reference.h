@@ -4,7 +4,7 @@
 #ifndef FRAMES_MOVING_REFERENCE_H
 #define FRAMES_MOVING_REFERENCE_H
 
-#include "fixel/extra/motion.h"
+#include "fixel/motion.h"
 #include "reference/scene.h"
 
 typedef struct {

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "fixel/extra/billboards.h"
-#include "fixel/extra/surfaces.h"
+#include "fixel/billboards.h"
+#include "fixel/surfaces.h"
 #include "fixel/scene.h"
 #include "frames/read_file.h"
 

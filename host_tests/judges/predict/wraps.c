@@ -4,16 +4,16 @@
 #include <math.h>
 
 #include "predict/counts.h"
-#include "src/clip/clip_stats.h"
-#include "src/clip/intersect_edge.h"
-#include "src/draw/reach.h"
-#include "src/raster/draw_outline.h"
-#include "src/scene/turn_code.h"
-#include "src/view/turned_view.h"
+#include "clip/clip_stats.h"
+#include "clip/intersect_edge.h"
+#include "draw/reach.h"
+#include "raster/draw_outline.h"
+#include "scene/turn_code.h"
+#include "view/turned_view.h"
 
-#include "extra/light/light_level.h"
-#include "extra/surfaces/segments.h"
-#include "extra/surfaces/surface_polygon.h"
+#include "paint/light_level.h"
+#include "paint/segments.h"
+#include "draw/surface_polygon.h"
 #include "fixel/stage/fill.h"
 #include "fixel/stage/project.h"
 

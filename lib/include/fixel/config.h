@@ -4,16 +4,16 @@
  *
  *   FXL_SMALL             defined or not: few bytes of code instead of few instructions
  *   FXL_POLYGON_CAPACITY  a number, 12..32: the most vertices of a polygon; default 32
- *   FXL_PORTABLE_KERNELS  defined or not: kernels in plain C on every core (lib/kernels)
+ *   FXL_PORTABLE_KERNELS  defined or not: kernels in plain C on every core
  *   FXL_ASSERT_HOOK       defined or not, for tests: assertions call fxl_assert_failed, which
- *                         the program must define (lib/src/math/arith.h)
+ *                         the program must define (lib/math/arith.h)
  */
 #ifndef FXL_CONFIG_H
 #define FXL_CONFIG_H
 
 /* With FXL_SMALL the library omits the second, faster algorithms: all outlines are scanned by
  * active edges, all vertices are projected by a long division, and so on. It takes no kernel in
- * assembly (lib/kernels/family.h). On a Cortex-M3 with -Os a renderer then takes half of the bytes
+ * assembly (lib/math/family.h). On a Cortex-M3 with -Os a renderer then takes half of the bytes
  * that it takes with -O2, and 2.7 to 4.4 times the instructions. All results are the same. This
  * is a setting of the library alone: the records are the same, so a program that uses the library
  * need not define it. */

@@ -228,7 +228,7 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
 /* Releases the scene before the frame is drawn: from here on fxl_frame_draw reads the display list
  * and nothing of the scene, whatever core draws and by whatever visibility method. The scene's
- * instances and turns may then change, and a world (extra/world.h) may. So one core draws a frame
+ * instances and turns may then change, and a world (fixel/world.h) may. So one core draws a frame
  * while another core changes the scene and begins the next frame in a second renderer. Textures,
  * sprites, palettes and ramps are still read, and must stay. fxl_pick_face answers FXL_E_ORDER
  * until the next frame begins. Call it while no core draws a band of the frame. A second call
@@ -238,7 +238,7 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer);
 
 /* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER
- * until a frame begins. Only a world (extra/world.h) needs to be told: it may change again. After
+ * until a frame begins. Only a world (fixel/world.h) needs to be told: it may change again. After
  * fxl_frame_release_scene it need not be told.
  * FXL_E_ARGUMENT. */
 fxl_status fxl_frame_end(fxl_renderer *renderer);

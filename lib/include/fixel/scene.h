@@ -86,7 +86,7 @@ typedef struct {
     fxl_point centre;
     uint16_t model;
     uint8_t layer;
-    uint8_t recolour; /* 0; in a world, a table of colours, counted from 1 (extra/world.h) */
+    uint8_t recolour; /* 0; in a world, a table of colours, counted from 1 (fixel/world.h) */
 } fxl_instance;
 
 /* A node of a BSP tree over the faces of one instance (docs/extras/bsp.md): a plane relative to the
@@ -263,7 +263,7 @@ typedef struct {
     uint32_t levels;
 } fxl_scene_light;
 
-/* A texture as a scene image has it: fxl_texture (extra/surfaces.h) with places instead of
+/* A texture as a scene image has it: fxl_texture (fixel/surfaces.h) with places instead of
  * pointers.
  */
 typedef struct {
@@ -276,7 +276,7 @@ typedef struct {
 typedef struct fxl_surface fxl_surface;
 typedef struct fxl_mapped_face fxl_mapped_face;
 
-/* The surfaces of a scene image, of which fxl_surfaces_open (extra/surfaces.h) makes a set. */
+/* The surfaces of a scene image, of which fxl_surfaces_open (fixel/surfaces.h) makes a set. */
 typedef struct {
     const fxl_scene_texture *textures;
     const uint8_t *texels; /* of all textures */
@@ -289,7 +289,7 @@ typedef struct {
     uint32_t blend_first, blend_count;
 } fxl_scene_surfaces;
 
-/* A billboard as a scene image has it: fxl_billboard and fxl_sprite (extra/billboards.h) with
+/* A billboard as a scene image has it: fxl_billboard and fxl_sprite (fixel/billboards.h) with
  * places instead of pointers. */
 typedef struct {
     uint32_t pixels;  /* where in the image's sprite pixels its first byte is */
@@ -301,7 +301,7 @@ typedef struct {
     fxl_q16_16 width, height, anchor_x, anchor_y;
 } fxl_scene_billboard;
 
-/* The billboards of a scene image, of which fxl_billboards_open (extra/billboards.h) makes a set.
+/* The billboards of a scene image, of which fxl_billboards_open (fixel/billboards.h) makes a set.
  */
 typedef struct {
     const fxl_scene_billboard *billboards;
@@ -334,14 +334,14 @@ typedef struct {
     const fxl_turn *turns; /* of each instance from first_turned on; null: no instance is turned */
     uint32_t first_turned; /* where there are turns: the first instance that has one */
     const fxl_turn_code *turn_code; /* where there are turns: &fxl_turned_instances */
-    uint32_t instance_capacity; /* of a world (extra/world.h): the most that instance_count becomes;
+    uint32_t instance_capacity; /* of a world (fixel/world.h): the most that instance_count becomes;
                                    else 0 */
 } fxl_scene;
 
 /* The visibility method that a scene image asks for. */
 enum {
     FXL_SCENE_BY_DEFAULT = 0, /* that of its BSP tree, or of its surfaces; else by distance */
-    FXL_SCENE_BY_DEPTH = 1    /* fxl_visibility_depth (extra/depth.h) */
+    FXL_SCENE_BY_DEPTH = 1    /* fxl_visibility_depth (fixel/depth.h) */
 };
 
 /* A scene image: the scene and the settings beside it. */

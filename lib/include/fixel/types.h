@@ -124,7 +124,7 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 
 /* The result of a public function. If the input is wrong, the function returns a
  * status other than FXL_OK and changes nothing. A bug of the library itself is an
- * assertion (FXL_ASSERT in lib/src/math/arith.h). */
+ * assertion (FXL_ASSERT in lib/math/arith.h). */
 
 typedef enum {
     FXL_OK = 0,
@@ -316,8 +316,8 @@ typedef struct {
 
 enum {
     FXL_POLYGON_FLAT = 0,    /* one colour */
-    FXL_POLYGON_SURFACE = 1, /* a surface (extra/surfaces.h) */
-    FXL_POLYGON_SPRITE = 2   /* a sprite (extra/billboards.h) */
+    FXL_POLYGON_SURFACE = 1, /* a surface (fixel/surfaces.h) */
+    FXL_POLYGON_SPRITE = 2   /* a sprite (fixel/billboards.h) */
 };
 
 /* The rows first <= row < end. No rows if the two are equal. */

@@ -63,7 +63,7 @@ def load():
 
 def core_of(flags):
     """The core of bench/costs.json that has the code of one with these compiler's flags, or None. A Cortex-M4, M7, M33,
-    and an M55 that passes no floats in registers have the code of an M3 (lib/kernels/family.h)."""
+    and an M55 that passes no floats in registers have the code of an M3 (lib/math/family.h)."""
     words = flags.split()
     if any(word.startswith(("-O", "-DFXL_")) for word in words):
         return None

@@ -20,8 +20,8 @@ GROUPS = {"multiply": ("multiply", "multiply add"),
 GROUP_OF = {kind: group for group, kinds in GROUPS.items() for kind in kinds}
 INLINED = "(inlined)"
 # A kernel in assembly has its core in its name, and the stage of the portable one.
-CORES = re.compile(r"_(?:armv6m|armv7m|mve)$")
-LIBRARY = tuple(map(pathlib.PurePath, ("lib/src", "lib/extra", "lib/kernels")))
+CORES = re.compile(r"_(?:armv6m|armv7m|mve|portable)$")
+LIBRARY, PUBLIC = map(pathlib.PurePath, ("lib", "lib/include"))
 OTHERS = "beside the library"
 STAGES = pathlib.Path(__file__).resolve().parents[3] / "bench" / "stages.toml"
 BEFORE_RETURN = 2   # bytes: an address within the call
@@ -64,8 +64,7 @@ class Stages:
         for name in reversed(names):
             file = pathlib.PurePath(files.get(name, ""))
             stem = stem_of(file)
-            if file.suffix == ".h" or stem in self.shared or \
-                    not any(folder in file.parents for folder in LIBRARY):
+            if file.suffix == ".h" or stem in self.shared or LIBRARY not in file.parents or PUBLIC in file.parents:
                 continue
             if innermost not in (None, stem):
                 break

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What controllers of displays make of their wires, written from their data sheets: ST7789, ILI9341 and ST7735 in
-RGB565, SSD1306 and SH1106 in black and white. The drivers are lib/extra/display; neither was made from the other.
+RGB565, SSD1306 and SH1106 in black and white. The drivers are in lib/screen; neither was made from the other.
 """
 
 import numpy

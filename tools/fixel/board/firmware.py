@@ -109,7 +109,7 @@ def read_sectors(elf, path, flash_size, sector):
 
 
 def read_keys(text):
-    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/extra/player.h -> QEMU's names."""
+    """Keys as a note has them, "1:up,16:ctrl+up": bit of fixel/player.h -> QEMU's names."""
     pairs = (each.split(":", 1) for each in text.split(",") if each)
     return {int(bit): tuple(names.split("+")) for bit, names in pairs}
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a display of few greys must show of a frame: written from docs/formats.md, section 4, alone.
 
-The library's own is lib/extra/pixels/grey.c; neither was made from the other.
+The library's own is lib/screen/grey.c; neither was made from the other.
 """
 
 import numpy

@@ -18,7 +18,7 @@ from fixel.base.progress import Progress
 
 KINDS = {"lines": "lines", "branches": "branches", "mcdc": "conditions"}     # of llvm-cov -> of the table
 WORDS = 2000    # the last characters of what a program said
-LEVELS = 3      # of a path: lib/src/math; lib/kernels/portable
+LEVELS = 3      # of a path: lib/include/fixel
 
 
 def run_programs(programs, folder, jobs):

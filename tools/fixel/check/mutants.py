@@ -33,8 +33,9 @@ from fixel.base.errors import ToolError
 from fixel.base.progress import Progress, steps
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
-MUTATED = ("lib/src/*/*.[ch]", "lib/extra/*/*.[ch]", "lib/kernels/portable/*.[ch]")
-COMPILED = ("lib/src/*/*.c", "lib/extra/*/*.c", "lib/kernels/*.c", "lib/kernels/*/*.c")
+ROOMS = "lib/*/*.[ch]"
+# What is not mutated: what is of one family of cores, or chooses a family, and the public headers.
+KEPT = re.compile(r"_(?:armv6m|armv7m|mve)\.|/(?:family|offsets)\.|^lib/include/")
 SOURCES = "lib"
 LIBRARY = "libmutant.so"
 CPU_WORDS = "of CPU time"           # of fixel.base.limits, where a test took too much
@@ -79,7 +80,7 @@ class Tree:
         self.plain = shlex.split(PLAIN.sub("", compiler)) + ["-w", "-O2"]
 
     def sources(self):
-        return sorted(path.relative_to(self.folder) for pattern in COMPILED for path in self.folder.glob(pattern))
+        return sorted(path.relative_to(self.folder) for path in self.folder.glob("lib/*/*.c"))
 
     def run(self, command):
         """What a command said if it failed, else None."""
@@ -278,8 +279,8 @@ def try_all(trees, drawn, count, tests, seconds, linked):
 
 
 def all_mutants(only):
-    files = sorted(path.relative_to(CHECKOUT).as_posix() for pattern in MUTATED for path in CHECKOUT.glob(pattern))
-    found = [mutant for file in files
+    files = sorted(path.relative_to(CHECKOUT).as_posix() for path in CHECKOUT.glob(ROOMS))
+    found = [mutant for file in files if KEPT.search(file) is None
              for mutant in mutate.mutants(file, (CHECKOUT / file).read_text(encoding="utf-8")) if only in mutant.file]
     if not found:
         raise ToolError(f"no file of the library has '{only}' in its name and a mutant")

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The billboards of a scene as text of C: constant tables in the layout of lib/include/fixel/extra/billboards.h."""
+"""The billboards of a scene as text of C: constant tables in the layout of lib/include/fixel/billboards.h."""
 
 from fixel.image import image_billboard
 from fixel.image.c_text import braces, record, table
 
-INCLUDE = "fixel/extra/billboards.h"
+INCLUDE = "fixel/billboards.h"
 
 
 def _pieces(boards, name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The surfaces of a scene as text of C: constant tables in the layout of lib/include/fixel/extra/surfaces.h."""
+"""The surfaces of a scene as text of C: constant tables in the layout of lib/include/fixel/surfaces.h."""
 
 import collections
 import itertools
@@ -7,7 +7,7 @@ import itertools
 from fixel.image import image_surface
 from fixel.image.c_text import braces, record, table
 
-INCLUDE = "fixel/extra/surfaces.h"
+INCLUDE = "fixel/surfaces.h"
 FORMATS = {image_surface.BITS_8: "FXL_TEXTURE_8", image_surface.BITS_4: "FXL_TEXTURE_4"}
 
 

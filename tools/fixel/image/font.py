@@ -47,7 +47,7 @@ def header(font, name, source, first, last):
     members = f"{name}_bits, {name}_glyphs, {len(items)}, {there[0]}, {unknown}, {font.line_height}"
     return c_text.header(
         f"Written by fixel font from {c_scene.printable(source)}: characters {there[0]}..{last}, lines of "
-        f"{font.line_height} pixels.", f"{name.upper()}_FONT_H", ["fixel/extra/overlay.h"],
+        f"{font.line_height} pixels.", f"{name.upper()}_FONT_H", ["fixel/overlay.h"],
         [c_text.table("uint8_t", f"{name}_bits", bits or ["0x00"]),
          c_text.table("fxl_glyph", f"{name}_glyphs", items, "First byte, width, height, left, top, advance, 0."),
          c_text.record("fxl_font", f"{name}_font", [members])])

@@ -39,7 +39,7 @@ def cache_entries(vertices):
 
 def surface_words(scene, face):
     """Words of a face's polygon beside its outline: the gradients of 1/z and, per attribute, of u, v and light
-    (lib/extra/surfaces/surface_polygon.c)."""
+    (lib/draw/surface_polygon.c)."""
     if face.mapped is None:
         return 0
     surface = scene.surfaces.surfaces[face.mapped.surface]

@@ -189,7 +189,7 @@ class Board:
         return self._link.frame(self._check, waits)
 
     def hold(self, keys):
-        """Which keys are held from now on, as bits of fixel/extra/player.h."""
+        """Which keys are held from now on, as bits of fixel/player.h."""
         with self._hand:
             self._held = keys
             if self._ready:

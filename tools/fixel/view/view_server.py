@@ -33,7 +33,7 @@ from fixel.view.view_trouble import Troubles
 HOST = "127.0.0.1"
 PORT = 8065             # after the chapter, where it is free and no other is asked for
 RATES = (30, 60, 0)     # frames a second; 0: as fast as it goes
-KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/extra/player.h
+KEYS_ALL = 0xFF         # FXL_KEY_ALL of fixel/player.h
 UNSEEN_MAX = 2          # frames on their way to a tab
 MESSAGE_MAX = 4096      # bytes from a tab; SECURITY.md says so
 HEARTBEAT = 20.0        # seconds

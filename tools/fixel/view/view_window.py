@@ -115,7 +115,7 @@ class Window:
         return self._wait(lambda: (self._word(FINISHED_AT) - wanted) & 0xFFFFFFFF < 1 << 31 and self.copy(), check)
 
     def hold(self, keys):
-        """Which keys are held, as bits of fixel/extra/player.h."""
+        """Which keys are held, as bits of fixel/player.h."""
         self._put(KEYS_AT, keys)
 
     def close(self):

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* The workspace of fxl_clip_world_to_frustum (extra/clippers/clip_world.h). The caller
+/* The workspace of fxl_clip_world_to_frustum (fixel/study/clip_world.h). The caller
  * owns it. It keeps nothing from one call to the next. */
 typedef struct {
     fxl_polygon polygons[2];
@@ -74,7 +74,7 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
                                   fxl_clipper_work *work, fxl_screen_polygon *screen);
 
 /* The other clippers (docs/extras/clippers.md). Each needs a workspace of its own
- * (extra/clippers/workspace.h). */
+ * (fixel/study/workspace.h). */
 extern const fxl_clipper fxl_clipper_normalised;  /* planes at x = +-z: outcodes need no product */
 extern const fxl_clipper fxl_clipper_once;        /* all planes in one pass */
 extern const fxl_clipper fxl_clipper_half_spaces; /* any six homogeneous half-spaces */

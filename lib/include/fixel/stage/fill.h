@@ -11,7 +11,7 @@ extern "C" {
 
 /* Sets the pixels of a trapezoid, and no other byte, with aligned stores only.
  * Requires a trapezoid that scan returned for this band. It is a kernel: each family
- * of cores has its own (lib/kernels), and all write the same bytes. */
+ * of cores has its own, and all write the same bytes. */
 void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 
 /* Sets the pixels of a span, and no other byte.

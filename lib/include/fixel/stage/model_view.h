@@ -23,7 +23,7 @@ extern "C" {
 typedef struct {
     uint32_t tag;        /* the instance, in the cache's count, and the vertex; 0: no vertex */
     uint32_t clip_flags; /* its outcode and FXL_VERTEX_UNPROJECTED; if both are 0, its first pixel
-                            centre (lib/src/clip/vertex_flags.h) */
+                            centre (lib/clip/vertex_flags.h) */
     fxl_screen_point screen;
     fxl_view_point position;
 } fxl_cached_vertex;
@@ -97,7 +97,7 @@ static inline fxl_point fxl_model_view_vertex(const fxl_model_view *model_view, 
 }
 
 /* Transforms a vertex of the model into an entry of the cache: tag, position and clip flags. The
- * vertex becomes unprojected. It is a kernel: each family of cores has its own (lib/kernels), and
+ * vertex becomes unprojected. It is a kernel: each family of cores has its own, and
  * all give the same bits. Exact, given the camera's matrix. */
 void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
                           fxl_cached_vertex *entry);

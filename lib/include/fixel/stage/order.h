@@ -24,7 +24,7 @@ typedef struct fxl_order_entry {
     union {
         uint32_t distance_low;
         uint32_t face;  /* after fxl_order_sort_faces: the face at this place of the order */
-        uint32_t faces; /* of an instance, once a frame has begun: lib/src/draw/reach.c */
+        uint32_t faces; /* of an instance, once a frame has begun: lib/draw/reach.c */
     };
     union {
         uint32_t distance_high;

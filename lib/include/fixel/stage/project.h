@@ -45,7 +45,7 @@ fxl_status fxl_project_visible(const fxl_projection *projection, const fxl_view_
 
 /* Does the same for a point that is inside the lens's frustum, or outside it by a few units.
  * Requires a projection as fxl_project_visible does, and checks neither: it is called for each
- * vertex. It is a kernel: each family of cores has its own (lib/kernels), and all give the same
+ * vertex. It is a kernel: each family of cores has its own, and all give the same
  * bits. */
 fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,
                               fxl_screen_point *screen);

@@ -98,7 +98,7 @@ fxl_rows fxl_scan_rows(const fxl_screen_polygon *polygon, uint16_t height);
 /* Returns the next trapezoid, or null if there are no more. Trapezoids come by rows
  * downward, and left to right within a row; no pixel is in two of them. The trapezoid
  * belongs to scan and is valid until the next call. It is a kernel: each family of
- * cores has its own (lib/kernels), and all give the same bits. Exact. Source: A6. */
+ * cores has its own, and all give the same bits. Exact. Source: A6. */
 const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan);
 
 /* Whether the trapezoid that was returned is known to be the last; true saves a call. */

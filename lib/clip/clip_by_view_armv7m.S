@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/clipper.h states
+ * what it requires and returns; it gives the same bits as
+ * lib/clip/clip_by_view.c. */
+#include "../math/family.h"
+#include "../math/offsets.h"
+
+#if FXL_KERNELS_ARMV7M
+
+
+    .syntax unified
+    .thumb
+
+/* On the stack: model_view, face, work, screen, r4-r11, the projection, lr. */
+#define AT_FACE     4
+#define AT_SCREEN   12
+#define AT_PROJECTION 48
+
+vertex  .req r2
+of_all  .req r4
+entries .req r5
+mask    .req r6
+tag     .req r7
+point   .req r8
+index   .req r9     /* address of the next index */
+count   .req r10
+of_any  .req r11
+flags   .req r12
+
+    .section .text.fxl_clip_by_view, "ax", %progbits
+    .global fxl_clip_by_view
+    .type fxl_clip_by_view, %function
+    .thumb_func
+
+/* r0: model_view, r1: face, r2: work, r3: screen */
+fxl_clip_by_view:
+    push    {r0-r12, lr}
+    ldm     r0, {r4-r9}                     /* view, entries, mask, tag, -, indices */
+    ldr     r2, [r1, #FACE_FIRST_INDEX]
+    ldrb    count, [r1, #FACE_COUNT]
+    adds    r4, r4, #VIEW_PROJECTION
+    str     r4, [sp, #AT_PROJECTION]
+    add     index, index, r2, lsl #1
+    add     point, r3, #SCREEN_POLYGON_POINTS
+    mov     of_any, #0
+    mvn     of_all, #0
+.Lvertex:
+    ldrh    r1, [index], #2
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2              /* 40 bytes each */
+    add     vertex, entries, r2, lsl #3
+    ldrd    r0, flags, [vertex]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lmiss
+    lsls    r0, flags, #24
+    bne     .Lunprojected
+.Lready:
+    ldrd    r0, r1, [vertex, #CACHED_VERTEX_SCREEN]
+    stm     point!, {r0, r1}
+.Lstored:
+    orr     of_any, of_any, flags
+    and     of_all, of_all, flags
+    subs    count, count, #1
+    bne     .Lvertex
+
+.Lprojected:
+    ldr     r1, [sp, #AT_FACE]
+    ldr     r2, [sp, #AT_SCREEN]
+    ldrh    r3, [r1, #FACE_COUNT]            /* and the colour beside it */
+    rev16   r3, r3                          /* colour, count */
+    strh    r3, [r2]
+    eor     r1, of_any, of_all
+    movs    r0, #0
+    lsls    r2, r1, #12                     /* columns */ /* bug: v7m-columns */
+    it      ne
+    lsrsne  r2, r1, #20                     /* rows */
+    it      eq
+    moveq   r0, #CLIP_BETWEEN
+.Ldone:
+    add     sp, sp, #16
+    pop     {r4-r12, pc}
+
+    /* r0-r3 after both calls: as transform_vertex_armv7m.S and project_inside_armv7m.S say. */
+.Lmiss:
+    ldr     r0, [sp]
+    bl      fxl_transform_vertex
+    mov     flags, r1
+.Lunprojected:
+    cmp     flags, #VERTEX_UNPROJECTED
+    bne     .Loutside
+    ldr     r0, [sp, #AT_PROJECTION]
+    add     r1, vertex, #CACHED_VERTEX_POSITION
+    adds    r2, r2, #CACHED_VERTEX_SCREEN
+    bl      fxl_project_inside
+    cbnz    r0, .Lrange
+    strd    r1, r3, [point], #8
+    movw    r0, #0x7FFF
+    add     r1, r1, r0
+    add     r3, r3, r0
+    lsrs    r1, r1, #16
+    lsrs    r3, r3, #16
+    lsls    r3, r3, #20
+    orr     flags, r3, r1, lsl #8
+    str     flags, [r2, #CACHED_VERTEX_CLIP_FLAGS - CACHED_VERTEX_SCREEN]
+#if FXL_IS_COMPACT
+    b       .Lstored
+#else
+    orr     of_any, of_any, flags
+    and     of_all, of_all, flags
+    subs    count, count, #1
+    bne     .Lvertex
+    b       .Lprojected
+#endif
+
+    /* A face is outside if its first vertex is outside of a plane, and with it all others. */
+.Loutside:
+    adds    r0, of_all, #1
+    bne     .Lassembled
+    mov     of_all, flags
+.Lcommon:
+    subs    count, count, #1
+    beq     .Lall_outside
+    ldrh    r1, [index], #2
+    and     r2, r1, mask
+    add     r2, r2, r2, lsl #2
+    add     vertex, entries, r2, lsl #3
+    ldrd    r0, flags, [vertex]
+    add     r3, r1, tag
+    cmp     r0, r3
+    bne     .Lcommon_miss
+.Lcommon_flags:
+    and     of_all, of_all, flags
+    tst     of_all, #PLANES_ALL
+    bne     .Lcommon
+.Lassembled:
+    pop     {r0-r12, lr}
+    b.w     fxl_clip_assembled
+
+.Lcommon_miss:
+    ldr     r0, [sp]
+    bl      fxl_transform_vertex
+    mov     flags, r1
+    b       .Lcommon_flags
+
+.Lall_outside:
+    movs    r0, #CLIP_OUTSIDE
+    b       .Ldone
+
+.Lrange:
+    movs    r0, #CLIP_RANGE
+    b       .Ldone
+
+    .size fxl_clip_by_view, . - fxl_clip_by_view
+
+#endif

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/beam_light.h"
+
+#include "../math/arith.h"
+#include "../paint/lit_pieces.h"
+#include "renderer.h"
+#include "submit.h"
+
+/* The light of a renderer, at the beginning of the workspace. */
+typedef struct {
+    fxl_shader shader;
+    const fxl_beam *beams;
+    const uint8_t *lit;
+    fxl_lit_pieces *pieces; /* after this record; their tables follow them */
+    fxl_point *outline; /* outline of one piece; not on the stack, which is small on some boards */
+    uint32_t beam_count;
+} lighting;
+
+#define REFUSED ((fxl_outcome)1 << FXL_CLIP_CAPACITY)
+
+static uint32_t rounded_up(size_t size)
+{
+    return ((uint32_t)size + 7u) & ~7u;
+}
+
+uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count)
+{
+    if (beams == NULL || beam_count < 1 || beam_count > FXL_BEAMS_MAX ||
+        !fxl_beams_fit(beams, beam_count, 3)) {
+        return 0;
+    }
+    return rounded_up(sizeof(lighting)) + rounded_up(sizeof(fxl_lit_pieces)) +
+           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(fxl_point)) +
+           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(uint16_t)) +
+           rounded_up(fxl_lit_pieces_needed(beams, beam_count) * sizeof(fxl_lit_piece)) +
+           rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
+}
+
+static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
+{
+    const lighting *of = (const lighting *)shader;
+    const fxl_q16_16 radius = fxl_instance_radius(scene, instance);
+    for (uint32_t i = 0; i < of->beam_count; i++) {
+        if (fxl_beam_reaches(&of->beams[i], &instance->centre, radius)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Front to back, the pieces come in reverse order. If rounding has made the pieces need more
+ * memory than there is, the face is drawn whole and dark, and counts as refused. */
+static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count)
+{
+    const lighting *of = (const lighting *)shader;
+    fxl_lit_pieces *made = of->pieces;
+    if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
+        pieces->outcome |= REFUSED;
+        return fxl_submit_split_piece(shader, pieces, face, points, count, face->material);
+    }
+    const bool reverse = pieces->on->renderer->visibility->front_to_back;
+    for (uint32_t i = 0; i < made->piece_count; i++) {
+        const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
+        if (!fxl_lit_outline(made, piece, of->outline)) {
+            pieces->outcome |= REFUSED;
+            continue;
+        }
+        uint8_t colour = piece->is_lit ? of->lit[face->material] : face->material;
+        if (!fxl_submit_split_piece(shader, pieces, face, of->outline, piece->count, colour)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL, true};
+
+/* Builds the record and its tables in the workspace. */
+static fxl_shader *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,
+                         uint8_t *workspace)
+{
+    lighting *of = (lighting *)(void *)workspace;
+    workspace += rounded_up(sizeof *of);
+    fxl_lit_pieces *pieces = (fxl_lit_pieces *)(void *)workspace;
+    workspace += rounded_up(sizeof *pieces);
+    pieces->corner_capacity = fxl_lit_corners_needed(beams, beam_count);
+    pieces->points = (fxl_point *)(void *)workspace;
+    workspace += rounded_up(pieces->corner_capacity * sizeof *pieces->points);
+    pieces->next = (uint16_t *)(void *)workspace;
+    workspace += rounded_up(pieces->corner_capacity * sizeof *pieces->next);
+    pieces->piece_capacity = fxl_lit_pieces_needed(beams, beam_count);
+    pieces->pieces = (fxl_lit_piece *)(void *)workspace;
+    workspace += rounded_up(pieces->piece_capacity * sizeof *pieces->pieces);
+    of->outline = (fxl_point *)(void *)workspace;
+    of->shader.code = &code;
+    of->beams = beams;
+    of->beam_count = beam_count;
+    of->lit = lit;
+    of->pieces = pieces;
+    return &of->shader;
+}
+
+static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t beam_count)
+{
+    if (beam_count > FXL_BEAMS_MAX) {
+        return FXL_E_COUNT;
+    }
+    for (uint32_t i = 0; i < beam_count; i++) {
+        fxl_status status = fxl_beam_check(&beams[i]);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    for (uint32_t i = 0; i < scene->face_count; i++) { /* bug: beams-last-face */
+        if (!fxl_beams_fit(beams, beam_count, scene->faces[i].count)) {
+            return FXL_E_CAPACITY;
+        }
+    }
+    return FXL_OK;
+}
+
+fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
+                                  uint32_t beam_count, const uint8_t *lit, void *workspace,
+                                  uint32_t workspace_size)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (renderer->scene == NULL) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
+    if (beam_count > 0) {
+        fxl_status status = FXL_E_ARGUMENT;
+        if (beams != NULL && lit != NULL && workspace != NULL) {
+            status = ((uintptr_t)workspace & 7u) != 0 ? FXL_E_ALIGNMENT
+                                                      : check(renderer->scene, beams, beam_count);
+        }
+        if (status == FXL_OK && workspace_size < fxl_beam_light_workspace_size(beams, beam_count)) {
+            status = FXL_E_CAPACITY;
+        }
+        if (status != FXL_OK) {
+            return fxl_refuse(&renderer->workspace, status);
+        }
+    }
+    fxl_renderer_set_shader(renderer, FXL_SHADER_BEAMS,
+                            beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace)
+                                           : NULL);
+    return FXL_OK;
+}

@@ -1,0 +1,306 @@
+/* SPDX-License-Identifier: MIT */
+/* The visibility method that draws billboards: its traversal takes the instances in their order,
+ * and submits a rectangle of the screen for an instance whose model has a billboard. */
+#include "draw_band.h"
+#include "renderer.h"
+#include "submit_instance.h"
+#include "../math/arith.h"
+#include "../math/pixel_centre.h"
+#include "../paint/billboard_paint.h"
+#include "fixel/billboards.h"
+#include "fixel/stage/transform.h"
+
+/* --- submission ------------------------------------------------------------------------- */
+
+/* A length of a billboard, by the scale of its instance. Both are at least 0; the product is that
+ * of a length within the radius, which the scale leaves within FXL_COORDINATE_MAX, so it is below
+ * 2^29 2^16, or of a side, below twice as much. Exact. */
+static fxl_q18_46 scaled(fxl_q16_16 length, fxl_q16_16 scale)
+{
+    return (int64_t)fxl_multiply_u32((uint32_t)length, (uint32_t)scale) << 14;
+}
+
+/* A length along right or up, in the view. The rows of a sheared view are shorter, by the ratio of
+ * the focal lengths (SPEC.md, section 4.2), which is rounded to 2^-30; the rest of the product is
+ * cut off: a unit of 2^-46. The focal lengths are below 2^29 and the length below 2^60, so the
+ * products are below 2^59 and 2^62. */
+static fxl_q18_46 in_view(const fxl_view *view, fxl_q18_46 length)
+{
+    const fxl_q16_16 focal = view->lens.focal, drawn = fxl_view_drawn_focal(view);
+    if (focal == drawn) { /* bug: sprite-sheared */
+        return length;
+    }
+    const int32_t ratio = fxl_divide_round((int64_t)focal * FXL_Q2_30_ONE, (uint32_t)drawn);
+    return fxl_multiply_s32(ratio, (int32_t)(length >> 32)) * 4 +
+           (int64_t)(fxl_multiply_u32((uint32_t)ratio, (uint32_t)length) >> 30);
+}
+
+/* Left and top, right and bottom. False where a corner is out of the range of screen coordinates.
+ * A coordinate of the view is below 2^61, a side below 2^60: sums are below 2^62. */
+static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
+                         const fxl_billboard *billboard, fxl_q16_16 scale,
+                         fxl_screen_point *corners)
+{
+    const int64_t limit = ((int64_t)1 << 61) - 1; /* of what is projected */
+    fxl_view_point left_top, right_bottom;
+    left_top.x = centre->x - in_view(view, scaled(billboard->anchor_x, scale));
+    right_bottom.x = left_top.x + in_view(view, scaled(billboard->width, scale));
+    /* bug: sprite-anchor */
+    right_bottom.y = centre->y - in_view(view, scaled(billboard->anchor_y, scale));
+    left_top.y = right_bottom.y + in_view(view, scaled(billboard->height, scale));
+    left_top.z = right_bottom.z = centre->z;
+    return fxl_within(left_top.x, limit) && fxl_within(left_top.y, limit) &&
+           fxl_within(right_bottom.x, limit) && fxl_within(right_bottom.y, limit) &&
+           fxl_project_visible(&view->projection, &left_top, &corners[0]) == FXL_OK &&
+           fxl_project_visible(&view->projection, &right_bottom, &corners[1]) == FXL_OK;
+}
+
+static bool is_beside_screen(const fxl_lens *lens, const fxl_screen_point *corners)
+{
+    return corners[1].x <= 0 || corners[0].x >= lens->width * 65536 || corners[1].y <= 0 ||
+           corners[0].y >= lens->height * 65536;
+}
+
+static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
+{
+    const int32_t first = fxl_first_centre_from(corners[0].y);
+    const int32_t end = fxl_first_centre_from(corners[1].y);
+    fxl_rows rows = {(uint16_t)(first < 0 ? 0 : first),
+                     (uint16_t)(end < (int32_t)height ? end : (int32_t)height)};
+    if (first >= end || end <= 0 || first >= (int32_t)height) {
+        rows.end = rows.first = 0;
+    }
+    return rows;
+}
+
+/* Into the display list or into the band. One that reaches no row goes nowhere. */
+static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_screen_point *corners,
+                           fxl_q18_46 distance)
+{
+    const fxl_billboard_painter *painter = fxl_billboards_of(on->renderer)->of.painter;
+    const fxl_rows rows = rows_of(corners, on->renderer->frame.view.lens.height);
+    if (rows.first == rows.end) {
+        return 0;
+    }
+    fxl_screen_polygon *screen = &on->workspace->screen;
+    screen->count = painter->points;
+    screen->kind = FXL_POLYGON_SPRITE;
+    screen->points[0] = corners[0];
+    screen->points[1] = corners[1];
+    screen->points[2].x = (int32_t)model;
+    screen->points[2].y = 0;
+    screen->points[3].x = (int32_t)(distance >> 32);
+    screen->points[3].y = (int32_t)(uint32_t)(uint64_t)distance;
+    fxl_outcome outcome = FXL_OUTCOME_SPILLED;
+    if (on->display_list == NULL) {
+        painter->paint(on->renderer, on->workspace, screen->points, on->band);
+    } else {
+        outcome = fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+    }
+    screen->kind = FXL_POLYGON_FLAT;
+    return outcome;
+}
+
+/* What becomes of an instance that shows a billboard. */
+static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint32_t model,
+                                 const fxl_billboard *billboard)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    const fxl_view *view = &on->renderer->frame.view;
+    const fxl_q16_16 scale =
+        fxl_turn_code_of(scene, number) != NULL ? fxl_turn_of(scene, number)->scale : 65536;
+    fxl_view_point centre;
+    fxl_screen_point corners[2];
+    fxl_transform_point(&view->camera, &scene->instances[number].centre, &centre);
+    if (centre.z < view->view_frustum.near_z ||
+        centre.z > view->view_frustum.far_z) { /* bug: sprite-far */
+        return 1u << FXL_CLIP_OUTSIDE;
+    }
+    if (!find_corners(view, &centre, billboard, scale, corners)) {
+        return 1u << FXL_CLIP_RANGE;
+    }
+    if (is_beside_screen(&view->lens, corners)) {
+        return 1u << FXL_CLIP_OUTSIDE;
+    }
+    return 1u << FXL_CLIP_INSIDE | deliver(on, model, corners, centre.z);
+}
+
+/* fxl_instance_submit. The one face of a model with a billboard is done or not. */
+static bool submit_any(const fxl_traversal *on, const fxl_order_entry *entry)
+{
+    const fxl_billboard_set *set = fxl_billboards_of(on->renderer)->of.set;
+    const uint32_t model = on->renderer->scene->instances[entry->index].model;
+    const uint32_t number = set->model_map[model];
+    if (number == 0) {
+        return fxl_submit_any_instance(on, entry);
+    }
+    const uint32_t used = on->renderer->frame.display_list.used;
+    const fxl_outcome outcome =
+        submit_sprite(on, entry->index, model, &set->billboards[number - 1]);
+    if (!fxl_count_outcome(on, outcome, used)) {
+        return false;
+    }
+    on->counters->in += 1;
+    return true;
+}
+
+static bool submit(const fxl_traversal *on)
+{
+    const fxl_scene *scene = on->renderer->scene;
+    if (on->display_list != NULL && scene->turns != NULL) {
+        on->counters->rounded = (uint16_t)scene->turn_code->count_rounded(on, 0, 0);
+    }
+    return fxl_submit_all(on, submit_any);
+}
+
+/* --- drawing ---------------------------------------------------------------------------- */
+
+static bool draw_list(const fxl_traversal *on)
+{
+    const fxl_rows wanted = fxl_rows_of_band(on->band);
+    fxl_display_list_record record;
+    uint32_t place = 0;
+    while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
+        if (record.kind == FXL_POLYGON_SPRITE) {
+            fxl_billboard_paints_over.paint(on->renderer, on->workspace, record.points, on->band);
+        } else {
+            fxl_draw_over(on->workspace, record.points, record.count, record.colour, on->band);
+        }
+    }
+    return true;
+}
+
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
+{
+    (void)fxl_draw_band_by(renderer, workspace, band, draw_list);
+    return FXL_OK;
+}
+
+/* --- setting ---------------------------------------------------------------------------- */
+
+static uint32_t set_size(const fxl_scene *scene)
+{
+    (void)scene;
+    return (uint32_t)sizeof(fxl_billboards);
+}
+
+static const fxl_raster_backend backend = {
+    .draw_band = draw_band, .draw_polygon = fxl_draw_over, .draws_over = true};
+
+const fxl_visibility fxl_visibility_billboards = {
+    .submit = submit, .submit_workspace_size = set_size, .backend = &backend};
+
+fxl_status fxl_billboards_check_setting(const fxl_renderer *renderer,
+                                        const fxl_billboards *billboards,
+                                        const fxl_billboard_set *set)
+{
+    if (renderer->scene == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (billboards == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    return (uintptr_t)billboards % 8 != 0 ? FXL_E_ALIGNMENT
+                                          : fxl_billboards_check(set, renderer->scene, NULL);
+}
+
+bool fxl_billboards_may_join(const fxl_renderer *renderer)
+{
+    const fxl_visibility *method = renderer->visibility;
+    return method != NULL && method->backend->draws_surfaces &&
+           (method->submit == fxl_submit_by_distance || method->submit == submit);
+}
+
+/* Whether billboards have joined the renderer's method. */
+static bool have_joined(const fxl_renderer *renderer)
+{
+    return fxl_billboards_may_join(renderer) && renderer->visibility->submit == submit;
+}
+
+/* The method that the renderer draws by but for billboards. */
+static const fxl_visibility *method_without(const fxl_renderer *renderer)
+{
+    return have_joined(renderer) ? fxl_billboards_of(renderer)->of.without : renderer->visibility;
+}
+
+fxl_status fxl_billboards_join(fxl_renderer *renderer, fxl_billboards *billboards,
+                               const fxl_billboard_set *set, const fxl_billboard_painter *painter)
+{
+    fxl_workspace *workspace = &renderer->workspace;
+    const fxl_visibility *without = method_without(renderer);
+    billboards->of.without = without;
+    billboards->of.method = *without;
+    billboards->of.method.submit = submit;
+    billboards->of.set = set;
+    billboards->of.painter = painter;
+    const fxl_status status =
+        fxl_renderer_set_visibility(renderer, &billboards->of.method, workspace->raster_workspace,
+                                    workspace->raster_workspace_size);
+    FXL_ASSERT(status == FXL_OK);
+    renderer->submit_workspace = billboards;
+    return status;
+}
+
+/* Whether a method is fxl_visibility_sorted, or that with billboards. */
+static bool goes_far_to_near(const fxl_visibility *method)
+{
+    return (method->submit == fxl_submit_by_distance || method->submit == submit) &&
+           !method->front_to_back && method->backend->draws_over;
+}
+
+/* By distance alone, or where billboards are taken away, as before. */
+static fxl_status set_sorted(fxl_renderer *renderer, fxl_billboards *billboards,
+                             const fxl_billboard_set *set)
+{
+    const fxl_visibility *method = renderer->visibility;
+    if (method != NULL && !goes_far_to_near(method)) { /* bug: sprite-method */
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
+    const fxl_status status = fxl_renderer_set_visibility(renderer, &fxl_visibility_billboards,
+                                                          billboards, (uint32_t)sizeof *billboards);
+    if (status == FXL_OK) {
+        billboards->of.set = set;
+        billboards->of.painter = &fxl_billboard_paints_over;
+    }
+    return status;
+}
+
+/* Where there are no billboards, the method and its memory stay. */
+static fxl_status take_away(fxl_renderer *renderer)
+{
+    fxl_workspace *workspace = &renderer->workspace;
+    const fxl_visibility *method = renderer->visibility;
+    if (renderer->scene == NULL) {
+        return fxl_refuse(workspace, FXL_E_ORDER);
+    }
+    if (method == NULL || method->submit != submit) { /* bug: sprite-none */
+        return FXL_OK;
+    }
+    return have_joined(renderer)
+               ? fxl_renderer_set_visibility(renderer, method_without(renderer),
+                                             workspace->raster_workspace,
+                                             workspace->raster_workspace_size)
+               : fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0);
+}
+
+fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                       const fxl_billboard_set *set)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (set == NULL) {
+        return take_away(renderer);
+    }
+    const fxl_status status = fxl_billboards_check_setting(renderer, billboards, set);
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
+    }
+    if (!fxl_billboards_may_join(renderer)) {
+        return set_sorted(renderer, billboards, set);
+    }
+    return renderer->visibility->backend->workspace_size == NULL
+               ? fxl_billboards_join(renderer, billboards, set, &fxl_billboard_paints_over)
+               : fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+}

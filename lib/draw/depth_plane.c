@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* With the normal n of a face in the view, its corner P, and the direction D of a pixel, the face
+ * is seen at distance z = (n . P) focal / (n . D). So the depth near_z / z is the gradient of n .
+ * D, times near_z / ((n . P) focal). */
+#include "depth_plane.h"
+
+#include "../math/arith.h"
+#include "../paint/depth_ratio.h"
+
+/* Products of a row and a normal, of unit length or shorter: a sum is below 2^61. Of a row whose
+ * components are at most 2^30, below 2^62. */
+static int64_t row_times(const fxl_direction *row, const fxl_direction *normal)
+{
+    return fxl_multiply_s32(row->x, normal->x) + fxl_multiply_s32(row->y, normal->y) +
+           fxl_multiply_s32(row->z, normal->z);
+}
+
+/* row_times of three rows, less the sign: it points away from the eye, so that n . P > 0. */
+static fxl_block_vector rotated(const fxl_axes *axes, const fxl_direction *normal)
+{
+    return fxl_block(-row_times(&axes->right, normal), -row_times(&axes->up, normal),
+                     -row_times(&axes->forward, normal), 0);
+}
+
+/* The components are at most 2^30, so differences of two products are at most 2^61. */
+static fxl_block_vector cross(const fxl_direction *a, const fxl_direction *b)
+{
+    return fxl_block(fxl_multiply_s32(a->y, b->z) - fxl_multiply_s32(a->z, b->y),
+                     fxl_multiply_s32(a->z, b->x) - fxl_multiply_s32(a->x, b->z),
+                     fxl_multiply_s32(a->x, b->y) - fxl_multiply_s32(a->y, b->x), 0);
+}
+
+/* The same where the rows are sheared: by the inverse of the transposed matrix, whose columns are
+ * the products of two rows each. A sum of three products is at most 2^62, so of halves 2^61. */
+static fxl_block_vector sheared(const fxl_axes *axes, const fxl_direction *normal)
+{
+    const fxl_block_vector rows[3] = {cross(&axes->up, &axes->forward),
+                                      cross(&axes->forward, &axes->right),
+                                      cross(&axes->right, &axes->up)};
+    int64_t sums[3];
+    int exponent = INT32_MIN;
+    for (uint32_t i = 0; i < 3; i++) {
+        exponent = rows[i].exponent > exponent ? rows[i].exponent : exponent;
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_direction row = {rows[i].x, rows[i].y, rows[i].z};
+        const int drop = exponent - rows[i].exponent + 1;
+        sums[i] = -row_times(&row, normal) >> (drop < 63 ? drop : 63);
+    }
+    return fxl_block(sums[0], sums[1], sums[2], 0);
+}
+
+/* n . P / 2^31, rounded down. Components of n are at most 2^30. Upper parts of P are at most 2^30
+ * and lower parts are below 2^31: their sums of three products are below 2^62 and 2^63. */
+static int64_t height_of(const fxl_block_vector *n, const fxl_view_point *p)
+{
+    const int64_t lower = fxl_multiply_s32(n->x, (int32_t)(p->x & INT32_MAX)) +
+                          fxl_multiply_s32(n->y, (int32_t)(p->y & INT32_MAX)) +
+                          fxl_multiply_s32(n->z, (int32_t)(p->z & INT32_MAX));
+    return fxl_multiply_s32(n->x, (int32_t)(p->x >> 31)) +
+           fxl_multiply_s32(n->y, (int32_t)(p->y >> 31)) +
+           fxl_multiply_s32(n->z, (int32_t)(p->z >> 31)) + (lower >> 31);
+}
+
+/* value * factor / 2^32, rounded down; factor is from 2^30 to 2^32. */
+static int64_t times(int64_t value, uint32_t factor)
+{
+    return fxl_multiply_su32((int32_t)(value >> 32), factor) +
+           (int64_t)(fxl_multiply_u32((uint32_t)value, factor) >> 32);
+}
+
+void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *on, fxl_depth_plane *plane)
+{
+    const fxl_axes *axes = model_view->axes;
+    const fxl_view *view = model_view->view;
+    fxl_gradient *gradient = &plane->gradient;
+    fxl_view_point first;
+    fxl_find_corner(model_view, model_view->indices[face->first_index], on, &first);
+    const fxl_block_vector n =
+        /* bug: depth-shear */
+        view->lens.off_centre == NULL ? rotated(axes, &face->normal) : sheared(axes, &face->normal);
+    const int64_t height = height_of(&n, &first);
+    if (height <= 0) {
+        gradient->at = gradient->along = gradient->down = 0;
+        plane->one = 0;
+        return;
+    }
+    /* height is in units of 2^-15 of n's, near_z in units of 2^-16. */
+    const int exponent = fxl_gradient_of_plane(n, view, gradient) - n.exponent;
+    const fxl_normalised near_z = fxl_normalise((uint32_t)view->lens.near_z);
+    const fxl_normalised at_height = fxl_normalise((uint64_t)height);
+    const fxl_normalised divisor =
+        fxl_normalise(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)));
+    const uint32_t factor = fxl_ratio_of(&near_z, &divisor);
+    gradient->at = times(gradient->at, factor);
+    gradient->along = times(gradient->along, factor);
+    gradient->down = times(gradient->down, factor);
+    plane->one = at_height.exponent + divisor.exponent - near_z.exponent - exponent;
+}

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* Asserts what offsets.h says of the records. No code. */
+#include "../math/offsets.h"
+
+#include "../math/family.h"
+#include "../paint/paint_texels.h"
+#include "fixel/render.h"
+
+#if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M
+
+#define AT(type, member, offset) \
+    FXL_STATIC_ASSERT(offsetof(type, member) == (offset), #type "." #member)
+#define SIZE(type, size)   FXL_STATIC_ASSERT(sizeof(type) == (size), #type)
+#define VALUE(name, value) FXL_STATIC_ASSERT((name) == (value), #name)
+
+AT(fxl_band, pixels, BAND_PIXELS);
+AT(fxl_band, width, BAND_WIDTH);
+AT(fxl_band, stride, BAND_STRIDE);
+AT(fxl_band, first_row, BAND_FIRST_ROW);
+AT(fxl_band, rows, BAND_ROWS);
+
+AT(fxl_edge, x, EDGE_X);
+AT(fxl_edge, fraction, EDGE_FRACTION);
+AT(fxl_edge, step, EDGE_STEP);
+AT(fxl_edge, step_fraction, EDGE_STEP_FRACTION);
+SIZE(fxl_edge, EDGE_SIZE);
+
+AT(fxl_trapezoid, first_row, TRAPEZOID_FIRST_ROW);
+AT(fxl_trapezoid, end_row, TRAPEZOID_END_ROW);
+AT(fxl_trapezoid, edges, TRAPEZOID_EDGES);
+
+AT(fxl_chain, vertex, CHAIN_VERTEX);
+AT(fxl_chain, onward, CHAIN_ONWARD);
+AT(fxl_chain, end_row, CHAIN_END_ROW);
+SIZE(fxl_chain, CHAIN_SIZE);
+
+AT(fxl_scan, points, SCAN_POINTS);
+AT(fxl_scan, count, SCAN_COUNT);
+AT(fxl_scan, by_chains, SCAN_BY_CHAINS);
+AT(fxl_scan, end_row, SCAN_END_ROW);
+AT(fxl_scan, chains, SCAN_CHAINS);
+AT(fxl_scan, colour, SCAN_COLOUR);
+AT(fxl_scan, trapezoid, SCAN_TRAPEZOID);
+
+AT(fxl_view_point, x, VIEW_POINT_X);
+AT(fxl_view_point, y, VIEW_POINT_Y);
+AT(fxl_view_point, z, VIEW_POINT_Z);
+
+AT(fxl_screen_point, x, SCREEN_POINT_X);
+AT(fxl_screen_point, y, SCREEN_POINT_Y);
+
+AT(fxl_screen_polygon, colour, SCREEN_POLYGON_COLOUR);
+AT(fxl_screen_polygon, count, SCREEN_POLYGON_COUNT);
+AT(fxl_screen_polygon, points, SCREEN_POLYGON_POINTS);
+
+AT(fxl_face, normal, FACE_NORMAL);
+AT(fxl_face, first_index, FACE_FIRST_INDEX);
+AT(fxl_face, count, FACE_COUNT);
+AT(fxl_face, material, FACE_MATERIAL);
+SIZE(fxl_face, FACE_SIZE);
+
+AT(fxl_face_bounds, height_low, FACE_BOUNDS_HEIGHT_LOW);
+AT(fxl_face_bounds, height_high, FACE_BOUNDS_HEIGHT_HIGH);
+AT(fxl_face_bounds, box_x, FACE_BOUNDS_BOX_X);
+AT(fxl_face_bounds, box_y, FACE_BOUNDS_BOX_Y);
+AT(fxl_face_bounds, box_z, FACE_BOUNDS_BOX_Z);
+SIZE(fxl_face_bounds, FACE_BOUNDS_SIZE);
+
+AT(fxl_order_entry, distance_low, ORDER_DISTANCE_LOW);
+AT(fxl_order_entry, distance_high, ORDER_DISTANCE_HIGH);
+AT(fxl_order_entry, index, ORDER_INDEX);
+SIZE(fxl_order_entry, ORDER_SIZE);
+
+AT(fxl_cached_vertex, tag, CACHED_VERTEX_TAG);
+AT(fxl_cached_vertex, clip_flags, CACHED_VERTEX_CLIP_FLAGS);
+AT(fxl_cached_vertex, screen, CACHED_VERTEX_SCREEN);
+AT(fxl_cached_vertex, position, CACHED_VERTEX_POSITION);
+SIZE(fxl_cached_vertex, CACHED_VERTEX_SIZE);
+
+AT(fxl_model_view, view, MODEL_VIEW_VIEW);
+AT(fxl_model_view, entries, MODEL_VIEW_ENTRIES);
+AT(fxl_model_view, mask, MODEL_VIEW_MASK);
+AT(fxl_model_view, tag, MODEL_VIEW_TAG);
+AT(fxl_model_view, vertices, MODEL_VIEW_VERTICES);
+AT(fxl_model_view, indices, MODEL_VIEW_INDICES);
+AT(fxl_model_view, planes, MODEL_VIEW_PLANES);
+AT(fxl_model_view, axes, MODEL_VIEW_AXES);
+AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
+AT(fxl_model_view, scale_vertex, MODEL_VIEW_SCALE_VERTEX);
+VALUE(FXL_MODEL_VIEW_SCALED, 0x80); /* the sign of the planes' byte */
+AT(fxl_view, projection, VIEW_PROJECTION);
+AT(fxl_view, view_frustum, VIEW_FRUSTUM);
+
+AT(fxl_view_frustum, x_side, FRUSTUM_X_SIDE);
+AT(fxl_view_frustum, x_depth, FRUSTUM_X_DEPTH);
+AT(fxl_view_frustum, y_side, FRUSTUM_Y_SIDE);
+AT(fxl_view_frustum, y_depth, FRUSTUM_Y_DEPTH);
+AT(fxl_view_frustum, near_z, FRUSTUM_NEAR_Z);
+AT(fxl_view_frustum, far_z, FRUSTUM_FAR_Z);
+AT(fxl_view_frustum, inset, FRUSTUM_INSET);
+VALUE(FRUSTUM_INSET_UPPER, FRUSTUM_INSET + 4);
+
+AT(fxl_projection, factor, PROJECTION_FACTOR);
+AT(fxl_projection, depth_min, PROJECTION_DEPTH_MIN);
+AT(fxl_projection, factor_less_1, PROJECTION_FACTOR_LESS_1);
+AT(fxl_projection, factor_2, PROJECTION_FACTOR_2);
+AT(fxl_projection, factor_17, PROJECTION_FACTOR_17);
+AT(fxl_projection, centre_x, PROJECTION_CENTRE_X);
+AT(fxl_projection, centre_y, PROJECTION_CENTRE_Y);
+
+AT(fxl_segment_face, weight_step, SEGMENT_FACE_WEIGHT_STEP);
+AT(fxl_segment_face, u_step, SEGMENT_FACE_U_STEP);
+AT(fxl_segment_face, v_step, SEGMENT_FACE_V_STEP);
+AT(fxl_segment_face, u_drop, SEGMENT_FACE_U_DROP);
+AT(fxl_segment_face, v_drop, SEGMENT_FACE_V_DROP);
+AT(fxl_segment_face, texels, SEGMENT_FACE_TEXELS);
+AT(fxl_segment_face, rows_mask, SEGMENT_FACE_ROWS_MASK);
+AT(fxl_segment_face, light_step, SEGMENT_FACE_LIGHT_STEP);
+AT(fxl_segment_face, light_drop, SEGMENT_FACE_LIGHT_DROP);
+AT(fxl_segment_face, ramp, SEGMENT_FACE_RAMP);
+AT(fxl_segment_face, light_max, SEGMENT_FACE_LIGHT_MAX);
+AT(fxl_segment_face, drop_min, SEGMENT_FACE_DROP_MIN);
+AT(fxl_segment_face, log_width, SEGMENT_FACE_LOG_WIDTH);
+AT(fxl_segment_face, row_drop, SEGMENT_FACE_ROW_DROP);
+AT(fxl_segment_face, is_constant, SEGMENT_FACE_IS_CONSTANT);
+AT(fxl_segment_face, form, SEGMENT_FACE_FORM);
+
+AT(fxl_paint_row, weight, PAINT_ROW_WEIGHT);
+AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_U], PAINT_ROW_U);
+AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_V], PAINT_ROW_V);
+VALUE(PAINT_ROW_LIGHT, PAINT_ROW_U + 8 * FXL_SEGMENT_LIGHT + 4);
+AT(fxl_paint_row, pixels, PAINT_ROW_PIXELS);
+
+AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
+AT(fxl_texel_run, step, TEXEL_RUN_STEP);
+AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
+AT(fxl_texel_run, light_step, TEXEL_RUN_LIGHT_STEP);
+
+VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
+VALUE(FXL_CLIP_INSIDE, CLIP_INSIDE);
+VALUE(FXL_PLANES_ALL, PLANES_ALL);
+VALUE(FXL_CLIP_OUTSIDE, CLIP_OUTSIDE);
+VALUE(FXL_CLIP_RANGE, CLIP_RANGE);
+VALUE(FXL_CLIP_BETWEEN, CLIP_BETWEEN);
+
+#endif

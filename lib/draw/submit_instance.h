@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/* How the faces of instances are submitted, whether these are turned or not: the callers differ in
+ * the functions that they give. The functions are inlined. Internal. */
+#ifndef FXL_SUBMIT_INSTANCE_H
+#define FXL_SUBMIT_INSTANCE_H
+
+#include "submit_sorted.h"
+
+/* Whether the loops over a frame's instances and over a sorted model's faces measure rows and pass
+ * over what does not reach a band: in a library for size. Otherwise lib/draw/reach.c has loops
+ * of its own, so that a full frame pays nothing for bands. */
+#define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
+
+/* Whether a face is turned towards the eye. */
+typedef bool fxl_facing_test(const fxl_model_view *model_view, const fxl_face *face);
+
+/* fxl_submit_instance. */
+typedef bool fxl_instance_submit(const fxl_traversal *on, const fxl_order_entry *entry);
+
+/* A convex instance: none of its faces hides another, so any order will do. Front to back
+ * they come in reverse, so that the first face to cover a pixel is the one that would cover it
+ * last back to front. */
+static inline bool fxl_submit_convex(const fxl_traversal *on, const fxl_model_view *model_view,
+                                     const fxl_model *model, fxl_facing_test *is_front)
+{
+    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
+    const bool reverse = on->renderer->visibility->front_to_back; /* bug: reverse-rising */
+    const uint32_t first = on->resume->faces, step = reverse ? UINT32_MAX : 1;
+    uint32_t at = reverse ? model->face_count - 1 - first : first;
+    uint32_t number, backfacing = 0;
+    for (number = first; number < model->face_count; number++) {
+        if (!is_front(model_view, &faces[at])) {
+            backfacing++;
+        } else if (!fxl_submit_face(model_view, &faces[at], on)) {
+            break;
+        }
+        at += step;
+    }
+    on->resume->faces = (uint16_t)number;
+    on->counters->in += number - first;
+    on->counters->backfacing += backfacing;
+    return number == model->face_count;
+}
+
+/* All instances in sight that are left, in the order of drawing. */
+static inline bool fxl_submit_all(const fxl_traversal *on, fxl_instance_submit *submit)
+{
+    const fxl_frame *frame = &on->renderer->frame;
+    const uint32_t count = frame->visible_count;
+    const bool reverse = on->renderer->visibility->front_to_back;
+    const bool measures = ONE_LOOP && on->way == FXL_SUBMIT_MEASURE;
+    const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
+    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
+    for (; on->resume->instances < count; on->resume->instances++) {
+        const uint32_t number = on->resume->instances;
+        fxl_order_entry *entry = &frame->order[reverse ? count - 1 - number : number];
+        if (measures) {
+            *on->reached = fxl_no_rows;
+        }
+        if ((!passes_over || fxl_rows_meet(entry->rows, wanted)) && !submit(on, entry)) {
+            return false;
+        }
+        if (measures) {
+            entry->rows = *on->reached;
+        }
+        on->resume->faces = 0;
+    }
+    return true;
+}
+
+#endif

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+/* The shader of surfaces: a face that has one goes, after the clipper, with its gradients to the
+ * display list or into the band. */
+#include "renderer.h"
+#include "submit.h"
+#include "../paint/affine.h"
+#include "surface_light.h"
+#include "surface_polygon.h"
+#include "../paint/texture_level.h"
+
+static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
+{
+    (void)shader;
+    (void)scene;
+    (void)instance;
+    return true;
+}
+
+/* The corners of a face in the view, and the values of its attributes there. */
+static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
+                         const fxl_face *face, const fxl_mapped_face *mapped,
+                         const fxl_traversal *on, fxl_gradient_corners *corners)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
+    const uint16_t *indices = model_view->indices + face->first_index;
+    for (uint32_t i = 0; i < 3; i++) {
+        fxl_find_corner(model_view, indices[mapped->corners[i]], on, &corners->corners[i]);
+        corners->values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
+        corners->values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
+    }
+    corners->count = surface->texture == 0 ? 0 : 2;
+    if (fxl_surface_is_lit(surfaces, surface)) {
+        surfaces->light_code->light_corners(surfaces, on->renderer, model_view->instance, face,
+                                            mapped, corners->values[corners->count]);
+        corners->count++;
+    }
+}
+
+/* fxl_surface_finder; what: the mapped face. */
+static void find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
+                 const fxl_traversal *on, fxl_surface_polygon *polygon)
+{
+    const fxl_mapped_face *mapped = (const fxl_mapped_face *)what;
+    const fxl_surfaces *surfaces = fxl_surfaces_of(on->renderer);
+    const fxl_surface_backend *backend = fxl_surface_backend_of(on->renderer);
+    const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
+    fxl_gradient_corners corners;
+    find_corners(surfaces, model_view, face, mapped, on, &corners);
+    if (surface->division == FXL_AFFINE) {
+        fxl_corners_make_affine(&corners, model_view->view);
+    }
+    fxl_gradients_find(&corners, model_view->view, &polygon->gradients);
+    polygon->level = 0;
+    if (surface->texture != 0) {
+        polygon->level = fxl_texture_level_choose(&surfaces->set->textures[surface->texture - 1],
+                                                  &corners, model_view->view, &polygon->gradients);
+    }
+    polygon->surface = mapped->surface;
+    polygon->colour = face->material;
+    polygon->has_depth = backend->find_depth != NULL;
+    if (polygon->has_depth) {
+        backend->find_depth(model_view, face, on, &polygon->depth);
+    }
+}
+
+/* Whether the renderer's method draws such surfaces. */
+static bool draws(const fxl_renderer *renderer, const fxl_surfaces *surfaces)
+{
+    return renderer->visibility->backend->draws_surfaces &&
+           (surfaces->painter != NULL || fxl_surface_backend_of(renderer)->draws_565);
+}
+
+static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+                   const fxl_shader *shader)
+{
+    const fxl_surface_set *set = ((const fxl_surfaces *)(const void *)shader)->set;
+    const fxl_scene *scene = on->renderer->scene;
+    const uint32_t mapped = set->face_map[face - scene->faces];
+    if (mapped != 0 && draws(on->renderer, (const fxl_surfaces *)(const void *)shader)) {
+        const uint32_t used = on->renderer->frame.display_list.used;
+        return fxl_count_outcome(
+            on, fxl_submit_surface_polygons(model_view, face, on, find, &set->faces[mapped - 1]),
+            used);
+    }
+    const fxl_shader *next = fxl_shader_reaching(shader->next, scene, model_view->instance);
+    return next != NULL ? next->code->face(model_view, face, on, next)
+                        : fxl_submit_shaded_face(model_view, face, on);
+}
+
+/* A piece of a face that something else has split has no surface. */
+static uint8_t own_colour(const fxl_shader *shader, const fxl_renderer *renderer,
+                          const fxl_instance *instance, const fxl_face *face, uint8_t colour)
+{
+    (void)shader;
+    (void)renderer;
+    (void)instance;
+    (void)face;
+    return colour;
+}
+
+fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                               const fxl_surface_set *set, fxl_surfaces_checker *check,
+                               const fxl_surface_painter *painter)
+{
+    static const fxl_shader_code code = {reaches, submit, NULL, own_colour, false};
+    fxl_status status = FXL_OK;
+    if (renderer->scene == NULL) {
+        status = FXL_E_ORDER;
+    } else if (set != NULL) {
+        status = surfaces == NULL ? FXL_E_ARGUMENT : check(set, renderer->scene, NULL);
+    }
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
+    }
+    if (set == NULL) {
+        fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, NULL);
+        return FXL_OK;
+    }
+    surfaces->set = set;
+    surfaces->painter = painter;
+    surfaces->light = NULL;
+    surfaces->light_code = NULL;
+    surfaces->shader.code = &code;
+    fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
+    return FXL_OK;
+}
+
+fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                                     const fxl_surface_set *set)
+{
+    static const fxl_surface_painter painter = {fxl_surface_paint_of, fxl_paint_polygon,
+                                                fxl_paint_pixels};
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_status status =
+        fxl_surfaces_attach(renderer, surfaces, set, fxl_surfaces_check, &painter);
+    return status != FXL_OK || set == NULL
+               ? status
+               : fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
+}

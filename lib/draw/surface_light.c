@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/* A file of its own: a renderer whose surfaces are not lit does not link it. */
+#include "surface_light.h"
+
+#include "renderer.h"
+#include "submit.h"
+#include "../math/arith.h"
+#include "../scene/turn_code.h"
+#include "../paint/light_level.h"
+#include "surface_polygon.h"
+
+/* A corner and its normal in the world. Points of the world are within FXL_COORDINATE_MAX, so
+ * doubled ones are below 2^30. */
+static void place_corner(const fxl_point *point, const fxl_direction *normal, fxl_lit_place *place)
+{
+    place->normal = *normal;
+    place->middle.x = 2 * point->x;
+    place->middle.y = 2 * point->y;
+    place->middle.z = 2 * point->z;
+}
+
+/* The three corners of a turned instance's face. fxl_turn_code places whole faces, and turns the
+ * normal of a face. */
+static void place_turned_corners(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                                 const fxl_mapped_face *mapped, const fxl_direction *normals,
+                                 fxl_lit_place places[3])
+{
+    const fxl_turn_code *code = scene->turn_code;
+    fxl_point points[FXL_FACE_VERTICES_MAX];
+    code->place_face(scene, number, face, points);
+    for (uint32_t i = 0; i < 3; i++) {
+        fxl_face corner = *face;
+        corner.normal = normals[mapped->normals[i]];
+        const fxl_direction normal = code->normal(scene, number, &corner); /* bug: corner-turn */
+        place_corner(&points[mapped->corners[i]], &normal, &places[i]);
+    }
+}
+
+static void place_corners(const fxl_scene *scene, const fxl_instance *instance,
+                          const fxl_face *face, const fxl_mapped_face *mapped,
+                          const fxl_direction *normals, fxl_lit_place places[3])
+{
+    const fxl_point *vertices = &scene->vertices[scene->models[instance->model].first_vertex];
+    const uint16_t *indices = &scene->indices[face->first_index];
+    const fxl_point *centre = &instance->centre;
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_point *vertex = &vertices[indices[mapped->corners[i]]];
+        const fxl_point point = {centre->x + vertex->x, centre->y + vertex->y,
+                                 centre->z + vertex->z};
+        place_corner(&point, &normals[mapped->normals[i]], &places[i]); /* bug: corner-normal */
+    }
+}
+
+/* Below 2^30 * 63. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,
+ * which is at most 0.1 of that unit. */
+static int32_t level_of(fxl_q2_30 brightness, uint32_t levels)
+{
+    return (int32_t)fxl_round_shift((int64_t)brightness * (levels - 1), 14) + 32768;
+}
+
+static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                          const fxl_instance *instance, const fxl_face *face,
+                          const fxl_mapped_face *mapped, int32_t values[3])
+{
+    const fxl_light_settings *settings = &surfaces->light->settings;
+    const fxl_direction *normals = surfaces->set->normals;
+    const fxl_scene *scene = renderer->scene;
+    const uint32_t number = fxl_instance_number(scene, instance);
+    fxl_lit_place places[3];
+    if (fxl_turn_code_of(scene, number) != NULL) {
+        place_turned_corners(scene, number, face, mapped, normals, places);
+    } else {
+        place_corners(scene, instance, face, mapped, normals, places);
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        values[i] =
+            level_of(fxl_light_brightness(settings, &renderer->frame.view.camera, &places[i]),
+                     settings->levels);
+    }
+}
+
+fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light)
+{
+    static const fxl_surface_light_code code = {light_corners};
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    fxl_shader *first = renderer->scene != NULL ? renderer->shader : NULL;
+    if (first == NULL || first->rank != FXL_SHADER_SURFACES ||
+        (light != NULL && light->settings.ramp == NULL)) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
+    fxl_surfaces *surfaces = (fxl_surfaces *)(void *)first;
+    surfaces->light = light;
+    surfaces->light_code = &code;
+    renderer->frame.state = FXL_FRAME_NONE;
+    return FXL_OK;
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+#include "surface_polygon.h"
+
+#include "../math/arith.h"
+#include "../math/memory.h"
+#include "surface_light.h"
+#include "../paint/texture_level.h"
+
+/* A record: what every record begins with, whose count is that of all pairs of words after it and
+ * whose reserved byte is that of the points; the points; the first two words below; with a surface
+ * two more, its weight and its attributes; with a depth its unit and its gradient. */
+#define FIRST_WORDS    2u /* surface, count, level and colour; shifts */
+#define SURFACE_WORDS  2u /* weight_min */
+#define UNIT_WORDS     2u /* the depth's unit, and 0 */
+#define GRADIENT_WORDS 6u
+
+/* What stands above the surface in the first word. */
+#define COUNT_AT  16
+#define LEVEL_AT  20
+#define HAS_DEPTH 0x80000u
+#define COLOUR_AT 24
+
+FXL_STATIC_ASSERT(sizeof(fxl_gradient) == GRADIENT_WORDS * sizeof(uint32_t), "no padding");
+FXL_STATIC_ASSERT(FXL_ATTRIBUTES < 8 && FXL_TEXTURE_LOG_MAX < 16, "bits of the first word");
+FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY + (FIRST_WORDS + SURFACE_WORDS + UNIT_WORDS +
+                                          GRADIENT_WORDS * (2 + FXL_ATTRIBUTES)) /
+                                             2 <=
+                      255,
+                  "8 bits for the count of pairs");
+
+/* An even number. */
+static uint32_t words_beside(const fxl_surface_polygon *polygon)
+{
+    uint32_t words = FIRST_WORDS;
+    if (polygon->surface != FXL_NO_SURFACE) {
+        words += SURFACE_WORDS + GRADIENT_WORDS * (1 + polygon->gradients.count);
+    }
+    return words + (polygon->has_depth ? UNIT_WORDS + GRADIENT_WORDS : 0);
+}
+
+static uint32_t *put(uint32_t *to, const void *from, uint32_t words)
+{
+    memcpy(to, from, words * sizeof *to);
+    return to + words;
+}
+
+static const uint32_t *get(const uint32_t *from, void *to, uint32_t words)
+{
+    memcpy(to, from, words * sizeof *from);
+    return from + words;
+}
+
+bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon *screen,
+                                fxl_rows rows, const fxl_surface_polygon *polygon)
+{
+    const fxl_gradients *gradients = &polygon->gradients;
+    const uint32_t beside = words_beside(polygon);
+    const uint32_t words = FXL_DISPLAY_LIST_WORDS((uint32_t)screen->count) + beside;
+    FXL_ASSERT(rows.first < rows.end && list->used <= list->capacity);
+    if (list->capacity - list->used < words) {
+        return false;
+    }
+    uint32_t *to = list->words + list->used;
+    to[0] = (uint32_t)rows.end << 16 | rows.first;
+    const uint8_t head[4] = {screen->colour, (uint8_t)(screen->count + beside / 2),
+                             FXL_POLYGON_SURFACE, screen->count};
+    to = put(to + 1, head, 1);
+    to = put(to, screen->points, 2u * screen->count);
+    *to++ = polygon->surface | (uint32_t)gradients->count << COUNT_AT |
+            (uint32_t)polygon->level << LEVEL_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
+            (uint32_t)polygon->colour << COLOUR_AT;
+    to = put(to, gradients->shifts, 1);
+    if (polygon->surface != FXL_NO_SURFACE) {
+        to = put(to, gradients->weight_min, SURFACE_WORDS);
+        to = put(to, &gradients->weight, GRADIENT_WORDS);
+        to = put(to, gradients->attributes, gradients->count * GRADIENT_WORDS);
+    }
+    if (polygon->has_depth) {
+        const int32_t unit[UNIT_WORDS] = {polygon->depth.one, 0};
+        to = put(to, unit, UNIT_WORDS);
+        (void)put(to, &polygon->depth.gradient, GRADIENT_WORDS);
+    }
+    list->used += words;
+    return true;
+}
+
+uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
+                                  fxl_surface_polygon *polygon)
+{
+    fxl_gradients *gradients = &polygon->gradients;
+    const uint8_t *head = (const uint8_t *)(const void *)record->points - 4;
+    const uint32_t *from = (const uint32_t *)(const void *)(record->points + head[3]);
+    const uint32_t first = *from++;
+    polygon->surface = (uint16_t)first;
+    polygon->colour = (uint8_t)(first >> COLOUR_AT);
+    polygon->level = (uint8_t)(first >> LEVEL_AT & 15u);
+    polygon->has_depth = (first & HAS_DEPTH) != 0;
+    gradients->count = (uint8_t)(first >> COUNT_AT & 7u);
+    from = get(from, gradients->shifts, 1);
+    if (polygon->surface != FXL_NO_SURFACE) {
+        from = get(from, gradients->weight_min, SURFACE_WORDS);
+        from = get(from, &gradients->weight, GRADIENT_WORDS);
+        from = get(from, gradients->attributes, gradients->count * GRADIENT_WORDS);
+    }
+    if (polygon->has_depth) {
+        from = get(from, &polygon->depth.one, 1) + 1;
+        (void)get(from, &polygon->depth.gradient, GRADIENT_WORDS);
+    }
+    return head[3];
+}
+
+void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
+                          fxl_paint *paint)
+{
+    const fxl_surface_set *set = surfaces->set;
+    const fxl_surface *surface = &set->surfaces[polygon->surface];
+    paint->gradients = &polygon->gradients;
+    paint->level.texels = NULL;
+    paint->level.flags = 0;
+    if (surface->texture != 0) {
+        fxl_texture_level_find(&set->textures[surface->texture - 1], polygon->level, &paint->level);
+    }
+    paint->ramp = NULL;
+    paint->levels_less_1 = 0;
+    if (fxl_surface_is_lit(surfaces, surface)) {
+        paint->ramp = surfaces->light->settings.ramp;
+        paint->levels_less_1 = (uint8_t)(surfaces->light->settings.levels - 1);
+    }
+    paint->blend = surface->flags & FXL_SURFACE_BLEND ? set->blend : NULL;
+    paint->blend_first = (uint8_t)set->blend_first;
+    paint->blend_count = set->blend_count;
+    paint->colour = polygon->colour;
+    paint->division = surface->division == FXL_AFFINE ? (uint8_t)FXL_DIVIDE_16 : surface->division;
+    paint->opacity = surface->opacity;
+}

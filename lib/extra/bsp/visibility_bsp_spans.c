@@ -1,7 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "submit_by_bsp.h"
-
-const fxl_visibility fxl_visibility_bsp_spans = {.front_to_back = true,
-                                                 .submit = fxl_submit_by_bsp,
-                                                 .submit_workspace_size = fxl_bsp_workspace_size,
-                                                 .backend = &fxl_raster_spans};

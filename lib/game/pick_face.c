@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* The faces come near to far, and a raster backend of its own answers that it has no room for the
+ * first that covers the pixel. So the traversal stops there, and its resume point is that face.
+ * That backend draws no surfaces, so the shaders of surfaces and of depth leave the faces flat. */
+#include "../draw/renderer.h"
+#include "../draw/submit.h"
+#include "fixel/pick.h"
+
+/* A band of one row, in which one pixel counts. `band` comes first, so a pointer to it is one to
+ * this record. Its pixels are one byte, for the colour of that pixel. */
+typedef struct {
+    fxl_band band;
+    int32_t column;
+} pixel_probe;
+
+/* fxl_raster_backend.draw_polygon: false where the polygon covers the pixel. */
+static bool probe(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                  uint8_t colour, const fxl_band *band)
+{
+    const pixel_probe *pixel = (const pixel_probe *)(const void *)band;
+    fxl_scan *scan = &workspace->work.scan;
+    fxl_span span;
+    fxl_scan_outline(points, count, band, scan);
+    while (fxl_scan_next(scan, &span)) {
+        if (pixel->column >= span.x0 && pixel->column < span.x1) { /* bug: pick-span */
+            *band->pixels = colour;
+            return false;
+        }
+    }
+    return true;
+}
+
+static const fxl_raster_backend backend = {.draw_polygon = probe};
+
+/* The face at a resume point of a traversal near to far. */
+static void name_face(const fxl_renderer *renderer, const fxl_resume_point *at, fxl_picked *picked)
+{
+    const fxl_frame *frame = &renderer->frame;
+    const fxl_scene *scene = renderer->scene;
+    const fxl_workspace *workspace = &renderer->workspace;
+    picked->instance = frame->order[frame->visible_count - 1 - at->instances].index;
+    const fxl_model *model = &scene->models[scene->instances[picked->instance].model];
+    uint32_t face = model->face_count - 1 - at->faces;
+    if (model->kind == FXL_MODEL_SORTED) { /* bug: pick-sorted */
+        face = workspace->face_order[workspace->sorted_count - 1 - at->faces].face;
+    }
+    picked->face = (uint16_t)face;
+}
+
+/* The workspace knows the order of no model's faces: it numbers instances by the direction of the
+ * traversal, which is turned round for a pick. */
+static void forget_faces(fxl_workspace *workspace)
+{
+    workspace->sorted_instance = UINT16_MAX; /* bug: pick-forget */
+    workspace->face_rows_known = false;
+}
+
+static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked)
+{
+    const fxl_visibility *visibility = renderer->visibility;
+    const fxl_visibility near_first = {
+        .front_to_back = true, .submit = visibility->submit, .backend = &backend};
+    fxl_picked found = {FXL_PICK_NONE, 0, 0};
+    uint8_t colour = 0;
+    const uint16_t width = renderer->frame.view.lens.width;
+    const pixel_probe pixel = {{&colour, width, width, y, 1}, x};
+    fxl_resume_point resume = {0, 0};
+    fxl_counters uncounted = {0};
+    const fxl_traversal on = {.renderer = renderer,
+                              .clipper = renderer->clipper,
+                              .workspace = &renderer->workspace,
+                              .display_list = NULL,
+                              .band = &pixel.band,
+                              .resume = &resume,
+                              .counters = &uncounted,
+                              .way = FXL_SUBMIT_ANY};
+    const uint8_t state = renderer->frame.state;
+    forget_faces(&renderer->workspace);
+    renderer->visibility = &near_first;
+    renderer->frame.state = FXL_FRAME_BEGUN; /* rows are known of what is not in the list alone */
+    if (!near_first.submit(&on)) {
+        name_face(renderer, &resume, &found);
+        found.colour = colour;
+    }
+    renderer->visibility = visibility;
+    renderer->frame.state = state;
+    forget_faces(&renderer->workspace);
+    *picked = found;
+}
+
+fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    fxl_workspace *workspace = &renderer->workspace;
+    if (picked == NULL) {
+        return fxl_refuse(workspace, FXL_E_ARGUMENT);
+    }
+    if (renderer->frame.state == FXL_FRAME_NONE || renderer->frame.state == FXL_FRAME_RELEASED) {
+        return fxl_refuse(workspace, FXL_E_ORDER);
+    }
+    if (renderer->visibility->submit != fxl_submit_by_distance) {
+        return fxl_refuse(workspace, FXL_E_BSP);
+    }
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    if (x >= lens->width || y >= lens->height) {
+        return fxl_refuse(workspace, FXL_E_RANGE);
+    }
+    pick(renderer, x, y, picked);
+    return FXL_OK;
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* Beams for a renderer: it splits faces by the beams and draws the lit parts lit. */
+#ifndef FXL_BEAM_LIGHT_H
+#define FXL_BEAM_LIGHT_H
+
+#include "fixel/beam.h"
+#include "fixel/render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
+ * needs 1,320, 1,408 or 1,624 on a 32-bit core. Returns 0 where fxl_beams_fit does not allow the
+ * beams, or beams is null. Requires checked beams. */
+uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
+
+/* Makes a renderer draw with 1..FXL_BEAMS_MAX beams. beam_count 0 turns the light off; the other
+ * arguments are then ignored. lit[c] is the lit variant of colour c. The renderer keeps pointers
+ * to beams, lit and workspace. The caller must begin a frame anew.
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (workspace, to 8 bytes), FXL_E_ORDER (the renderer was never
+ * initialised), FXL_E_COUNT, the errors of fxl_beam_check, FXL_E_CAPACITY (the workspace is
+ * too small, or a face of the renderer's scene has too many vertices for fxl_beams_fit): the
+ * renderer is untouched, except for refused_calls. */
+fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
+                                  uint32_t beam_count, const uint8_t *lit, void *workspace,
+                                  uint32_t workspace_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

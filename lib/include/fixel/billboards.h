@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/* Billboards: sprites at points of the world, upright on the screen, smaller where they are farther
+ * away, and drawn in the order of the instances. docs/extras/billboards.md. */
+#ifndef FXL_BILLBOARDS_H
+#define FXL_BILLBOARDS_H
+
+#include "fixel/overlay.h"
+#include "fixel/render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The largest side of a billboard: 8191 world units. */
+#define FXL_BILLBOARD_SIDE_MAX FXL_COORDINATE_MAX
+
+/* What the instances of a model show instead of their face. */
+typedef struct {
+    const fxl_sprite *sprite;
+    fxl_q16_16 width, height;      /* world units, 1/65536..FXL_BILLBOARD_SIDE_MAX */
+    fxl_q16_16 anchor_x, anchor_y; /* the centre of the instance, from the left and from the lower
+                                      side: 0..width, 0..height */
+} fxl_billboard;
+
+/* The billboards of a scene: tables that the caller owns and that must outlive it. */
+typedef struct {
+    const fxl_billboard *billboards;
+    uint32_t count;            /* 0..65535 */
+    const uint16_t *model_map; /* one for each model of the scene: 0, or the number of its
+                                  billboard, counted from 1 */
+} fxl_billboard_set;
+
+/* The billboards of a renderer, which the caller owns. Members are internal. */
+typedef union {
+    struct {
+        const fxl_billboard_set *set;
+        const struct fxl_billboard_painter *painter;
+        const fxl_visibility *without; /* the method that they have joined */
+        fxl_visibility method;         /* the same with billboards */
+    } of;
+    uint64_t aligned; /* a workspace is aligned to 8 bytes */
+} fxl_billboards;
+
+/* Checks the billboards of a scene: that each has a sprite of 1, 4 or 8 bits with pixels and sides
+ * of 1..65535; every number and range; and of a model with a billboard that it is convex, has one
+ * face, and has a radius that holds all corners of the billboard about the anchor. Requires a
+ * checked scene and tables as long as their counts; fault may be null.
+ * FXL_E_ARGUMENT (a null pointer, also in a record), FXL_E_ALIGNMENT (billboards and sprites, to a
+ * pointer's size; model_map, to 2 bytes), FXL_E_COUNT (the set's count, or the faces of a model),
+ * FXL_E_RANGE, FXL_E_INDEX (model_map), FXL_E_RADIUS: *fault written. On FXL_OK *fault is
+ * untouched. */
+fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
+                                fxl_scene_fault *fault);
+
+/* Makes a set of the billboards of a scene image. sprites and boards: memory for its records, so
+ * many of each; they must outlive *set, as the image must. Checks that each sprite lies within the
+ * image's sprite pixels, and as fxl_billboards_check.
+ * Requires an image that fxl_scene_open has opened; fault may be null.
+ * FXL_E_ARGUMENT (a null pointer; an image without billboards), FXL_E_ALIGNMENT (sprites or
+ * boards), FXL_E_CAPACITY (more billboards than capacity), FXL_E_RANGE, FXL_E_OFFSET,
+ * FXL_E_RESERVED, and those of fxl_billboards_check: *set untouched, *fault written; sprites and
+ * boards may be overwritten. On FXL_OK *fault is untouched. */
+fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
+                               fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
+                               fxl_scene_fault *fault);
+
+/* Has a renderer draw billboards, or, where set is null, draw without them by the method that was
+ * set before them. If the renderer draws no billboards, a set that is null changes nothing, and a
+ * frame that has begun stays; this is FXL_OK with any visibility method.
+ * The renderer keeps a pointer to *billboards, and that one to *set. The visibility method becomes
+ * fxl_visibility_billboards if it was fxl_visibility_sorted; if it was fxl_visibility_surfaces,
+ * faces keep their surfaces. It is set after those, and ends where another method is set: then an
+ * instance shows its face. A sprite may change between frames, and so may model_map. The frame must
+ * begin anew. Several cores may draw bands of one frame.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised; or there is a set, and the
+ * visibility method is another one: with a depth buffer fxl_renderer_set_billboards_by_depth does
+ * it, with a span buffer, a BSP tree or outlines nothing does), FXL_E_ALIGNMENT (billboards), and
+ * those of fxl_billboards_check: nothing is changed but refused_calls. */
+fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                       const fxl_billboard_set *set);
+
+/* The same for a renderer that draws with a depth buffer, with surfaces or without: it is called
+ * after fxl_renderer_set_depth. Each pixel of a billboard has the distance of its instance's
+ * centre; one with the colour key keeps no depth. In the display list a billboard takes 40 bytes.
+ * fxl_renderer_set_billboards with a set that is null takes them away. The relative error of a
+ * depth is below 2^-28. set must not be null.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised, or draws without a depth
+ * buffer), FXL_E_ALIGNMENT (billboards), and those of fxl_billboards_check: nothing is changed but
+ * refused_calls. */
+fxl_status fxl_renderer_set_billboards_by_depth(fxl_renderer *renderer, fxl_billboards *billboards,
+                                                const fxl_billboard_set *set);
+
+/* The order of fxl_visibility_sorted; a later polygon or sprite covers an earlier one. Of the
+ * display list's memory a billboard takes 32 bytes. fxl_renderer_set_billboards sets it. */
+extern const fxl_visibility fxl_visibility_billboards;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

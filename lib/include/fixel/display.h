@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: MIT */
+/* Drivers for displays: ST7789, ILI9341 and ST7735 in 16 bits a pixel; SSD1306 and SH1106 in black
+ * and white. The caller gives the functions that reach the wires of his chip. A display is where a
+ * pump sends its bands (fixel/pump.h). docs/displays.md shows a whole program. */
+#ifndef FXL_DISPLAY_H
+#define FXL_DISPLAY_H
+
+#include "fixel/pump.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The wires to a display: functions of the caller's. Each returns false where it failed. The caller
+ * sets the pins and the clock up, and resets the display, before fxl_display_open. */
+typedef struct {
+    void *user; /* handed to all functions */
+
+    /* Sends bytes, and returns when they are sent. SPI, mode 0: with the D/C line low for a command
+     * and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
+    bool (*send)(void *user, bool is_data, const uint8_t *bytes, size_t size);
+
+    /* Begins to send data as send does, by DMA say, and returns at once. May be null: then send is
+     * used. The bytes stay as they are until wait has returned. */
+    bool (*start)(void *user, const uint8_t *bytes, size_t size);
+
+    /* Returns when nothing is being sent. Null where start is. */
+    bool (*wait)(void *user);
+
+    /* Returns after so many milliseconds, or later. */
+    void (*pause)(void *user, uint32_t milliseconds);
+} fxl_display_port;
+
+/* A controller: one of the constant records below. A program links those that it names. */
+typedef struct fxl_display_driver fxl_display_driver;
+
+extern const fxl_display_driver fxl_st7789;  /* 240 x 320, RGB565 */
+extern const fxl_display_driver fxl_ili9341; /* 240 x 320, RGB565 */
+extern const fxl_display_driver fxl_st7735;  /* 128 x 160, RGB565 */
+extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
+extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
+
+/* A display module: its controller, and how the glass is joined to it. The defaults are those of
+ * a common module; change what yours has otherwise. The glass must lie in the controller's memory:
+ * left + width <= columns and top + height <= rows. An access whose bit 5 exchanges rows and
+ * columns (ST7789, ILI9341, ST7735) exchanges these limits too.
+ *
+ *   columns x rows   ST7789, ILI9341   240 x 320
+ *                    ST7735            132 x 162
+ *                    SSD1306           128 x 64
+ *                    SH1106            132 x 64    top and height: multiples of 8, as SSD1306 */
+typedef struct {
+    const fxl_display_driver *driver;
+    uint16_t width, height; /* of the glass, as the viewer sees it; at least 1 */
+    uint16_t left, top;     /* where the glass begins in the controller's memory, as seen */
+    uint8_t access;         /* which way rows and columns run, in the controller's own bits: the
+                               argument of command 0x36; for SSD1306 and SH1106 bit 0 mirrors
+                               columns and bit 3 rows */
+    bool is_inverted;       /* the glass shows true colours only when it is inverted */
+} fxl_display_config;
+
+/* An open display, which the caller owns. It may not be moved: sink and pixels are used in place.
+ * Members are for reading only.
+ *
+ * A pump of this sink must have the width of the frame and the display's pixels, and at most the
+ * height of the frame. sink.start sends nothing and returns false, so the pump answers
+ * FXL_E_DISPLAY, if the rows are none or not all within the frame, if `size` is not
+ * fxl_pixels_size(pixels.format, frame_width, rows), or if the first row is not the first one of a
+ * page. */
+typedef struct fxl_display {
+    fxl_display_config config;
+    const fxl_display_port *port;
+    fxl_pixels pixels;    /* the palette in the display's format */
+    fxl_pump_sink sink;   /* sends to this display; see below */
+    uint16_t left, top;   /* the frame's place in the controller's memory */
+    uint16_t frame_width; /* pixels that a row of a frame has */
+    uint16_t frame_height;
+} fxl_display;
+
+/* The configuration of a common module of a controller, turned clockwise by 0 to 3 quarter
+ * turns. An SSD1306 or SH1106 turns by 0 and 2 only; for other turns all is 0, driver
+ * too, and fxl_display_open refuses the configuration. */
+fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
+                                              uint32_t quarter_turns);
+
+/* Wakes the controller up, sets it up, makes the glass black and turns it on. The display keeps the
+ * pointer to the port. The frame fills the glass. Takes some 300 ms.
+ * FXL_E_ARGUMENT (a null pointer; a port without send or pause, or with start and no wait),
+ * FXL_E_RANGE (no driver, or the glass is not in the controller's memory: fxl_display_config):
+ * nothing was sent, *display untouched. FXL_E_DISPLAY: a send failed; the
+ * display cannot be used until it is opened. */
+fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
+                            const fxl_display_port *port, const uint8_t *palette);
+
+/* Puts a frame that is smaller than the glass into its middle; with an SSD1306 or SH1106, to a
+ * multiple of eight rows above the middle. What is around it stays black.
+ * FXL_E_ARGUMENT, FXL_E_RANGE (0, or larger than the glass): *display untouched. */
+fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

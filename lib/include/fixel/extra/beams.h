@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-/* Light beams: convex parts of the world in which faces are drawn lit. */
-#ifndef FXL_EXTRA_BEAMS_H
-#define FXL_EXTRA_BEAMS_H
-
-#include "fixel/extra/beams/beam.h"
-#include "fixel/extra/beams/beam_light.h"
-
-#endif

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT */
+/* A pump: draws a frame in bands, and sends each band while the next one is drawn.
+ *
+ *   band()  the band to draw, in memory that is not being sent
+ *   send()  converts it into the free one of two buffers, waits for the other, starts the transfer
+ *
+ * So at most one transfer is under way, and nothing reads or writes the bytes that it sends. */
+#ifndef FXL_PUMP_H
+#define FXL_PUMP_H
+
+#include "fixel/pixels.h"
+#include "fixel/render.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Where the bytes go: a display of fixel/display.h, or functions of the caller's. Each
+ * returns false where the transfer failed. */
+typedef struct {
+    void *user; /* handed to both functions */
+
+    /* Begins to send rows first_row .. first_row + rows - 1 of the frame, and may return before
+     * they are sent. The bytes stay as they are until wait has returned. Never called while
+     * a transfer is under way. */
+    bool (*start)(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size);
+
+    /* Returns when nothing is being sent. Called also where nothing was started. */
+    bool (*wait)(void *user);
+} fxl_pump_sink;
+
+/* What a pump sends, and in which pieces. */
+typedef struct {
+    const fxl_pixels *pixels; /* the format; null sends palette indices, one byte a pixel */
+    uint16_t width, height;   /* of the frame, 1..FXL_SCREEN_MAX */
+    uint16_t rows;            /* of a band, 1..height; with pages a multiple of 8 */
+} fxl_pump_config;
+
+/* uint64_t of memory for a pump: for bands of rows of width pixels, sent in so many bits a pixel
+ * (16 for RGB565, 0 for palette indices). A constant expression. For formats of fewer than 8 bits
+ * width must be a multiple of 8; fxl_pump_memory_size serves every width. */
+#define FXL_PUMP_MEMORY(width, rows, bits) \
+    (((width) * (rows) + 7) / 8 + 2 * (((width) * (rows) * (bits) + 63) / 64) + \
+     ((bits) == 0 ? ((width) * (rows) + 7) / 8 : 0))
+
+/* A pump, which the caller owns. Members are for reading only. */
+typedef struct {
+    fxl_pump_config config;
+    fxl_pump_sink sink;
+    fxl_band band;       /* what is drawn next; no rows: the frame is done */
+    uint8_t *buffers[2]; /* sent in turn; without a format they are the bands */
+    size_t buffer_size;
+    uint8_t free_buffer; /* 0 or 1: the other one may be on its way */
+    bool is_begun;       /* a frame has begun, and nothing has failed */
+} fxl_pump;
+
+/* Bytes of memory that a pump needs, or 0 where the configuration is null or out of range. Pixels
+ * that fxl_pixels_init did not prepare, all of whose bytes are 0, are out of range. */
+size_t fxl_pump_memory_size(const fxl_pump_config *config);
+
+/* Sets up a pump in memory of the caller's, aligned to 8 bytes; the pump keeps the pointers to it
+ * and to the pixels, and copies the sink.
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_ALIGNMENT, FXL_E_RANGE (config), FXL_E_CAPACITY
+ * (memory_size): *pump untouched. */
+fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fxl_pump_sink *sink,
+                         void *memory, size_t memory_size);
+
+/* Draws a frame and sends it: fxl_frame_begin, and for each band the clear to the
+ * renderer's background, fxl_frame_draw and fxl_pump_send. When it returns, the last band may still
+ * be on its way: the next frame waits for it, as does fxl_pump_wait.
+ * FXL_E_ARGUMENT, FXL_E_RANGE (a screen of another size than the pump's), the statuses of
+ * fxl_frame_begin: nothing was sent. FXL_E_DISPLAY: a part of the frame was sent. */
+fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose *eye);
+
+/* --- the same step by step, to draw more into a band -------------------------------------------
+ */
+
+/* Begins a frame at its first row, whether or not the frame before was finished. FXL_E_ARGUMENT,
+ * FXL_E_ORDER (the pump was never set up: it is all zeros): nothing happens. */
+fxl_status fxl_pump_begin(fxl_pump *pump);
+
+/* Returns the band to draw next, whose pixels are those of an earlier band. Null after the last
+ * band of a frame, before the first frame, and after a failure, and for null. */
+const fxl_band *fxl_pump_band(const fxl_pump *pump);
+
+/* Converts the band of fxl_pump_band, waits for the transfer before, and starts to send.
+ * FXL_E_ORDER (no band): nothing happens. FXL_E_DISPLAY: the transfer before failed, or this one
+ * did not start; the frame ends here. */
+fxl_status fxl_pump_send(fxl_pump *pump);
+
+/* Sends rows that lie elsewhere, as fxl_pump_send does: of the pump's width, and at most as many
+ * rows as its bands have. Their pixels may change as soon as it returns. It neither needs a frame
+ * nor changes which band is next; without a format that band's pixels are lost.
+ * FXL_E_ARGUMENT (a null pointer, no rows), FXL_E_RANGE (another width, too many rows, rows beyond
+ * the frame, the ranges of fxl_pixels_convert): nothing happens. FXL_E_DISPLAY as above. */
+fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows);
+
+/* Returns when nothing is being sent. FXL_E_ARGUMENT, FXL_E_ORDER (the pump was never set up: it is
+ * all zeros): nothing happens. FXL_E_DISPLAY: the last transfer failed. */
+fxl_status fxl_pump_wait(fxl_pump *pump);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: MIT */
+/* Surfaces: what a face shows instead of one colour. docs/extras/surfaces.md; SPEC.md, section 9.
+ */
+#ifndef FXL_SURFACES_H
+#define FXL_SURFACES_H
+
+#include "fixel/light.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define FXL_TEXTURE_LOG_MAX  8u /* a texture is 1 to 256 texels wide and high */
+#define FXL_TEXTURES_MAX     65535u
+#define FXL_SURFACES_MAX     65535u
+#define FXL_MAPPED_FACES_MAX 65535u
+
+/* The largest texture coordinate: 16383 texels. */
+#define FXL_TEXEL_MAX FXL_CAST(fxl_q16_16, 16383 * 65536)
+
+/* A place on a texture, in texels: u along a row, v downward. The texel in column i and row j
+ * covers i <= u < i + 1, j <= v < j + 1. */
+typedef struct {
+    fxl_q16_16 u, v;
+} fxl_texel;
+
+enum {
+    FXL_TEXTURE_8 = 0,  /* a byte a texel: its palette index */
+    FXL_TEXTURE_4 = 1,  /* two texels a byte, the left one in the lower bits: an index into
+                           `colours`; log_width is at least 1 */
+    FXL_TEXTURE_565 = 2 /* two bytes a texel: an array of uint16_t, RGB565 in the core's byte order.
+                           In frames of 16 bits a pixel alone: fixel/rgb565.h */
+};
+
+enum {
+    FXL_TEXTURE_CLAMP = 1u << 0, /* beyond its edge a texture shows the texel of the edge; else it
+                                    repeats */
+    FXL_TEXTURE_KEYED = 1u << 1  /* texels of the colour `key` are not drawn */
+};
+
+/* A texture of 2^log_width x 2^log_height texels. Rows follow each other without a gap. After them
+ * come levels - 1 smaller pictures, each half as wide and as high as the one before, and at least
+ * one texel (of 4 bits: two); a face takes one of them, by its distance. */
+typedef struct {
+    const uint8_t *texels;
+    const uint8_t *colours; /* FXL_TEXTURE_4: 16 palette indices; else null */
+    uint8_t log_width, log_height;
+    uint8_t format;   /* FXL_TEXTURE_8, FXL_TEXTURE_4, FXL_TEXTURE_565 */
+    uint8_t flags;    /* FXL_TEXTURE_CLAMP, FXL_TEXTURE_KEYED */
+    uint8_t key;      /* palette index */
+    uint8_t levels;   /* 1..9 */
+    uint16_t key_565; /* FXL_TEXTURE_565: the key; else 0 */
+} fxl_texture;
+
+/* How often texture coordinates and light are divided exactly. Between two divisions they are
+ * linear. Columns of the screen count from its left. */
+enum {
+    FXL_DIVIDE_16 = 0, /* at each 16th column; where that is half a texel off, as the next */
+    FXL_DIVIDE_8 = 1,  /* at each 8th column; where that is half a texel off, as the next */
+    FXL_DIVIDE_1 = 2,  /* at each pixel */
+    FXL_AFFINE = 3 /* nowhere: linear on the screen. Where one of the face's three corners is not on
+                      the screen, as FXL_DIVIDE_16 */
+};
+
+enum {
+    FXL_SURFACE_LIT = 1u << 0, /* light is found at the three corners, and is linear over the face:
+                                  fxl_renderer_light_surfaces */
+    FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath, by the set's table; in
+                                    a frame of 16 bits a pixel half and half, without a table */
+    FXL_SURFACE_ADD = 1u << 2 /* colours are added to those beneath: in such a frame alone, and not
+                                 together with FXL_SURFACE_BLEND */
+};
+
+/* What faces look like. */
+struct fxl_surface {
+    uint16_t texture; /* its number, counted from 1; 0: the face's own colour */
+    uint8_t division; /* FXL_DIVIDE_16 and so on */
+    uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND, FXL_SURFACE_ADD */
+    uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
+    uint8_t reserved[3];
+};
+
+/* A face that has a surface. Three of its corners, which are not on one line, say where the texture
+ * lies; over the rest of the face it is linear. */
+struct fxl_mapped_face {
+    uint16_t surface;    /* a number */
+    uint16_t normals[3]; /* of the corners, numbers; FXL_SURFACE_LIT only, else 0 */
+    uint8_t corners[3];  /* which of the face's corners, in rising order */
+    uint8_t reserved;    /* 0 */
+    fxl_texel texels[3]; /* at these corners; each coordinate within FXL_TEXEL_MAX */
+};
+
+/* The surfaces of a scene: tables that the caller owns and that must outlive it. */
+typedef struct {
+    const fxl_texture *textures;
+    const fxl_surface *surfaces;
+    const fxl_mapped_face *faces;
+    const uint16_t *face_map; /* one for each face of the scene: 0, or the number of its record in
+                                 faces, counted from 1 */
+    const fxl_direction *normals; /* of corners, in the model */
+    uint32_t texture_count, surface_count, face_count, normal_count;
+    const uint8_t *blend; /* blend[256 * (colour - blend_first) + beneath]: what FXL_SURFACE_BLEND
+                             shows of a colour over another; null where no surface has that flag */
+    uint32_t blend_first, blend_count; /* the colours that are blended; others are opaque. The sum
+                                          is at most 256 */
+} fxl_surface_set;
+
+/* Bytes of a blend table of so many colours. */
+#define FXL_BLEND_TABLE_BYTES(colours) (256u * (colours))
+
+/* The surfaces of a renderer, which the caller owns. Members are internal. */
+typedef struct {
+    fxl_shader shader;
+    const fxl_surface_set *set;
+    const fxl_light *light; /* null: faces are not lit */
+    const struct fxl_surface_light_code *light_code;
+    const struct fxl_surface_painter *painter;
+} fxl_surfaces;
+
+/* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
+ * corners of a face are not on one line; that normals have unit length; that a set with a surface
+ * that is FXL_SURFACE_BLEND has a table. Requires a checked scene and tables as long as their
+ * counts; fault may be null.
+ * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (a table), FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL,
+ * FXL_E_DEGENERATE (corners on one line), FXL_E_RESERVED (also a texture FXL_TEXTURE_565 and a
+ * surface FXL_SURFACE_ADD, which are for fxl_surfaces_check_rgb565): *fault written. On FXL_OK
+ * *fault is untouched. */
+fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
+                              fxl_scene_fault *fault);
+
+/* Makes a set of the surfaces of a scene image. textures: memory for its textures, which must
+ * outlive *set, as the image must; it may be null if there are none. Checks that each texture lies
+ * within the image's texels, and as fxl_surfaces_check.
+ * Requires an image that fxl_scene_open has opened; fault may be null.
+ * FXL_E_ARGUMENT (a null pointer; an image without surfaces), FXL_E_ALIGNMENT (textures),
+ * FXL_E_CAPACITY (more textures than capacity), FXL_E_OFFSET, and those of fxl_surfaces_check: *set
+ * untouched, *fault written; textures may be overwritten. On FXL_OK *fault is untouched. */
+fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
+                             fxl_surface_set *set, fxl_scene_fault *fault);
+
+/* Has a renderer draw faces with the surfaces of a set, or, where set is null, as they are. The
+ * renderer keeps a pointer to *surfaces, and that one to *set. Sets the visibility method
+ * fxl_visibility_surfaces; another method that draws surfaces may be set after that. By any other
+ * method, by light beams and by a BSP, faces are drawn in their own colours. A frame must begin
+ * anew.
+ * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), and those of
+ * fxl_surfaces_check: nothing is changed but refused_calls. */
+fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                                     const fxl_surface_set *set);
+
+/* Has the surfaces of a renderer that are FXL_SURFACE_LIT take a light, or, where light is null,
+ * has them drawn at full brightness. The light is one that fxl_renderer_set_light has set, so the
+ * same settings light flat faces and surfaces; another call of that function with the same *light
+ * changes both. The renderer keeps a pointer to *light. fxl_renderer_set_surfaces takes the light
+ * away. A frame must begin anew. Error of a corner's brightness: FXL_LIGHT_ERROR_MAX, given its
+ * place and its normal. Of a pixel's level: docs/extras/surfaces.md, section 5. FXL_E_ARGUMENT
+ * (renderer), FXL_E_ORDER (the renderer has no surfaces; a *light of zeros, which was never set):
+ * nothing is changed but refused_calls. */
+fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light);
+
+/* Makes a blend table for the colours first..first + count - 1 of a palette of 256 colours of three
+ * bytes, red, green, blue. The entry of a colour over another is the one of the palette that is
+ * nearest to beneath + (colour - beneath) * sixteenths / 16, each of the three rounded to nearest,
+ * halves upward; nearest as for fxl_light_make_ramp. Where colour and the one beneath are the same,
+ * it is that colour. It looks at 65536 * count pairs of colours; a program with little time
+ * computes the table on the host, and keeps it in flash. FXL_E_ARGUMENT, FXL_E_RANGE (sixteenths
+ * not within 1..16), FXL_E_COUNT (count of 0, or first + count above 256): table untouched. */
+fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,
+                                uint32_t count, uint8_t *table);
+
+/* The order of fxl_visibility_sorted; a later polygon covers an earlier one; faces with surfaces
+ * show them. */
+extern const fxl_visibility fxl_visibility_surfaces;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* Wireframes: draws the edges of the faces that face the eye as lines, without removing hidden
+ * ones. It is a separate path from a scene to a band, for inspection. It uses the line clippers
+ * (D3, D4). And outlines over filled faces, which hide the edges behind them. */
+#ifndef FXL_WIRE_H
+#define FXL_WIRE_H
+
+#include "fixel/line.h"
+#include "fixel/scene.h"
+#include "fixel/stage/view.h"
+#include "fixel/stage/visibility.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The type of fxl_line_by_planes and fxl_line_by_codes. */
+typedef bool (*fxl_wire_clipper)(fxl_clip_line *line, const fxl_volume *volume,
+                                 uint32_t *intersections);
+
+/* Counts of the band drawn last. They are the same for every band of a frame. */
+typedef struct {
+    uint32_t in;            /* edges of faces that face the eye, of visible instances */
+    uint32_t outside;       /* edges of which the clipper left nothing */
+    uint32_t refused;       /* edges with an end outside FXL_SCREEN_COORDINATE_MAX */
+    uint32_t drawn;         /* edges drawn; one may still cover no pixel */
+    uint32_t clipped;       /* of those drawn: cut by a plane */
+    uint32_t intersections; /* intersections computed */
+} fxl_wire_counters;
+
+/* The caller owns the record. Its members are for reading only. */
+typedef struct {
+    const fxl_scene *scene;
+    fxl_wire_clipper clipper;
+    fxl_view view;
+    fxl_volume volume;
+    fxl_wire_counters counters;
+    bool ready;
+} fxl_wire;
+
+/* Initialises a wireframe for a checked scene, a lens and one of the two line clippers.
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (the lens): *wire untouched. */
+fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
+                         fxl_wire_clipper clipper);
+
+/* Begins a frame. FXL_E_ARGUMENT; FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN,
+ * FXL_E_ORDER (no scene, or turns without a turn_code). The frame begun before stays current if the
+ * scene has no turns. If it has turns, that frame ends: drawing would read turns that are not
+ * checked, so fxl_wire_draw answers FXL_E_ORDER until a frame begins. */
+fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
+
+/* Draws the frame's lines over a band that the caller has cleared. Each line has its face's
+ * colour. The order is that of the scene: by instance, face and edge. The pixels do not depend
+ * on the bands into which the caller divides the frame.
+ * FXL_E_ARGUMENT (a null pointer), FXL_E_ORDER (no frame begun), FXL_E_RANGE (a band that is not
+ * of this screen): band untouched. */
+fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
+
+/* Draws one line by the rule of docs/extras/wire.md. Exact, so a line has the same pixels in
+ * either direction. Requires points within FXL_SCREEN_COORDINATE_MAX and a band within
+ * 0..FXL_SCREEN_MAX. */
+void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
+                   const fxl_band *band);
+
+/* What fxl_visibility_outlined draws with: its workspace, of the caller, which sets the first three
+ * members and may change them between two frames. */
+typedef struct {
+    FXL_ALIGN_8 uint8_t line; /* the colour of the outlines */
+    uint8_t fill;             /* the colour of the faces, if they do not keep theirs */
+    bool keeps_colours;       /* each face is filled with its own colour */
+    uint8_t reserved;
+    uint16_t height; /* of the screen; belongs to the method */
+} fxl_outline_style;
+
+/* Faces far to near, each filled and then outlined, so a face hides the edges behind it: for
+ * displays of 1 bit, or for a drawing. The order is that of fxl_visibility_sorted. The pixels of an
+ * outline are those of fxl_wire_line, after its ends were moved, by half a pixel at most, into the
+ * rows that the polygon reaches. An edge both of whose ends are within 1/256 pixel of one side of
+ * the screen, or beyond it, is not drawn: it is where the clipper cut. A cut at the near plane is
+ * drawn. The pixels do not depend on the bands. With fxl_frame_draw_with, each workspace takes the
+ * renderer's style.
+ * fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) sets it;
+ * the renderer keeps the pointer. */
+extern const fxl_raster_backend fxl_raster_outlined;
+extern const fxl_visibility fxl_visibility_outlined;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT */
+/* Integer arithmetic that all stages share. Each function states why it cannot overflow
+ * and the error of its rounding. Internal. */
+#ifndef FXL_ARITH_H
+#define FXL_ARITH_H
+
+#include "divide.h"
+#include "divide_wide.h"
+#include "fixel/types.h"
+#include "leading_zeros.h"
+#include "multiply.h"
+#include "multiply_high.h"
+
+/* An assertion, for bugs of the library itself. A test build aborts on it, a proof takes
+ * it as a goal, and a build without FXL_ASSERT_HOOK omits it. */
+#ifdef FXL_ASSERT_HOOK
+#ifdef __cplusplus
+extern "C" {
+#endif
+void fxl_assert_failed(const char *file, int line);
+#ifdef __cplusplus
+}
+#endif
+#define FXL_ASSERT(condition) \
+    do { \
+        if (!(condition)) { \
+            fxl_assert_failed(__FILE__, __LINE__); \
+        } \
+    } while (0)
+#else
+#define FXL_ASSERT(condition) ((void)0)
+#endif
+
+/* The C standard leaves right shifts of negative numbers to the implementation. They are
+ * arithmetic on every compiler that Fixel is built with. */
+FXL_STATIC_ASSERT((-3 >> 1) == -2, "needs arithmetic right shift");
+
+/* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
+ * computed in int or unsigned. */
+FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
+
+/* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow for
+ * |value| <= 2^62. Error: half a unit of the result. */
+static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
+{
+    return (value + ((int64_t)1 << (shift - 1))) >> shift;
+}
+
+/* floor(numerator / denominator). Requires denominator > 0 and a quotient below 2^31. A negative
+ * numerator is inverted: floor((-1 - n) / d) is -1 - floor(n / d). */
+static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
+{
+    FXL_ASSERT(denominator > 0);
+    uint32_t rest;
+    int64_t sign = numerator >> 63; /* bug: negative-dividend */
+    return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &rest) ^
+           (int32_t)sign;
+}
+
+/* floor(numerator / denominator + 1/2), under the same conditions. If the denominator is odd, its
+ * half is rounded down, which does not change the result. Error: half a unit. */
+static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
+{
+    /* bug: half-up */
+    return fxl_divide_down(numerator + (denominator >> 1), denominator); /* bug: half-down */
+}
+
+/* floor(numerator / denominator) and the remainder. Requires denominator > 0. */
+static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
+{
+    FXL_ASSERT(denominator > 0);
+    bool negative = numerator < 0;
+    uint32_t magnitude = negative ? 0u - (uint32_t)numerator : (uint32_t)numerator;
+    uint32_t rest;
+    int32_t quotient = (int32_t)fxl_divide_u32(magnitude, (uint32_t)denominator, &rest);
+    if (negative) {
+        quotient = -quotient - (rest != 0);
+        rest = rest != 0 ? (uint32_t)denominator - rest : 0;
+    }
+    *remainder = (int32_t)rest;
+    return quotient;
+}
+
+/* The number of bits of a value up to its highest 1; 0 for 0. */
+static inline unsigned fxl_bit_length(uint64_t value)
+{
+    uint32_t high = (uint32_t)(value >> 32);
+    uint32_t low = (uint32_t)value;
+    if (high != 0) {
+        return 64u - fxl_leading_zeros(high);
+    }
+    return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
+}
+
+static inline uint64_t fxl_magnitude(int64_t value)
+{
+    return value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value;
+}
+
+static inline bool fxl_within(int64_t value, int64_t limit)
+{
+    return value >= -limit && value <= limit;
+}
+
+static inline bool fxl_point_in_range(const fxl_point *point)
+{
+    return fxl_within(point->x, FXL_COORDINATE_MAX) && fxl_within(point->y, FXL_COORDINATE_MAX) &&
+           fxl_within(point->z, FXL_COORDINATE_MAX);
+}
+
+/* Before a function of a header that is in place wherever it is called. With FXL_SMALL it stands
+ * once, in the source that defines FXL_HERE before it includes the header. */
+#if !FXL_IS_SMALL
+#define FXL_IN_PLACE static inline
+#else
+#define FXL_IN_PLACE
+#endif
+
+/* direction . (x, y, z), exact, in units of 2^-46.
+ * Requires |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28. By Cauchy-Schwarz the sum
+ * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61. So is every partial sum: it is the
+ * product with the same vector, with some components set to 0. */
+FXL_IN_PLACE fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
+{
+    return fxl_multiply_s31(direction->x, x) + fxl_multiply_s31(direction->y, y) +
+           fxl_multiply_s31(direction->z, z);
+}
+#endif
+
+/* *difference = a - b. Requires points of the world: each coordinate of the result is then below
+ * 2^30. */
+FXL_IN_PLACE void fxl_subtract(const fxl_point *a, const fxl_point *b, fxl_point *difference)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
+{
+    difference->x = a->x - b->x;
+    difference->y = a->y - b->y;
+    difference->z = a->z - b->z;
+}
+#endif
+
+#endif

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: MIT */
+/* The family of the core for which a file is compiled, and so the kernels that it has. Only
+ * kernels use this, in C and in assembly. The compiler's own macros decide, so every file
+ * of lib/ may be compiled for any core: exactly one file of each kernel has contents.
+ *
+ *   FXL_CORE_ARMV6M  Thumb-1 (Cortex-M0, M0+, M1, M23): no long product, no division
+ *   FXL_CORE_ARMV7M  Thumb-2 (Cortex-M3, M4, M7, M33 and above): long products, UDIV, CLZ
+ *
+ * Each is 0 or 1. Inline kernels depend on these two. Kernels in assembly are fast and take
+ * many bytes, so a library built with FXL_SMALL has none. They depend on these:
+ *
+ *   FXL_KERNELS_ARMV6M, FXL_KERNELS_ARMV7M
+ *   FXL_KERNELS_MVE  vectors (M55, M85) instead of some kernels of Armv7-M, if the ABI passes
+ *                    floats in registers: then the program has turned on the vector unit */
+#ifndef FXL_FAMILY_H
+#define FXL_FAMILY_H
+
+#include "../include/fixel/config.h"
+
+#if defined __ARM_ARCH_PROFILE && !defined FXL_PORTABLE_KERNELS
+#if __ARM_ARCH_PROFILE == 'M' && __ARM_ARCH_ISA_THUMB == 1
+#define FXL_CORE_ARMV6M 1
+#elif __ARM_ARCH_PROFILE == 'M' && __ARM_ARCH_ISA_THUMB == 2
+#define FXL_CORE_ARMV7M 1
+#endif
+#endif
+
+#ifndef FXL_CORE_ARMV6M
+#define FXL_CORE_ARMV6M 0
+#endif
+#ifndef FXL_CORE_ARMV7M
+#define FXL_CORE_ARMV7M 0
+#endif
+
+#define FXL_KERNELS_ARMV6M (FXL_CORE_ARMV6M && !FXL_IS_SMALL)
+#define FXL_KERNELS_ARMV7M (FXL_CORE_ARMV7M && !FXL_IS_SMALL)
+
+#if FXL_KERNELS_ARMV7M && defined __ARM_FEATURE_MVE && defined __ARM_PCS_VFP
+#define FXL_KERNELS_MVE 1
+#else
+#define FXL_KERNELS_MVE 0
+#endif
+
+/* Compiled for size (-Os), Armv7-M has an edge's intersection in C. */
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+#define FXL_INTERSECTS_IN_ASSEMBLY 1
+#else
+#define FXL_INTERSECTS_IN_ASSEMBLY 0
+#endif
+
+/* So compiled, it has the matrix of a turned instance in C, too. */
+#define FXL_TURNS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
+
+/* So compiled, it fills rows by a text of a sixth of the bytes. */
+#if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT
+#define FXL_FILLS_COMPACT 1
+#else
+#define FXL_FILLS_COMPACT 0
+#endif
+
+/* On a host the files in assembly have no code. This section states that they need no
+ * executable stack. */
+#if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__
+/* clang-format off */
+    .section .note.GNU-stack, "", %progbits
+    .text
+/* clang-format on */
+#endif
+
+#endif

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/wire.h"
+
+#include "fixel/stage/cull.h"
+#include "fixel/stage/sphere.h"
+#include "fixel/stage/transform.h"
+#include "../math/memory.h"
+#include "../scene/turn_code.h"
+
+fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
+                         fxl_wire_clipper clipper)
+{
+    if (wire == NULL || scene == NULL || lens == NULL || clipper == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!fxl_lens_is_valid(lens)) {
+        return FXL_E_RANGE;
+    }
+    memset(wire, 0, sizeof *wire);
+    wire->scene = scene;
+    wire->clipper = clipper;
+    fxl_view_set_lens(&wire->view, lens);
+    fxl_volume_from_sides(&wire->view.view_frustum, fxl_view_drawn_focal(&wire->view),
+                          FXL_PLANES_ALL, &wire->volume);
+    return FXL_OK;
+}
+
+fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
+{
+    if (wire == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_scene *scene = wire->scene;
+    fxl_status status;
+    if (scene == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (scene->turns != NULL) {
+        wire->ready = false; /* drawing would read turns that are not checked */
+        status = fxl_check_turns(scene);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    status = fxl_view_set_pose(&wire->view, pose);
+    if (status == FXL_OK) {
+        wire->ready = true;
+    }
+    return status;
+}
+
+/* transform -> clip -> project -> pixels. */
+static void draw_edge(fxl_wire *wire, const fxl_point *from, const fxl_point *to, uint8_t colour,
+                      const fxl_band *band)
+{
+    fxl_wire_counters *counters = &wire->counters;
+    fxl_screen_point ends[2];
+    fxl_clip_line line;
+    const uint32_t before = counters->intersections;
+    line.carried = 0;
+    fxl_transform_point(&wire->view.camera, from, &line.from.position);
+    fxl_transform_point(&wire->view.camera, to, &line.to.position);
+    counters->in++;
+    if (!wire->clipper(&line, &wire->volume, &counters->intersections)) {
+        counters->outside++;
+        return;
+    }
+    if (fxl_project_visible(&wire->view.projection, &line.from.position, &ends[0]) != FXL_OK ||
+        fxl_project_visible(&wire->view.projection, &line.to.position, &ends[1]) != FXL_OK) {
+        counters->refused++;
+        return;
+    }
+    counters->drawn++;
+    counters->clipped += counters->intersections != before;
+    fxl_wire_line(&ends[0], &ends[1], colour, band);
+}
+
+/* The points of a face in the world; those of a turned instance are rounded. */
+static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+                       fxl_point *points)
+{
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_instance *instance = &scene->instances[number];
+    const fxl_point *vertices = &scene->vertices[scene->models[instance->model].first_vertex];
+    if (turned != NULL) {
+        turned->place_face(scene, number, face, points);
+        return;
+    }
+    for (uint32_t k = 0; k < face->count; k++) {
+        const fxl_point *vertex = &vertices[scene->indices[face->first_index + k]];
+        points[k].x = instance->centre.x + vertex->x;
+        points[k].y = instance->centre.y + vertex->y;
+        points[k].z = instance->centre.z + vertex->z;
+    }
+}
+
+static void draw_instance(fxl_wire *wire, uint32_t number, const fxl_band *band)
+{
+    const fxl_scene *scene = wire->scene;
+    const fxl_instance *instance = &scene->instances[number];
+    const fxl_model *model = &scene->models[instance->model];
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_point *eye = &wire->view.camera.position;
+    fxl_point points[FXL_FACE_VERTICES_MAX];
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const fxl_face *face = &scene->faces[model->first_face + i];
+        if (!(turned != NULL ? turned->face_is_front(scene, number, face, eye)
+                             : fxl_face_is_front(scene, instance, face, eye))) {
+            continue;
+        }
+        place_face(scene, number, face, points);
+        for (uint32_t k = 0; k < face->count; k++) {
+            const uint32_t next = k + 1 == face->count ? 0 : k + 1;
+            draw_edge(wire, &points[k], &points[next], face->material, band);
+        }
+    }
+}
+
+fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
+{
+    if (wire == NULL || band == NULL || band->pixels == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!wire->ready) {
+        return FXL_E_ORDER;
+    }
+    if (band->width != wire->view.lens.width || band->stride < band->width || band->rows < 1 ||
+        band->first_row + band->rows > wire->view.lens.height) {
+        return FXL_E_RANGE;
+    }
+    const fxl_scene *scene = wire->scene;
+    memset(&wire->counters, 0, sizeof wire->counters);
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        const fxl_instance *instance = &scene->instances[i];
+        const uint32_t planes =
+            fxl_sphere_planes(&wire->view.camera, &wire->view.view_frustum, &instance->centre,
+                              fxl_instance_radius(scene, instance));
+        if (planes != FXL_SPHERE_OUTSIDE) {
+            draw_instance(wire, i, band);
+        }
+    }
+    return FXL_OK;
+}

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT */
+/* The walk over the pixels of a billboard; its callers differ in how they paint a row. Internal. */
+#ifndef FXL_BILLBOARD_WALK_H
+#define FXL_BILLBOARD_WALK_H
+
+#include "../math/arith.h"
+#include "../math/pixel_centre.h"
+#include "sprite_texel.h"
+
+/* The texels along a side, pixel by pixel: texel + rest / length is the exact place, where length
+ * is that of the side in 1/65536 pixel, 1..2^29. */
+typedef struct {
+    uint32_t texel, rest;
+    uint32_t step, step_rest;
+    uint32_t length;
+} fxl_texel_walk;
+
+/* Begins at the centre of a pixel, which lies on the side: from <= centre < end. Both products are
+ * below 2^29 2^16, and both quotients below 2^32, since the length is at least 1. */
+static inline void fxl_begin_walk(fxl_texel_walk *walk, fxl_q16_16 from, fxl_q16_16 end,
+                                  int32_t pixel, uint32_t texels)
+{
+    const uint32_t along = (uint32_t)(fxl_centre_of(pixel) - from);
+    walk->length = (uint32_t)(end - from);
+    walk->texel = fxl_divide_u64(fxl_multiply_u32(along, texels), walk->length, &walk->rest);
+    const uint64_t pixel_of_texels = (uint64_t)texels << 16; /* bug: sprite-step */
+    walk->step = fxl_divide_u64(pixel_of_texels, walk->length, &walk->step_rest);
+}
+
+/* The next pixel. Both rests are below length. */
+static inline void fxl_take_step(fxl_texel_walk *walk)
+{
+    walk->texel += walk->step;
+    walk->rest += walk->step_rest;
+    if (walk->rest >= walk->length) { /* bug: sprite-carry */
+        walk->rest -= walk->length;
+        walk->texel += 1;
+    }
+}
+
+/* The pixels of low <= pixel < high whose centres lie in from <= centre < end. */
+static inline fxl_rows fxl_pixels_between(fxl_q16_16 from, fxl_q16_16 end, int32_t low,
+                                          int32_t high)
+{
+    const int32_t first = fxl_first_centre_from(from), behind = fxl_first_centre_from(end);
+    fxl_rows pixels = {(uint16_t)low, (uint16_t)low};
+    if (first < high && behind > low && first < behind) {
+        pixels.first = (uint16_t)(first > low ? first : low);
+        pixels.end = (uint16_t)(behind < high ? behind : high);
+    }
+    return pixels;
+}
+
+/* A row of a billboard: pixels columns.first <= x < columns.end of a band's row. */
+typedef struct {
+    const fxl_sprite *sprite;
+    const uint8_t *texels; /* of its row of texels */
+    fxl_texel_walk along;  /* from columns.first on */
+    fxl_rows columns;
+    uint8_t *pixels; /* of column 0 */
+    uint32_t y;
+    unsigned shift; /* of the sprite */
+} fxl_billboard_row;
+
+/* Paints a row; with: the painter's own. */
+typedef void fxl_billboard_row_painter(fxl_billboard_row *row, const void *with);
+
+/* Calls a painter for each row of the billboard that reaches the band. A pixel whose centre lies in
+ * left <= x < right, top <= y < bottom shows the texel in which its centre falls: column
+ * floor((x - left) * sprite->width / (right - left)), row likewise. Exact. Requires a sprite that
+ * was checked, and corners within FXL_SCREEN_COORDINATE_MAX, left <= right and top <= bottom. */
+static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
+                                           const fxl_screen_point *left_top,
+                                           const fxl_screen_point *right_bottom,
+                                           const fxl_band *band, fxl_billboard_row_painter *paint,
+                                           const void *with)
+{
+    fxl_billboard_row row;
+    row.columns = fxl_pixels_between(left_top->x, right_bottom->x, 0, band->width);
+    const fxl_rows rows = fxl_pixels_between(left_top->y, right_bottom->y, band->first_row,
+                                             band->first_row + band->rows);
+    if (row.columns.first == row.columns.end || rows.first == rows.end) {
+        return;
+    }
+    const size_t row_bytes = fxl_sprite_row_bytes(sprite);
+    fxl_texel_walk down, first;
+    fxl_begin_walk(&down, left_top->y, right_bottom->y, rows.first, sprite->height);
+    fxl_begin_walk(&first, left_top->x, right_bottom->x, row.columns.first, sprite->width);
+    row.sprite = sprite;
+    row.shift = fxl_sprite_shift(sprite);
+    for (row.y = rows.first; row.y < rows.end; row.y++) {
+        row.pixels = band->pixels + (size_t)(row.y - band->first_row) * band->stride;
+        row.texels = sprite->pixels + down.texel * row_bytes;
+        row.along = first;
+        paint(&row, with);
+        fxl_take_step(&down);
+    }
+}
+
+#endif

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+/* The billboards of a scene image (docs/formats.md, section 1.13). */
+#include "../math/aligned.h"
+#include "../math/arith.h"
+#include "../math/memory.h"
+#include "../scene/fault.h"
+#include "sprite_texel.h"
+#include "fixel/billboards.h"
+
+static bool lies_in(uint32_t place, uint64_t bytes, uint32_t size)
+{
+    return place <= size && bytes <= size - place; /* bug: billboard-place */
+}
+
+/* Whether a sprite lies within the pixels of the image. A picture of 65535 x 65535 pixels has less
+ * than 2^32 bytes. */
+static fxl_status make_sprite(const fxl_scene_billboard *from, const fxl_scene_billboards *image,
+                              fxl_sprite *to)
+{
+    if ((from->bits != 1 && from->bits != 4 && from->bits != 8) || from->key > FXL_SPRITE_OPAQUE) {
+        return FXL_E_RANGE;
+    }
+    if (from->reserved != 0 || (from->bits == 8 && from->colours != 0)) {
+        return FXL_E_RESERVED;
+    }
+    memset(to, 0, sizeof *to);
+    to->width = from->pixel_width;
+    to->height = from->pixel_height;
+    to->bits = from->bits;
+    to->key = from->key;
+    const uint64_t bytes = fxl_multiply_u32((uint32_t)fxl_sprite_row_bytes(to), to->height);
+    if (!lies_in(from->pixels, bytes, image->pixel_bytes) ||
+        (from->bits != 8 && !lies_in(from->colours, 1u << from->bits, image->pixel_bytes))) {
+        return FXL_E_OFFSET;
+    }
+    to->pixels = image->pixels + from->pixels;
+    /* bug: billboard-colours */
+    to->colours = from->bits != 8 ? image->pixels + from->colours : NULL;
+    return FXL_OK;
+}
+
+fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
+                               fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
+                               fxl_scene_fault *fault)
+{
+    if (image == NULL || sprites == NULL || boards == NULL || set == NULL ||
+        image->billboards.model_map == NULL) {
+        return fxl_fault_at(fault, "billboards", 0, FXL_E_ARGUMENT);
+    }
+    if (!fxl_is_aligned(sprites, FXL_POINTER) || !fxl_is_aligned(boards, FXL_POINTER)) {
+        return fxl_fault_at(fault, "billboard table", 0, FXL_E_ALIGNMENT);
+    }
+    const fxl_scene_billboards *from = &image->billboards;
+    if (from->count > capacity) {
+        return fxl_fault_at(fault, "billboard table", 0, FXL_E_CAPACITY);
+    }
+    for (uint32_t i = 0; i < from->count; i++) {
+        const fxl_scene_billboard *one = &from->billboards[i];
+        const fxl_status status = make_sprite(one, from, &sprites[i]);
+        if (status != FXL_OK) {
+            return fxl_fault_at(fault, "billboard", i, status);
+        }
+        boards[i].sprite = &sprites[i];
+        boards[i].width = one->width;
+        boards[i].height = one->height;
+        boards[i].anchor_x = one->anchor_x;
+        boards[i].anchor_y = one->anchor_y;
+    }
+    fxl_billboard_set found;
+    memset(&found, 0, sizeof found);
+    found.billboards = boards;
+    found.count = from->count;
+    found.model_map = from->model_map;
+    const fxl_status status = fxl_billboards_check(&found, &image->scene, fault);
+    if (status == FXL_OK) {
+        *set = found;
+    }
+    return status;
+}

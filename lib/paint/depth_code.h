@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT */
+/* Depth codes: the numbers of a depth buffer. The nearer, the larger; 0 is where nothing was drawn.
+ *
+ * A depth d of 2^-(o + 1) <= d < 2^-o is in octave o. With e octaves and m bits of mantissa its
+ * code, a number with 16 bits after the point, is
+ *   (d 2^(o + 1) - 1 + e - 1 - o) 2^m + 1,
+ * which grows with d, and within an octave is linear in d, so linear along a row. The code of a
+ * pixel in column x is first + x step, where first and step are rounded down to 2^-16: it is too
+ * small by less than 1024 2^-16. So it depends on the face and the pixel alone. Internal. */
+#ifndef FXL_DEPTH_CODE_H
+#define FXL_DEPTH_CODE_H
+
+#include "../math/arith.h"
+#include "../draw/surface_polygon.h"
+
+/* What the codes of a lens share. */
+typedef struct {
+    uint8_t octaves;  /* e: 1..24 */
+    uint8_t mantissa; /* m: 11..15 */
+} fxl_depth_scale;
+
+/* 257/256 far_z <= 2^e near_z, so that no depth comes near the code 0. far_z is below 2^31, and
+ * near_z 2^e is below 2^33. (e << m) + 1 codes are at most 65536. */
+static inline fxl_depth_scale fxl_depth_scale_of(const fxl_lens *lens)
+{
+    const uint64_t far_z = (uint64_t)(uint32_t)lens->far_z + ((uint32_t)lens->far_z >> 8) + 1;
+    fxl_depth_scale scale = {1, 15};
+    while ((uint64_t)(uint32_t)lens->near_z << scale.octaves < far_z) {
+        scale.octaves++;
+    }
+    while ((uint32_t)scale.octaves << scale.mantissa >= 65536u) {
+        scale.mantissa--;
+    }
+    return scale;
+}
+
+/* The depths of a stretch of a row that have one octave. */
+typedef struct {
+    int64_t low, high; /* the gradient's 64 bits: low <= value < high */
+    int32_t drop;      /* bits, of the gradient's 64, below the code's; may be negative */
+    uint32_t bias;     /* added to the code */
+    uint32_t step;     /* of the code a pixel */
+    bool is_constant;  /* the code is bias: beyond near_z, or at infinity */
+} fxl_depth_octave;
+
+static inline int64_t fxl_power_of_2(int32_t exponent)
+{
+    return exponent < 0 ? 1 : exponent > 62 ? INT64_MAX : (int64_t)1 << exponent;
+}
+
+/* The 32 lowest bits of floor(value / 2^drop). */
+static inline uint32_t fxl_depth_shifted(int64_t value, int32_t drop)
+{
+    return drop >= 0 ? (uint32_t)(uint64_t)(value >> drop) : (uint32_t)((uint64_t)value << -drop);
+}
+
+/* The octave of a value of a face. */
+static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_plane *plane,
+                                       int64_t value, fxl_depth_octave *octave)
+{
+    const int32_t length = value > 0 ? (int32_t)fxl_bit_length((uint64_t)value) : 0;
+    const int32_t one = plane->one, number = one - length;
+    octave->is_constant = true;
+    octave->drop = 0;
+    octave->step = 0;
+    if (length == 0 || number >= scale.octaves) {
+        octave->low = INT64_MIN;
+        octave->high = fxl_power_of_2(one - scale.octaves);
+        octave->bias = 65536u;
+    } else if (number < 0) {
+        octave->low = fxl_power_of_2(one);
+        octave->high = INT64_MAX;
+        octave->bias = UINT32_MAX;
+    } else {
+        octave->low = fxl_power_of_2(length - 1);
+        octave->high = fxl_power_of_2(length);
+        octave->drop = length - 17 - scale.mantissa; /* -31..34 */
+        octave->bias = ((uint32_t)(scale.octaves - 2 - number) << (scale.mantissa + 16)) + 65536u;
+        /* bug: depth-step */
+        octave->step = fxl_depth_shifted(plane->gradient.along, octave->drop);
+        octave->is_constant = false;
+    }
+}
+
+static inline bool fxl_depth_octave_holds(const fxl_depth_octave *octave, int64_t value)
+{
+    return value >= octave->low && value < octave->high;
+}
+
+#endif

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: MIT */
+/* A point of a face is V = P0 + s E1 + t E2, of three corners P0, P0 + E1, P0 + E2. On the screen
+ * it is seen along D = (x - centre, centre - y, focal), and V is a multiple of D. So, by Cramer's
+ * rule, with n = E1 x E2:
+ *
+ *   s = (E2 x P0) . D / (n . D),   t = (P0 x E1) . D / (n . D),
+ *   a = a0 + s (a1 - a0) + t (a2 - a0) = A . D / (n . D),
+ *   A = a0 n + (a1 - a0) (E2 x P0) + (a2 - a0) (P0 x E1),
+ *
+ * and n . D is h focal / z, where h = n . P0. */
+#include "gradients.h"
+
+#include "../math/arith.h"
+
+/* --- vectors -------------------------------------------------------------------------------- */
+
+/* The bits of a value without its sign: one less than those of its magnitude where that is a power
+ * of two below 0. */
+static uint64_t bits_of(int64_t value)
+{
+    return (uint64_t)(value ^ (value >> 63));
+}
+
+/* value * 2^shift / 2^32, rounded to nearest. Requires |value * 2^shift| <= 2^62. */
+static int32_t upper_word(int64_t value, unsigned shift)
+{
+    return (int32_t)((int64_t)(((uint64_t)value << shift) + 0x80000000u) >> 32);
+}
+
+fxl_block_vector fxl_block(int64_t x, int64_t y, int64_t z, int exponent)
+{
+    const unsigned bits = fxl_bit_length(bits_of(x) | bits_of(y) | bits_of(z));
+    const unsigned shift = bits == 0 ? 32 : 62u - bits;
+    const fxl_block_vector result = {upper_word(x, shift), upper_word(y, shift),
+                                     upper_word(z, shift), exponent + 32 - (int)shift};
+    return result;
+}
+
+static fxl_block_vector difference(const fxl_view_point *a, const fxl_view_point *b)
+{
+    return fxl_block(a->x - b->x, a->y - b->y, a->z - b->z, 0);
+}
+
+/* Products are at most 2^60, so differences of two are at most 2^61. */
+static fxl_block_vector cross(const fxl_block_vector *a, const fxl_block_vector *b)
+{
+    return fxl_block((int64_t)a->y * b->z - (int64_t)a->z * b->y,
+                     (int64_t)a->z * b->x - (int64_t)a->x * b->z,
+                     (int64_t)a->x * b->y - (int64_t)a->y * b->x, a->exponent + b->exponent);
+}
+
+static void negate(fxl_block_vector *vector)
+{
+    vector->x = -vector->x;
+    vector->y = -vector->y;
+    vector->z = -vector->z;
+}
+
+/* factors[0] vectors[0] + factors[1] vectors[1] + factors[2] vectors[2]. The first factor is below
+ * 2^30 and the others are below 2^31, so halves of the terms have a sum below 2^59 + 2 * 2^60.
+ * Error: that of block, and one of 2^-58 of the largest term for each term. */
+static fxl_block_vector combine(const fxl_block_vector vectors[3], const int32_t factors[3])
+{
+    int64_t x = 0, y = 0, z = 0;
+    int exponent = INT32_MIN;
+    for (unsigned i = 0; i < 3; i++) {
+        if (factors[i] != 0 && vectors[i].exponent > exponent) {
+            exponent = vectors[i].exponent;
+        }
+    }
+    for (unsigned i = 0; i < 3; i++) {
+        const fxl_block_vector *vector = &vectors[i];
+        if (factors[i] == 0 || exponent - vector->exponent > 61) {
+            continue;
+        }
+        const unsigned drop = (unsigned)(exponent - vector->exponent) + 1;
+        x += (int64_t)factors[i] * vector->x >> drop;
+        y += (int64_t)factors[i] * vector->y >> drop;
+        z += (int64_t)factors[i] * vector->z >> drop;
+    }
+    return fxl_block(x, y, z, exponent == INT32_MIN ? 0 : exponent + 1);
+}
+
+/* --- gradients ------------------------------------------------------------------------------ */
+
+/* The columns and rows of which values are bounded: of pixels, and one more row. */
+static int32_t columns_of(const fxl_lens *lens)
+{
+    return (int32_t)((lens->width + 15u) & ~15u);
+}
+
+static uint64_t largest_value(const fxl_gradient *gradient, const fxl_lens *lens)
+{
+    const int64_t along = gradient->along * columns_of(lens);
+    const int64_t down = gradient->down * lens->height;
+    return bits_of(gradient->at) | bits_of(gradient->at + along) | bits_of(gradient->at + down) |
+           bits_of(gradient->at + along + down);
+}
+
+/* The focal length is below 2^29 and half of the screen below 2^25 + 2^15, in 16.16, and
+ * an off-centre lens's centre is below 2^28: products are below 2^59, so all sums are below 2^61.
+ * Exact: shifted to the left alone. */
+int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gradient *gradient)
+{
+    const fxl_projection *projection = &view->projection;
+    gradient->along = (int64_t)vector.x * 65536;
+    gradient->down = (int64_t)vector.y * -65536;
+    gradient->at = fxl_multiply_s32(vector.z, fxl_view_drawn_focal(view)) +
+                   fxl_multiply_s32(vector.x, 32768 - projection->centre_x) +
+                   fxl_multiply_s32(vector.y, projection->centre_y - 32768);
+    const unsigned bits = fxl_bit_length(largest_value(gradient, &view->lens));
+    if (bits == 0) {
+        return 0;
+    }
+    FXL_ASSERT(bits <= 62);
+    const unsigned shift = 62 - bits;
+    gradient->along = (int64_t)((uint64_t)gradient->along << shift);
+    gradient->down = (int64_t)((uint64_t)gradient->down << shift);
+    gradient->at = (int64_t)((uint64_t)gradient->at << shift);
+    return vector.exponent - (int)(62 - bits);
+}
+
+/* --- segments ------------------------------------------------------------------------------- */
+
+/* A bound mantissa * 2^exponent. The mantissa is from 2^31 to 2^32 - 1. */
+typedef struct {
+    uint32_t mantissa;
+    int exponent;
+} block_bound;
+
+/* At least number * 2^exponent, and at most 2^-30 of it more. Requires 0 < number < 2^63. */
+static block_bound bound_of(uint64_t number, int exponent)
+{
+    const int drop = (int)fxl_bit_length(number) - 32;
+    const uint64_t mantissa = drop <= 0 ? number << -drop : (number >> drop) + 1;
+    const int carry = (int)(mantissa >> 32);
+    const block_bound bound = {(uint32_t)(mantissa >> carry), exponent + drop + carry};
+    return bound;
+}
+
+static bool is_above(const block_bound *a, const block_bound *b)
+{
+    return a->exponent != b->exponent ? a->exponent > b->exponent : a->mantissa > b->mantissa;
+}
+
+/* Of an attribute u, |u' w - w' u| 2^shift, where ' is the change a pixel along the row: it is
+ * linear in the row and the same along it. The slopes are cut to 31 bits; so products are below
+ * 2^61. What is cut off the four factors changes the difference by less than 2^33. */
+static block_bound twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w,
+                            const fxl_lens *lens)
+{
+    const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
+    const unsigned drop = bits > 31 ? bits - 31 : 0;
+    const int32_t u_slope = (int32_t)(u->along >> drop), w_slope = (int32_t)(w->along >> drop);
+    const int64_t top = fxl_multiply_s32(u_slope, (int32_t)(w->at >> 32)) -
+                        fxl_multiply_s32(w_slope, (int32_t)(u->at >> 32));
+    const int64_t u_end = u->at + lens->height * u->down, w_end = w->at + lens->height * w->down;
+    const int64_t bottom = fxl_multiply_s32(u_slope, (int32_t)(w_end >> 32)) -
+                           fxl_multiply_s32(w_slope, (int32_t)(u_end >> 32));
+    const uint64_t larger =
+        fxl_magnitude(top) > fxl_magnitude(bottom) ? fxl_magnitude(top) : fxl_magnitude(bottom);
+    return bound_of(larger + ((uint64_t)1 << 33), (int)drop - 32 + shift);
+}
+
+/* The least c with c^3 >= value. Requires 0 < value <= 2^30. */
+static uint32_t cube_root_up(uint32_t value)
+{
+    uint32_t root = 0;
+    for (uint32_t bit = 512; bit != 0; bit >>= 1) {
+        const uint32_t c = root | bit;
+        if (c * c * c < value) {
+            root = c;
+        }
+    }
+    return root + 1;
+}
+
+/* number * 2^exponent, rounded up; at least 1, and 2^31 where it would be more. Requires
+ * 0 < number < 2^16. */
+static uint32_t power_up(uint32_t number, int exponent)
+{
+    if (exponent > 0) {
+        return exponent > 30 || number >> (31 - exponent) != 0 ? (uint32_t)1 << 31
+                                                               : number << exponent;
+    }
+    return exponent < -16 ? 1 : ((number - 1) >> -exponent) + 1;
+}
+
+/* floor(number / 3) of a number above -600. */
+static int third(int number)
+{
+    return (number + 600) / 3 - 200;
+}
+
+/* The least weight, at both ends, of a segment of n = 16 pixels that is divided at its ends alone.
+ * Between ends w0 and w1 >= w0 the linear u is off by at most
+ *   |u1 - u0| (w1 - w0) / (4 w0) = n^2 twist |w'| / (4 w0 w0 w1),
+ * which has to be at most 2^15: so w0^3 has to be at least 2^(8 - 17) twist |w'|. And
+ * |u1 - u0| = n twist / (w0 w1) has to be at most 2^29, so that an end outside of the face does not
+ * overflow: w0^2 at least 2^(4 - 29) twist, of which the root's bound is a power of two. */
+static uint32_t least_weight(const block_bound *twist, const fxl_gradient *weight)
+{
+    const block_bound slope = bound_of(fxl_magnitude(weight->along) + 1, -32);
+    /* From 2^62 to 2^64. A number of 26 to 30 bits is left for the root. */
+    const uint64_t bend = fxl_multiply_u32(twist->mantissa, slope.mantissa);
+    const int bend_exponent = twist->exponent + slope.exponent + 8 - 17 + 36;
+    const int root_exponent = third(bend_exponent);
+    const unsigned spare = (unsigned)(bend_exponent - 3 * root_exponent); /* 0..2 */
+    const uint32_t root = cube_root_up((uint32_t)(bend >> (36 - spare)) + 1);
+    const uint32_t by_bend = power_up(root, root_exponent);
+    const int far = twist->exponent + 32 + 4 - 29; /* w0^2 >= 2^far */
+    const uint32_t by_far = power_up(1, (far + 601) / 2 - 300);
+    return by_bend > by_far ? by_bend : by_far;
+}
+
+/* --- a face --------------------------------------------------------------------------------- */
+
+static bool is_zero(const fxl_gradient *gradient)
+{
+    return (gradient->at | gradient->along | gradient->down) == 0;
+}
+
+void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
+                        fxl_gradients *gradients)
+{
+    const fxl_view_point *corners = face->corners;
+    const fxl_block_vector first = fxl_block(corners[0].x, corners[0].y, corners[0].z, 0);
+    const fxl_block_vector edge_1 = difference(&corners[1], &corners[0]);
+    const fxl_block_vector edge_2 = difference(&corners[2], &corners[0]);
+    fxl_block_vector vectors[3] = {cross(&edge_1, &edge_2), cross(&edge_2, &first),
+                                   cross(&first, &edge_1)};
+    /* Three products of at most 2^60: below 2^62. */
+    const int64_t volume = fxl_multiply_s32(vectors[0].x, first.x) +
+                           fxl_multiply_s32(vectors[0].y, first.y) +
+                           fxl_multiply_s32(vectors[0].z, first.z);
+    gradients->volume.number = (int64_t)fxl_magnitude(volume);
+    gradients->volume.exponent = vectors[0].exponent + first.exponent;
+    if (volume < 0) {
+        for (unsigned i = 0; i < 3; i++) {
+            negate(&vectors[i]);
+        }
+    }
+    const int weight_exponent = fxl_gradient_of_plane(vectors[0], view, &gradients->weight);
+    block_bound twist = {0, INT16_MIN};
+    gradients->count = (uint8_t)face->count;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const int32_t *values = face->values[i];
+        const int32_t factors[3] = {values[0], values[1] - values[0], values[2] - values[0]};
+        fxl_gradient *attribute = &gradients->attributes[i];
+        const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
+        gradients->shifts[i] = 0;
+        if (!is_zero(attribute)) {
+            gradients->shifts[i] = (int8_t)(exponent - weight_exponent);
+            const block_bound own =
+                twist_of(attribute, gradients->shifts[i], &gradients->weight, &view->lens);
+            twist = is_above(&own, &twist) ? own : twist;
+        }
+    }
+    /* Of a segment of half the length the two bounds are 0.63 and 0.71 of the others. */
+    const uint32_t least = twist.mantissa == 0 ? 1 : least_weight(&twist, &gradients->weight);
+    gradients->weight_min[0] = least;
+    gradients->weight_min[1] = least - (least >> 2);
+}

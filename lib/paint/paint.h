@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+/* Painting the pixels of a face that has a surface: row by row, in segments of the screen's
+ * columns. Internal. */
+#ifndef FXL_PAINT_H
+#define FXL_PAINT_H
+
+#include "fixel/surfaces.h"
+#include "gradients.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One level of a texture, ready to be looked up. */
+typedef struct {
+    const uint8_t *texels;
+    const uint8_t *colours; /* FXL_TEXTURE_4; else null */
+    uint32_t columns_less_1, rows_less_1;
+    uint8_t log_width;
+    uint8_t flags; /* of the texture */
+    uint8_t key;
+} fxl_texture_level;
+
+/* All that a face's pixels depend on. */
+typedef struct {
+    const fxl_gradients *gradients;
+    fxl_texture_level level; /* texels null: the face's own colour */
+    const uint8_t *ramp;     /* ramp[256 * level + colour], by the last attribute; null: unlit */
+    const uint8_t *blend;    /* as of fxl_surface_set; null: no colour is blended */
+    uint32_t blend_count;
+    uint8_t blend_first;
+    uint8_t levels_less_1; /* of the ramp */
+    uint8_t colour;        /* of the face */
+    uint8_t division;      /* FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_DIVIDE_1 */
+    uint8_t opacity;       /* 1..16 */
+} fxl_paint;
+
+/* What the kernel of segments needs of a face: segments.h. */
+typedef struct fxl_segment_face fxl_segment_face;
+
+/* The row that is being painted: the gradients at the centre of its pixel 0. The upper words are
+ * the values. */
+typedef struct {
+    int64_t weight;
+    int64_t attributes[FXL_ATTRIBUTES];
+    uint8_t *pixels;                  /* of column 0 */
+    const fxl_segment_face *segments; /* null: the kernel cannot paint this face */
+    int32_t y;
+} fxl_paint_row;
+
+/* Paints some of the pixels x0 <= x < x1 of a row by fxl_paint_pixels. */
+typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
+                             int32_t x0, int32_t x1);
+
+/* Paints the pixels x0 <= x < x1 of a row. Safe for any gradients: no texel is read that is not of
+ * the level, and no other pixel is written. Requires x0 < x1 within the band. */
+void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
+
+/* A polygon of the screen in a band. paint_row (null: fxl_paint_pixels) is called with `with`. */
+void fxl_paint_polygon(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
+                       const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row,
+                       void *with);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

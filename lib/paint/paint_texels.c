@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint_texels.h"
+
+#include "../math/family.h"
+
+#if !FXL_KERNELS_ARMV7M && !FXL_KERNELS_ARMV6M
+
+static inline uint8_t texel(const fxl_segment_face *face, uint32_t position)
+{
+    const uint32_t column = position >> (32u - face->log_width);
+    return face->texels[(position >> face->row_drop & face->rows_mask) + column];
+}
+
+void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, uint8_t *pixels,
+                      uint32_t count)
+{
+    const uint8_t *end = pixels + count;
+    uint32_t position = run->position, light = run->light;
+    if (face->ramp == NULL) {
+        for (; pixels != end; position += run->step) {
+            *pixels++ = texel(face, position);
+        }
+        return;
+    }
+    for (; pixels != end; position += run->step, light += run->light_step) {
+        *pixels++ = face->ramp[(light & ~255u) + texel(face, position)];
+    }
+}
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+#include "segments.h"
+
+#include "../math/arith.h"
+
+/* value * 2^62 / weight, shifted to the right by 62 - shift, is in units of 2^-16. The upper word
+ * of the product is shifted by 32 less, and by less for less fraction. */
+static int32_t drop_of(int shift, int fraction)
+{
+    return 46 - shift - fraction;
+}
+
+/* A weight from which on no product is shifted to the left: the weight's leading zeros are at most
+ * the drop and 32. */
+static int32_t weight_for(int32_t drop)
+{
+    /* bug: segment-far */
+    return drop >= -2 ? 2 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
+}
+
+static int32_t smaller(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static int32_t larger(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* A texture's columns wrap in 2^log_width; an opaque pixel needs no look at what it covers. */
+static bool is_common(const fxl_paint *paint)
+{
+    const fxl_texture_level *level = &paint->level;
+    return level->texels != NULL && level->colours == NULL && level->flags == 0 &&
+           level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16 &&
+           paint->blend == NULL && /* bug: kernel-blends */
+           paint->division == FXL_DIVIDE_16 && paint->gradients->weight_min[0] <= INT32_MAX;
+}
+
+/* A light's value is upper word * 2^shift / weight. It is found by a reciprocal whose error is
+ * below 2^-29 of it, and a limit is less than 2^25: one unit below the end of the ramp is enough.
+ */
+static void find_light(const fxl_paint *paint, fxl_segment_face *face)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_gradient *light = &gradients->attributes[FXL_SEGMENT_LIGHT];
+    face->light_step = (int32_t)(light->along * 16 >> 32);
+    face->light_drop = drop_of(gradients->shifts[FXL_SEGMENT_LIGHT], 8);
+    face->light_max = 256 * paint->levels_less_1 + 255;
+    face->drop_min = smaller(face->drop_min, face->light_drop);
+    const int shift = gradients->shifts[FXL_SEGMENT_LIGHT];
+    if (shift >= 0 && shift <= 30) {
+        face->light_scale = (uint32_t)1 << shift;
+        face->light_limit =
+            65536u * (paint->levels_less_1 + 1u) - 1u; /* bug: segment-light-limit */
+    }
+}
+
+bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    if (!is_common(paint)) {
+        return false;
+    }
+    const uint32_t log_width = paint->level.log_width;
+    const uint32_t log_height = fxl_bit_length(paint->level.rows_less_1);
+    const uint32_t log = log_width > log_height ? log_width : log_height;
+    face->weight_step = gradients->weight.along * 16;
+    face->u_step = gradients->attributes[FXL_ATTRIBUTE_U].along * 16;
+    face->v_step = gradients->attributes[FXL_ATTRIBUTE_V].along * 16;
+    face->u_drop = drop_of(gradients->shifts[FXL_ATTRIBUTE_U], 20 - (int)log_width);
+    face->v_drop = drop_of(gradients->shifts[FXL_ATTRIBUTE_V], 20 - (int)log);
+    face->drop_min = smaller(face->u_drop, face->v_drop);
+    face->texels = paint->level.texels;
+    face->rows_mask = paint->level.rows_less_1 << log_width;
+    face->log_width = (uint8_t)log_width;
+    face->row_drop = (uint8_t)(16 - log - log_width);
+    face->is_constant = gradients->weight.along == 0;
+    face->form = (uint8_t)(log_width == log ? log_width - FXL_SEGMENT_LOG_MIN : 0);
+    face->ramp = paint->ramp;
+    face->light_step = face->light_drop = face->light_max = 0;
+    face->light_scale = face->light_limit = 0;
+    if (paint->ramp != NULL) {
+        find_light(paint, face);
+    }
+    face->weight_min = larger((int32_t)gradients->weight_min[0], weight_for(face->drop_min));
+    return true;
+}

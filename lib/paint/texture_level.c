@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT */
+/* Of a face with a texture, the texels a pixel at the depth z are, by area,
+ *
+ *   |du1 dv2 - du2 dv1| z^3 / (focal^2 V),
+ *
+ * where du and dv are those of two edges, and V is the volume between eye and corners times six:
+ * the face has |E1 x E2| units of area for |du1 dv2 - du2 dv1| texels, and a unit of it is seen as
+ * focal^2 V / (|E1 x E2| z^3) pixels. In the view of an off-centre lens, which is sheared, V and
+ * the focal length of the drawing give the same. The units of 2^-16 and 2^-46 of both sides are the
+ * same. */
+#include "texture_level.h"
+
+#include "../math/arith.h"
+
+/* mantissa * 2^exponent, 2^31 <= mantissa < 2^32. */
+typedef struct {
+    uint32_t mantissa;
+    int32_t exponent;
+} real;
+
+/* Error: rounded down by less than 2^-31. Requires number > 0. */
+static real real_of(uint64_t number, int32_t exponent)
+{
+    const int32_t drop = (int32_t)fxl_bit_length(number) - 32;
+    const real result = {(uint32_t)(drop > 0 ? number >> drop : number << -drop), exponent + drop};
+    return result;
+}
+
+static real product(real a, real b)
+{
+    return real_of(fxl_multiply_u32(a.mantissa, b.mantissa), a.exponent + b.exponent);
+}
+
+/* Coordinates differ by less than 2^31, so products are below 2^62. */
+static uint64_t twice_texel_area(const fxl_gradient_corners *face)
+{
+    const int32_t *u = face->values[FXL_ATTRIBUTE_U], *v = face->values[FXL_ATTRIBUTE_V];
+    const int64_t u1 = u[1] - (int64_t)u[0], v1 = v[1] - (int64_t)v[0];
+    const int64_t u2 = u[2] - (int64_t)u[0], v2 = v[2] - (int64_t)v[0];
+    return fxl_magnitude(u1 * v2 - u2 * v1);
+}
+
+static int64_t least_depth(const fxl_gradient_corners *face)
+{
+    const fxl_view_point *corners = face->corners;
+    const int64_t z = corners[0].z < corners[1].z ? corners[0].z : corners[1].z;
+    return z < corners[2].z ? z : corners[2].z;
+}
+
+uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_corners *face,
+                                 const fxl_view *view, fxl_gradients *gradients)
+{
+    const uint64_t area = twice_texel_area(face);
+    const int64_t depth = least_depth(face);
+    if (texture->levels == 1 || area == 0 || depth <= 0 || gradients->volume.number == 0) {
+        return 0;
+    }
+    const real z = real_of((uint64_t)depth, 0);
+    const real focal = real_of((uint32_t)fxl_view_drawn_focal(view), 0);
+    const real texels = product(real_of(area, 1), product(z, product(z, z))); /* bug: level-half */
+    const real pixels =
+        product(real_of((uint64_t)gradients->volume.number, gradients->volume.exponent),
+                product(focal, focal));
+    const int32_t log = texels.exponent - pixels.exponent - (texels.mantissa < pixels.mantissa);
+    if (log < 2) {
+        return 0;
+    }
+    const uint32_t last = texture->levels - 1u, wanted = (uint32_t)log / 2;
+    const uint32_t level = wanted < last ? wanted : last;
+    const uint32_t least = fxl_level_least(texture);
+    gradients->shifts[FXL_ATTRIBUTE_U] =
+        (int8_t)(gradients->shifts[FXL_ATTRIBUTE_U] -
+                 (int32_t)(texture->log_width - fxl_level_log(texture->log_width, level, least)));
+    gradients->shifts[FXL_ATTRIBUTE_V] =
+        (int8_t)(gradients->shifts[FXL_ATTRIBUTE_V] -
+                 (int32_t)(texture->log_height - fxl_level_log(texture->log_height, level, 0)));
+    return (uint8_t)level;
+}
+
+void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level)
+{
+    const uint32_t least = fxl_level_least(texture);
+    uint32_t log_width = texture->log_width, log_height = texture->log_height;
+    const uint8_t *texels = texture->texels;
+    const bool is_565 = texture->format == FXL_TEXTURE_565;
+    for (uint32_t i = 0; i < number; i++) {
+        texels += (is_565 ? 2u : 1u) << (log_width + log_height) >> least; /* bug: level-565 */
+        log_width = fxl_level_log(texture->log_width, i + 1, least);
+        log_height = fxl_level_log(texture->log_height, i + 1, 0);
+    }
+    level->texels = texels;
+    level->colours = texture->format == FXL_TEXTURE_4 ? texture->colours : NULL;
+    level->columns_less_1 = (1u << log_width) - 1u;
+    level->rows_less_1 = (1u << log_height) - 1u;
+    level->log_width = (uint8_t)log_width;
+    level->flags = (uint8_t)(texture->flags | (is_565 ? FXL_LEVEL_565 : 0u));
+    level->key = texture->key;
+}

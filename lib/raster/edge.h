@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* Edges on the grid of pixel centres, for both kinds of scan. Internal. */
+#ifndef FXL_EDGE_H
+#define FXL_EDGE_H
+
+#include "fixel/stage/scan.h"
+
+#include "../math/arith.h"
+#include "../math/pixel_centre.h"
+#include "edge_dividend.h"
+#include "edge_divide.h"
+#include "edge_near.h"
+#include "../math/multiply.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The dividend for the first pixel of an edge on a row whose centre is t below the edge's top; the
+ * divisor is the height.
+ *
+ * The edge's x there is top.x + dx t / height, and the first pixel is ceil(x - 1/2). With
+ * start = top.x - 1/2 = 65536 whole + part (0 <= part < 65536) that is
+ *   whole + ceil((part height + dx t) / (65536 height)).
+ * Now ceil(n / m) = floor((n - 1) / m) + 1, and the floor of a floor divided by an integer
+ * is the floor of the whole quotient. height, |dx|, t < 2^29 and part < 2^16, so the sum is
+ * below 2^59 and, without its low 16 bits, below 2^43. On the edge's first row t < 2^16, so
+ * there it is below 2^30. Exact. */
+static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t height, int32_t t)
+{
+    uint32_t part = (uint32_t)start & 65535;
+    int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
+    return (sum - 1) >> 16;
+}
+
+/* The first pixel whose centre is not left of the edge, on a row that the edge crosses; the row's
+ * centre is at y. *error becomes the remainder. Exact. */
+static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
+                                           const fxl_screen_point *bottom, int32_t y,
+                                           uint32_t *error)
+{
+    int32_t height = bottom->y - top->y;
+    int32_t start = top->x - FXL_HALF_PIXEL;
+    FXL_ASSERT(height > 0 && y >= top->y && y < bottom->y);
+    int64_t dividend = fxl_edge_dividend(start, bottom->x - top->x, height, y - top->y);
+    int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);
+    /* Modulo 2^32: the remainder is below height. */
+    *error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;
+    return (start >> 16) + quotient + 1;
+}
+
+/* Sets the edge on the same row. The next row adds 65536 dx to the sum of fxl_edge_dividend, so
+ * it adds dx to the dividend. Exact. */
+static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
+                                 int32_t y, fxl_slope *slope)
+{
+    int32_t height = bottom->y - top->y, error_step;
+    slope->x = fxl_edge_first_pixel(top, bottom, y, &slope->error);
+    slope->step = fxl_divide_floor(bottom->x - top->x, height, &error_step);
+    slope->error_step = (uint32_t)error_step;
+    slope->height = (uint32_t)height;
+}
+
+/* Sets the edge from top to bottom on `row`, which it crosses, for this row and the
+ * rows - 1 below it. Returns the number of these rows for which the edge holds, at least 1.
+ * Requires a height of at most FXL_EDGE_HEIGHT_MAX and |dx| of at most 1025 pixels.
+ *
+ * The first pixel of row k is x + k step + floor((error + k error_step) / height), as in
+ * fxl_slope. The fraction of that quotient is at most 1 - 1/height, and the edge's fraction
+ * is larger by at most (k + 1) 2^-32. So the floors are the same while (k + 1) height is
+ * below 2^32: while k + 1 <= 2^shift. */
+int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
+                         int32_t rows, fxl_edge *edge);
+
+/* Moves an edge down by 0 <= rows <= FXL_SCREEN_MAX rows. */
+static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
+{
+    uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);
+    edge->fraction = (uint32_t)fraction;
+    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32); /* bug: edge-no-carry */
+}
+
+/* The same as fxl_edge_set_far, faster if the edge holds for all of its rows from the first on. For
+ * an edge that crosses only one row, only that row's first pixel is computed. */
+static inline int32_t fxl_edge_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
+                                   int32_t row, int32_t rows, fxl_edge *edge)
+{
+    int32_t dx = bottom->x - top->x;
+    int32_t height = bottom->y - top->y;
+    int32_t start = top->x - FXL_HALF_PIXEL;
+    int32_t above = row - fxl_first_centre_from(top->y);
+    FXL_ASSERT(height > 0 && height <= FXL_EDGE_HEIGHT_MAX && above >= 0 && rows > 0);
+    FXL_ASSERT(fxl_within(dx, (FXL_SCREEN_MAX + 1) * 65536));
+    if (above + rows == 1) {
+        int32_t unused;
+        edge->x =
+            (start >> 16) + 1 +
+            fxl_divide_floor(fxl_edge_first_dividend(start, dx, height, top->y), height, &unused);
+        edge->fraction = 0;
+        edge->step = 0;
+        edge->step_fraction = 0;
+        return 1;
+    }
+    if (!fxl_edge_set_near(top, bottom, (uint32_t)(above + rows - 1), edge)) {
+        return fxl_edge_set_far(top, bottom, row, rows, edge);
+    }
+    if (above > 0) {
+        fxl_edge_advance(edge, (uint32_t)above);
+    }
+    return rows;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

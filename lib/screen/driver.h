@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/* What a driver is to fxl_display: a record of its family's functions and its own constants.
+ * Internal. */
+#ifndef FXL_DRIVER_H
+#define FXL_DRIVER_H
+
+#include "fixel/display.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Functions that the controllers of a family share. */
+typedef struct {
+    const fxl_pixel_format *format;
+
+    /* From reset to a display that is set up, and still off. */
+    bool (*set_up)(const fxl_display *display);
+
+    /* Sends converted rows to columns left.. and rows top.. of the controller's memory, `width`
+     * columns wide. The last piece of them may still be on its way when it returns. */
+    bool (*send_rows)(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
+                      uint16_t rows, const uint8_t *bytes, size_t size);
+
+    uint8_t turn_on; /* the command */
+} fxl_display_family;
+
+struct fxl_display_driver {
+    const fxl_display_family *family;
+    const uint8_t *commands; /* beyond what the family sends */
+    uint8_t commands_size;
+    uint16_t memory_columns, memory_rows; /* of the controller, by its data sheet; not turned */
+    uint16_t width, height;               /* of the glass, not turned */
+    uint16_t left;                        /* where the glass begins in the controller's memory */
+    uint8_t access[4];                    /* for each turn */
+    bool turns_by_quarters;
+    bool is_inverted;
+};
+
+extern const fxl_display_family fxl_display_colour; /* commands of MIPI DCS */
+extern const fxl_display_family fxl_display_pages;  /* those of an SSD1306 */
+
+/* Sends a command, and bytes of data that belong to it. */
+bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data,
+                         size_t size);
+
+/* Begins to send data, or sends it where the port cannot do that. */
+bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

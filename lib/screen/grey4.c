@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+#include "dither.h"
+#include "fixel/pixels.h"
+
+static void prepare(uint16_t *entries, const uint8_t *palette)
+{
+    fxl_grey_table(entries, palette, 15);
+}
+
+static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
+{
+    const uint8_t *row = band->pixels;
+    for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
+        const uint8_t *dither = fxl_dither_row(y);
+        uint32_t x = 0;
+        for (; x + 1u < band->width; x += 2) {
+            const uint32_t left = fxl_dithered(pixels->entries[row[x]], dither, x);
+            const uint32_t right = fxl_dithered(pixels->entries[row[x + 1u]], dither, x + 1u);
+            *out++ = (uint8_t)(left << 4 | right);
+        }
+        if (x < band->width) {
+            *out++ = (uint8_t)(fxl_dithered(pixels->entries[row[x]], dither, x) << 4);
+        }
+        row += band->stride;
+    }
+}
+
+const fxl_pixel_format fxl_grey4 = {4, 1, prepare, convert};

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+#include "dither.h"
+#include "fixel/pixels.h"
+
+#include "../math/memory.h"
+
+static void prepare(uint16_t *entries, const uint8_t *palette)
+{
+    fxl_grey_table(entries, palette, 1);
+}
+
+static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
+{
+    const uint8_t *row = band->pixels;
+    for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
+        const uint8_t *dither = fxl_dither_row(y);
+        uint32_t byte = 1; /* with eight more bits behind this 1 it is full */
+        for (uint32_t x = 0; x < band->width; x++) {
+            byte = byte << 1 | fxl_dithered(pixels->entries[row[x]], dither, x);
+            if (byte > 0xFFu) {
+                *out++ = (uint8_t)byte;
+                byte = 1;
+            }
+        }
+        if (byte > 1) {
+            while (byte <= 0xFFu) {
+                byte <<= 1;
+            }
+            *out++ = (uint8_t)byte;
+        }
+        row += band->stride;
+    }
+}
+
+static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
+{
+    const uint8_t *row = band->pixels;
+    memset(out, 0, fxl_pixels_size(pixels->format, band->width, band->rows));
+    for (uint32_t y = 0; y < band->rows; y++) { /* first_row is a multiple of 8 */
+        const uint8_t *dither = fxl_dither_row(y);
+        uint8_t *page = out + (size_t)(y / 8u) * band->width;
+        for (uint32_t x = 0; x < band->width; x++) {
+            const uint32_t level = fxl_dithered(pixels->entries[row[x]], dither, x);
+            page[x] = (uint8_t)(page[x] | level << (y & 7u)); /* bug: page-bit */
+        }
+        row += band->stride;
+    }
+}
+
+const fxl_pixel_format fxl_mono_rows = {1, 1, prepare, convert_rows};
+const fxl_pixel_format fxl_mono_pages = {1, 8, prepare, convert_pages};

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/pixels.h"
+
+fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
+                           const uint8_t *palette)
+{
+    if (pixels == NULL || format == NULL || palette == NULL || format->prepare == NULL ||
+        format->convert == NULL || format->rows == 0) {
+        return FXL_E_ARGUMENT;
+    }
+    pixels->format = format;
+    format->prepare(pixels->entries, palette);
+    return FXL_OK;
+}
+
+size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t rows)
+{
+    if (format == NULL || format->rows == 0) {
+        return 0;
+    }
+    const size_t lines = ((size_t)rows + format->rows - 1u) / format->rows;
+    /* A row of a byte's height has 16 * 65535 bits at most. */
+    const size_t line = format->rows > 1 ? width : ((size_t)width * format->bits + 7u) / 8u;
+    return lines * line; /* < 2^16 * 2^17 */
+}
+
+fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, void *out,
+                              size_t size)
+{
+    if (pixels == NULL || band == NULL || out == NULL || band->pixels == NULL || band->width == 0 ||
+        band->rows == 0) {
+        return FXL_E_ARGUMENT;
+    }
+    if (pixels->format == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (((uintptr_t)out & 3u) != 0) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (band->stride < band->width || band->first_row % pixels->format->rows != 0) {
+        return FXL_E_RANGE;
+    }
+    if (size < fxl_pixels_size(pixels->format, band->width, band->rows)) {
+        return FXL_E_CAPACITY;
+    }
+    pixels->format->convert(pixels, band, (uint8_t *)out);
+    return FXL_OK;
+}

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/pump.h"
+
+#include "../math/memory.h"
+
+static size_t align(size_t size)
+{
+    return (size + 7u) & ~(size_t)7u;
+}
+
+/* Bytes of a band as they are sent. */
+static size_t sent_size(const fxl_pump_config *config, uint16_t rows)
+{
+    return config->pixels != NULL ? fxl_pixels_size(config->pixels->format, config->width, rows)
+                                  : (size_t)config->width * rows;
+}
+
+static bool is_in_range(const fxl_pump_config *config)
+{
+    return config->width >= 1 && config->width <= FXL_SCREEN_MAX && config->height >= 1 &&
+           config->height <= FXL_SCREEN_MAX && config->rows >= 1 &&
+           config->rows <= config->height &&
+           (config->pixels == NULL ||
+            (config->pixels->format != NULL && config->rows % config->pixels->format->rows == 0));
+}
+
+size_t fxl_pump_memory_size(const fxl_pump_config *config)
+{
+    if (config == NULL || !is_in_range(config)) {
+        return 0;
+    }
+    /* < 2^20 + 2 * 2^21 */
+    const size_t band = config->pixels != NULL ? align((size_t)config->width * config->rows) : 0;
+    return band + 2u * align(sent_size(config, config->rows));
+}
+
+fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fxl_pump_sink *sink,
+                         void *memory, size_t memory_size)
+{
+    if (pump == NULL || config == NULL || sink == NULL || memory == NULL || sink->start == NULL ||
+        sink->wait == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (((uintptr_t)memory & 7u) != 0) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (!is_in_range(config)) {
+        return FXL_E_RANGE;
+    }
+    const size_t needed = fxl_pump_memory_size(config);
+    if (memory_size < needed) {
+        return FXL_E_CAPACITY;
+    }
+    const size_t size = sent_size(config, config->rows);
+    uint8_t *block = (uint8_t *)memory;
+    pump->config = *config;
+    pump->sink = *sink;
+    pump->buffer_size = size;
+    pump->buffers[0] = block;
+    pump->buffers[1] = block + align(size);
+    pump->free_buffer = 0;
+    pump->is_begun = false;
+    pump->band.pixels = config->pixels != NULL ? block + 2u * align(size) : block;
+    pump->band.width = config->width;
+    pump->band.stride = config->width;
+    pump->band.first_row = 0;
+    pump->band.rows = 0;
+    return FXL_OK;
+}
+
+static bool is_set_up(const fxl_pump *pump)
+{
+    return pump->sink.wait != NULL;
+}
+
+/* Sets the band that begins with a row. */
+static void set_band(fxl_pump *pump, uint32_t first_row)
+{
+    const uint32_t left = pump->config.height - first_row;
+    pump->band.first_row = (uint16_t)first_row;
+    pump->band.rows = (uint16_t)(left < pump->config.rows ? left : pump->config.rows);
+    if (pump->config.pixels == NULL) {
+        pump->band.pixels = pump->buffers[pump->free_buffer];
+    }
+}
+
+fxl_status fxl_pump_begin(fxl_pump *pump)
+{
+    if (pump == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!is_set_up(pump)) {
+        return FXL_E_ORDER;
+    }
+    pump->is_begun = true;
+    set_band(pump, 0);
+    return FXL_OK;
+}
+
+const fxl_band *fxl_pump_band(const fxl_pump *pump)
+{
+    return pump != NULL && pump->is_begun && pump->band.rows > 0 ? &pump->band : NULL;
+}
+
+static fxl_status fail(fxl_pump *pump)
+{
+    pump->is_begun = false;
+    return FXL_E_DISPLAY;
+}
+
+/* Starts to send the free buffer, and frees the other one. */
+static fxl_status start(fxl_pump *pump, uint16_t first_row, uint16_t rows)
+{
+    const uint8_t *bytes = pump->buffers[pump->free_buffer];
+    if (!pump->sink.wait(pump->sink.user) || /* bug: pump-no-wait */
+        !pump->sink.start(pump->sink.user, first_row, rows, bytes,
+                          sent_size(&pump->config, rows))) {
+        return fail(pump);
+    }
+    pump->free_buffer ^= 1u; /* bug: pump-one-buffer */
+    return FXL_OK;
+}
+
+fxl_status fxl_pump_send(fxl_pump *pump)
+{
+    if (pump == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_band *band = fxl_pump_band(pump);
+    if (band == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (pump->config.pixels != NULL) {
+        const fxl_status status = fxl_pixels_convert(
+            pump->config.pixels, band, pump->buffers[pump->free_buffer], pump->buffer_size);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
+    const fxl_status status = start(pump, band->first_row, band->rows);
+    if (status == FXL_OK) {
+        set_band(pump, (uint32_t)band->first_row + band->rows);
+    }
+    return status;
+}
+
+static void copy_rows(uint8_t *to, const fxl_band *from)
+{
+    for (uint32_t row = 0; row < from->rows; row++) {
+        memcpy(to + (size_t)row * from->width, from->pixels + (size_t)row * from->stride,
+               from->width);
+    }
+}
+
+fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows)
+{
+    if (pump == NULL || rows == NULL || rows->pixels == NULL || rows->rows == 0) {
+        return FXL_E_ARGUMENT;
+    }
+    if (rows->width != pump->config.width || rows->stride < rows->width ||
+        rows->rows > pump->config.rows ||
+        (uint32_t)rows->first_row + rows->rows > pump->config.height) {
+        return FXL_E_RANGE;
+    }
+    uint8_t *bytes = pump->buffers[pump->free_buffer];
+    fxl_status status = FXL_OK;
+    if (pump->config.pixels == NULL) {
+        copy_rows(bytes, rows);
+    } else {
+        status = fxl_pixels_convert(pump->config.pixels, rows, bytes, pump->buffer_size);
+    }
+    if (status == FXL_OK) {
+        status = start(pump, rows->first_row, rows->rows);
+    }
+    if (status == FXL_OK && pump->is_begun) {
+        set_band(pump, pump->band.first_row); /* in the buffer that is free now */
+    }
+    return status;
+}
+
+fxl_status fxl_pump_wait(fxl_pump *pump)
+{
+    if (pump == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (!is_set_up(pump)) {
+        return FXL_E_ORDER;
+    }
+    return pump->sink.wait(pump->sink.user) ? FXL_OK : fail(pump);
+}
+
+fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose *eye)
+{
+    if (pump == NULL || renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    if (lens->width != pump->config.width || lens->height != pump->config.height) {
+        return FXL_E_RANGE;
+    }
+    fxl_status status = fxl_frame_begin(renderer, eye);
+    if (status != FXL_OK) {
+        return status;
+    }
+    (void)fxl_pump_begin(pump);
+    for (const fxl_band *band; status == FXL_OK && (band = fxl_pump_band(pump)) != NULL;) {
+        fxl_fill_band(band, renderer->frame.background);
+        status = fxl_frame_draw(renderer, band);
+        if (status == FXL_OK) {
+            status = fxl_pump_send(pump);
+        }
+    }
+    return status;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+#include "../math/arith.h"
+#include "../draw/submit.h"
+
+fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band)
+{
+    const uint32_t end = (uint32_t)band->first_row + band->rows;
+    fxl_band part = *band;
+    uint16_t rows = band->rows;
+    while (part.first_row < end) {
+        const fxl_counters before = workspace->counters;
+        part.rows = (uint16_t)(end - part.first_row < rows ? end - part.first_row : rows);
+        if (fxl_draw_band(renderer, workspace, &part)) {
+            part.first_row = (uint16_t)(part.first_row + part.rows);
+            part.pixels += (size_t)part.rows * part.stride;
+        } else {
+            FXL_ASSERT(part.rows > 1);
+            workspace->counters = before; /* bug: begun-again */
+            if (workspace->counters.split_bands < UINT16_MAX) {
+                workspace->counters.split_bands++;
+            }
+            rows = (uint16_t)((part.rows + 1) / 2);
+        }
+    }
+    return FXL_OK;
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT */
+#include "fixel/study/scan_box.h"
+#include "visibility_spans.h"
+
+static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                  uint8_t colour, const fxl_band *band)
+{
+    fxl_span_buffer *buffer = fxl_spans_of(workspace);
+    fxl_scan_box scan;
+    fxl_span span;
+    if (buffer->open_rows == 0) {
+        return true;
+    }
+    fxl_scan_box_begin(points, count, band, &scan);
+    while (fxl_scan_box_next(&scan, &span)) {
+        const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
+        if (!fxl_span_buffer_draw(buffer, &row, colour, band)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const fxl_raster_backend fxl_raster_spans_box = {
+    .workspace_size = fxl_spans_workspace_size,
+    .draw_band = fxl_band_split_draw,
+    .begin_band = fxl_spans_begin,
+    .draw_polygon = paint,
+};
+
+const fxl_visibility fxl_visibility_spans_box = {
+    .front_to_back = true,
+    .submit = fxl_submit_by_distance,
+    .backend = &fxl_raster_spans_box,
+};

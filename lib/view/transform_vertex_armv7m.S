@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_transform_vertex for Armv7-M and Armv8-M Mainline. lib/math/arith.h (fxl_dot) and
+ * lib/view/outside.h define the sums and derive their bounds.
+ *
+ * If the upper words of a distance do not decide a sign, fxl_outcode computes the outcode. */
+#include "../math/family.h"
+#include "../math/offsets.h"
+
+#if FXL_KERNELS_ARMV7M
+
+
+    .syntax unified
+    .thumb
+
+entry       .req r2
+view        .req r3
+planes      .req lr         /* in the lowest byte */
+
+/* upper:r10 is the vertex along an axis plus its part of the translation; it goes into the entry.
+ * r0 is the model view, r1 the address of the axis, then of the next. */
+    .macro  along number upper
+    ldm     r1!, {r4-r6}
+    ldrd    r10, \upper, [r0, #MODEL_VIEW_TRANSLATION + 8 * \number]
+    smlal   r10, \upper, r4, r7
+    smlal   r10, \upper, r5, r8
+    smlal   r10, \upper, r6, r9
+    strd    r10, \upper, [entry, #CACHED_VERTEX_POSITION + 8 * \number]
+    .endm
+
+    .section .text.fxl_transform_vertex, "ax", %progbits
+    .global fxl_transform_vertex
+    .type fxl_transform_vertex, %function
+    .thumb_func
+
+/* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view r1 returns the clip flags, and r2 is
+ * kept. */
+fxl_transform_vertex:
+    push    {r0, r4-r11, lr}
+    ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
+    add     r6, r6, r1
+    str     r6, [entry]
+    add     r1, r1, r1, lsl #1
+    add     r7, r7, r1, lsl #2
+    ldm     r7, {r7-r9}
+    ldrd    r1, planes, [r0, #MODEL_VIEW_AXES]
+    along   0, r11
+    along   1, r12
+    along   2, r0                           /* the last use of the model view */
+
+    lsls    r1, planes, #24
+    beq     decided                         /* inside all planes */
+    bmi     scaled
+    adds    view, view, #VIEW_FRUSTUM
+    ldm     view, {r4-r7}
+    ldr     r9, [view, #FRUSTUM_INSET_UPPER]
+    subs    r9, r9, #16                     /* distances become 4 larger: 0..7 is undecided */
+    smull   r1, r4, r4, r11
+    smull   r1, r5, r5, r0
+    sub     r5, r5, r9, asr #2
+    add     r8, r5, r4                      /* left */
+    sub     r11, r5, r4                     /* right */
+    smull   r1, r6, r6, r12
+    smull   r1, r7, r7, r0
+    sub     r7, r7, r9, asr #2
+    add     r12, r7, r6                     /* bottom */
+    sub     r9, r7, r6                      /* top */
+
+    cmp     r8, #8
+    ittt    hs
+    cmphs   r11, #8
+    cmphs   r12, #8 /* bug: v7m-outcode */
+    cmphs   r9, #8
+    blo     undecided
+
+    ldrd    r4, r5, [view, #FRUSTUM_NEAR_Z] /* near_z, far_z */
+    ldrd    r6, r7, [view, #FRUSTUM_FAR_Z]
+    subs    r4, r10, r4
+    sbc     r5, r0, r5
+    subs    r6, r6, r10
+    sbc     r7, r7, r0
+    orr     r1, r8, r11
+    orr     r1, r1, r12
+    orr     r1, r1, r9
+    orr     r1, r1, r5
+    orrs    r1, r1, r7
+    mov     r1, #0
+    bpl     decided                         /* inside all planes */
+    lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
+                                               changes no sign that is decided */
+    lsrs    r7, r7, #31
+    orr     r1, r1, r7, lsl #1
+    lsr     r8, r8, #31
+    orr     r1, r1, r8, lsl #2
+    lsr     r11, r11, #31
+    orr     r1, r1, r11, lsl #3
+    lsr     r12, r12, #31
+    orr     r1, r1, r12, lsl #4
+    lsr     r9, r9, #31
+    orr     r1, r1, r9, lsl #5
+    and     r1, r1, planes
+
+decided:
+    orr     r1, r1, #VERTEX_UNPROJECTED
+    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
+    pop     {r3-r11, pc}
+
+undecided:
+    mov     r4, entry
+    mov     r0, view
+    uxtb    r1, planes
+    add     r2, entry, #CACHED_VERTEX_POSITION
+    bl      fxl_outcode
+    mov     entry, r4
+    orr     r1, r0, #VERTEX_UNPROJECTED
+    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
+    pop     {r3-r11, pc}
+
+scaled:
+    mov     r4, entry
+    ldr     r0, [sp]                        /* the model view */
+    mov     r1, entry
+    ldr     r3, [r0, #MODEL_VIEW_SCALE_VERTEX]
+    blx     r3
+    mov     r1, r0
+    mov     entry, r4
+    pop     {r3-r11, pc}
+
+    .size fxl_transform_vertex, . - fxl_transform_vertex
+
+#endif
