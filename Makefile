@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants tool-mutants size \
+    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants size \
     predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
@@ -377,15 +377,14 @@ coverage: ## print which lines, branches and conditions of lib/ the unit tests a
 	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERAGE_TESTS) --out $(BUILD)/coverage.json \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target))
 
-tool-mutants: ## put random small mistakes into the tools; a test of the tools must fail for most of them [SEED=1 COUNT=100 ONLY=]
-	@tools/setup.sh test
-	@$(MAKE) all
-	@$(TOOL) tool-mutants --seed 1 --count 100 --build $(BUILD)
-
-mutants: ## put random small mistakes into the library; a test must fail for most of them [SEED=1 COUNT=200 ONLY=]
-	@tools/setup.sh units
-	@$(MAKE) $(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-	@$(TOOL) mutants --seed 1 --count 200 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
+# What only the other part needs is not built.
+MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)
+MUTANTS_LIB := $(if $(filter tools,$(MUTANTS_PART)),,$(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
+MUTANTS_TOOLS := $(if $(filter lib,$(MUTANTS_PART)),,all)
+mutants: ## put random small mistakes into the library and the tools; a test must fail for most of them [SEED=1 COUNT=100 PART= ONLY=]
+	@tools/setup.sh $(if $(MUTANTS_LIB),units) $(if $(MUTANTS_TOOLS),test)
+	@$(MAKE) $(MUTANTS_LIB) $(MUTANTS_TOOLS)
+	@$(TOOL) mutants --seed 1 --count 100 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
 	    host_tests/fuzz/corpus/$(target) $(FUZZ_REPLAY_OBJECTS_$(target)))
 

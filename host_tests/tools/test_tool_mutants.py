@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""What make mutants takes for a mistake in a tool, which tests it tries first, and the survivors that it knows."""
+"""What make mutants takes for a mistake in a tool, how it tries one, and the survivors that it knows."""
+
+import argparse
 
 import pytest
 from conftest import CHECKOUT
 
 from fixel.base.errors import ToolError
-from fixel.check import likely, mutate_python, survivors
+from fixel.check import lines, mutants, mutate_python, survivors, tool_mutants
 
 CODE = '''"""A text with 1 + 1."""
 LIMIT = 1 + 1
@@ -53,15 +55,6 @@ def test_every_tool_can_be_mutated():
             compile(mutant.apply(text), path.name, "exec")
 
 
-def test_the_likeliest_tests_come_first():
-    found = likely.Map(CHECKOUT)
-    for module, first in (("image/bdf.py", "test_font.py"), ("model/stl.py", "test_stl.py"), ("board/qmp.py", "test_qmp.py"),
-                          ("base/output.py", "test_output.py")):
-        tests = [test.name for test in found.tests(f"tools/fixel/{module}")]
-        assert first in tests[:3], (module, tests[:5])
-        assert len(tests) == len(set(tests))
-
-
 def survivor(folder, **changes):
     entry = {"file": "a.py", "line": "return a < b", "change": "'<' becomes '<='", "reason": "a is never b", **changes}
     file = folder / "survivors.toml"
@@ -73,9 +66,8 @@ def test_a_survivor_that_is_known(tmp_path):
     text = CODE % "return a < b"
     (tmp_path / "a.py").write_text(text, encoding="utf-8")
     known = survivors.load(survivor(tmp_path), tmp_path, mutate_python.mutants)
-    keys = [("a.py", survivors.line_of(mutant, text), survivors.change_of(mutant))
-            for mutant in mutate_python.mutants("a.py", text)]
-    assert [key in known for key in keys] == [True, False]
+    keys = [key[:3] for key, _ in survivors.keyed(mutate_python.mutants("a.py", text), text)]
+    assert [known.get(key) for key in keys] == ["a is never b", None]
 
 
 @pytest.mark.parametrize("changes, words", [
@@ -89,4 +81,162 @@ def test_a_survivor_whose_line_has_changed_is_refused(tmp_path, changes, words):
 
 
 def test_the_survivors_of_the_project_are_there():
-    survivors.load(CHECKOUT / "host_tests" / "tools" / "survivors.toml", CHECKOUT, mutate_python.mutants)
+    survivors.load(CHECKOUT / mutants.KNOWN, CHECKOUT, mutants.mutants_of)
+
+
+def test_a_change_of_one_line_moves_no_other_mutant():
+    def order(text):
+        keyed = survivors.keyed(mutate_python.mutants("a.py", text), text)
+        return [key for key, _ in sorted(keyed, key=lambda pair: survivors.place_of(7, pair[0])) if "a < b" in key[1]]
+    before = CODE % "a < b; a < b"
+    assert len(order(before)) == 4
+    assert order(before) == order("x = 1\n\n" + before + "    return 3 * a\n") != sorted(order(before))
+
+
+def test_the_function_of_a_line():
+    functions = lines.Functions("def f():\n    def g():\n        pass\n\n\nclass C:\n    @m\n    def h(self):\n        pass\n")
+    assert [functions.place(line) for line in range(1, 10)] == \
+        [("f", 0), ("f", 1), ("f", 2), None, None, None, ("C.h", 0), ("C.h", 1), ("C.h", 2)]
+
+
+def test_quick_tests_come_first_and_parameters_of_one_are_spread():
+    seconds = {"f::a[1]": 0.1, "f::a[2]": 0.1, "f::a[3]": 0.1, "f::b": 0.15, "f::c": 9.0}
+    assert lines.spread(set(seconds), seconds) == ["f::a[1]", "f::b", "f::a[2]", "f::a[3]", "f::c"]
+
+
+# --- a campaign in a checkout of a few lines ------------------------------------
+
+TOOL = """
+def limit(value):
+    return value < 3
+
+
+def positive(value):
+    if value > 0:
+        return value
+    return 0
+
+
+def forgotten(value):
+    return value or 3
+
+
+def called(value):
+    value.append(1)
+
+
+def ends(value):
+    while value > 0:
+        value -= 1
+"""
+TESTS = """
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+from fixel import a
+
+MARK = pathlib.Path(%(mark)r)
+
+
+@pytest.mark.parametrize("value", [2, 3])
+def test_limit(value):
+    assert a.limit(value) == (value == 2)
+
+
+@pytest.mark.parametrize("value", [-1, 0, 1])
+def test_positive(value):
+    assert a.positive(value) == max(value, 0)
+
+
+def test_that_fails():
+    assert a.forgotten(3) == 4
+
+
+def test_that_fails_later():
+    assert a.forgotten(3) == 3
+    assert not MARK.exists()
+
+
+def test_called_by_a_program():
+    program = "from fixel import a; found = []; a.called(found); assert found"
+    subprocess.run([sys.executable, "-c", program], check=True, cwd=pathlib.Path(__file__).parents[2] / "tools")
+
+
+def test_ends():
+    a.ends(2)
+"""
+CONFTEST = """
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+"""
+WHERE = "tools/fixel/a.py"
+
+
+TRIED = [
+    ("return value < 3", "'<' becomes '>='", "killed", "tools/test_a.py::test_limit["),
+    ("return value < 3", "'3' becomes '2'", "killed", "tools/test_a.py::test_limit[2]"),
+    ("if value > 0:", "'>' becomes '<='", "killed", "tools/test_a.py::test_positive["),
+    ("if value > 0:", "'0' becomes '1'", "killed", "tools/test_a.py::test_positive[1]"),
+    ("if value > 0:", "'>' becomes '>='", "known", "0 is answered by 0 either way"),
+    ("value.append(1)", "'value.append(1)' becomes 'pass'", "killed", "tools/test_a.py::test_called_by_a_program"),
+    ("return value or 3", "'or' becomes 'and'", "survived", "no test that passes without it"),
+    ("value -= 1", "'value -= 1' becomes 'pass'", "killed", "of CPU time"),
+    ("while value > 0:", "'>' becomes '>='", "survived", ""),
+]
+
+
+@pytest.fixture(scope="module")
+def campaign(tmp_path_factory):
+    """[(mutant, result)] of some mutants of a small tool."""
+    folder = tmp_path_factory.mktemp("campaign")
+    checkout, mark = folder / "checkout", folder / "mark"
+    for room in ("tools/fixel", "host_tests/tools"):
+        (checkout / room).mkdir(parents=True)
+    (checkout / "tools/fixel/__init__.py").touch()
+    (checkout / WHERE).write_text(TOOL, encoding="utf-8")
+    (checkout / "host_tests/pytest.ini").write_text("[pytest]\n", encoding="utf-8")
+    (checkout / "host_tests/conftest.py").write_text(CONFTEST, encoding="utf-8")
+    (checkout / "host_tests/tools/test_a.py").write_text(TESTS % {"mark": str(mark)}, encoding="utf-8")
+    part = tool_mutants.Tools(argparse.Namespace(enough=5.0, jobs=1), folder / "build", checkout)
+    trees = part.prepare()
+    mark.touch()
+    wanted = [(line, change) for line, change, _, _ in TRIED]
+    drawn = [each for each in mutants.draw(part.files(), "", 1, checkout) if each[0][1:3] in wanted]
+    known = {(WHERE, "if value > 0:", "'>' becomes '>='"): "0 is answered by 0 either way"}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tool_mutants, "CPU_MORE", 1.0)
+        tried = mutants.try_all(part, trees, drawn, 100, known)
+    assert (trees[0].folder / WHERE).read_text(encoding="utf-8") == TOOL
+    part.close()
+    return tried
+
+
+@pytest.mark.parametrize("line, change, result, words", TRIED)
+def test_what_becomes_of_a_mutant(campaign, line, change, result, words):
+    text = TOOL.split("\n")
+    found = [each for mutant, each in campaign if text[mutant.line - 1].strip() == line and survivors.change_of(mutant) == change]
+    assert [each["result"] for each in found] == [result], found
+    assert words in found[0].get("words", "")
+
+
+def test_what_changes_no_result_is_told_apart_and_not_counted(campaign, capsys):
+    result = mutants.judge(campaign, 1)
+    assert result["known"] == 1
+    assert result["count"] == len(campaign) - 1 == result["killed"] + sum(each["result"] == "survived" for _, each in campaign)
+    mutants.print_result("tools", result)
+    said = capsys.readouterr().out.splitlines()
+    assert f"changes no result: {WHERE}:7: '>' becomes '>=' (0 is answered by 0 either way)" in said
+    assert f"survived: {WHERE}:13: 'or' becomes 'and' (no test that passes without it executes it)" in said
+    assert said[-1].startswith(f"{result['killed']} of {result['count']} mutants of the tools killed: ")
+    assert said[-1].endswith("Not counted: 1 that change no result (host_tests/build/survivors.toml)")
+
+
+def test_a_sample_ends_with_the_last_that_counts():
+    tried = [("a", {"result": "killed"}), ("b", {"result": "known"}), ("c", {"result": "survived"}), ("d", {"result": "killed"})]
+    assert mutants.up_to(tried, 2) == tried[:3]
+    assert mutants.up_to(tried, 9) == tried

@@ -50,8 +50,7 @@ ROOMS = {
         "frame-hashes": ("fixel.check.frame_hashes", "add a scene's hashes to the record"),
         "fuzz": ("fixel.check.fuzz", "fuzz the library and the tools' input"),
         "kills": ("fixel.check.kills", "kill commands at random moments"),
-        "mutants": ("fixel.check.mutants", "put random small mistakes into the library"),
-        "tool-mutants": ("fixel.check.tool_mutants", "put random small mistakes into the tools"),
+        "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
     },
     "The Makefile": {

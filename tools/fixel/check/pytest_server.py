@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Runs tests for pytest in processes that need not import pytest and other large packages: each is a fork of this one.
+
+A program, which fixel.check.trees starts. It imports nothing of the tools, so that a fork can run the tools of any
+checkout. Each line of its input asks for a run: {"folder", "words", "said", "report", "lines", "enough"}. It answers with two
+lines: the number of the process, then its exit code. A run puts its output into the file "said", and adds a line for
+each test to the file "report": {"test", "passed", "cpu", "number"}. Where "lines" names a folder, its file "number" has
+the lines that the test executed, and parameters of a test are skipped once others took "enough" CPU seconds.
+"""
+
+import ctypes
+import json
+import os
+import pathlib
+import signal
+import sys
+
+PRELOADED = ("pytest", "_pytest.junitxml", "hypothesis", "numpy", "PIL.Image", "elftools.elf.elffile")
+PR_SET_PDEATHSIG = 1    # of Linux
+TICKS = os.sysconf("SC_CLK_TCK")
+
+
+def cpu_seconds():
+    """Of this process and its children, those that still run included."""
+    taken = sum(os.times()[:4])
+    for process in pathlib.Path(f"/proc/self/task/{os.getpid()}/children").read_text(encoding="utf-8").split():
+        try:
+            fields = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+        except OSError:
+            continue
+        taken += sum(map(int, fields[11:15])) / TICKS
+    return taken
+
+
+class Report:
+    """A plug-in of pytest: a line for each test that ended."""
+
+    def __init__(self, asked):
+        self.file, self.lines, self.enough = asked["report"], asked["lines"], asked["enough"]
+        self.recorder = sys.modules.get("sitecustomize")
+        self.passed, self.before, self.number, self.spent = True, 0.0, 0, {}
+
+    def pytest_runtest_logstart(self, nodeid, location):
+        self.passed, self.before = True, cpu_seconds()
+        if self.lines:
+            self.number += 1
+            os.environ["FIXEL_LINES"] = str(pathlib.Path(self.lines) / str(self.number))
+            self.recorder.recorder.begin()
+
+    def pytest_runtest_setup(self, item):
+        if self.lines and self.spent.get(item.nodeid.partition("[")[0], 0.0) > self.enough:
+            import pytest
+            pytest.skip("enough of its parameters are recorded")
+
+    def pytest_runtest_logreport(self, report):
+        self.passed = self.passed and report.passed
+
+    def pytest_runtest_logfinish(self, nodeid, location):
+        taken, function = round(cpu_seconds() - self.before, 3), nodeid.partition("[")[0]
+        self.spent[function] = self.spent.get(function, 0.0) + taken
+        found = {"test": nodeid, "passed": self.passed, "cpu": taken, "number": self.number}
+        with open(self.file, "a", encoding="utf-8") as report:
+            report.write(json.dumps(found) + "\n")
+
+
+def run(asked):
+    """What a fork does; it does not come back."""
+    import pytest
+    code = 3
+    try:
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, int(signal.SIGKILL))
+        said = os.open(asked["said"], os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+        os.dup2(said, 1)
+        os.dup2(said, 2)
+        os.chdir(asked["folder"])
+        code = int(pytest.main(asked["words"], plugins=[Report(asked)]))
+        sys.stdout.flush()
+    finally:
+        os._exit(code)
+
+
+def main():
+    for name in PRELOADED:
+        __import__(name)
+    for line in sys.stdin:
+        process = os.fork()
+        if process == 0:
+            run(json.loads(line))
+        print(process, flush=True)
+        _, status = os.waitpid(process, 0)
+        print(os.waitstatus_to_exitcode(status), flush=True)
+
+
+if __name__ == "__main__":
+    sys.path.pop(0)     # this folder
+    main()

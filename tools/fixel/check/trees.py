@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""Copies of the checkout in which mutants of the tools are tried, and the tests for pytest that run in them."""
+
+import json
+import os
+import pathlib
+import select
+import shutil
+import subprocess
+import sys
+import time
+
+from fixel.base import children, limits
+from fixel.base.errors import ToolError
+
+SERVER = pathlib.Path(__file__).with_name("pytest_server.py")
+RECORDER = pathlib.Path(__file__).with_name("recorder")
+COPIED = ("tools", "host_tests")
+UNCOPIED = shutil.ignore_patterns("__pycache__")
+PLAIN = ["-q", "-p", "no:cacheprovider", "-p", "no:hypothesispytest", "--no-header", "--tb=line"]
+ASLEEP = 60.0       # seconds of sleep that are a hang
+
+
+class Server:
+    """pytest_server.py."""
+
+    def __init__(self, lines_of=""):
+        """lines_of: the folder whose lines its tests record."""
+        changes = {"FIXEL_LINES_OF": str(lines_of), "PYTHONPATH": str(RECORDER)} if lines_of else {}
+        self._process = children.start([sys.executable, SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1,
+                                       env={**os.environ, "OPENBLAS_NUM_THREADS": "1", **changes})
+
+    def _answer(self):
+        line = self._process.stdout.readline()
+        if not line:
+            raise ToolError("the process that runs the tests has ended; run the command again")
+        return int(line)
+
+    def run(self, request, cpu):
+        """The exit code of a run, or words that say which limit it passed."""
+        self._process.stdin.write(json.dumps(request) + "\n")
+        process, words = self._answer(), None
+        try:
+            limits.wait_until(lambda: select.select([self._process.stdout], [], [], 0)[0], process, cpu, ASLEEP, "its end")
+        except limits.LimitError as error:
+            words = str(error)
+            limits.kill_tree(process)
+        code = self._answer()
+        return words or code
+
+    def close(self):
+        self._process.stdin.close()
+        self._process.wait()
+
+
+class Tree:
+    """A checkout of its own: copies of what is mutated and of its tests, and links to everything else."""
+
+    def __init__(self, folder, checkout):
+        self.folder = folder
+        shutil.rmtree(folder, ignore_errors=True)
+        for name in COPIED:
+            shutil.copytree(checkout / name, folder / name, ignore=UNCOPIED)
+        for each in checkout.iterdir():
+            if not (folder / each.name).exists() and each.name != ".git":
+                (folder / each.name).symlink_to(each)
+        self._said, self._report = folder / "said.txt", folder / "report.jsonl"
+        self._server, self._time = None, int(time.time())
+
+    def write(self, file, text):
+        """Puts text into a file. What Python has compiled of it before is out of date for certain: it goes by seconds."""
+        (self.folder / file).write_text(text, encoding="utf-8")
+        self._time += 1
+        os.utime(self.folder / file, (self._time, self._time))
+
+    def run(self, tests, cpu, *options, lines=None, enough=0.0):
+        """(exit code of pytest or words that say which limit it passed, [{"test", "passed", "cpu", "number"}]) of tests.
+        lines: the folder for the lines that each executes, of each test only parameters that take enough seconds."""
+        if self._server is None:
+            self._server = Server(self.folder / "tools" / "fixel" if lines else "")
+        self._report.unlink(missing_ok=True)
+        words = [*PLAIN, *options, f"--basetemp={self.folder}/tmp", *(f"host_tests/{test}" for test in tests)]
+        code = self._server.run({"folder": str(self.folder), "words": words, "said": str(self._said),
+                                 "report": str(self._report), "lines": lines and str(lines), "enough": enough}, cpu)
+        report = self._report.read_text(encoding="utf-8").splitlines() if self._report.exists() else []
+        return code, [json.loads(line) for line in report]
+
+    def said(self):
+        """The output of the last run."""
+        return self._said.read_text(encoding="utf-8", errors="replace")
+
+    def close(self):
+        if self._server is not None:
+            self._server.close()
