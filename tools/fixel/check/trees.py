@@ -64,6 +64,8 @@ class Tree:
         for each in checkout.iterdir():
             if not (folder / each.name).exists() and each.name != ".git":
                 (folder / each.name).symlink_to(each)
+        # Set-up would make .venv anew, which is a link, because its path is another.
+        (folder / "tools" / "setup.sh").write_text("#!/bin/sh\n", encoding="utf-8")
         self._said, self._report = folder / "said.txt", folder / "report.jsonl"
         self._server, self._time = None, int(time.time())
 
