@@ -21,7 +21,7 @@ FRAMES = 6
 def fixture_planted(tmp_path_factory):
     """The knot with a tree."""
     file = tmp_path_factory.mktemp("knot") / "knot.fxls"
-    making.build(KNOT, str(file), FRAMES, layers="all")
+    making.build(KNOT, str(file), FRAMES)
     return file
 
 
@@ -67,7 +67,9 @@ def test_the_order_by_distance_is_counted_wrong(build, tmp_path, planted, plain)
 
 
 def test_says_what_to_do_where_the_order_is_wrong(build, tmp_path):
-    done = walk(tmp_path / "out", board="host", scene=KNOT, frames=3)
+    knot = tmp_path / "knot.fxls"
+    making.build(KNOT, str(knot), 3, layers="none")
+    done = walk(tmp_path / "out", board="host", scene=knot, frames=None)
     assert done.returncode == 0 and "--tree all" in done.stdout
 
 
@@ -85,7 +87,7 @@ def test_other_methods_draw_the_same_frames(build, tmp_path, planted, plain, wor
     (board, method) for board in ("mps2-an385", "mps3-an547") for method in ("depth", "depth-32")], 2))
 def test_a_depth_buffer_draws_the_nearest_faces(build, tmp_path, board, method):
     knot = tmp_path / "knot.fxls"
-    making.build(KNOT, str(knot), FRAMES)
+    making.build(KNOT, str(knot), FRAMES, layers="none")
     summary = chosen(tmp_path / "out", knot, "--visibility", method, board=board)
     assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0
     assert summary["order_wrong_pixels"] == 0 and summary["order_judged_pixels"] == summary["pixels"]
@@ -138,7 +140,7 @@ def test_a_board_without_room_for_a_tree_surfaces_or_depth_says_so(build, tmp_pa
         assert run_make(elf.relative_to(CHECKOUT)).returncode == 0
     if scene == "depth":
         scene = tmp_path / "deep.toml"
-        scene.write_text(pathlib.Path(KNOT).read_text().replace("[view]", '[view]\nvisibility = "depth"'))
+        scene.write_text(pathlib.Path(KNOT).read_text().replace('tree = "all"', "").replace("[view]", '[view]\nvisibility = "depth"'))
     done = walk(tmp_path / "out", board="stm32vldiscovery", scene=planted if scene == "planted" else scene, frames=None)
     assert done.returncode == 13 and "no room to draw by a BSP tree, with surfaces or with a depth buffer" in done.stderr
     assert ("VISIBILITY=surfaces builds a program" in done.stderr) == (scene == CHECKOUT / "scenes/room.toml")

@@ -21,7 +21,7 @@ def fixture_found(request, build, tmp_path_factory):
     scene, tree = request.param
     image = tmp_path_factory.mktemp("hidden") / f"{scene}.fxls"
     made = run_cli("build", pathlib.Path("scenes") / f"{scene}.toml", "-o", image,
-                   *(["--tree", "all"] if tree else []))
+                   "--tree", "all" if tree else "none")
     assert made.returncode == 0, made.stderr
     done = subprocess.run([build / "host" / "hidden", image, "--frames", str(FRAMES), "--seed", "7",
                            "--tree", str(int(tree))],

@@ -2,6 +2,7 @@
 """What a scene asks for by itself: a depth buffer; objects in parts; an island, a torus."""
 
 import math
+import re
 
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
@@ -116,6 +117,48 @@ def test_what_the_new_scenes_show_is_explained(build, tmp_path, name):
     image_file = built(CHECKOUT / "scenes" / f"{name}.toml", tmp_path)
     verdict = judged(build, image_file, drawn(build, image_file, "unasked"))
     assert verdict["pixels_unexplained"] == 0
+
+
+# --- the tree ---------------------------------------------------------------------------
+
+def built_by_cli(folder, text, *options):
+    """The image of a scene, as fixel build makes it."""
+    out = folder / "scene.fxls"
+    done = run_cli("build", scene_of(folder, text), "-o", out, *options)
+    assert done.returncode == 0, done.stderr
+    return out.read_bytes()
+
+
+def test_a_scene_asks_for_its_tree_and_the_command_line_has_the_last_word(tmp_path):
+    solids = SOLIDS % ""
+    plain, planted = built_by_cli(tmp_path, solids), built_by_cli(tmp_path, solids, "--tree", "all")
+    assert image.unpack(plain).tree is None and image.unpack(planted).tree.nodes
+    assert built_by_cli(tmp_path, 'tree = "all"' + solids) == planted
+    assert built_by_cli(tmp_path, 'tree = "most"' + solids) == planted, "one layer"
+    assert built_by_cli(tmp_path, 'tree = "none"' + solids) == plain
+    assert built_by_cli(tmp_path, 'tree = "all"' + solids, "--tree", "none") == plain
+    assert built_by_cli(tmp_path, 'tree = "none"' + solids, "--tree", "0") == planted
+    assert built_by_cli(tmp_path, 'tree = "all"' + SOLIDS % 'visibility = "depth"', "--tree", "none") == \
+        built_by_cli(tmp_path, SOLIDS % 'visibility = "depth"')
+
+
+def test_a_header_of_c_has_the_tree_that_the_scene_asks_for(tmp_path):
+    done = run_cli("export", "--c", scene_of(tmp_path, 'tree = "all"' + SOLIDS % ""), "-o", tmp_path / "scene.h")
+    assert done.returncode == 0 and re.search(r"fxl_bsp_node scene_\w+\[\d+\] = ", (tmp_path / "scene.h").read_text())
+
+
+@pytest.mark.parametrize("value, words", [
+    ('"7"', ("tree: the layers of the tree are", "all, most or none")), ('"trees"', ("tree: the layers of the tree are", "of 0")),
+    ('""', ("tree: the layers of the tree are",)), ("0", ("tree: expected a string", '"all"', "found 0")),
+    ("true", ("tree: expected a string",)), ('["all"]', ("tree: expected a string",))])
+def test_a_wrong_tree_is_refused(tmp_path, value, words):
+    done = run_cli("build", scene_of(tmp_path, f"tree = {value}" + SOLIDS % ""), "-o", tmp_path / "out.fxls")
+    assert_one_sentence(done, "scene.toml", *words)
+
+
+def test_a_scene_that_asks_for_a_tree_and_a_depth_buffer_is_refused(tmp_path):
+    done = run_cli("build", scene_of(tmp_path, 'tree = "all"' + SOLIDS % 'visibility = "depth"'), "-o", tmp_path / "out.fxls")
+    assert_one_sentence(done, "scene.toml: tree", "view.visibility", "leave the tree out")
 
 
 # --- parts ------------------------------------------------------------------------------

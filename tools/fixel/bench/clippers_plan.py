@@ -107,7 +107,7 @@ def compile_scene(plan, entry, folder, tree, frames=None):
     still is in a tree."""
     name = f"{entry['name']}-tree" if tree else entry["name"]
     whole = pathlib.Path(folder) / f"{name}-whole.fxls"
-    making.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else None)
+    making.build(entry["scene"], whole, layers=entry.get("layers", "all") if tree else "none")
     scene = image.load(whole)
     poses = scene.path
     if scene.path_kind != image.POSES:

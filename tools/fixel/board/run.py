@@ -32,7 +32,8 @@ RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer
 ORDER_ADVICE = """\
 Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
 and the picture is not what one would see. Split large models into convex objects, set "layer", draw with a depth
-buffer (VISIBILITY=depth), or give the scene a tree:  tools/scene.py build SCENE -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
+buffer (VISIBILITY=depth), or give the scene a tree:  tree = "all"  in the scene file, or of a model
+tools/scene.py build MODEL -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
 
 
 def check_frames(scene, wanted, there):

@@ -50,6 +50,7 @@ class SceneImage:
     surfaces: image_surface.Surfaces = None
     billboards: image_billboard.Billboards = None
     visibility: int = image_header.BY_DEFAULT
+    layers: str = field(default="none", compare=False)  # those that are to have a tree, as a scene file says
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     names: list = field(default_factory=list, compare=False)    # of the objects, in turn; None: it has none
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has

@@ -2,7 +2,8 @@
 """Scene files into scene images or C headers, and scene images explained.
 
     fixel build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
-        SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces)
+        SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces),
+        or none; without --tree, what the scene's key "tree" says
     fixel export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
         SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
     fixel texture IMAGE -o OUT.h [--name NAME] [--size WxH] [--levels N] [--clamp]
@@ -127,8 +128,8 @@ def arguments_of(argv):
         command.add_argument("-o", "--out", required=True)
         command.add_argument("--frames", type=whole, help="frames of the path; export writes no path without it")
         command.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
-        command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, "
-                             "or all, or most")
+        command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, or all, or most, "
+                             "or none, instead of what the scene says")
     drawing = commands.add_parser("texture", help="write an image as a texture of RGB565, in C")
     drawing.add_argument("image")
     drawing.add_argument("-o", "--out", required=True)

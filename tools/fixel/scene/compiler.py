@@ -12,8 +12,8 @@ FRAMINGS = {"walk": framing.WALK, "program": framing.PROGRAM}
 
 def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", report=None):
     """Compiles a .toml or a model; answers the SceneImage and what there is to say about it. screen: width
-    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of). framed:
-    how a model is framed (FRAMINGS). report: a job.Report."""
+    and height instead of the scene's. layers: those that are to have a tree (tree.layers_of), instead of what the scene
+    says. framed: how a model is framed (FRAMINGS). report: a job.Report."""
     report = report or Quiet()
     is_model = model_file.is_model(scene)
     if not is_model and model_file.suffix_of(scene) != ".toml":
@@ -25,9 +25,10 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
         compiled, notes = framing.compile_model(scene, frames, report, screen, FRAMINGS[framed])
     else:
         compiled, notes = toml_scene.compile_file(scene, frames, report, screen)
-    if layers:
+    where, layers = (f"{scene}: --tree", layers) if layers else (f"{scene}: tree", compiled.layers)
+    if layers != "none":
         report.stage("building the tree")
-        notes = notes + [plant(compiled, layers, scene, report)]
+        notes = notes + [plant(compiled, layers, scene, where, report)]
     return compiled, notes
 
 
@@ -39,16 +40,16 @@ def packed(compiled, name):
         raise ToolError(f"{name}: {error}") from error
 
 
-def plant(compiled, layers, name, report):
-    """Gives a scene a tree; answers what there is to say about it."""
+def plant(compiled, layers, name, where, report):
+    """Gives a scene a tree; answers what there is to say about it. where: what asks for the tree, for messages."""
     if compiled.billboards:
-        raise ToolError(f"{name}: --tree: a BSP tree draws no billboards, and this scene has some; leave --tree away")
+        raise ToolError(f"{where}: a BSP tree draws no billboards, and this scene has some; leave the tree out")
     if compiled.visibility == image_header.BY_DEPTH:
-        raise ToolError(f'{name}: view.visibility = "depth" asks for a depth buffer; remove it, or leave out --tree')
+        raise ToolError(f'{where}: view.visibility = "depth" asks for a depth buffer; remove it, or leave the tree out')
     had_surfaces = compiled.surfaces is not None
     try:
         counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, report)
     except ToolError as error:
-        raise ToolError(f"{name}: {error}") from error
+        raise ToolError(f"{where}: {error}") from error
     left_out = "; surfaces are left out, because a tree draws faces in their own colours" if had_surfaces else ""
     return f"{name}: tree: {counts.text()}{left_out}"

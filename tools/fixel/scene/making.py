@@ -37,7 +37,7 @@ def _make(out, request, subject, limits):
 
 def build(scene, out, frames=None, screen=None, layers=None, limits=None):
     """Compiles a scene file or a model into an image file; answers a Made. screen: width and height instead of the
-    scene's. layers: those that are to have a tree. limits: a bounded.Limits."""
+    scene's. layers: those that are to have a tree, or "none"; without it, what the scene says. limits: a bounded.Limits."""
     request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk"}
     return Made(**_make(out, request, scene, limits))
 

@@ -14,7 +14,7 @@ from fixel.scene import path as walk
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
-from fixel.base.reading import shortened
+from fixel.base.reading import quoted, shortened
 from fixel.scene.surfaces import Records
 from fixel.scene.toml_object import Objects
 from fixel.scene.toml_table import Table
@@ -22,7 +22,7 @@ from fixel.scene.toml_table import Table
 FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
-            "textures", "billboards"}
+            "textures", "billboards", "tree"}
 _VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility"}
 VISIBILITIES = {image_header.BY_DEFAULT: "default", image_header.BY_DEPTH: "depth"}   # that a scene may ask for
 _PALETTE_KEYS = {"reserve", "colours", "blend"}
@@ -78,6 +78,14 @@ def _visibility(top):
     """The visibility method that the scene asks for, in the image's integers."""
     name = top.table("view", _VIEW_KEYS).choice("visibility", "default", list(VISIBILITIES.values()))
     return next(number for number, known in VISIBILITIES.items() if known == name)
+
+
+def _layers(top):
+    """The layers that are to have a tree, as text (tree.layers_of), or "none"."""
+    layers = top.data.get("tree", "none")
+    if not isinstance(layers, str):
+        raise ToolError(f'{top.at("tree")}: expected a string like "5", "2,4,5", "all", "most" or "none", found {quoted(layers)}')
+    return layers
 
 
 def _on_screen(lens, screen):
@@ -348,6 +356,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     models, placed, boards = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre, scene.visibility = lens[-1], _visibility(top)
+    scene.layers = _layers(top)
     scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam

@@ -300,8 +300,8 @@ def layers_of(text, scene):
         return {max(faces, key=lambda layer: (faces[layer], layer))}
     wanted = {int(part) for part in text.split(",") if part.isascii() and part.isdigit() and len(part) < 4}
     if not wanted or len(wanted) != len(text.split(",")) or not wanted <= set(faces):
-        raise ToolError(f"the layers of the tree are {quoted(text)}; they must be like 5, 2,4,5, all or "
-                        f"most, and of {', '.join(map(str, sorted(faces)))}")
+        raise ToolError(f"the layers of the tree are {quoted(text)}; they must be like 5, 2,4,5, all, most or none, and "
+                        f"of {', '.join(map(str, sorted(faces)))}")
     return wanted
 
 
