@@ -129,7 +129,7 @@ def test_with_what_a_tool_ends(image, faults, tmp_path, monkeypatch, capsys, cas
     from fixel.base.errors import run_main
 
     real = emulator.run
-    monkeypatch.setattr(boot, "run", lambda *arguments: real(*arguments, extra=[case]))
+    monkeypatch.setattr(emulator, "run", lambda *arguments: real(*arguments, extra=[case]))
     monkeypatch.setattr(sys, "argv", ["fixel boot", "--board", BOARD, "--image", str(image), "--elf", str(faults),
                                       "--dump", str(tmp_path / "x.fxld"), "--timeout", "1"])
     with pytest.raises(SystemExit) as caught:

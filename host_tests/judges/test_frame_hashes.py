@@ -9,7 +9,7 @@ from board_programs import built
 from conftest import CHECKOUT, run_cli, sampled
 import pytest
 
-from fixel.check import frame_hashes as hashes_tool
+from fixel.base.errors import ToolError
 from fixel.scene import making
 from fixel.board import dump, emulator, flash_memory
 from fixel.check import frozen_frames
@@ -53,7 +53,7 @@ def test_each_scene_has_a_record_and_no_record_is_without_a_scene():
 
 def test_the_host_draws_what_is_on_record(build, scene, tmp_path):
     name, image = scene
-    drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
+    drawn = frozen_frames.drawn_by_host(image, build, tmp_path)
     assert frozen_frames.difference(frozen_frames.load()[name], drawn) == ""
 
 
@@ -72,7 +72,7 @@ def test_a_changed_pixel_or_counter_is_seen(build, tmp_path):
     image = tmp_path / "tiny.fxls"
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
     record = frozen_frames.load()["tiny"]
-    drawn = hashes_tool.drawn_by_host(image, build, tmp_path)
+    drawn = frozen_frames.drawn_by_host(image, build, tmp_path)
     drawn.frames[3].counters["drawn"] += 1
     assert frozen_frames.difference(record, drawn).startswith("counters are")
     pixels = drawn.frames[5].pixels.copy()
@@ -85,10 +85,10 @@ def test_the_tool_alters_no_record(build, tmp_path, monkeypatch):
     image = tmp_path / "tiny.fxls"
     making.build(str(CHECKOUT / "scenes" / "tiny.toml"), str(image))
     records = frozen_frames.load()
-    assert hashes_tool.add(image, records, build, tmp_path) == "on record"
+    assert frozen_frames.add(image, records, build, tmp_path) == "on record"
     records["tiny"] = {**records["tiny"], "frames": ["0" * frozen_frames.DIGITS] * len(records["tiny"]["frames"])}
-    with pytest.raises(hashes_tool.ToolError, match="frame 0"):
-        hashes_tool.add(image, records, build, tmp_path)
+    with pytest.raises(ToolError, match="frame 0"):
+        frozen_frames.add(image, records, build, tmp_path)
 
 
 def test_wrong_usage_is_said():

@@ -10,6 +10,7 @@ import types
 import pytest
 
 from fixel.bench import clippers as clippers_tool
+from fixel.bench import clippers_report
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.scene import making
 from fixel.bench import clippers_page, clippers_plan, clippers_rows
@@ -196,10 +197,10 @@ def test_the_run_that_was_kept_is_whole_and_sound(plan, kept):
 
 def test_a_run_with_gaps_or_complaints_is_not_kept(sample, plan, tmp_path):
     with pytest.raises(ToolError, match="are missing"):
-        clippers_tool.accept(plan, sample[0])
+        clippers_report.accept(plan, sample[0])
     (tmp_path / "clippers.json").write_text(json.dumps({**sample[1], "complaints": ["something"]}), encoding="utf-8")
     with pytest.raises(ToolError, match="something"):
-        clippers_tool.accept(plan, tmp_path)
+        clippers_report.accept(plan, tmp_path)
 
 
 def test_lines_are_the_same_data(sample):
@@ -226,9 +227,9 @@ def test_complaints(sample, plan, change, words):
 
 def test_a_complaint_is_an_exit_code(monkeypatch, tmp_path, sample):
     result = {**sample[1], "complaints": ["something"]}
-    monkeypatch.setattr(clippers_tool, "measure", lambda *_: (result, {}))
-    monkeypatch.setattr(clippers_tool.clippers_page, "render", lambda *_: "page")
+    monkeypatch.setattr(clippers_report, "measure", lambda *_: (result, {}))
+    monkeypatch.setattr(clippers_report.clippers_page, "render", lambda *_: "page")
     monkeypatch.chdir(CHECKOUT)
     assert clippers_tool.main(["--out", str(tmp_path / "out")]) == 1
-    monkeypatch.setattr(clippers_tool, "measure", lambda *_: ({**result, "complaints": []}, {}))
+    monkeypatch.setattr(clippers_report, "measure", lambda *_: ({**result, "complaints": []}, {}))
     assert clippers_tool.main(["--out", str(tmp_path / "out")]) == 0

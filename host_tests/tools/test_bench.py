@@ -11,7 +11,7 @@ import numpy
 import pytest
 from elftools.elf.elffile import ELFFile
 
-from fixel.bench import bench as bench_tool
+from fixel.bench import bench_report
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, bench_terrain, link_map
 from fixel.image import image
@@ -82,7 +82,7 @@ def test_a_second_run_counts_the_same(measured, plan, tmp_path):
 
 def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
     text, folder, printed = measured
-    assert {path.name for path in folder.iterdir()} == set(bench_tool.PATTERNS)
+    assert {path.name for path in folder.iterdir()} == set(bench_report.PATTERNS)
     assert (folder / "bench.png").read_bytes()[:4] == b"\x89PNG"
     goals = json.loads(text)["goals"]
     for goal in goals:
@@ -172,10 +172,10 @@ def test_a_row_and_its_ratios_by_hand():
 def test_a_renderer_that_draws_something_else_is_refused():
     plan = types.SimpleNamespace(workloads={"w1": {}, "f32": {"judged": "covered"}})
     row = {"core": "m3", "workload": "w1", "renderer": "listing-float", "pixels": 1000, "differing": 2, "uncovered": 2}
-    bench_tool.check_pictures(plan, [row, {**row, "workload": "f32", "differing": 1000}])
+    bench_report.check_pictures(plan, [row, {**row, "workload": "f32", "differing": 1000}])
     for wrong in ({**row, "differing": 3}, {**row, "workload": "f32", "uncovered": 3}):
         with pytest.raises(ToolError, match="3 of 1,000 pixels") as refused:
-            bench_tool.check_pictures(plan, [wrong])
+            bench_report.check_pictures(plan, [wrong])
         assert refused.value.exit_code == 1
 
 
@@ -193,12 +193,12 @@ def test_a_variant_that_draws_something_else_is_refused():
     drawn = {("m3", "w1", "fixel"): types.SimpleNamespace(instructions=[200, 200], pixels=frames)}
     other = types.SimpleNamespace(instructions=[300, 301], pixels=frames.copy(), memory=7, stack=8)
     others = {("m3", "w1", "bands"): other}
-    bench_tool.check_variants(drawn, others)
+    bench_report.check_variants(drawn, others)
     assert bench_rows.variants(drawn, others) == [{"variant": "bands", "workload": "w1", "core": "m3", "frame": 300,
                                                    "by_fixel": 1.5025, "ram_bytes": 7, "stack_bytes": 8}]
     other.pixels[0, 1, 1] = 1
     with pytest.raises(ToolError, match="fixel-bands on m3 draws w1 unlike fixel: 1 pixels") as refused:
-        bench_tool.check_variants(drawn, others)
+        bench_report.check_variants(drawn, others)
     assert refused.value.exit_code == 1
 
 

@@ -12,7 +12,7 @@ from conftest import assert_one_sentence, dump_bytes, random_frames, run_cli, ru
 from PIL import Image
 from test_input_bounds import run_bounded
 
-from fixel.report import compare as compare_tool
+from fixel.report import comparison
 from fixel.base import picture
 
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
@@ -249,7 +249,7 @@ def test_every_kind_of_png_is_read_as_pillow_does(tmp_path, mode, options):
     image = Image.fromarray(noise) if mode == "RGBA" else Image.fromarray(noise[..., :3]).convert(mode)
     image.save(file, **options)
     with Image.open(file) as opened:
-        assert (compare_tool.read_png(file) == numpy.asarray(opened.convert("RGBA"))).all()
+        assert (comparison.read_png(file) == numpy.asarray(opened.convert("RGBA"))).all()
 
 
 @pytest.mark.parametrize("tolerance", ["1" * 5000, "0" * 5000, "x" * 5000])

@@ -9,7 +9,7 @@ import tempfile
 import pytest
 from hypothesis import given, strategies as st
 
-from fixel.image import font as font_tool
+from fixel.image import c_font
 from board_programs import ROOT
 from conftest import assert_one_sentence, run_cli
 from fixel.image import bdf
@@ -162,7 +162,7 @@ def test_pictures_of_too_many_bytes_are_refused():
     large = "".join(f"STARTCHAR c\nENCODING {code}\nDWIDTH 255 0\nBBX 255 100 0 0\nBITMAP\n{row * 100}ENDCHAR\n"
                     for code in range(40, 70))
     with pytest.raises(ToolError, match="more than 65,535 bytes"):
-        font_tool.header(bdf.parse(HEAD.replace("ASCENT 7", "ASCENT 100") + large + "ENDFONT\n", "x"), "x", "x", 32, 126)
+        c_font.header(bdf.parse(HEAD.replace("ASCENT 7", "ASCENT 100") + large + "ENDFONT\n", "x"), "x", "x", 32, 126)
 
 
 LINES = st.sampled_from([*SOUND.splitlines(), "BBX 255 255 -255 255", "ENCODING -1", "ENCODING 99999999999", "BITMAP",
@@ -179,7 +179,7 @@ def test_any_lines_give_a_font_or_one_sentence(lines, place, cut):
         file.write_bytes(text.encode("utf-8"))
         sound = taken["sound"]
         with short_refusals(folder):
-            font_tool.export(str(file), str(out))
+            c_font.export(str(file), str(out))
         assert out.exists() == (taken["sound"] > sound)
         if out.exists() and place % 10 == 0:
             check = subprocess.run(["gcc", "-fsyntax-only", "-x", "c", f"-I{ROOT}/lib/include", str(out)], check=False,

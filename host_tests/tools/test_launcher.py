@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+import warm_start
 
 from conftest import CHECKOUT, LAUNCHER, TOOLS, environment
 from fixel import commands
@@ -51,12 +52,30 @@ def test_no_command_is_a_request_for_help():
     assert fixel().stdout == fixel("--help").stdout
 
 
-@pytest.mark.parametrize("name", ["build", "info", "font", "run", "compare"])
-def test_help_of_one_imports_nothing_of_another(name):
-    done = fixel(name, "--help", options=["-X", "importtime"])
-    assert done.returncode == 0 and done.stdout.startswith(f"usage: fixel {name} ")
-    assert "matplotlib" not in done.stderr and "aiohttp" not in done.stderr
-    assert "fixel.launcher" in done.stderr or "fixel.base.errors" in done.stderr
+# Refuses what is neither Python's own nor fixel's.
+WITHOUT_PACKAGES = """
+import importlib.abc, sys
+class Refuse(importlib.abc.MetaPathFinder):
+    def find_spec(self, name, path, target=None):
+        if name.split(".")[0] not in sys.stdlib_module_names and name.split(".")[0] != "fixel":
+            raise ModuleNotFoundError(f"{name} is refused")
+sys.meta_path.insert(0, Refuse())
+sys.path.insert(0, sys.argv[1])
+sys.argv[1:] = sys.argv[2:]
+from fixel import launcher
+launcher.main(sys.argv[1:])
+"""
+
+
+@pytest.mark.parametrize("name", commands.COMMANDS)
+def test_help_needs_no_package(name):
+    done = warm_start.cold([LAUNCHER, str(TOOLS), name, "--help"], CHECKOUT, environment(), WITHOUT_PACKAGES)
+    assert done.returncode == 0 and done.stdout.startswith(f"usage: fixel {name} "), done.stderr
+
+
+def test_the_control_needs_packages():
+    done = warm_start.cold([LAUNCHER, str(TOOLS), "info", "x.fxls"], CHECKOUT, environment(), WITHOUT_PACKAGES)
+    assert done.returncode != 0 and "numpy is refused" in done.stderr
 
 
 def test_an_unknown_command_is_answered_by_the_one_that_was_meant():

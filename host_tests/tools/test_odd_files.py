@@ -9,7 +9,7 @@ import warm_start
 from fixel.board import boot as boot_tool
 from fixel.board import flash as flash_tool
 from fixel.report import pictures as pictures_tool
-from fixel.board import run as run_tool
+from fixel.board import emulator, flashing, judged_run
 from board_programs import BOARD, scene_bytes
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, environment, random_frames, run_cli, without_progress
 from fixel.base import output, progress
@@ -75,9 +75,9 @@ def test_names_of_images_and_dumps(tmp_path, monkeypatch, capsys):
     """What boards are flashed with and run from, without a board."""
     result = type("Result", (), {"board": BOARD, "cpu": "m3", "frames": 2, "seconds": 1.0, "parts": (), "verified": 4,
                                  "sectors_erased": (), "image": tmp_path / ODD})
-    monkeypatch.setattr(boot_tool, "run", lambda *_: result)
-    monkeypatch.setattr(flash_tool, "flash", lambda *_: result)
-    monkeypatch.setattr(flash_tool, "table", lambda *_: "")
+    monkeypatch.setattr(emulator, "run", lambda *_: result)
+    monkeypatch.setattr(flashing, "flash", lambda *_: result)
+    monkeypatch.setattr(flashing, "table", lambda *_: "")
     boot_tool.main(["--board", BOARD, "--elf", "a", "--image", "a", "--dump", ODD])
     flash_tool.main(["--board", BOARD, "--elf", "a", "--scene", "a.fxls", "--image", ODD])
     said = capsys.readouterr().out
@@ -89,7 +89,7 @@ def test_names_of_a_run(capsys):
                "pixels_differing": None, "program": "grey", "polygons": {"in": 1}, "driver": None,
                "instructions_per_frame": {"min": None}, "host_frames_equal": True, "frames_empty": 0,
                "order_wrong_pixels": None, "pixels_unexplained": None, "wires_frames_equal": None, "kept": []}
-    run_tool.print_summary(summary, ODD)
+    judged_run.print_summary(summary, ODD)
     said = capsys.readouterr().out
     assert said.count(SHOWN) == 2 and "\x1b" not in said, said
 

@@ -9,13 +9,11 @@ import subprocess
 import numpy
 import pytest
 
-from fixel.bench import costs as costs_tool
-from fixel.bench import predict as predict_tool
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli
 from fixel.scene import making
 from fixel.image import image, memory_needed
-from fixel.bench import bench_plan, frame_costs
+from fixel.bench import bench_plan, costs_renewal, frame_costs, prediction
 from fixel.board import dump, emulator, flash_memory, fleet
 
 SCENES = ("scenes/spin.toml", "scenes/knot-moving.toml", "examples/game/game.toml")
@@ -63,7 +61,7 @@ def drawn(tmp_path_factory):
 
 
 def test_the_scenes_are_not_in_the_fit():
-    fitted = costs_tool.scenes_of(bench_plan.Plan("build"))
+    fitted = costs_renewal.scenes_of(bench_plan.Plan("build"))
     judged = {scene for _, scene in MEASURED}
     assert not judged & set(fitted) and all((ROOT / scene).exists() for scene in (*judged, *fitted))
 
@@ -160,7 +158,7 @@ def test_the_fit_finds_what_is_there():
 
 def test_the_parts_add_up():
     names, table_of = ["frames", "pixels"], {"frames": 10.0, "pixels": 2.0}
-    parts = predict_tool.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
+    parts = prediction.parts(names, numpy.array([[1, 50], [1, 70]], dtype=float), table_of)
     assert [part[2] for part in parts] == [120, 10]
     assert frame_costs.instructions(table_of, names, numpy.array([[1, 50]])).tolist() == [110]
 

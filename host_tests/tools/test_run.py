@@ -15,6 +15,7 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from PIL import Image
 
+from fixel.board import judged_run
 from fixel.board import run as run_tool
 from fixel.base import scratch
 from fixel.scene import making
@@ -146,7 +147,7 @@ def test_host_is_a_board(build, tmp_path, result):
     ([5, 6, 10], (5, 6, 7, 10)),
 ])
 def test_frames_that_were_not_counted(counts, figures):
-    found = run_tool.instruction_figures([types.SimpleNamespace(instructions=count) for count in counts])
+    found = judged_run.instruction_figures([types.SimpleNamespace(instructions=count) for count in counts])
     assert tuple(found.values()) == figures
 
 
@@ -191,7 +192,7 @@ def spoil(data):
 
 def run_spoilt(tmp_path, monkeypatch, board):
     """The folder of a run of a board, which fails; the host's dump is spoilt."""
-    real = run_tool.walk
+    real = judged_run.walk
 
     def spoiling(walked, *arguments, **more):
         file, cpu = real(walked, *arguments, **more)
@@ -199,7 +200,7 @@ def run_spoilt(tmp_path, monkeypatch, board):
             file.write_bytes(spoil(file.read_bytes()))
         return file, cpu
 
-    monkeypatch.setattr(run_tool, "walk", spoiling)
+    monkeypatch.setattr(judged_run, "walk", spoiling)
     monkeypatch.chdir(CHECKOUT)
     out = tmp_path / "out"
     assert run_tool.main(["--board", board, "--scene", SCENE, "--frames", "2", "--out", str(out)]) == 1
@@ -221,14 +222,14 @@ def test_unexplained_pixels_fail(build, tmp_path, monkeypatch):
 def test_frames_equal_looks_at_pixels_poses_palette_and_count():
     frames = random_frames(2)
     one = dump.parse_dump(dump_bytes(frames), "one")
-    assert run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames, instructions=5), "other"))
+    assert judged_run.frames_equal(one, dump.parse_dump(dump_bytes(frames, instructions=5), "other"))
     other = random_frames(2, seed=2)
-    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(other), "other"))
-    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames[:1]), "other"))
-    assert not run_tool.frames_equal(one, dump.parse_dump(dump_bytes(frames, bytes(768)), "other"))
+    assert not judged_run.frames_equal(one, dump.parse_dump(dump_bytes(other), "other"))
+    assert not judged_run.frames_equal(one, dump.parse_dump(dump_bytes(frames[:1]), "other"))
+    assert not judged_run.frames_equal(one, dump.parse_dump(dump_bytes(frames, bytes(768)), "other"))
     turned = dataclasses.replace(one, frames=[dataclasses.replace(one.frames[0], angles=(0, 0, 0)),
                                               one.frames[1]])
-    assert not run_tool.frames_equal(one, turned)
+    assert not judged_run.frames_equal(one, turned)
 
 
 # --- a walk that cannot be made -----------------------------------------------

@@ -12,7 +12,7 @@ import socket
 
 import numpy
 import pytest
-from fixel.view import record
+from fixel.view import recording
 from PIL import Image
 from conftest import assert_one_sentence, run_cli
 
@@ -548,8 +548,8 @@ def test_the_recording(scene, build, tmp_path):
 
 
 def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
-    monkeypatch.setattr(record, "FORMATS", [(60, 128), (40, 64), (20, 16)])
-    monkeypatch.setattr(record, "SIZE_MAX", 4000)
+    monkeypatch.setattr(recording, "FORMATS", [(60, 128), (40, 64), (20, 16)])
+    monkeypatch.setattr(recording, "SIZE_MAX", 4000)
     noise = numpy.random.default_rng(1)
 
     def width(side, count):
@@ -558,9 +558,9 @@ def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
             block = io.BytesIO()
             Image.fromarray(noise.integers(0, 256, (side, side, 3), dtype=numpy.uint8)).save(block, "PNG")
             shots.append(block.getvalue())
-        data = record.fitting(shots, [100] * count)
+        data = recording.fitting(shots, [100] * count)
         with Image.open(io.BytesIO(data)) as animation:
-            assert len(data) <= record.SIZE_MAX
+            assert len(data) <= recording.SIZE_MAX
             return animation.width
 
     assert width(1, 2) == 60 and width(60, 2) < 60

@@ -10,7 +10,6 @@ from conftest import CHECKOUT, LAUNCHER, TOOLS, environment, without_progress
 from fixel.commands import COMMANDS
 
 
-
 def both(words, program=None, folder=CHECKOUT, **changes):
     """What a command from the server, and one from nothing, end with and say."""
     words = [str(word) for word in words]
@@ -52,16 +51,16 @@ def test_a_process_is_one_of_its_own(tmp_path, program):
 
 
 def test_nothing_is_left_of_the_command_before():
-    change = "import sys; sys.path.insert(0, 'tools'); from fixel.board import run; print(run.PATTERNS); run.PATTERNS.append(1)"
+    change = "import sys; sys.path.insert(0, 'tools'); from fixel.board import judged_run as run; print(run.PATTERNS); run.PATTERNS.append(1)"
     first, second = (warm_start.run(["x"], CHECKOUT, environment(), change).stdout for _ in range(2))
     assert first == second and "frame" in first
 
 
 def test_a_test_changes_no_command(monkeypatch):
-    from fixel.board import run
-    monkeypatch.setattr(run, "PATTERNS", ["changed"])
+    from fixel.board import judged_run
+    monkeypatch.setattr(judged_run, "PATTERNS", ["changed"])
     monkeypatch.setitem(os.environ, "FIXEL_MARK", "changed")
-    words = "import os, sys; sys.path.insert(0, 'tools'); from fixel.board import run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
+    words = "import os, sys; sys.path.insert(0, 'tools'); from fixel.board import judged_run as run; print(run.PATTERNS, os.environ.get('FIXEL_MARK'))"
     assert "changed" not in warm_start.run(["x"], CHECKOUT, {**environment(), "FIXEL_MARK": "mine"}, words).stdout
 
 

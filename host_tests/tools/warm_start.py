@@ -18,7 +18,8 @@ import tempfile
 import threading
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
-PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.command", "fixel.board.run", "fixel.board.flash")
+PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.summary", "fixel.scene.texture",
+             "fixel.board.judged_run", "fixel.board.flashing")
 REQUEST_MAX = 100_000    # characters
 # A process reads these when Python starts.
 READ_AT_START = ("PYTHON", "LC_", "LANG", "OPENBLAS", "LD_")

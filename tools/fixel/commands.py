@@ -60,6 +60,12 @@ ROOMS = {
 COMMANDS = {name: tool for room in ROOMS.values() for name, (tool, _) in room.items()}
 
 
+def parser(name):
+    """The options of a command, as argparse has them. It imports no package."""
+    module = importlib.import_module(COMMANDS[name])
+    return module.parsers()[name] if COMMANDS[name] == SCENE else module.parser()
+
+
 def start(name, words, program="fixel"):
     """Runs a command; the exit code. program: what it says that it is, before its name."""
     module = COMMANDS[name]

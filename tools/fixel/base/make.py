@@ -11,11 +11,16 @@ from fixel import commands
 from fixel.base import make_variables
 
 
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("command", choices=list(make_variables.commands()), metavar="COMMAND", help="as make help lists them")
+    made.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help="of the command")
+    return made
+
+
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("command", choices=make_variables.commands(), metavar="COMMAND", help="as make help lists them")
-    parser.add_argument("options", nargs=argparse.REMAINDER, metavar="OPTION", help="of the command")
-    given = parser.parse_args(argv)
+    given = parser().parse_args(argv)
     words = [*given.options, *make_variables.options(given.command, os.environ)]
     # What the command starts does not have this command's variables: the tests call make.
     for name in make_variables.names():

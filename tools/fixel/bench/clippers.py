@@ -6,107 +6,22 @@ every core drew the frames of the host, 1 not, 2 the comparison could not be run
 """
 
 import argparse
-import pathlib
-import sys
-
-from fixel.base import output, parallel, scratch
-from fixel.bench import clippers_page, clippers_plan, clippers_rows, clippers_run
-from fixel.board import qemu
-from fixel.base.errors import ToolError, one_line
-from fixel.board.programs import read_json
-from fixel.base.table import coloured
-
-PATTERNS = ["clippers.html", "clippers.json"]
-FRAMES_MAX = 100_000
-KEPT, DOCUMENT = pathlib.Path("bench/clippers.json"), pathlib.Path("docs/clipping.md")
 
 
-def compile_scenes(plan, folder, frames):
-    """{(name, whether in a tree): the scene's entry with "file" and "image"} of the scenes that are there."""
-    jobs = {}
-    for name, entry in plan.scenes.items():
-        if clippers_plan.is_here(entry):
-            for tree in sorted({method["tree"] for method in plan.hidden.values()}):
-                jobs[name, tree] = (clippers_plan.compile_scene, plan, entry, folder, tree, frames)
-        else:
-            print(f"left out, because the file is not here: {entry['scene']}", file=sys.stderr)
-    return {key: {**plan.scenes[key[0]], "file": made[0], "image": made[1]}
-            for key, made in parallel.run("compiling scenes", jobs).items()}
-
-
-def measure(plan, cores, folder, frames):
-    """(clippers.json, what the host drew)."""
-    scenes = compile_scenes(plan, folder, frames)
-    tasks = [(each, scene) for each in plan.combinations() for (_, tree), scene in scenes.items()
-             if tree == plan.hidden[each.hidden]["tree"]]
-    hosts = parallel.run("drawing on the host, and judging", {
-        (each.clipper, each.hidden, scene["name"]): (clippers_run.on_host, plan, each, scene, scene["file"], folder)
-        for each, scene in tasks})
-    drawn = parallel.run("drawing on emulated cores", {
-        (core, each, scene["name"]): (clippers_run.on_core, plan, core, each, scene["file"])
-        for core in cores for each, scene in tasks})
-    first = next(iter(plan.hidden))
-    counted = parallel.run("counting the clippers' instructions", {
-        (core, each.clipper, scene["name"]): (clippers_run.operations, plan, core, each.clipper, scene["file"])
-        for core in cores for each, scene in tasks if each.hidden == first and not plan.hidden[first]["tree"]})
-    sizes = {(core, each): clippers_run.size(plan, core, each) for core, each, _ in drawn}
-    images = {(each, scene["name"]): scene for each, scene in tasks}
-    rows = [clippers_rows.row(plan, core, each, images[each, name], hosts[each.clipper, each.hidden, name], one,
-                              sizes[core, each]) for (core, each, name), one in drawn.items()]
-    result = {"frames": {name: scene["image"].frames for (name, _), scene in scenes.items()}, "rows": rows,
-              "operations": clippers_rows.operation_rows(counted, hosts, first)}
-    return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
-
-
-def accept(plan, out):
-    """Takes the run in `out` into docs/clipping.md and bench/clippers.json."""
-    result = read_json(pathlib.Path(out) / "clippers.json")
-    if result["complaints"]:
-        raise ToolError(f"{out}: the comparison failed: {result['complaints'][0]}")
-    missing = {(each.clipper, each.hidden, scene, core) for each in plan.combinations() for scene in plan.scenes
-               for core in plan.cores} - {tuple(row[key] for key in ("clipper", "hidden", "scene", "board"))
-                                          for row in result["rows"]}
-    if missing:
-        raise ToolError(f"{out}: {len(missing)} combinations are missing, for example {' '.join(min(missing))}: "
-                        f"run make clippers without ONLY=, on a machine that has all models")
-    text = clippers_page.replace_tables(DOCUMENT.read_text(encoding="utf-8"), plan, result)
-    output.write_file(KEPT, clippers_rows.as_lines(result))
-    output.write_file(DOCUMENT, text)
-    print(f"{KEPT}, {DOCUMENT}: renewed", file=sys.stderr)
-
-
-def read_options(argv):
-    """The command line, checked."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cores", nargs="*", default=list(clippers_plan.CORES), help="cores to measure; their programs are built")
-    parser.add_argument("--frames", type=int, help="number of frames of each scene, spread over its path (FRAMES=)")
-    parser.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
-    parser.add_argument("--out", default="build/clippers", help="folder for the results")
-    parser.add_argument("--build", default="build", help="folder that make builds in")
-    parser.add_argument("--accept", action="store_true",
-                        help="only take the run in --out into docs/clipping.md and bench/clippers.json")
-    options = parser.parse_args(argv)
-    if options.frames is not None and not 1 <= options.frames <= FRAMES_MAX:
-        parser.error(f"--frames {options.frames} is outside 1..{FRAMES_MAX}")
-    return options
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--cores", nargs="*", help="cores to measure, whose programs are built; all without")
+    made.add_argument("--frames", type=int, help="number of frames of each scene, spread over its path (FRAMES=)")
+    made.add_argument("--only", default="", help="names of clippers, methods, scenes, cores (ONLY=)")
+    made.add_argument("--out", default="build/clippers", help="folder for the results")
+    made.add_argument("--build", default="build", help="folder that make builds in")
+    made.add_argument("--accept", action="store_true",
+                      help="only take the run in --out into docs/clipping.md and bench/clippers.json")
+    return made
 
 
 def main(argv):
-    options = read_options(argv)
-    plan = clippers_plan.Plan(options.build, options.only)
-    if options.accept:
-        accept(plan, options.out)
-        return 0
-    qemu.find_qemu()
-    cores = [core for core in plan.cores if core in options.cores]
-    with output.replaced_folder(options.out, PATTERNS) as folder, \
-            scratch.folder("clippers", options.build) as work:
-        result, hosts = measure(plan, cores, work, options.frames)
-        output.write_json(folder / "clippers.json", result)
-        output.write_file(folder / "clippers.html", clippers_page.render(plan, result, hosts))
-    print(clippers_page.terminal(plan, result))
-    for sentence in result["complaints"]:
-        print(f"{coloured('FAIL', 'red')}: {sentence}")
-    word = coloured("FAIL", "red") if result["complaints"] else coloured("pass", "green")
-    print(f"{word}: {one_line(options.out)}/clippers.html, {one_line(options.out)}/clippers.json")
-    return 1 if result["complaints"] else 0
+    options = parser().parse_args(argv)
+    from fixel.bench import clippers_report
+    return clippers_report.command(options)

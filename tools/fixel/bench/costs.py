@@ -7,96 +7,6 @@ execute for them, with the memory of a large board down to that of a small one. 
 """
 
 import argparse
-import pathlib
-import sys
-
-import numpy as np
-
-from fixel.base import output, parallel, scratch
-from fixel.scene import making
-from fixel.bench import bench_plan, bench_run, frame_costs
-from fixel.board import fleet, methods, qemu
-from fixel.image import image
-from fixel.base.errors import ToolError
-from fixel.base.table import table
-
-FRAMES = 30         # of each scene, at most
-LOOKS_BYTES = 65536     # more than motions, light and surfaces of a scene take
-MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "bench/costs_surfaces.toml", "bench/costs_rooms.toml",
-        "bench/costs_lights.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml", "scenes/landscape.toml")
-STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
-STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml")
-STACK_FRAMES = 4
-
-
-def scenes_of(plan):
-    """The scenes of the fit."""
-    return [each["scene"] for each in plan.workloads.values()] + list(MORE)
-
-
-def measure(plan, core, size, settings, file):
-    """(counts, instructions) of the frames of a scene image. settings: rows of a band, words of the list, entries of
-    the cache."""
-    scene = image.load(file)
-    rows, words, cache = settings
-    # The bench's programs have memory of their own for motions, light and surfaces, so the list has all its words.
-    names, counts = frame_costs.count(plan.build, file, rows * scene.width, 0, 4 * words + LOOKS_BYTES, cache, 4 * words, FRAMES)
-    drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
-    return names, counts, np.array(drawn.instructions, dtype=float)
-
-
-def fit(core, measured):
-    """Costs of a core, and the error of each scene's mean frame; each program and scene has the same weight."""
-    names = next(iter(measured.values()))[0]
-    rows = np.concatenate([counts for _, counts, _ in measured.values()])
-    wanted = np.concatenate([taken for *_, taken in measured.values()])
-    weights = np.concatenate([np.full(len(taken), 1 / len(taken)) for *_, taken in measured.values()])
-    found = frame_costs.fit(rows, wanted, weights)
-    errors = {key: float((counts @ found).mean() / taken.mean() - 1) for key, (_, counts, taken) in measured.items()}
-    return dict(zip(names, (round(float(cost), 3) for cost in found))), errors
-
-
-def cores(plan, names, sizes, folder):
-    """{core: costs}, and a table of errors."""
-    files = {}
-    for source in scenes_of(plan):
-        files[source] = pathlib.Path(folder) / f"{pathlib.Path(source).stem}.fxls"
-        making.build(source, files[source])
-    jobs = {(core, size, source): (measure, plan, core, size, settings, file)
-            for core in names for size, settings in sizes.items() for source, file in files.items()}
-    measured, result, rows = parallel.run("measuring", jobs), {}, []
-    for core in names:
-        own = {key[1:]: found for key, found in measured.items() if key[0] == core}
-        result[core], errors = fit(core, own)
-        rows += [[core, source, *(f"{100 * errors[size, source]:+.1f} %" for size in sizes)] for source in files]
-    return result, table(rows, ["core", "scene", *sizes])
-
-
-def deepest_stack(board, elf, sources, room, folder):
-    """Bytes of the deepest stack that the walk saw in these scenes; None where it has room for none of them."""
-    seen = []
-    for source in sources:
-        file = pathlib.Path(folder) / f"{board}-{pathlib.Path(source).stem}.fxls"
-        making.build(source, file, frames=STACK_FRAMES)
-        if file.stat().st_size > room:
-            continue
-        try:
-            seen.append(fleet.stack_seen(board, elf, file, pathlib.Path(folder)))
-        except ToolError:
-            continue    # no room for the scene's order, motions or surfaces
-    return max(filter(None, seen), default=None)
-
-
-def board_sizes(board, build, folder):
-    """What the walk takes on a board, and the deepest stack that it saw: without, and with light and surfaces."""
-    elf = methods.elf_of(board, build)
-    sizes = fleet.sizes(elf)
-    plain = deepest_stack(board, elf, STACK_SCENES, sizes["scene_room"], folder)
-    looks = deepest_stack(board, elf, STACK_LOOKS, sizes["scene_room"], folder)
-    if plain is None:
-        raise ToolError(f"{board}: no scene of {', '.join(STACK_SCENES)} fits", exit_code=1)
-    return {**sizes, "stack_seen": plain, "stack_seen_looks": max(plain, looks or 0),
-            "stack_reserved": fleet.stack_reserved(elf)}
 
 
 def setting(text):
@@ -105,22 +15,17 @@ def setting(text):
     return name, tuple(map(int, numbers.split(":")))
 
 
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--cores", nargs="*", default=[], help="others stay as they are in the file")
+    made.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES", help="of the cores' programs")
+    made.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
+    made.add_argument("--build", default="build", help="folder that make builds in")
+    return made
+
+
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cores", nargs="*", default=[], help="others stay as they are in the file")
-    parser.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES", help="of the cores' programs")
-    parser.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
-    parser.add_argument("--build", default="build", help="folder that make builds in")
-    options = parser.parse_args(argv)
-    plan = bench_plan.Plan(options.build)
-    qemu.find_qemu()
-    if options.cores and not options.sizes:
-        raise ToolError("--cores needs --sizes")
-    known = frame_costs.load() if frame_costs.FILE.exists() else {"cores": {}, "boards": {}}
-    with scratch.folder("costs") as folder:
-        found, errors = cores(plan, options.cores, dict(options.sizes or []), folder) if options.cores else ({}, "")
-        boards = {board: board_sizes(board, options.build, folder) for board in options.boards}
-    output.write_json(frame_costs.FILE, {"cores": {**known["cores"], **found}, "boards": {**known["boards"], **boards}})
-    print(errors)
-    print(f"{frame_costs.FILE}", file=sys.stderr)
-    return 0
+    options = parser().parse_args(argv)
+    from fixel.bench import costs_renewal
+    return costs_renewal.command(options)

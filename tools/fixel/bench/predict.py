@@ -5,117 +5,30 @@ Exit: 0 the board has room for the scene, 1 it has not, 2 there is no prediction
 """
 
 import argparse
-import json
-import pathlib
-import sys
 
-from fixel.board import run as run_tool
-from fixel.base import output, scratch
-from fixel.scene import making
-from fixel.bench import frame_costs
-from fixel.image import image, memory_needed
 from fixel.base import bounded
-from fixel.base.errors import ToolError, one_line
-from fixel.base.table import coloured, table
 
 
-def board_of(options, known):
-    """The board's entry of bench/costs.json, and the core whose costs it has."""
-    core = frame_costs.core_of(options.core)
-    if core is None or options.board not in known["boards"]:
-        raise ToolError(f"{options.board}: {frame_costs.FILE.name} has no costs of its core and flags "
-                        f"({' '.join(options.core.split()) or 'none'}); the boards are: {', '.join(known['boards'])}")
-    return known["boards"][options.board], core
-
-
-def count(options, scene, size, board, file):
-    """frame_costs.count with the board's settings; NoRoom says what the board has no room for."""
-    needed = memory_needed.order_needed(scene)
-    if size > board["scene_room"]:
-        raise frame_costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
-    if needed > options.order:
-        raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
-    if options.without_surfaces and scene.surfaces:
-        raise frame_costs.NoRoom("the board has no room to draw surfaces (VISIBILITY=surfaces builds a program that draws them)")
-    return frame_costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
-                       options.frames or 0, options.scene)
-
-
-def parts(names, counts, table_of):
-    """[(what, how many a frame, instructions a frame)], the most first."""
-    means = counts.mean(axis=0)
-    found = [(frame_costs.NAMES.get(name, name), mean, mean * table_of[name]) for name, mean in zip(names, means)]
-    return sorted((each for each in found if each[2] > 0), key=lambda each: -each[2])
-
-
-def predict(options, file):
-    """The prediction for a scene image, as plain data."""
-    known = frame_costs.load()
-    board, core = board_of(options, known)
-    scene, size = image.load(file), pathlib.Path(file).stat().st_size
-    result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "why_not": None, **frame_costs.memory(board, size, bool(scene.surfaces or scene.light)), "instructions_per_frame": None,
-              "ram_of_your_program": memory_needed.of_program(scene), "parts": []}
-    try:
-        names, counts = count(options, scene, size, board, file)
-    except frame_costs.NoRoom as error:
-        return {**result, "why_not": str(error)}
-    taken = frame_costs.instructions(known["cores"][core], names, counts)
-    result["frames"] = len(taken)
-    result["instructions_per_frame"] = {"min": round(taken.min()), "mean": round(taken.mean()), "max": round(taken.max())}
-    result["parts"] = [{"what": what, "times": round(float(times), 1), "instructions": round(float(spent))}
-                       for what, times, spent in parts(names, counts, known["cores"][core])]
-    return result
-
-
-def print_prediction(result):
-    """For people."""
-    flash, ram, stack, taken = (result[key] for key in ("flash", "ram", "stack", "instructions_per_frame"))
-    rows = [["board", f"{result['board']}, costs of core {result['core']}"],
-            ["scene", f"{one_line(result['scene'])}, {result['frames']} frames"],
-            ["flash", f"{flash['program']:,} program + {flash['scene']:,} scene = {flash['program'] + flash['scene']:,} of "
-                      f"{flash['of']:,} bytes; the scene's part has {flash['scene_room']:,}"],
-            ["RAM of the walk", f"{ram['program']:,} of {ram['of']:,} bytes, with stacks"],
-            ["RAM of your program", "renderer and memory {without_list:,} bytes without a display list; {moderate:,} with NAME_MEMORY "
-                                    "of the exported header; {with_list:,} with a list of every polygon; and the pixels".format(
-                                        **result["ram_of_your_program"])],
-            ["stack", f"{stack['seen']:,} of {stack['reserved']:,} bytes"]]
-    if taken:
-        rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
-    print(table(rows))
-    if result["parts"]:
-        print(table([[part["what"], part["times"], part["instructions"]] for part in result["parts"][:8]],
-                    ["most of them for", "times a frame", "instructions"]))
-    if result["why_not"]:
-        print(f"{coloured('no room', 'red')}: {one_line(result['why_not'])}")
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--board", required=True)
+    made.add_argument("--core", default="", help="the compiler's flags for the board's core")
+    made.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
+    for name, what in (("band", "bytes of a band"), ("order", "entries of the order"), ("list", "bytes of the display list"),
+                       ("cache", "entries of the vertex cache")):
+        made.add_argument(f"--{name}", type=int, required=True, help=what)
+    made.add_argument("--list-most", type=int, default=0, help="bytes that limit the display list alone")
+    made.add_argument("--without-surfaces", action="store_true", help="the board's program draws none")
+    made.add_argument("--frames", help="number of frames (default: the whole path)")
+    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(made)
+    made.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")
+    made.add_argument("--build", default="build", help="folder that make builds in")
+    return made
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--board", required=True)
-    parser.add_argument("--core", default="", help="the compiler's flags for the board's core")
-    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
-    for name, what in (("band", "bytes of a band"), ("order", "entries of the order"), ("list", "bytes of the display list"),
-                       ("cache", "entries of the vertex cache")):
-        parser.add_argument(f"--{name}", type=int, required=True, help=what)
-    parser.add_argument("--list-most", type=int, default=0, help="bytes that limit the display list alone")
-    parser.add_argument("--without-surfaces", action="store_true", help="the board's program draws none")
-    parser.add_argument("--frames", help="number of frames (default: the whole path)")
-    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    bounded.add_options(parser)
-    parser.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")
-    parser.add_argument("--build", default="build", help="folder that make builds in")
-    options = parser.parse_args(argv)
-    options.frames = run_tool.frame_count(options.frames) if options.frames is not None else None
-    screen = making.parse_screen(options.screen) if options.screen else None
-    output.make_folder(options.build)
-    with scratch.folder("predict", options.build) as folder:
-        result = predict(options, run_tool.make_scene_image(options.scene, folder, options.frames, screen, bounded.limits_of(options)))
-    if options.json == "-":
-        print(json.dumps(result, indent=1))
-    else:
-        print_prediction(result)
-        if options.json:
-            output.write_json(options.json, result)
-            print(f"JSON: {one_line(options.json)}", file=sys.stderr)
-    return 1 if result["why_not"] else 0
+    options = parser().parse_args(argv)
+    from fixel.bench import prediction
+    return prediction.command(options)

@@ -2,69 +2,27 @@
 """Writes a program and a scene to a board: to its persistent flash image, or by a debug probe to the real one."""
 
 import argparse
-import itertools
-import pathlib
 
-from fixel.scene import making
-from fixel.board import probe
-from fixel.base import bounded, output
-from fixel.base.errors import ToolError, one_line
-from fixel.board.flash_memory import flash
-from fixel.base.table import table
-from fixel.board.run import frame_count, make_scene_image
+from fixel.base import bounded
 
 
-def sectors(sizes):
-    """Sectors in words, as "4 of 16384 and 1 of 65536 bytes"."""
-    runs = [(len(list(run)), size) for size, run in itertools.groupby(sizes)]
-    return " and ".join(f"{count} of {size}" for count, size in runs) + " bytes"
-
-
-def scene_image(options):
-    """The scene image of --scene: itself, or the one that is compiled into the folder of --scenes."""
-    scene = pathlib.Path(options.scene)
-    if scene.suffix == ".fxls":
-        return make_scene_image(options.scene, None, options.frames, options.screen)
-    image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
-    output.make_folder(image.parent)
-    making.tell(image, making.build(options.scene, image, options.frames, options.screen,
-                                           limits=bounded.limits_of(options)))
-    return image
-
-
-def write_image(options, scene):
-    result = flash(options.board, options.elf, scene, options.image)
-    rows = [(part.name, f"{part.address:#010x}", part.size, part.room) for part in result.parts]
-    print(table(rows, ("part", "address", "bytes", "of")))
-    if result.sectors_erased:
-        print(f"{len(result.sectors_erased)} sectors erased and programmed: {sectors(result.sectors_erased)}")
-    print(f"{result.verified} bytes verified: {one_line(result.image)}")
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__)
+    made.add_argument("--board", required=True, help="the board of the program and the scene")
+    made.add_argument("--elf", required=True, help="the program")
+    made.add_argument("--scene", required=True, help="a scene image (.fxls), or a .toml or a model (.obj, .gltf, .glb, .stl) to compile")
+    made.add_argument("--scenes", default="build/scenes", help="folder for the compiled scene image")
+    made.add_argument("--frames", help="number of frames (default: the whole path)")
+    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    made.add_argument("--image", required=True, help="the flash image to write")
+    made.add_argument("--probe", default="", help="openocd: program the real board instead")
+    made.add_argument("--dry-run", action="store_true", help="with --probe: only print the command")
+    bounded.add_options(made)
+    return made
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", required=True, help="the board of the program and the scene")
-    parser.add_argument("--elf", required=True, help="the program")
-    parser.add_argument("--scene", required=True, help="a scene image (.fxls), or a .toml or a model (.obj, .gltf, .glb, .stl) to compile")
-    parser.add_argument("--scenes", default="build/scenes", help="folder for the compiled scene image")
-    parser.add_argument("--frames", help="number of frames (default: the whole path)")
-    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    parser.add_argument("--image", required=True, help="the flash image to write")
-    parser.add_argument("--probe", default="", help="openocd: program the real board instead")
-    parser.add_argument("--dry-run", action="store_true", help="with --probe: only print the command")
-    bounded.add_options(parser)
-    options = parser.parse_args(argv)
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = making.parse_screen(options.screen) if options.screen else None
-    if options.probe and options.probe not in probe.PROBES:
-        raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
-    if options.dry_run and not options.probe:
-        raise ToolError("DRY_RUN needs a PROBE")
-    scene = scene_image(options)
-    if options.probe:
-        probe.program_board(options.board, options.elf, scene, options.dry_run)
-        if not options.dry_run:
-            print(f"{options.board}: program and scene programmed and verified")
-    else:
-        write_image(options, scene)
-    return 0
+    options = parser().parse_args(argv)
+    from fixel.board import flashing
+    return flashing.command(options)

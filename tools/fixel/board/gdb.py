@@ -4,15 +4,20 @@
 import argparse
 
 from fixel.board.boot import positive
-from fixel.board.debugger import debug
+
+
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__)
+    made.add_argument("--board", required=True, help="the board of the image and the program")
+    made.add_argument("--image", required=True, help="the flash image")
+    made.add_argument("--elf", required=True, help="the program that the image holds")
+    made.add_argument("--frames", type=positive, help="number of frames (default: the whole path)")
+    made.add_argument("--commands", help="a file of GDB commands (default: GDB asks for them)")
+    return made
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--board", required=True, help="the board of the image and the program")
-    parser.add_argument("--image", required=True, help="the flash image")
-    parser.add_argument("--elf", required=True, help="the program that the image holds")
-    parser.add_argument("--frames", type=positive, help="number of frames (default: the whole path)")
-    parser.add_argument("--commands", help="a file of GDB commands (default: GDB asks for them)")
-    options = parser.parse_args(argv)
-    return debug(options.board, options.elf, options.image, options.frames, options.commands)
+    options = parser().parse_args(argv)
+    from fixel.board import debugger
+    return debugger.debug(options.board, options.elf, options.image, options.frames, options.commands)

@@ -3,7 +3,6 @@
 
 import pathlib
 
-from fixel.board import firmware
 from fixel.image import image_header
 
 
@@ -49,4 +48,5 @@ def judge_options(options):
 
 def elf_of(board, build, name=WALK):
     """A program built for a board."""
+    from fixel.board import firmware    # it needs a package, and whoever reads the options of a command needs none
     return pathlib.Path(build) / "boards" / board / f"{name}{'' if board == firmware.HOST else '.elf'}"

@@ -20,16 +20,21 @@ from fixel.check import clang_coverage
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 
 
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--library", required=True, help="the library with counters, a shared object")
+    made.add_argument("--tests", nargs="+", required=True, help="unit tests that load it")
+    made.add_argument("--replay", nargs=2, action="append", default=[], metavar=("PROGRAM", "CORPUS"),
+                      help="a program that replays a corpus, and the corpus")
+    made.add_argument("--version", default="19", help="of LLVM's tools (default: 19)")
+    made.add_argument("--out", required=True, help="the JSON file")
+    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    return made
+
+
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--library", required=True, help="the library with counters, a shared object")
-    parser.add_argument("--tests", nargs="+", required=True, help="unit tests that load it")
-    parser.add_argument("--replay", nargs=2, action="append", default=[], metavar=("PROGRAM", "CORPUS"),
-                        help="a program that replays a corpus, and the corpus")
-    parser.add_argument("--version", default="19", help="of LLVM's tools (default: 19)")
-    parser.add_argument("--out", required=True, help="the JSON file")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    options = parser.parse_args(argv)
+    options = parser().parse_args(argv)
     programs = [[test] for test in options.tests]
     programs += [[program, *sorted(pathlib.Path(corpus).iterdir())] for program, corpus in options.replay]
     library = pathlib.Path(options.library).resolve()

@@ -10,6 +10,9 @@ import pathlib
 
 from fixel.base import output
 from fixel.base.errors import ToolError
+from fixel.board import dump
+from fixel.board.programs import run_program
+from fixel.scene import making
 
 FILE = pathlib.Path(__file__).resolve().parents[3] / "host_tests" / "judges" / "frames" / "hashes.json"
 DIGITS = 16     # of a frame's SHA-256: 64 bits
@@ -47,3 +50,27 @@ def difference(record, drawn):
     if ours["counters"] != record["counters"]:
         return f"counters are {ours['counters']}, on record are {record['counters']}"
     return ""
+
+
+def drawn_by_host(image, build, folder):
+    """The frames of an image as build/host/frames draws them."""
+    out = folder / "frames.fxld"
+    run_program([pathlib.Path(build) / "host" / "frames", image, out])
+    return dump.read_dump(out)
+
+
+def add(scene, records, build, folder, name=None, layers=None):
+    """Adds a scene's record; answers what was done, as a word. layers: those that are to have a tree, instead of what the
+    scene says."""
+    image = pathlib.Path(scene)
+    if image.suffix != ".fxls":
+        image = folder / "scene.fxls"
+        making.build(str(scene), str(image), layers=layers)
+    name, drawn = name or pathlib.Path(scene).stem, drawn_by_host(image, build, folder)
+    if name in records:
+        wrong = difference(records[name], drawn)
+        if wrong:
+            raise ToolError(f"{scene}: {wrong}", exit_code=1)
+        return "on record"
+    records[name] = record_of(drawn)
+    return "added"

@@ -310,17 +310,22 @@ def print_result(result, total):
               f"{result['executions']:,} executions")
 
 
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--seconds", type=int, default=60, help="time of fuzzing")
+    made.add_argument("--examples", type=int, default=0,
+                      help="first give the tools so many random inputs a test; --seconds chooses which")
+    made.add_argument("--build", default="build", help="folder of the programs")
+    made.add_argument("--clang", default="clang", help="the clang that built them")
+    made.add_argument("--renew-corpus", action="store_true",
+                      help="then renew the corpus of the repository")
+    made.add_argument("--add-records", action="store_true", help="fuzz nothing, add records of the corpus's new inputs")
+    return made
+
+
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seconds", type=int, default=60, help="time of fuzzing")
-    parser.add_argument("--examples", type=int, default=0,
-                        help="first give the tools so many random inputs a test; --seconds chooses which")
-    parser.add_argument("--build", default="build", help="folder of the programs")
-    parser.add_argument("--clang", default="clang", help="the clang that built them")
-    parser.add_argument("--renew-corpus", action="store_true",
-                        help="then renew the corpus of the repository")
-    parser.add_argument("--add-records", action="store_true", help="fuzz nothing, add records of the corpus's new inputs")
-    options = parser.parse_args(argv)
+    options = parser().parse_args(argv)
     if options.seconds < 1:
         raise ToolError(f"--seconds {options.seconds} is less than 1")
     build = pathlib.Path(options.build).resolve()

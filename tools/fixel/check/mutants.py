@@ -118,18 +118,23 @@ def run(part, drawn, options, known):
     return {**judge(tried, options.seed), "left_out": part.left_out()}
 
 
-def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--part", choices=sorted(PARTS), help="only the library's or the tools' mutants")
-    parser.add_argument("--seed", type=int, required=True, help="of the choice of mutants")
-    parser.add_argument("--count", type=int, default=100, help="so many mutants of each part")
-    parser.add_argument("--only", default="", help="only of files with this in their path")
-    parser.add_argument("--least", type=float, default=0.0, help="per cent that must be killed")
-    parser.add_argument("--build", default="build", help="the build folder")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--part", choices=sorted(PARTS), help="only the library's or the tools' mutants")
+    made.add_argument("--seed", type=int, required=True, help="of the choice of mutants")
+    made.add_argument("--count", type=int, default=100, help="so many mutants of each part")
+    made.add_argument("--only", default="", help="only of files with this in their path")
+    made.add_argument("--least", type=float, default=0.0, help="per cent that must be killed")
+    made.add_argument("--build", default="build", help="the build folder")
+    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     for part in PARTS.values():
-        part.add_options(parser)
-    options = parser.parse_args(argv)
+        part.add_options(made)
+    return made
+
+
+def main(argv):
+    options = parser().parse_args(argv)
     os.nice(NICE)
     known = survivors.load(CHECKOUT / KNOWN, CHECKOUT, mutants_of)
     scratch = pathlib.Path(options.build).resolve() / "mutants"

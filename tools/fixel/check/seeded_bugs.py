@@ -21,7 +21,6 @@ import subprocess
 import sys
 import threading
 
-from fixel.check import equality
 from fixel.check import bugs as records
 from fixel.base import children, limits, sampling
 from fixel.base.errors import ToolError
@@ -87,7 +86,8 @@ def build_tests(folder, tests, jobs):
 def run_test(folder, test):
     """None if the program passes, else its first words of failure."""
     if test in EQUALITY:
-        return equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
+        from fixel.check import kernel_equality     # it needs packages, and whoever reads the options needs none
+        return kernel_equality.first_difference(folder / target(test), EQUALITY_THOUSANDS, TEST_CPU)
     try:
         done = limits.run([str(folder / target(test))], TEST_CPU, merge=True, text=True, cwd=folder)
     except limits.LimitError as error:
@@ -166,14 +166,19 @@ def print_verdicts(verdicts):
     print(f"{caught} of {len(verdicts)} bugs caught")
 
 
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--build", default="build", help="the build folder")
+    made.add_argument("--root", default=str(CHECKOUT), help="the checkout to copy from")
+    made.add_argument("--only", default="", help="only bugs with this in their marker, name or kind")
+    made.add_argument("--sample", type=int, default=0, help="so many of the bugs (all)")
+    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    return made
+
+
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--build", default="build", help="the build folder")
-    parser.add_argument("--root", default=str(CHECKOUT), help="the checkout to copy from")
-    parser.add_argument("--only", default="", help="only bugs with this in their marker, name or kind")
-    parser.add_argument("--sample", type=int, default=0, help="so many of the bugs (all)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    options = parser.parse_args(argv)
+    options = parser().parse_args(argv)
     bugs = [bug for bug in records.read(options.root) if options.only in f"{bug.marker} {bug.name} {bug.kind}"]
     if not bugs:
         raise ToolError(f"no bug has '{options.only}' in its marker, name or kind")

@@ -4,19 +4,23 @@
 import argparse
 import pathlib
 
-from fixel.base import output, picture
-from fixel.report import examples
+
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__)
+    made.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
+    made.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
+    made.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
+    made.add_argument("--crowd", action="store_true", help="examples/crowd")
+    made.add_argument("--crate", action="store_true", help="examples/crate")
+    made.add_argument("--neon", action="store_true", help="examples/neon")
+    return made
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
-    parser.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
-    parser.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
-    parser.add_argument("--crowd", action="store_true", help="examples/crowd")
-    parser.add_argument("--crate", action="store_true", help="examples/crate")
-    parser.add_argument("--neon", action="store_true", help="examples/neon")
-    options = parser.parse_args(argv)
+    options = parser().parse_args(argv)
+    from fixel.base import output, picture
+    from fixel.report import examples
     if options.neon:
         output.write_file(options.out, picture.png_bytes(picture.rgb565_image(examples.draw_neon(options.library))))
         return 0

@@ -3,59 +3,24 @@
 
 import argparse
 
-from fixel.base import kept, output, picture, scratch
-from fixel.scene import making
-from fixel.board import dump
+from fixel.base import kept
 from fixel.base import bounded
-from fixel.base.errors import one_line
-from fixel.board.programs import HostPrograms
-from fixel.base.progress import Progress, steps
-from fixel.board.run import frame_count, make_scene_image
-
-PATTERNS = [*output.numbered("frame_", ".png"), "walk.gif", "summary.json"]
 
 
-def passes(summary):
-    """Whether both line clippers and the reference renderer agree, except in explained pixels."""
-    return summary["pixels_disagreeing"] == 0 and summary["pixels_unexplained"] == 0
-
-
-def run(options, folder):
-    """Draws and compares; the pictures go into folder. The summary."""
-    output.make_folder(options.build)
-    with scratch.folder("wire", options.build) as work:
-        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
-        with Progress("drawing wireframes, and judging them against double"):
-            store = kept.Kept(options.build, options.fresh)
-            found = HostPrograms(options.build, store).wire(image, work / "wire.fxld", work / "wire.json", options.frames)
-        drawn = dump.read_dump(work / "wire.fxld")
-    for frame in steps("writing pictures", drawn.frames):
-        picture.palette_image(frame.pixels, drawn.palette).save(folder / f"frame_{frame.number:04d}.png")
-    (folder / "walk.gif").write_bytes(
-        picture.animation_bytes([frame.pixels for frame in drawn.frames], drawn.palette))
-    return {"scene": options.scene, "kept": store.parts, **found}
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__)
+    made.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
+    made.add_argument("--frames", help="number of frames (default: the whole path)")
+    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(made)
+    made.add_argument("--out", default="build/wire", help="folder for the results")
+    made.add_argument("--build", default="build", help="folder that make builds in")
+    kept.add_option(made)
+    return made
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
-    parser.add_argument("--frames", help="number of frames (default: the whole path)")
-    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    bounded.add_options(parser)
-    parser.add_argument("--out", default="build/wire", help="folder for the results")
-    parser.add_argument("--build", default="build", help="folder that make builds in")
-    kept.add_option(parser)
-    options = parser.parse_args(argv)
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = making.parse_screen(options.screen) if options.screen else None
-    with output.replaced_folder(options.out, PATTERNS) as folder:
-        summary = run(options, folder)
-        output.write_json(folder / "summary.json", summary)
-    print(f"lines drawn            {summary['lines']:,} in {summary['frames']} frames, "
-          f"{summary['clipped']:,} of them cut")
-    print(f"intersections          {summary['intersections_by_planes']:,} plane by plane, "
-          f"{summary['intersections_by_codes']:,} by outcodes")
-    print(f"differ from double     {summary['pixels_differing']:,} of {summary['pixels_drawn']:,} pixels drawn")
-    print(f"unexplained            {summary['pixels_unexplained']}")
-    print(f"{'pass' if passes(summary) else 'FAIL'}: {one_line(options.out)}")
-    return 0 if passes(summary) else 1
+    options = parser().parse_args(argv)
+    from fixel.report import wireframes
+    return wireframes.command(options)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""A program and a scene written to a board: to its flash image, or by a debug probe to the real one."""
+
+import itertools
+import pathlib
+
+from fixel.scene import making
+from fixel.board import probe
+from fixel.base import bounded, output
+from fixel.base.errors import ToolError, one_line
+from fixel.board.flash_memory import flash
+from fixel.base.table import table
+from fixel.scene.scene_image import frame_count, make_scene_image
+
+
+def sectors(sizes):
+    """Sectors in words, as "4 of 16384 and 1 of 65536 bytes"."""
+    runs = [(len(list(run)), size) for size, run in itertools.groupby(sizes)]
+    return " and ".join(f"{count} of {size}" for count, size in runs) + " bytes"
+
+
+def scene_image(options):
+    """The scene image of --scene: itself, or the one that is compiled into the folder of --scenes."""
+    scene = pathlib.Path(options.scene)
+    if scene.suffix == ".fxls":
+        return make_scene_image(options.scene, None, options.frames, options.screen)
+    image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
+    output.make_folder(image.parent)
+    making.tell(image, making.build(options.scene, image, options.frames, options.screen,
+                                    limits=bounded.limits_of(options)))
+    return image
+
+
+def write_image(options, scene):
+    result = flash(options.board, options.elf, scene, options.image)
+    rows = [(part.name, f"{part.address:#010x}", part.size, part.room) for part in result.parts]
+    print(table(rows, ("part", "address", "bytes", "of")))
+    if result.sectors_erased:
+        print(f"{len(result.sectors_erased)} sectors erased and programmed: {sectors(result.sectors_erased)}")
+    print(f"{result.verified} bytes verified: {one_line(result.image)}")
+
+
+def command(options):
+    """The command; its exit code."""
+    options.frames = frame_count(options.frames) if options.frames is not None else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
+    if options.probe and options.probe not in probe.PROBES:
+        raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
+    if options.dry_run and not options.probe:
+        raise ToolError("DRY_RUN needs a PROBE")
+    scene = scene_image(options)
+    if options.probe:
+        probe.program_board(options.board, options.elf, scene, options.dry_run)
+        if not options.dry_run:
+            print(f"{options.board}: program and scene programmed and verified")
+    else:
+        write_image(options, scene)
+    return 0

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: MIT
+"""A scene's path drawn on a board, and compared with the host and with double."""
+
+import shutil
+import statistics
+import sys
+
+import numpy
+
+from fixel.base import bounded, kept, output, picture, scratch, spent
+from fixel.scene import making
+from fixel.board import drawing, dump, emulator, firmware, methods, wires
+from fixel.model import close_faces
+from fixel.image import image as scene_image
+from fixel.base.errors import ToolError, one_line
+from fixel.board.programs import HostPrograms
+from fixel.base.progress import Progress, steps
+from fixel.scene.scene_image import frame_count, make_scene_image
+from fixel.base.table import coloured, table
+
+# The files of a result; the last one comes last and goes first, so that a folder with it is whole.
+PATTERNS = [*output.numbered("frame_", ".png"), *output.numbered("diff_", ".png"), "walk.gif", "board.fxld", "double.fxld",
+            "summary.json"]
+RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer path every second, third ...
+ORDER_ADVICE = """\
+Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
+and the picture is not what one would see. Split large models into convex objects, set "layer", draw with a depth
+buffer (VISIBILITY=depth), or give the scene a tree:  tree = "all"  in the scene file, or of a model
+tools/scene.py build MODEL -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
+
+
+def walk(board, options, image, folder, name, record=None, part="board"):
+    """The dump that a board leaves after a program has run, and the board's core. record: where the wires' is to be."""
+    elf = methods.elf_of(board, options.build, name)
+    cpu = firmware.load(elf, board).cpu
+    with Progress(f"drawing on {board} ({cpu})") as progress:
+        return drawing.draw(options.kept, part, board, elf, image, folder, options.frames, progress=progress,
+                            record=record), cpu
+
+
+def frames_equal(a, b):
+    """Whether two dumps hold the same pictures of the same poses, byte for byte."""
+    return (a.width, a.height, len(a.frames)) == (b.width, b.height, len(b.frames)) \
+        and numpy.array_equal(a.palette, b.palette) \
+        and all(numpy.array_equal(one.pixels, other.pixels)
+                and (one.position, one.angles) == (other.position, other.angles)
+                for one, other in zip(a.frames, b.frames))
+
+
+def polygon_totals(frames):
+    """What became of the polygons, over all frames."""
+    total = {name: sum(frame.counters[name] for frame in frames) for name in dump.COUNTERS}
+    return {"in": total["in"],
+            "culled": total["backfacing"] + total["outside"] + total["degenerate"],
+            "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"],
+            "spilled": total["spilled"]}
+
+
+def instruction_figures(frames):
+    """Instructions a frame; null where the board cannot count them."""
+    counts = [frame.instructions for frame in frames]
+    if not counts or not all(counts):
+        return {"min": None, "median": None, "mean": None, "max": None}
+    return {"min": min(counts), "median": int(statistics.median(counts)),
+            "mean": round(statistics.fmean(counts)), "max": max(counts)}
+
+
+def check_verdict(verdict, drawn, twin):
+    """The judge's counts against our own: two programs read these dumps."""
+    ours = [int((one.pixels != other.pixels).sum()) for one, other in zip(drawn.frames, twin.frames)]
+    theirs = [frame["pixels_differing"] for frame in verdict["frames"]]
+    if ours != theirs or verdict["pixels_differing"] != sum(ours):
+        raise ToolError("the judge counts other differing pixels than this tool does: "
+                        f"{verdict['pixels_differing']} and {sum(ours)}; one of them has a bug", 1)
+
+
+def names_told(options, scene):
+    """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
+    knows. None where they tell colours."""
+    if scene.surfaces and methods.shows_surfaces(options):
+        return "opaque"
+    return "all" if scene.surfaces or scene.beams else None
+
+
+def count_wrong_order(programs, image, folder, frames, names):
+    """What rays say of the order of drawing: pixels whose nearest face is another one than the frame shows,
+    and of how many. names: as names_told says.
+
+    None where the scene has billboards, which no ray knows.
+    """
+    if scene_image.load(image).billboards:
+        return None, 0
+    every = -(-frames // RAYS_FRAMES_MAX)
+    verdict = programs.raycast(image, folder / ("names.fxld" if names else "double.fxld"), folder / "rays.json", every,
+                               names)
+    return verdict["pixels_unexplained"], verdict["pixels"]
+
+
+def summarise(options, cpu, drawn, equal):
+    """summary.json, but for what is judged."""
+    return {"board": options.board, "cpu": cpu, "program": options.program, "scene": options.scene,
+            "visibility": options.visibility, "clipper": options.clipper,
+            "width": drawn.width, "height": drawn.height, "frames": len(drawn.frames),
+            "pixels": len(drawn.frames) * drawn.width * drawn.height,
+            "polygons": polygon_totals(drawn.frames),
+            "frames_empty": sum(frame.counters["drawn"] == 0 for frame in drawn.frames),
+            "instructions_per_frame": instruction_figures(drawn.frames),
+            "frame_sha256": [frame.sha256 for frame in drawn.frames],
+            "host_frames_equal": equal, "driver": options.driver}
+
+
+def compare_wires(options, record, drawn):
+    """What came over the wires of DRIVER=, beside what was drawn: for summary.json."""
+    if not options.driver:
+        return {"wires_frames_equal": None, "wires_frame_sha256": None}
+    with Progress(f"reading the wires of an {options.driver}") as progress:
+        equal, hashes = wires.compare(record, options.driver, drawn, progress)
+    return {"wires_frames_equal": equal, "wires_frame_sha256": hashes}
+
+
+def write_pictures(folder, drawn, twin):
+    """Every frame, every difference, and the walk as an animation."""
+    for frame, other in steps("writing pictures", list(zip(drawn.frames, twin.frames))):
+        image = picture.palette_image(frame.pixels, drawn.palette)
+        image.save(folder / f"frame_{frame.number:04d}.png")
+        differs = frame.pixels != other.pixels
+        if differs.any():
+            sheet = picture.side_by_side(picture.as_rgb(frame.pixels, drawn.palette),
+                                         picture.as_rgb(other.pixels, twin.palette), differs,
+                                         ["16.16", "double"])
+            sheet.save(folder / f"diff_{frame.number:04d}.png")
+    (folder / "walk.gif").write_bytes(
+        picture.animation_bytes([frame.pixels for frame in drawn.frames], drawn.palette))
+
+
+def judged_rows(summary):
+    """What double and rays said."""
+    pixels, differing = summary["pixels"], summary["pixels_differing"]
+    if differing is None:
+        return [["differ from double", f"not judged: the program is {summary['program']}"]]
+    distance = summary["max_edge_distance_px"]
+    wrong, judged = summary["order_wrong_pixels"], summary["order_judged_pixels"]
+    return [["differ from double", f"{differing:,} of {pixels:,} pixels "
+                                   f"({100 * differing / pixels:.5f} %), worst frame "
+                                   f"{summary['worst_frame_differing']:,}"],
+            *([["by another texel", f"{summary['texel_pixels']:,}, within the bound of texture coordinates"]]
+              if summary["texel_pixels"] else []),
+            ["unexplained", f"{summary['pixels_unexplained']:,}"],
+            ["farthest from an edge", "-" if distance is None else f"{distance:.6f} pixel"],
+            ["wrong by the order", "not counted: the scene has billboards" if wrong is None else
+             f"{wrong:,} of {judged:,} pixels ({100 * wrong / judged:.3f} %)"]]
+
+
+def print_summary(summary, out):
+    """A short table for people."""
+    polygons, counts = summary["polygons"], summary["instructions_per_frame"]
+    rows = [["board", f"{summary['board']} ({summary['cpu']})"],
+            ["scene", f"{one_line(summary['scene'])}, {summary['width']}x{summary['height']}, "
+                      f"{summary['frames']} frames"],
+            *judged_rows(summary),
+            ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
+            ["instructions a frame", "not counted on this board" if counts["min"] is None else
+             f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
+            ["equal to host", summary["host_frames_equal"]],
+            *([[f"from the wires of an {summary['driver']}",
+                f"{summary['wires_frames_equal']} of {summary['frames']} frames as they were drawn"]]
+              if summary["driver"] else []),
+            *([["kept", f"{', '.join(summary['kept'])}: computed by an earlier command (FRESH=1 computes all)"]]
+              if summary["kept"] else [])]
+    print(table(rows))
+    good = passes(summary)
+    empty = summary["frames_empty"]
+    said = f" ({empty} of {summary['frames']} frames are empty: nothing was drawn in them)" if empty else ""
+    if summary["order_wrong_pixels"]:
+        print(ORDER_ADVICE)
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}{said}: {one_line(out)}")
+
+
+def passes(summary):
+    """Whether the run is what it should be."""
+    return summary["host_frames_equal"] and not summary["pixels_unexplained"] \
+        and summary["wires_frames_equal"] in (None, summary["frames"])
+
+
+def judge(options, image, drawn, file, work):
+    """What double and rays say of a dump: for summary.json, and the reference renderer's frames."""
+    programs = HostPrograms(options.build, options.kept)
+    names = names_told(options, scene_image.load(image))
+    with Progress("judging against double"):
+        verdict = programs.judge(image, file, work / "judge.json", work / "double.fxld",
+                                 methods.judge_options(options), work / "names.fxld" if names else None)
+    twin = dump.read_dump(work / "double.fxld")
+    check_verdict(verdict, drawn, twin)
+    wrong, judged = count_wrong_order(programs, image, work, len(drawn.frames), names)
+    return {"pixels_differing": verdict["pixels_differing"],
+            "texel_pixels": verdict["texel_pixels"],
+            "pixels_unexplained": verdict["pixels_unexplained"],
+            "worst_frame_differing": max(frame["pixels_differing"] for frame in verdict["frames"]),
+            "max_edge_distance_px": verdict["max_edge_distance_px"],
+            "order_wrong_pixels": wrong, "order_judged_pixels": judged}, twin
+
+
+# Of a program in which more moves than the eye: the reference renderer does not know what it draws.
+UNJUDGED = dict.fromkeys(["pixels_differing", "texel_pixels", "pixels_unexplained", "worst_frame_differing",
+                          "max_edge_distance_px", "order_wrong_pixels", "order_judged_pixels"])
+
+
+def say_what_depth_confuses(image, options):
+    """A note about faces that a depth buffer cannot tell apart, if one draws."""
+    scene = scene_image.load(image)
+    bits = methods.depth_bits(options, scene)
+    note = close_faces.note(scene, bits) if bits else None
+    if note:
+        print(f"  {one_line(note)}", file=sys.stderr)
+
+
+def run(options, folder):
+    """The whole run; its files go into folder. The summary."""
+    output.make_folder(options.build)
+    with scratch.folder("run", options.build) as work:
+        # QEMU may be missing: say so before the scene takes its time.
+        if options.board != firmware.HOST:
+            emulator.find_qemu()
+        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
+        say_what_depth_confuses(image, options)
+        name = methods.program(options)
+        record = work / wires.NAME if options.driver else None
+        if options.driver:
+            scene = scene_image.load(image)
+            wires.check_size(options.driver, scene.width, scene.height)
+        file, cpu = walk(options.board, options, image, work, name, record)
+        drawn = dump.read_dump(file)
+        if not drawn.frames:
+            raise ToolError(f"{options.scene}: the path has no frames")
+        hosted, _ = walk(firmware.HOST, options, image, work, name, part="host") \
+            if options.board != firmware.HOST else (file, cpu)
+        equal = frames_equal(drawn, dump.read_dump(hosted))
+        sent = compare_wires(options, record, drawn)
+        verdicts, twin = UNJUDGED, drawn
+        if options.program == methods.WALK:
+            verdicts, twin = judge(options, image, drawn, file, work)
+            shutil.move(work / "double.fxld", folder / "double.fxld")
+        write_pictures(folder, drawn, twin)
+        shutil.move(file, folder / "board.fxld")
+    return summarise(options, cpu, drawn, equal) | sent | verdicts | {"kept": options.kept.parts}
+
+
+def command(options):
+    """The command; its exit code."""
+    options.frames = frame_count(options.frames) if options.frames is not None else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
+    options.kept = kept.Kept(options.build, options.fresh)
+    with output.replaced_folder(options.out, PATTERNS) as folder:
+        summary = run(options, folder)
+        output.write_json(folder / "summary.json", summary)
+    print_summary(summary, options.out)
+    spent.tell()
+    return 0 if passes(summary) else 1

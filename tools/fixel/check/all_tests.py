@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+"""All tests: units on the host, the same units on emulated boards, the tools."""
+
+import concurrent.futures
+import dataclasses
+import os
+import pathlib
+import re
+import sys
+import threading
+import time
+import xml.etree.ElementTree
+
+from fixel.base import limits, scratch, spent
+from fixel.board import unit_tests
+from fixel.check import units
+from fixel.base.table import coloured
+
+HOST_CPU = 300          # seconds of CPU time for one program of the host
+PYTEST_CPU = 1800       # and for all that the tests of a file start
+SLOWEST = 10            # files of tests that are named
+QUIET = 20.0            # seconds without a line after which the one running is named
+TESTS = pathlib.Path(__file__).resolve().parents[3] / "host_tests"
+
+
+@dataclasses.dataclass
+class Outcome:
+    """What a suite gave; output is shown where something failed."""
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+    output: str = ""
+    cpu: float = 0.0    # seconds that it took, with all that it started
+    no_room: str | None = None      # why a board has no room for the suite
+
+
+def without_passes(text):
+    """Unity's output less the lines of what passed."""
+    return re.sub(r"^.*:PASS\s*\n", "", text, flags=re.MULTILINE).rstrip()
+
+
+def run_host(program):
+    """A Unity program on the host. One that ends early counts as a failure more."""
+    # A path of its own: "x" alone would be looked for in PATH.
+    command = [str(pathlib.Path(program).resolve())]
+    try:
+        done = limits.run(command, HOST_CPU, merge=True, text=True)
+    except OSError as error:
+        return Outcome(failed=1, output=f"{program}: {error.strerror}")
+    except limits.LimitError as error:
+        return Outcome(failed=1, output=f"{error.output}\n{error}")
+    text = done.stdout
+    passed, failed, skipped = unit_tests.count_unity(text)
+    summary = re.search(r"^(\d+) Tests (\d+) Failures (\d+) Ignored", text, re.MULTILINE)
+    if not summary or [int(n) for n in summary.groups()] != [passed + failed + skipped, failed, skipped]:
+        failed += 1
+        text += f"\n{program}: ended with {done.returncode} before its summary, or counted otherwise"
+    elif done.returncode and not failed:
+        failed += 1
+        text += f"\n{program}: ended with {done.returncode} though nothing failed"
+    return Outcome(passed, failed, skipped, text, done.cpu)
+
+
+def run_board(argument):
+    """Files of Unity tests on their emulated board: {name: Outcome}."""
+    board, elf, names, every = argument
+    return {f"{board}/{file.name}": Outcome(file.passed, file.failed, file.skipped, file.output, file.cpu, file.no_room)
+            for file in unit_tests.run(elf, names, every)}
+
+
+def run_pytest(file):
+    """One file of pytest tests."""
+    with scratch.folder("test") as folder:
+        report = folder / "report.xml"
+        # The plug-in takes half a second, and says more only of tests that use Hypothesis.
+        plugins = [] if "hypothesis" in file.read_text(encoding="utf-8") else ["-p", "no:hypothesispytest"]
+        command = [sys.executable, "-m", "pytest", str(file), *plugins, "-q", "--tb=long", "--color=no",
+                   "-rs", "-p", "no:cacheprovider", f"--junitxml={report}",
+                   f"--basetemp={folder}/tmp"]
+        try:
+            done = limits.run(command, PYTEST_CPU, merge=True, text=True)
+        except limits.LimitError as error:
+            return Outcome(failed=1, output=f"{error.output}\n{error}")
+        return dataclasses.replace(_pytest_outcome(report, done.returncode, done.stdout), cpu=done.cpu)
+
+
+def _pytest_outcome(report, code, text):
+    try:
+        suite = xml.etree.ElementTree.parse(report).getroot().find("testsuite")
+        total, skipped = int(suite.get("tests")), int(suite.get("skipped"))
+        failed = int(suite.get("failures")) + int(suite.get("errors"))
+    except (OSError, AttributeError, xml.etree.ElementTree.ParseError):
+        return Outcome(failed=1, output=text)
+    if code and not failed:     # 1: some failed; anything else: pytest itself did
+        failed = 1
+    return Outcome(max(0, total - failed - skipped), failed, skipped, text)
+
+
+@dataclasses.dataclass(frozen=True)
+class Job:
+    """What runs as one: the suites in it, by their names. The function answers an Outcome where there is one suite, a
+    dictionary of them by name where a board's program has many."""
+    names: tuple
+    function: object
+    argument: object
+    title: str = ""     # for the list of the slowest; empty: the suite's name
+
+
+def board_jobs(options):
+    """A job for each program of a board, of its suites that are asked for."""
+    for board, elf, names in units.of_boards(options):
+        chosen = [name for name in names if options.only in f"{board}/{name}"]
+        if chosen and options.board in ("", board):
+            yield Job(tuple(f"{board}/{name}" for name in chosen), run_board, (board, elf, chosen, len(chosen) == len(names)),
+                      f"{board}/{elf.stem}")
+
+
+def all_jobs(options):
+    """The tests for pytest first, which take longest, then those of the host, then those of boards."""
+    jobs = [Job((f"{file.parent.name}/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("*/test_*.py"))]
+    jobs += [Job((f"host/{name}",), run_host, pathlib.Path(folder) / name)
+             for folder, *names in options.host_units for name in names]
+    return [job for job in jobs
+            if options.only in job.names[0] and (not options.board or job.names[0].startswith(f"{options.board}/"))] + \
+        list(board_jobs(options))
+
+
+def print_left_out(options, outcomes):
+    """What a board has no room for, and why."""
+    for board, _ in options.units:
+        if options.board in ("", board):
+            no_room = {**units.left_out(options, board),
+                       **{name.partition("/")[2]: outcome.no_room for name, outcome in outcomes.items()
+                          if outcome.no_room and name.startswith(f"{board}/")}}
+            if no_room:
+                print(f"left out, no room: {board}: {units.with_reasons(no_room)}")
+
+
+class Printer:
+    """A line a suite; where nothing happens for long, what is still running."""
+
+    def __init__(self, names):
+        self.width = max(map(len, names), default=0)
+        self.total, self.done = len(names), 0
+        self.running = {}
+        self.lock = threading.Lock()
+        self.last = time.monotonic()
+
+    def start(self, job):
+        with self.lock:
+            self.running[job.names[0]] = time.monotonic()
+
+    def end(self, job, outcomes):
+        """A line for each suite. The time is that of the job, and stands behind the last of its suites."""
+        with self.lock:
+            seconds = time.monotonic() - self.running.pop(job.names[0])
+            for name, outcome in outcomes.items():
+                self._print(name, outcome, f"  {seconds:.1f} s" if name == job.names[-1] else "")
+            self.last = time.monotonic()
+
+    def _print(self, name, outcome, took):
+        self.done += 1
+        word = coloured("FAIL", "red") if outcome.failed else "none" if outcome.no_room else coloured("ok", "green") + "  "
+        counts = f"{outcome.passed:5} passed" + \
+            (f", {outcome.failed} failed" if outcome.failed else "") + \
+            (f", {outcome.skipped} skipped" if outcome.skipped else "") + \
+            (f", no room: {outcome.no_room}" if outcome.no_room else "")
+        print(f"[{self.done:{len(str(self.total))}}/{self.total}] {word} {name:{self.width}} {counts}{took}", flush=True)
+        if outcome.failed:
+            print(without_passes(outcome.output), flush=True)
+
+    def remind(self):
+        """Names what is running where that has been the case for long."""
+        with self.lock:
+            if self.running and time.monotonic() - self.last > QUIET:
+                print(f"        still running: {', '.join(self.running)}", file=sys.stderr, flush=True)
+                self.last = time.monotonic()
+
+
+def run_all(jobs, workers):
+    """{suite: Outcome} of all jobs, run side by side, and {job: CPU seconds}."""
+    printer = Printer([name for job in jobs for name in job.names])
+
+    def one(job):
+        printer.start(job)
+        outcome = job.function(job.argument)
+        outcomes = outcome if isinstance(outcome, dict) else {job.names[0]: outcome}
+        printer.end(job, outcomes)
+        return outcomes
+
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        futures = {pool.submit(one, job): job for job in jobs}
+        waiting = futures
+        while waiting:
+            waiting = concurrent.futures.wait(waiting, timeout=1.0).not_done
+            printer.remind()
+    outcomes = [(job, future.result()) for future, job in futures.items()]
+    return ({name: outcome for _, each in outcomes for name, outcome in each.items()},
+            {job.title or job.names[0]: sum(outcome.cpu for outcome in each.values()) for job, each in outcomes})
+
+
+def print_slowest(taken):
+    """What took the most CPU time: files of tests, and programs of many on a board. taken: {name: seconds}."""
+    print(f"slowest of {sum(taken.values()):.0f} s of CPU:")
+    for name in sorted(taken, key=taken.get, reverse=True)[:SLOWEST]:
+        print(f"{taken[name]:8.1f} s  {name}")
+
+
+def command(options):
+    """The command; its exit code."""
+    # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    if options.whole:
+        os.environ["FIXEL_WHOLE"] = "1"     # host_tests/conftest.py reads it
+    outcomes, taken = run_all(all_jobs(options), max(1, options.workers))
+    print_left_out(options, outcomes)
+    passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes.values())
+                               for name in ("passed", "failed", "skipped"))
+    if passed + failed == 0:
+        print("no test ran", file=sys.stderr)
+    print_slowest(taken)
+    spent.tell()
+    print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
+    return 1 if failed or passed == 0 else 0

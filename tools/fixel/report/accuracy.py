@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""What make report measures and writes: every claim about accuracy, frames, rays, scales."""
+
+import pathlib
+import sys
+
+from fixel.base import bounded, kept, output, scratch, spent
+from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
+                          report_stages)
+from fixel.base.arguments import whole_number
+from fixel.base.errors import ToolError, one_line
+from fixel.board.programs import HostPrograms, read_json
+from fixel.base.table import coloured, table
+
+PATTERNS = ["report.html", "report.json"]
+SAMPLES_MAX = 10 ** 12
+RAY_FRAMES = 12         # about how many frames the ray-cast oracle judges
+# Below the default number of samples paths are cut in proportion, to no fewer frames than this.
+FEWEST_FRAMES = 2
+
+
+def frame_limit(samples):
+    """How many frames of each walk a report of so many samples looks at; None: all."""
+    if samples >= report_shards.SAMPLES:
+        return None
+    return max(FEWEST_FRAMES, report_frames.VIEWS * samples // report_shards.SAMPLES)
+
+
+def gather(options, work):
+    """Everything measured: the report as a dictionary, and the frames to show."""
+    build, limit = pathlib.Path(options.build), frame_limit(options.samples)
+    about = report_shards.list_designs(build)
+    kinds = (*report_shards.CLAIMS, *report_shards.STAGES, *report_shards.SWEEPS)
+    shards = report_shards.run_shards(build, kinds, options.samples, options.seed, options.processes)
+    sources = [options.scene] if options.scene else report_frames.default_sources()
+    found = report_frames.walks(sources, work, limit, bounded.limits_of(options))
+    programs = HostPrograms(build, kept.Kept(build, options.fresh))
+    frames, pixels, shown = report_frames.judge_walks(programs, found, work)
+    twins = report_stages.measure(programs, found[0], options.samples, options.seed, work)
+    third = report_frames.cast_rays(programs, found[0], work, RAY_FRAMES)
+    w1 = report_frames.walks([report_scale.SCENE], work, limit)[0].scene
+    scales = report_scale.measure(programs, options.board, w1, work)
+    report = {
+        "samples": options.samples, "seed": options.seed, "board": options.board,
+        "claims": report_claims.judge(shards, frames, pixels, scales, options.build,
+                                      options.samples < report_shards.SAMPLES or bool(options.scene)),
+        "stages": [{**row, "measure": each["measure"]} for each in about["stages"]
+                   for row in report_shards.merge_stage(options.build, each, shards[each["stage"]])],
+        "sweeps": [row for each in about["sweeps"] for row in
+                   report_shards.merge_sweep(each, shards[f"sweep:{each['parameter']}"])],
+        "depths": report_shards.merge_depths(shards["vertex"]),
+        "twins": twins, "frames": frames, "scales": scales, "third_judge": third}
+    return report, shown
+
+
+def measure_only(options):
+    """A report of the claims that ONLY= names."""
+    wanted = [kind for kind in report_shards.CLAIMS if kind.what in options.only]
+    shards = report_shards.run_shards(pathlib.Path(options.build), wanted, options.samples, options.seed, options.processes)
+    return {"samples": options.samples, "seed": options.seed,
+            "claims": report_claims.judge_only(shards, options.build, options.samples < report_shards.SAMPLES)}
+
+
+def complaints(report):
+    """Everything that failed, as sentences."""
+    return report_claims.complaints(report) + report_stages.complaints(report["twins"])
+
+
+def print_claims(report):
+    """Their table."""
+    print(table([[claim["id"], claim["bound"], float(claim["measured"]), claim["unit"],
+                  claim["samples"], claim["samples_claimed"], claim["holds"]] for claim in report["claims"]],
+                ["claim", "bound", "measured", "unit", "samples", "claimed for", "holds"]))
+
+
+def print_verdict(report, found, files):
+    """What failed, how to see it again, and which files hold the report."""
+    for sentence in found:
+        print(f"{coloured('FAIL', 'red')}: {sentence}")
+    for claim in report["claims"]:
+        if not claim["holds"] and "command" in claim:
+            print(f"  again: {claim['command']}")
+    short = report_claims.shortfall(report)
+    if short and not found:
+        print(f"the report was asked for fewer samples than the claims are about: {short}")
+    word = coloured("FAIL", "red") if found else coloured("pass", "green")
+    print(f"{word}: {one_line(files)}")
+
+
+def print_report(report, out):
+    """For people."""
+    print_claims(report)
+    print()
+    print(table([[row["stage"], report_plots.NAMES[row["design"]], float(row["max"]),
+                  float(row["mean"]), float(row["rms"]), row["unit"]] for row in report["stages"]],
+                ["stage", "design", "largest", "mean", "rms", "unit"]))
+    print()
+    print(table([[row["stage"], row["input"], float(row["max"]), float(row["mean"]), row["unit"]]
+                 for row in report["twins"]],
+                ["against double", "input", "largest", "mean", "unit"]))
+    third = report["third_judge"]
+    print(f"\nray-cast oracle: {third['frames_judged']} frames of {third['scene']}, "
+          f"{third['pixels_unexplained']:,} pixels unexplained")
+    print_verdict(report, complaints(report), f"{out}/report.html, {out}/report.json")
+
+
+def write_picture(options):
+    """The README's picture from a report that is there."""
+    file = pathlib.Path(options.out) / "report.json"
+    entries = read_json(file).get("depths", [])
+    if not entries:
+        raise ToolError(f"{file}: holds no errors of vertices by depth; make report writes them")
+    output.write_file(options.picture, report_plots.picture_bytes(entries))
+    print(one_line(options.picture))
+
+
+def checked(options):
+    """The options, as the command needs them."""
+    options.samples = report_shards.SAMPLES if options.samples is None else \
+        whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
+    options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
+    options.processes = whole_number("--processes", options.processes, 0, 1024) or None
+    options.only = options.only.split()
+    known = [kind.what for kind in report_shards.CLAIMS]
+    for word in options.only:
+        if word not in known:
+            raise ToolError(f"ONLY names '{word}'; the claims that have samples are: {', '.join(known)}")
+    return options
+
+
+def command(options):
+    """The command; its exit code."""
+    options = checked(options)
+    if options.picture:
+        write_picture(options)
+        return 0
+    if options.only:
+        report = measure_only(options)
+        output.write_json(pathlib.Path(options.out) / "claims.json", report)
+        print_claims(report)
+        print_verdict(report, report_claims.complaints(report), f"{options.out}/claims.json")
+        return 0 if all(claim["holds"] for claim in report["claims"]) else 1
+    with output.replaced_folder(options.out, PATTERNS) as folder, \
+            scratch.folder("report", options.build) as work:
+        report, shown = gather(options, work)
+        print("writing the page", file=sys.stderr)
+        output.write_json(folder / "report.json", report)
+        output.write_file(folder / "report.html", report_page.render(report, shown))
+    print_report(report, options.out)
+    spent.tell()
+    return 1 if complaints(report) else 0

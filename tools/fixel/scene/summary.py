@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""What is in a scene image, for people or as JSON."""
+
+import json
+
+from fixel.base.errors import one_line
+from fixel.image import image, image_header, image_lens, image_surface
+from fixel.scene import path, toml_scene
+
+
+def summary(scene):
+    """What is in an image, as plain data."""
+    kinds = [scene.models[item.model].kind for item in scene.objects]
+    used = {face.colour for model in scene.models for face in model.faces}
+    layers = sorted({item.layer for item in scene.objects})
+    return {
+        "bytes": scene.size, "crc32": f"{scene.crc:08x}",
+        "width": scene.width, "height": scene.height,
+        "fov_degrees": round(scene.fov * 360 / 2 ** 32, 6),
+        "focal_pixels": round(image_lens.focal_pixels(scene.width, scene.fov), 6),
+        "centre": [value / 65536 for value in scene.centre or image_lens.middle(scene.width, scene.height)],
+        "near": scene.near / 65536, "far": scene.far / 65536, "inset": scene.inset / 65536,
+        "objects": len(scene.objects), "convex_objects": kinds.count(image.CONVEX),
+        "sorted_objects": kinds.count(image.SORTED), "layers": layers,
+        "models": len(scene.models),
+        "vertices": sum(len(model.vertices) for model in scene.models),
+        "faces": sum(len(model.faces) for model in scene.models),
+        "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
+        "clusters": sum(len(model.clusters) for model in scene.models),
+        "turned_objects": len(scene.turns), "moving_objects": len(scene.motions),
+        "motion_keys": sum(len(motion.keys) for motion in scene.motions),
+        "textures": len(scene.surfaces.textures) if scene.surfaces else 0,
+        "texel_bytes": sum(image_surface.texel_bytes(one) for one in scene.surfaces.textures) if scene.surfaces else 0,
+        "faces_with_surfaces": sum(face.mapped is not None for model in scene.models for face in model.faces),
+        "billboards": len(scene.billboards.boards) if scene.billboards else 0,
+        "sprite_bytes": sum(len(one.pixels) + len(one.colours) for one in scene.billboards.boards) if scene.billboards else 0,
+        "light_levels": len(scene.light.ramp) if scene.light else 0,
+        "point_lights": len(scene.light.points) if scene.light else 0,
+        "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
+        "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
+        "visibility": toml_scene.VISIBILITIES[scene.visibility],
+        "path": "poses" if scene.path_kind == image.POSES else "strides",
+        "start": path.describe(scene.start),
+    }
+
+
+def info(file, as_json):
+    """Prints what is in a scene image."""
+    data = summary(image.load(file))
+    if as_json:
+        print(json.dumps(data, indent=1))
+        return
+    print(f"{one_line(file)}: {data['bytes']:,} bytes, CRC-32 {data['crc32']}")
+    print(f"  screen   {data['width']}x{data['height']}, field of view {data['fov_degrees']:g} "
+          f"degrees (focal {data['focal_pixels']:g} pixels)")
+    if data["centre"] != [data["width"] / 2, data["height"] / 2]:
+        print(f"  centre   {data['centre'][0]:g}, {data['centre'][1]:g} pixels: the lens is off-centre")
+    print(f"  depth    near {data['near']:g}, far {data['far']:g}, inset {data['inset']:g}")
+    print(f"  objects  {data['objects']} ({data['convex_objects']} convex, "
+          f"{data['sorted_objects']} sorted) on layers {', '.join(map(str, data['layers']))}")
+    print(f"  models   {data['models']}: {data['vertices']:,} vertices, {data['faces']:,} faces "
+          f"({data['faces_placed']:,} placed), {data['colours']} colours")
+    if data["turned_objects"]:
+        print(f"  turned   {data['turned_objects']} objects; {data['moving_objects']} of them move, by "
+              f"{data['motion_keys']:,} keys")
+    if data["faces_with_surfaces"]:
+        print(f"  surfaces of {data['faces_with_surfaces']:,} faces; {data['textures']} textures, "
+              f"{data['texel_bytes']:,} bytes of texels")
+    if data["billboards"]:
+        print(f"  billboards {data['billboards']}, {data['sprite_bytes']:,} bytes of pixels and colours")
+    if data["light_levels"]:
+        print(f"  light    at run time, in {data['light_levels']} levels; {data['point_lights']} point lights")
+    if data["clusters"]:
+        print(f"  clusters {data['clusters']:,} of faces")
+    if data["tree_nodes"]:
+        print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
+    if data["visibility"] != toml_scene.VISIBILITIES[image_header.BY_DEFAULT]:
+        print(f"  drawn    by visibility method {data['visibility']}")
+    print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")
