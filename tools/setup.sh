@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|predict|gdb|probe...
+# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|completion|predict|gdb|probe...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -16,6 +16,7 @@
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
 #   coverage Clang 19, which counts conditions, with its tools; the same as units
 #   tools   Python packages as for run
+#   completion Python packages as for run, and the one that makes completions for a shell
 #   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
@@ -127,16 +128,17 @@ find_missing() {
         test)
             need_board; need_gmp; need_cmock; need_browser; need_debugger; need_openocd
             need_compilers
-            need_python view report test ;;
+            need_python view report test completion ;;
         lib) need_cross_compiler ;;
         fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
         coverage) need_board; need_cmock; need_coverage ;;
         tools) need_python run ;;
+        completion) need_python run completion ;;
         predict) need_host_compiler; need_python run ;;
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, predict, gdb or probe" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, completion, predict, gdb or probe" ;;
         esac
     done
     has python3 || need python3
@@ -267,7 +269,7 @@ install_group() {
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|predict|gdb|probe..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|completion|predict|gdb|probe..."
 
 is_ready() {
     find_missing "$@"

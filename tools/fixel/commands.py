@@ -53,7 +53,8 @@ ROOMS = {
         "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
     },
-    "The Makefile": {
+    "Shell and Makefile": {
+        "completion": ("fixel.base.completion", "print a script that completes commands in bash or zsh"),
         "make": ("fixel.base.make", "a command with the options that variables of make become"),
     },
 }
