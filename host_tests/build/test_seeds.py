@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""docs/seeds.md: every numbered system of the sources has its row, and every name stands where the row says."""
+"""docs/seeds.md: every numbered system of the sources has its row, every name stands where the row says, and the commands
+of the last column run."""
 
+import json
 import re
+import tomllib
 
 import pytest
 
-from conftest import CHECKOUT
+from conftest import CHECKOUT, run_make
 
 PAGE = CHECKOUT / "docs" / "seeds.md"
 NUMBERS = [f"{letter}{number}" for letter, count in (("A", 14), ("B", 4), ("C", 8), ("D", 6))
@@ -94,6 +97,45 @@ def test_a_user_reaches_it(number, cells):
     headers = public_headers()
     for text in found:
         assert is_reachable(text, headers), f"{number}: {text}"
+
+
+# What is added to a listed command, so that it takes little time and shows what it shows: two frames, on the host.
+SMALL = {"run": ["BOARD=host", "FRAMES=2"], "wire": ["FRAMES=2"], "lib": ["CORE=cortex-m3"]}
+# Commands that test_commands.py and its table run, because they do not end or take minutes.
+ELSEWHERE = {"view", "clippers"}
+
+
+def commands():
+    """The commands of the last column, each once."""
+    return sorted({text for _, cells in rows() for text in re.findall(r"`make ([^`]+)`", cells[4])})
+
+
+def test_commands_are_listed_and_run():
+    table = tomllib.loads((CHECKOUT / "host_tests" / "build" / "commands.toml").read_text(encoding="utf-8"))
+    assert {text.split()[0] for text in commands()} == set(SMALL) | ELSEWHERE
+    assert ELSEWHERE <= set(table)
+
+
+@pytest.mark.parametrize("text", [text for text in commands() if text.split()[0] in SMALL])
+def test_a_listed_command_runs_and_shows_it(text, tmp_path):
+    command, *settings = text.split()
+    place = f"BUILD={tmp_path}" if command == "lib" else f"OUT={tmp_path / 'out'}"
+    done = run_make(command, *settings, *SMALL[command], place)
+    assert done.returncode == 0, done.stdout + done.stderr
+    if command == "lib":
+        assert (tmp_path / "lib" / "cortex-m3" / "libfixel.a").is_file()
+        return
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["frames"] == 2 and summary["pixels_unexplained"] == 0
+    if command == "wire":
+        assert summary["pixels_drawn"] > 0
+        return
+    assert summary["polygons"]["drawn"] > 0
+    asked = dict(setting.split("=", 1) for setting in settings)
+    for name in {"CLIPPER", "VISIBILITY"} & set(asked):
+        assert summary[name.lower()] == asked[name]
+    if asked.get("SCENE") == "scenes/knot.toml":
+        assert summary["order_wrong_pixels"] == 0, "an order by distance is wrong here: the tree is not used"
 
 
 def test_what_is_not_there_is_not_reachable():
