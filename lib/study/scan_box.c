@@ -2,14 +2,7 @@
 #include "fixel/study/scan_box.h"
 
 #include "../math/arith.h"
-
-#define HALF_PIXEL 32768
-
-/* The first row (or column) whose centre is at or beyond a coordinate. */
-static int32_t first_centre_from(int32_t coordinate)
-{
-    return (coordinate - HALF_PIXEL + 65535) >> 16;
-}
+#include "../math/pixel_centre.h"
 
 static int32_t clamped(int32_t value, int32_t low, int32_t high)
 {
@@ -30,10 +23,10 @@ void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fx
     int32_t top = band->first_row, bottom = top + band->rows;
     scan->points = points;
     scan->count = count;
-    scan->left = clamped(first_centre_from(low.x), 0, band->width);
-    scan->right = clamped(first_centre_from(high.x), 0, band->width);
-    scan->row = clamped(first_centre_from(low.y), top, bottom);
-    scan->bottom = clamped(first_centre_from(high.y), top, bottom);
+    scan->left = clamped(fxl_first_centre_from(low.x), 0, band->width);
+    scan->right = clamped(fxl_first_centre_from(high.x), 0, band->width);
+    scan->row = clamped(fxl_first_centre_from(low.y), top, bottom);
+    scan->bottom = clamped(fxl_first_centre_from(high.y), top, bottom);
     scan->column = scan->left;
 }
 
@@ -63,8 +56,8 @@ static bool covers(const fxl_scan_box *scan, int32_t x, int32_t y)
 bool fxl_scan_box_next(fxl_scan_box *scan, fxl_span *span)
 {
     for (; scan->row < scan->bottom; scan->row++, scan->column = scan->left) {
-        int32_t y = scan->row * 65536 + HALF_PIXEL, column = scan->column;
-        while (column < scan->right && !covers(scan, column * 65536 + HALF_PIXEL, y)) {
+        int32_t y = fxl_centre_of(scan->row), column = scan->column;
+        while (column < scan->right && !covers(scan, fxl_centre_of(column), y)) {
             column++;
         }
         if (column == scan->right) {
@@ -72,7 +65,7 @@ bool fxl_scan_box_next(fxl_scan_box *scan, fxl_span *span)
         }
         span->y = (int16_t)scan->row;
         span->x0 = (int16_t)column;
-        while (column < scan->right && covers(scan, column * 65536 + HALF_PIXEL, y)) {
+        while (column < scan->right && covers(scan, fxl_centre_of(column), y)) {
             column++;
         }
         span->x1 = (int16_t)column;

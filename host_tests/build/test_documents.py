@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""What CONTRIBUTING.md and DESIGN.md say of files, where files can tell: the fill rule, a new board, the reference renderer."""
+
+import os
+import re
+import shutil
+import subprocess
+
+from conftest import CHECKOUT, environment
+
+CONTRIBUTING = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+
+
+def recipe(name):
+    """What CONTRIBUTING.md says of one change, up to the next one."""
+    return CONTRIBUTING.split(f"\n### {name}\n", 1)[1].split("\n### ", 1)[0].split("\n## ", 1)[0]
+
+
+def test_whoever_asks_for_pixel_centres_or_dividends_is_named():
+    """The files that obey the fill rule, as DESIGN.md says."""
+    asks = re.compile(r'^#include "(?:[\w./]*/)?(?:pixel_centre|edge_dividend)\.h"', re.MULTILINE)
+    named = recipe("The fill rule")
+    users = [file for file in (CHECKOUT / "lib").rglob("*.[ch]") if asks.search(file.read_text(encoding="utf-8"))]
+    assert len(users) > 6
+    assert not [file.name for file in users if f"`{file.name}`" not in named and f"/{file.name}`" not in named]
+
+
+def test_nobody_has_a_grid_of_pixel_centres_of_his_own():
+    own = re.compile(r"#define \w*HALF_PIXEL\b")
+    assert [file.name for file in (CHECKOUT / "lib").rglob("*.[ch]") if own.search(file.read_text(encoding="utf-8"))] == \
+        ["pixel_centre.h"]
+
+
+def test_a_new_board_changes_no_other_file(tmp_path):
+    for entry in CHECKOUT.iterdir():
+        if entry.name not in ("boards", "build", ".git"):
+            (tmp_path / entry.name).symlink_to(entry)
+    (tmp_path / "boards").mkdir()
+    for entry in (CHECKOUT / "boards").iterdir():
+        (tmp_path / "boards" / entry.name).symlink_to(entry)
+    new = shutil.copytree(CHECKOUT / "boards" / "netduino2", tmp_path / "boards" / "own-board")
+    settings = (new / "board.mk").read_text(encoding="utf-8")
+    (new / "board.mk").write_text(settings.replace("boards/netduino2/", "boards/own-board/"), encoding="utf-8")
+    done = subprocess.run(["make", "-n", "BOARD=own-board", "build/boards/own-board/walk.elf"], cwd=tmp_path,
+                          env=environment(), capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "boards/own-board/board.c" in done.stdout and "boards/own-board" in done.stdout
+    assert not os.path.exists(tmp_path / "build" / "boards" / "own-board" / "walk.elf")
+
+
+def test_the_reference_renderer_includes_its_own_headers_and_those_of_c():
+    folder = CHECKOUT / "host_tests" / "judges" / "reference"
+    included = {name for file in folder.glob("*.[ch]")
+                for name in re.findall(r'^\s*#\s*include\s+([<"][^>"]+)', file.read_text(encoding="utf-8"), re.MULTILINE)}
+    assert len(included) > 20
+    assert not [name for name in included if not name.startswith('"reference/') and not re.fullmatch(r"<[a-z]+\.h", name)]
