@@ -84,6 +84,19 @@ def test_the_pictures_words_are_the_tables_figures():
     assert words.groups() == (f"{float32:.3g}", f"{naive:.3g}")
 
 
+def test_the_table_of_other_renderers_has_a_word_for_each_and_our_least_code():
+    """Fixel's rows of "n" are as many as it loses; the bytes are those of docs/performance.md."""
+    lines = README.split("| | Fixel | TGX |", 1)[1].split("\n\n", 1)[0].splitlines()[2:]
+    rows = {cells[0]: cells[1:] for cells in ([cell.strip() for cell in line.strip("| ").split("|")] for line in lines)}
+    assert all(len(cells) == 5 for cells in rows.values())
+    assert sum(cells[0] in ("n", "none", "p") and "y" in cells for cells in rows.values()) >= 4
+    performance = (ROOT / "docs" / "performance.md").read_text(encoding="utf-8")
+    row = re.search(r"^\| fixel \| flash \| -Os -DFXL_SMALL \|.*$", performance, re.MULTILINE)[0].split("|")
+    least = sum(int(part.replace(",", "")) for part in row[5].split("+"))
+    (said,) = [cells[0] for name, cells in rows.items() if name.startswith("least code")]
+    assert said == f"{least / 1000:.1f} KB"
+
+
 def test_the_changelog_says_nothing_twice():
     paragraphs = [" ".join(text.split()) for text in
                   re.split(r"^- ", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]]
