@@ -95,6 +95,8 @@ def test_a_record_becomes_a_picture():
     (record(*command(0x01), *pause(150), *command(0x11), *command(0x29), END), "turned on too early"),
     (record(*AWAKE, *command(0x2A, 0, 5, 1, 64), END), "beyond its memory"),
     (record(*AWAKE, *command(0x2A, 0, 5), END), "four bytes an axis"),
+    (record(*AWAKE, *command(0x2A, 0, 5, 0, 6, 0, 7), END), "four bytes an axis"),
+    (record(*AWAKE, *command(0x2B, 0, 5, 0, 240), END), "beyond its memory"),
     (record(*AWAKE, *command(0x2A, 0, 5, 0, 6), *command(0x2B, 0, 7, 0, 7), *command(0x2C, 1, 2), END), "whole and once"),
     (record(*AWAKE, *command(0x3A, 0x66), *DOT, END), "16 bits"),
     (record(*AWAKE, *command(0x3A), END), "0 bytes of data"),
@@ -113,11 +115,34 @@ def test_wires_that_break_a_rule_are_told(data, sentence):
     (record((b"C", b"\xAE"), END), "never turned on"),
     (record((b"C", b"\xAF\x81"), END), "lacks its argument"),
     (record((b"C", b"\xAF\x99"), END), "no command 0x99"),
+    (record((b"C", b"\xAF\xB8"), END), "no command 0xb8"),
+    (record((b"C", b"\xAF\x1F"), (b"D", b"\1"), END), "behind the last column"),
+    (record((b"C", b"\xAF"), (b"D", b"\1"), (b"C", b"\xAE"), END), "never turned on"),
     (record((b"C", b"\xAF\xB0\x0F\x17"), (b"D", b"\1\2"), END), "behind the last column"),
 ])
 def test_pages_that_break_a_rule_are_told(data, sentence):
     with pytest.raises(ToolError, match=sentence):
         read(data, "ssd1306")
+
+
+def test_a_byte_of_a_page_is_a_column_of_eight_rows():
+    # Page 2, column 0x15, of which the glass of an SH1106 shows all but two on each side; then only the low digit changes.
+    shown, = read(record((b"C", b"\xAF\xB2\x05\x11"), (b"D", b"\x81\x01"), (b"C", b"\x03"), (b"D", b"\xFE"), END), "sh1106")
+    assert shown.shape == (64, 128)
+    assert [shown[16:24, column].tolist() for column in (0x13 - 2, 0x15 - 2, 0x16 - 2)] == \
+        [[0, 1, 1, 1, 1, 1, 1, 1], [1, 0, 0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 0, 0, 0]]
+    unwritten = [1, 0, 1, 0, 0, 1, 0, 1]
+    assert shown[8:16, 0x13].tolist() == shown[16:24, 0x12].tolist() == shown[24:32, 0x13].tolist() == unwritten
+
+
+def test_rows_become_columns_and_the_memory_is_noise_again():
+    upright = [*command(0x36, 0x00), *command(0x2A, 0, 0, 0, 0), *command(0x2B, 1, 0, 1, 0), *command(0x2C, 0x12, 0x34)]
+    shown, = read(record(*AWAKE, *command(0x29), *DOT, *upright, END))
+    assert shown.shape == (320, 240) and shown[256, 0] == 0x1234
+    assert (shown != controllers.UNWRITTEN).sum() == 1
+    # Another order of the rows alone keeps what was written.
+    shown, = read(record(*AWAKE, *command(0x29), *DOT, *command(0x36, 0xE0), END))
+    assert shown[7, 5] == 0xF800
 
 
 def test_one_wrong_pixel_is_a_frame_that_differs(tmp_path):

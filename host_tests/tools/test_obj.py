@@ -185,6 +185,20 @@ def _check_in_view(scene):
         assert across < 1 and along < 1
         filled = max(filled, across, along)
     assert filled > 0.6
+    return filled
+
+
+@pytest.mark.parametrize("size", [(8, 1, 1), (1, 8, 1), (1, 1, 8), (5, 3, 1)])
+@pytest.mark.parametrize("screen", [(320, 240), (128, 160)])
+def test_a_framed_model_of_any_shape_touches_the_margin_of_the_screen(tmp_path, size, screen):
+    def scaled(line):
+        return " ".join(["v", *(str(float(c) * s + 2) for c, s in zip(line.split()[1:], size))]) if line.startswith("v ") else line
+    (tmp_path / "box.obj").write_text("\n".join(map(scaled, CUBE.splitlines())) + "\n")
+    scene, _ = framing.compile_model(str(tmp_path / "box.obj"), 8, screen=screen)
+    assert (scene.width, scene.height) == screen and scene.names == []
+    assert abs(_check_in_view(scene) - 0.9) < 0.01
+    reach = np.linalg.norm(np.array(scene.models[0].vertices) / 65536, axis=1)
+    assert abs(reach.max() - 4) < 0.01
 
 
 @pytest.mark.parametrize("name", ["spot.obj", "teapot.obj"])

@@ -21,40 +21,56 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 ARMV7M = """
 other             adds r0, r1; add.w r8, r9, r10; movw r3, #1234; ubfx r0, r1, #3, #4; clz r0, r1; tst r0, r1
+other             lsls r0, r1, #3; mov r8, r9; cmp r8, r9; add r8, r9; add sp, #8; add r0, sp, #4; adr r0, .+8; uxtb r0, r1; rev r0, r1
+other             orr.w r0, r1, r2, lsl #3; sub.w r0, sp, #256; addw r0, r1, #100; bfi r0, r1, #2, #3; ssat r0, #4, r1; lsl.w r0, r1, r2
 multiply          muls r0, r1; mul r8, r1, r2
 multiply-add      mla r0, r1, r2, r3; mls r0, r1, r2, r3
 long-multiply     smull r0, r1, r2, r3; umull r4, r5, r6, r7
 long-multiply-add smlal r0, r1, r2, r3; umlal r4, r5, r6, r7
 divide            sdiv r0, r1, r2; udiv r0, r1, r2
 load              ldr r0, [r1]; ldrb r0, [r1, #3]; ldrsh r0, [r1, r2]; ldr r0, [sp, #8]; ldr.w r8, [r1, #100]
+load              ldr r0, [pc, #4]; ldrb r0, [r1, r2]; ldrh r0, [r1, #2]; ldrsb.w r0, [r1, #-4]; ldrex r0, [r1]; ldrexb r0, [r1]
 store             str r0, [r1]; strb.w r8, [r1]; strh r0, [r1, r2]; str r0, [sp, #4]
+store             strb r0, [r1, r2]; strh r0, [r1, #2]; str.w r0, [r1, #-4]; strex r0, r1, [r2]; strexb r0, r1, [r2]
 branch            b .; b.w .
-branch-conditional beq .; bne.w .; cbz r0, .+6
-branch-exchange   bx lr; mov pc, r0
+branch-conditional beq .; bne.w .; cbz r0, .+6; cbnz r1, .+6; cbz r7, .+80; ble .; bgt.w .
+branch-exchange   bx lr; bx r3; mov pc, r0; add pc, r0
 call              bl .
 call-register     blx r3
 it                it eq
 other             addeq r0, r0, r1
-system            cpsid i; dsb; mrs r0, PRIMASK
-load-to-pc        ldr pc, [r0, #4]
-table-branch      tbb [r0, r1]
+system            cpsid i; dsb; mrs r0, PRIMASK; msr PRIMASK, r0; isb; nop; bkpt #1; svc #1; pld [r0]
+load-to-pc        ldr pc, [r0, #4]; ldr pc, [r0, r1, lsl #2]; ldr pc, [r0], #4
+table-branch      tbb [r0, r1]; tbh [r0, r1, lsl #1]
 load-multiple/3   ldmia r0!, {r1, r2, r3}; pop {r4, r5, r6}; ldmia.w r8!, {r0, r1, r2}
-load-multiple/2   ldrd r0, r1, [r2, #8]
+load-multiple/2   ldrd r0, r1, [r2, #8]; ldrd r0, r1, [r2], #8; ldrd r0, r1, [r2, #-8]!; ldmdb r8!, {r0, r1}
 store-multiple/4  push {r4, r5, r6, lr}; stmia r0!, {r1, r2, r3, r4}; stmdb sp!, {r4, r5, r8, lr}
-store-multiple/2  strd r0, r1, [r2], #8
+store-multiple/2  strd r0, r1, [r2], #8; strd r0, r1, [r2]; push {r7, lr}; push {r0, r4}
 pop-to-pc/3       pop {r4, r5, pc}
 pop-to-pc/2       pop.w {r8, pc}
 """
 ARMV7EM = """
 float               vadd.f32 s0, s1, s2; vmul.f32 s0, s1, s2; vcmp.f32 s0, s1; vmov r0, s1; vcvt.s32.f32 s0, s0
-float-multiply-add  vmla.f32 s0, s1, s2; vfma.f32 s0, s1, s2
+float               vsub.f32 s0, s1, s2; vnmul.f32 s0, s1, s2; vabs.f32 s0, s1; vneg.f32 s0, s1; vmov.f32 s0, #1.0; vmrs r0, FPSCR
+float               vmov s1, r0; vmov r0, r1, s2, s3; vmov s2, s3, r0, r1; vcvt.f32.s32 s0, s0
+float-multiply-add  vmla.f32 s0, s1, s2; vfma.f32 s0, s1, s2; vmls.f32 s0, s1, s2; vnmla.f32 s0, s1, s2; vfms.f32 s0, s1, s2; vfnma.f32 s0, s1, s2
 float-divide        vdiv.f32 s0, s1, s2
 float-root          vsqrt.f32 s0, s1
-float-load          vldr s0, [r0]
-float-store         vstr s0, [r0]
-float-store-multiple/2 vpush {s16, s17}
-float-load-multiple/2 vldmia r0!, {s0, s1}
-long-multiply-add   smlal r0, r1, r2, r3
+float-load          vldr s0, [r0]; vldr s0, [r0, #-4]
+float-store         vstr s0, [r0]; vstr s31, [r0, #8]
+float-store-multiple/2 vpush {s16, s17}; vstr d0, [r0]
+float-store-multiple/3 vstmia r0!, {s0, s1, s2}
+float-load-multiple/2 vldmia r0!, {s0, s1}; vldr d0, [r0]; vpop {s16, s17}
+long-multiply-add   smlal r0, r1, r2, r3; smlalbb r0, r1, r2, r3; umaal r0, r1, r2, r3
+multiply            smulbb r0, r1, r2; smmul r0, r1, r2; smuad r0, r1, r2
+multiply-add        smlabb r0, r1, r2, r3; smmla r0, r1, r2, r3; smlad r0, r1, r2, r3
+"""
+ARMV81M = """
+vector              vadd.i32 q0, q1, q2; vldrw.u32 q0, [r0]; vstrw.32 q0, [r0]; vmul.i16 q0, q1, q2
+other               dls lr, r0
+branch-conditional  wls lr, r0, .+8; le lr, .-4
+call                bl .
+float               vadd.f32 s0, s1, s2
 """
 
 
@@ -68,7 +84,8 @@ def cases(text):
 
 
 @pytest.mark.parametrize("flags, text", [(["-mcpu=cortex-m3"], ARMV7M),
-                                         (["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16"], ARMV7EM)])
+                                         (["-mcpu=cortex-m4", "-mfpu=fpv4-sp-d16"], ARMV7EM),
+                                         (["-march=armv8.1-m.main+mve+fp"], ARMV81M)])
 def test_kinds_of_what_the_assembler_makes(tmp_path, flags, text):
     wanted = list(cases(text))
     (tmp_path / "code.s").write_text(".syntax unified\n.thumb\n.text\n.type f, %function\nf:\n" +
@@ -77,8 +94,8 @@ def test_kinds_of_what_the_assembler_makes(tmp_path, flags, text):
     subprocess.run([f"{CROSS}ld", "-Ttext=0x100", "-e", "f", "code.o", "-o", "code.elf"], cwd=tmp_path, check=True)
     found = [each for _, each in MachineCode(tmp_path / "code.elf").each_instruction()]
     # The assembler fills up to a word's end by a nop of its own.
-    assert [(each.kind, each.registers if registers else 0) for each, (_, registers, _) in zip(found, wanted)] \
-        == [(kind, registers) for kind, registers, _ in wanted]
+    assert [(code, each.kind, each.registers if registers else 0) for each, (_, registers, code) in zip(found, wanted)] \
+        == [(code, kind, registers) for kind, registers, code in wanted]
 
 
 def test_sizes_are_those_of_the_disassembler():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Paths: exact at keys, within the keys' range between them."""
 
+import math
 from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
@@ -75,3 +76,31 @@ def test_an_orbit_looks_at_its_centre():
     assert poses[0] == (0, 4 << 16, -3 << 16, 0, 7 << 29, 0)
     assert [p[3] for p in poses] == [0, 1 << 30, 2 << 30, 3 << 30]
     assert poses[1][:3] == (-3 << 16, 4 << 16, 0)
+
+
+def test_a_smooth_path_through_keys_at_equal_steps_on_a_line_is_a_line():
+    poses = path.poses([key((1, -2, 8), 4), key((5, -6, 4), 4), key((9, -10, 0))], True, "key")
+    assert [p[:3] for p in poses] == [((1 + i) << 16, -(2 + i) << 16, (8 - i) << 16) for i in range(9)]
+
+
+def test_a_smooth_path_has_the_weighted_harmonic_mean_of_the_slopes_beside_a_key():
+    # The slopes are 1/2 for 2 frames and 2 for 1: (4 + 5) / (4 / (1/2) + 5 / 2) = 6/7 at the key between them.
+    poses = path.poses([key((0, 0, 0), 2), key((1, 0, 0), 1), key((3, 0, 0))], True, "key")
+    cubic = Fraction(1, 2) * 2 / 8 + 2 * Fraction(1, 4) - Fraction(6, 7) * 2 / 8
+    assert poses[1][0] == quantity.q16(cubic)
+    # Where the direction turns back, the slope is 0.
+    poses = path.poses([key((0, 0, 0), 2), key((1, 0, 0), 1), key((0, 0, 0))], True, "key")
+    assert poses[1][0] == quantity.q16(Fraction(1, 2) * 2 / 8 + 2 * Fraction(1, 4))
+
+
+def test_between_two_points_to_look_at_the_point_moves():
+    made = [key((0, 2, 0), 4, target=(-10, 2, 10)), key((0, 2, 0), 1, target=(10, 2, 10))]
+    for smooth, part in ((False, 0.25), (True, 0.15625)):       # 3 u^2 - 2 u^3
+        yaw = math.degrees(math.atan2(-10 + 20 * part, 10))
+        assert path.poses(made, smooth, "key")[1][3] == quantity.angle(Fraction(yaw))
+
+
+def test_an_orbit_about_any_centre():
+    poses = path.orbit((1, 2, 3), Fraction(4), Fraction(-4), 4, Fraction(90), Fraction(-1))
+    assert [p[:3] for p in poses] == [(x << 16, -2 << 16, z << 16) for x, z in ((-3, 3), (1, -1), (5, 3), (1, 7))]
+    assert [p[3:] for p in poses] == [(turn << 30, 1 << 29, 0) for turn in (1, 0, 3, 2)]
