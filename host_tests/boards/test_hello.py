@@ -22,10 +22,11 @@ PAGE = (ROOT / "docs" / "hello.md").read_text(encoding="utf-8")
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 EXAMPLE = ROOT / "examples" / "cube"
 FRAME = ROOT / "host_tests" / "boards" / "examples" / "frame.c"
-BLOCKS = dict(re.findall(r"```(?:c|cpp)\n(?:/\*|//) ([a-z]+\.(?:cpp|c))\b[^\n]*\n(.*?)```", PAGE, re.DOTALL))
+BLOCKS = dict(re.findall(r"```(?:c|cpp)\n(?:/\*|//) ([a-z]+\.(?:cpp|c|h))\b[^\n]*\n(.*?)```", PAGE, re.DOTALL))
 COMMANDS = re.findall(r"^    ((?:make|tools/|gcc|arm-).*)$", PAGE, re.MULTILINE)
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"]
 C11 = ("gcc", "-std=c11")
+WRAPPED = "-Wl,--wrap=main"     # for FRAME, which calls the program's main
 WIDTH, HEIGHT = 320, 240
 
 # What the reader writes, for the tests: pixels, or what goes to a display, to stdout.
@@ -57,20 +58,11 @@ uint32_t keys_held(void)
     return frame > 6 ? FXL_KEY_ALL : frame > 3 ? FXL_KEY_FORWARD : FXL_KEY_LEFT;
 }
 """
-# The two cores are threads. With LEAST there is no room for a display list, so both traverse the scene.
+# The two cores are threads.
 THREADS = """
 #include <pthread.h>
-#include <stdio.h>
-#include "cube_scene.h"
-#ifdef LEAST
-#undef CUBE_MEMORY
-#undef CUBE_MEMORY_FAST
-#define CUBE_MEMORY CUBE_MEMORY_LEAST
-#define CUBE_MEMORY_FAST CUBE_MEMORY_LEAST
-#endif
-#define main two_cores
-#include "cores.c"
-#undef main
+#include <stddef.h>
+void on_both_cores(void (*work)(int core));
 static void (*share)(int core);
 static void *second_core(void *unused)
 {
@@ -78,38 +70,34 @@ static void *second_core(void *unused)
     share(1);
     return NULL;
 }
-void on_both_cores(void (*both)(int core))
+void on_both_cores(void (*work)(int core))
 {
     pthread_t thread;
-    share = both;
+    share = work;
     if (pthread_create(&thread, NULL, second_core, NULL)) { return; }
     share(0);
     pthread_join(thread, NULL);
 }
-int main(void)
-{
-    if (two_cores()) { return 1; }
-    return fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels;
-}
 """
-# The same for ahead.c. The second core begins a frame before the first one draws the frame before.
-AHEAD = THREADS.replace("cores.c", "ahead.c").replace("fwrite(pixels, 1, sizeof pixels, stdout) != sizeof pixels", "0")
-# The same for spin.c, whose second core also turns the cube. Its main is the program's: it renames that of ahead.c.
-SPIN = re.sub(r"#(define|undef) main.*\n", "", AHEAD.replace("ahead.c", "spin.c").rpartition("int main(void)")[0])
+# Included before a program: there is no room for a display list, so both cores traverse the scene.
+LEAST = """
+#include "cube_scene.h"
+#undef CUBE_MEMORY
+#undef CUBE_MEMORY_FAST
+#define CUBE_MEMORY CUBE_MEMORY_LEAST
+#define CUBE_MEMORY_FAST CUBE_MEMORY_LEAST
+"""
 # The wires of a display go to wires.bin (host_tests/boards/displays/wires_mock.c).
 WIRED = """
 #include "wires_mock.h"
 #include <stdbool.h>
+#include <stdlib.h>
 bool wires_open(void);
-#define main shown
-#include "screen.c"
-#undef main
-int main(void)
+__attribute__((constructor)) static void begin(void)
 {
-    if (!wires_open() || shown()) { return 1; }
-    wires_mock_end();
-    return 0;
+    if (!wires_open()) { exit(1); }
 }
+__attribute__((destructor)) static void end(void) { wires_mock_end(); }
 """
 # The frames of the path, whole, by the first level.
 WHOLE = """
@@ -159,8 +147,8 @@ def page(tmp_path_factory):
     folder = tmp_path_factory.mktemp("hello")
     for name, text in BLOCKS.items():
         (folder / name).write_text(text, encoding="utf-8")
-    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("threads_ahead.c", AHEAD), ("threads_spin.c", SPIN), ("wired.c", WIRED),
-                       ("whole.c", WHOLE)):
+    for name, text in (("rows.c", DISPLAY_ROWS), ("send.c", DISPLAY_SEND), ("keys.c", KEYS), ("threads.c", THREADS), ("least.h", LEAST),
+                       ("wired.c", WIRED), ("whole.c", WHOLE)):
         (folder / name).write_text(text, encoding="utf-8")
     making.export(str(EXAMPLE / "cube.obj"), str(folder / "cube_scene.h"), frames=60)
     library("host")
@@ -184,7 +172,7 @@ def drawn(folder, *files):
 
 def picture_of(folder, program, compiler=C11):
     """The pixels of a first program."""
-    file = compiled(folder, compiler, f'-DEXAMPLE="{program}"', FRAME)
+    file = compiled(folder, compiler, f'-DEXAMPLE="{program}"', FRAME, WRAPPED)
     done = subprocess.run([file], capture_output=True, check=True)
     return numpy.frombuffer(done.stdout, dtype=numpy.uint8).reshape(HEIGHT, WIDTH)
 
@@ -221,9 +209,16 @@ def test_readme_page_and_example_have_the_same_program():
 
 
 def test_the_page_has_its_seven_steps():
-    assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.c", "cores.c", "loop.c", "steer.c",
+    assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.h", "bands.c", "cores.c", "loop.c", "steer.c",
                            "turn.c", "display.c", "ahead.c", "spin.c", "screen.c", "window.c"}
     assert PAGE.count("\n## ") == 7 and PAGE.count("```") == 2 * len(BLOCKS)
+
+
+def test_each_program_is_what_a_reader_types():
+    """No program is another one whose main has another name; they share a header."""
+    for name, text in {**BLOCKS, "README": README}.items():
+        assert not re.search(r"#\s*define\s+main\b|#\s*include\s+[<\"][\w/]+\.c[\">]", text), name
+    assert sum('#include "bands.h"' in text for text in BLOCKS.values()) == 6
 
 
 def test_the_picture_is_a_cube(page, picture):
@@ -248,7 +243,7 @@ def test_each_language_draws_the_same_picture(page, picture, compiler, program):
         done = subprocess.run([*compiler, *WARNINGS, f"-I{host / 'include'}", f"-I{page}", f'-DEXAMPLE="{program}"',
                                "-c", FRAME, "-o", "frame.o"], cwd=page, capture_output=True, text=True, check=False)
         assert (done.returncode, done.stderr) == (0, "")
-        subprocess.run([compiler[0], "frame.o", host / "libfixel.a", "-o", "program"], cwd=page, check=True)
+        subprocess.run([compiler[0], WRAPPED, "frame.o", host / "libfixel.a", "-o", "program"], cwd=page, check=True)
         done = subprocess.run([page / "program"], capture_output=True, check=True)
         assert done.stdout == picture.tobytes()
     else:
@@ -273,7 +268,7 @@ def test_bands_draw_the_same_picture(page, picture):
 
 
 def test_two_cores_draw_the_same_picture(page, picture):
-    assert drawn(page, "-pthread", "threads.c").tobytes() == picture.tobytes()
+    assert drawn(page, "-pthread", "cores.c", "threads.c", "rows.c").tobytes() == picture.tobytes()
 
 
 WATCHED = (*C11, "-O1", "-pthread", "-fsanitize=thread", "-ffunction-sections", "-fdata-sections",
@@ -304,22 +299,22 @@ def watched(page, library_objects, *files):
     return done.stdout
 
 
-@pytest.mark.parametrize("least", [[], ["-DLEAST"]])
+@pytest.mark.parametrize("least", [[], ["-include", "least.h"]])
 def test_two_cores_touch_nothing_of_each_other(page, picture, watched_library, least):
-    assert watched(page, watched_library, *least, "threads.c") == picture.tobytes()
+    assert watched(page, watched_library, *least, "cores.c", "threads.c", "rows.c") == picture.tobytes()
 
 
-@pytest.mark.parametrize("least", [[], ["-DLEAST"]])
+@pytest.mark.parametrize("least", [[], ["-include", "least.h"]])
 def test_a_frame_begins_while_another_is_drawn(page, watched_library, least):
-    assert watched(page, watched_library, *least, "threads_ahead.c", "rows.c") == drawn(page, "whole.c").tobytes()
+    assert watched(page, watched_library, *least, "ahead.c", "threads.c", "rows.c") == drawn(page, "whole.c").tobytes()
 
 
 def test_a_scene_changes_while_its_frame_is_drawn(page, watched_library):
-    assert watched(page, watched_library, "threads_spin.c", "rows.c") == drawn(page, "turn.c", "rows.c").tobytes()
+    assert watched(page, watched_library, "spin.c", "threads.c", "rows.c") == drawn(page, "turn.c", "rows.c").tobytes()
 
 
 def test_without_room_for_the_frame_the_scene_must_not_change(page):
-    program = compiled(page, C11, "-DLEAST", "-pthread", "threads_spin.c", "rows.c")
+    program = compiled(page, C11, "-include", "least.h", "-pthread", "spin.c", "threads.c", "rows.c")
     done = subprocess.run([program], capture_output=True, check=False)
     assert (done.returncode, done.stdout, done.stderr) == (1, b"", b"")
 
@@ -356,7 +351,7 @@ def test_the_display_gets_the_colours_of_the_palette(page, picture):
 def test_an_st7789_shows_the_picture(page, picture):
     """Its program is short, and what comes over the wires is the first program's picture."""
     mock = ROOT / "host_tests" / "boards" / "displays"
-    drawn(page, "wired.c", mock / "wires_mock.c", f"-I{mock}")
+    drawn(page, "screen.c", "wired.c", mock / "wires_mock.c", f"-I{mock}")
     display = read_wires(page / "wires.bin")
     assert display.on and display.inverted and display.access == 0x60
     assert numpy.array_equal(display.memory, rgb565(palette_of(page))[picture])
@@ -396,7 +391,7 @@ def test_an_emulated_core_draws_the_same_picture(page, picture, core):
                            f"-I{page}", f"-I{ROOT / 'boards'}", "-DEXAMPLE_ON_BOARD",
                            f'-DEXAMPLE="{EXAMPLE / "main.c"}"', FRAME, *objects_for(core), "-nostartfiles",
                            "-nostdlib", "-lgcc", f"-L{ROOT / 'linker'}", "-T", ROOT / "boards" / BOARD / "memory.ld",
-                           "-Wl,--gc-sections,--no-warn-rwx-segments", "-o", program],
+                           "-Wl,--gc-sections,--no-warn-rwx-segments", WRAPPED, "-o", program],
                           capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     ending = emulator.run_text(program)

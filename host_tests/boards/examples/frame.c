@@ -1,12 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Runs the first program (examples/cube/main.c, or that of docs/hello.md) and hands out its
  * picture: the pixels on the host's stdout, or on a board their CRC-32 as text. EXAMPLE is the
- * program's file. With EXAMPLE_PALETTE the program has a palette of its own, which comes first.
+ * program's file. The linker's --wrap=main puts this file's function between the start and the
+ * program's main. With EXAMPLE_PALETTE the program has a palette of its own, which comes first.
  * With EXAMPLE_FRAMES it shows so many frames, of which the last is its picture. EXAMPLE_PIXEL is
  * the type of its pixels, if that is not a byte. */
-#define main example_main
 #include EXAMPLE
-#undef main
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+int __real_main(void);
+int __wrap_main(int argc, char **argv);
+#ifdef __cplusplus
+}
+#endif
 
 #ifndef EXAMPLE_PIXEL
 #define EXAMPLE_PIXEL uint8_t
@@ -38,12 +46,12 @@ static uint32_t crc32_of(const uint8_t *bytes, uint32_t size)
     return ~crc;
 }
 
-int main(int argc, char **argv)
+int __wrap_main(int argc, char **argv)
 {
     char text[] = "crc 00000000\n";
 
     system_start(argc, argv);
-    if (example_main() != 0) {
+    if (__real_main() != 0) {
         system_exit(SYSTEM_EXIT_RENDER);
     }
     uint32_t crc = crc32_of((const uint8_t *)pixels[0], sizeof pixels);
@@ -57,9 +65,11 @@ int main(int argc, char **argv)
 #else
 #include <stdio.h>
 
-int main()
+int __wrap_main(int argc, char **argv)
 {
-    if (example_main() != 0) {
+    (void)argc;
+    (void)argv;
+    if (__real_main() != 0) {
         return 1;
     }
 #ifdef EXAMPLE_PALETTE

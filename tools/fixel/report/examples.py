@@ -75,7 +75,7 @@ def _run(library, program, more, *flags, row_bytes=WIDTH):
     with scratch.folder("first") as folder:
         scene = write_scene(folder)
         command = [os.environ.get("HOSTCC", "gcc"), "-std=c11", f'-DEXAMPLE="{program}"', f"-I{ROOT / 'lib' / 'include'}",
-                   *flags, f"-I{folder}", str(FRAME), str(library), "-o", f"{folder}/frame"]
+                   *flags, f"-I{folder}", str(FRAME), str(library), "-Wl,--wrap=main", "-o", f"{folder}/frame"]
         done = children.run(command, text=True)
         if done.returncode != 0:
             raise ToolError(f"{program} cannot be compiled with {library}", words=done.stderr.strip())
