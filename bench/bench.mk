@@ -39,14 +39,16 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
 BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 listing-double listing-float memset kernels
-BENCH_LIB := $(LIB_NAMES:%=lib/%)
+BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c looks.c surfaces.c) \
+    $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
+BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
 BENCH_FRAMES := frames path $(BENCH_LIB)
 BENCH_OBJECTS.calibration := calibration
 BENCH_OBJECTS.fixel := draw_fixel looks surfaces $(BENCH_FRAMES)
 # The library by -Os; for few bytes, as make lib SIZE=1 makes it; in bands, with the memory of a
 # small board; with each frame converted.
-BENCH_OBJECTS.fixel-os := draw_fixel looks surfaces frames path $(LIB_NAMES:%=os/lib/%)
-BENCH_OBJECTS.fixel-small := draw_fixel looks surfaces frames path $(LIB_NAMES:%=small/lib/%)
+BENCH_OBJECTS.fixel-os := draw_fixel looks surfaces frames path $(BENCH_NEEDED:%=os/lib/%)
+BENCH_OBJECTS.fixel-small := draw_fixel looks surfaces frames path $(BENCH_NEEDED:%=small/lib/%)
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
 BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks surfaces $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
@@ -64,7 +66,7 @@ BENCH_LIB_OUT = $(or $(addprefix $(CORE_OUT)/,$(filter $(call CORE_NAME_OF_FLAGS
 # $(1): the core, $(2): names of objects.
 BENCH_PLACES = $(patsubst $(BENCH_OUT)/$(1)/small/lib/%,$(call BENCH_LIB_OUT,$(1),small/)/%,\
     $(patsubst $(BENCH_OUT)/$(1)/os/lib/%,$(call BENCH_LIB_OUT,$(1),os/)/%,\
-    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(2:%=$(BENCH_OUT)/$(1)/%.o))))
+    $(patsubst $(BENCH_OUT)/$(1)/lib/%,$(call BENCH_LIB_OUT,$(1))/%,$(patsubst %,$(BENCH_OUT)/$(1)/%.o,$(filter-out $(call LIB_FOREIGN,$(BENCH_FLAGS.$(1))),$(2))))))
 # $(1): the core, $(2): the program.
 BENCH_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text $(BENCH_OBJECTS.$(2)) \
     $(if $(filter $(2),$(BENCH_C_LIBRARY)),,memory_functions))
@@ -133,7 +135,8 @@ BENCH_ROOTS.fixel := fxl_renderer_init_with_for_polygons_of_32 fxl_frame_begin f
 BENCH_ROOTS.listing-double := listing_draw
 BENCH_ROOTS.listing-float := listing_draw
 BENCH_ROOTS.memset := memset
-BENCH_SIZED_OF.fixel := $(BENCH_LIB) memory_functions
+BENCH_SIZED_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,bench/firmware/draw_fixel.c))
+BENCH_SIZED_OF.fixel := $(BENCH_SIZED_LIB) memory_functions
 BENCH_SIZED_OF.listing-double := double/listing
 BENCH_SIZED_OF.listing-float := float/listing
 BENCH_SIZED_OF.memset :=
@@ -145,8 +148,8 @@ BENCH_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
 # The objects of a program. By -flto the linker calls the compiler, which wants its flags again.
 BENCH_SIZE_OBJECTS.O2 = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2)))
 BENCH_SIZE_OBJECTS.Os = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_OF.$(2):%=os/%))
-BENCH_SIZE_OBJECTS.small = $(call BENCH_PLACES,$(1),$(BENCH_LIB:%=small/%) os/memory_functions)
-BENCH_SIZE_OBJECTS.small-flto = $(call BENCH_PLACES,$(1),$(BENCH_LIB:%=small-lto/%) os/memory_functions)
+BENCH_SIZE_OBJECTS.small = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_LIB:%=small/%) os/memory_functions)
+BENCH_SIZE_OBJECTS.small-flto = $(call BENCH_PLACES,$(1),$(BENCH_SIZED_LIB:%=small-lto/%) os/memory_functions)
 BENCH_SIZE_FLAGS.small-flto := $(BENCH_SMALL) -flto -ffunction-sections -fdata-sections
 
 # $(1): the core, $(2): the renderer, $(3): O2, Os, small or small-flto.

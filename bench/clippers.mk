@@ -26,7 +26,9 @@ CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
 # What a method wants beside its room.
 CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(1),1)),prepare_tree,prepare_plain)
 
-CLIPPERS_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text memory_functions draw_combination $(BENCH_FRAMES))
+# The plan names the clippers and what hides what.
+CLIPPERS_LIB := $(LIB_NAMES:%=lib/%)
+CLIPPERS_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text memory_functions draw_combination frames path $(CLIPPERS_LIB))
 CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_visibility \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
 CLIPPERS_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
@@ -40,7 +42,7 @@ $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).elf: $(BENCH_OUT)/$(1
         $(BENCH_OUT)/$(1)/$(call CLIPPERS_PREPARE,$(3)).o $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 $(BENCH_OUT)/$(1)/clippers/size/$(call CLIPPERS_NAME,$(2),$(3)).elf: \
-        $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(call BENCH_PLACES,$(1),$(BENCH_LIB) memory_functions)
+        $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(call BENCH_PLACES,$(1),$(CLIPPERS_LIB) memory_functions)
 	$$(call FIRMWARE_LINK,$$(call CLIPPERS_SIZE_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 
 endef

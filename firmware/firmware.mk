@@ -66,8 +66,11 @@ CORE_SHARED = $(subst cortex-m7,cortex-m4,$(1))
 BOARD_CORE_OUT = $(CORE_OUT)/$(call CORE_SHARED,$(call CORE_NAME,$(1)))
 
 FIRMWARE_CFLAGS := $(WARNINGS) -O2 -g -ffunction-sections -fdata-sections -fstack-usage -MMD -MP
-# The host's own library is compiled for its tools anyway (lib/lib.mk).
-LIB_OBJECTS_OF = $(if $(filter host,$(call CORE_NAME,$(1))),$(LIB_HOST_OBJECTS),$(LIB_NAMES:%=$(BOARD_CORE_OUT)/lib/%.o))
+# What a board's program links of the library. The host's own library is compiled for its tools anyway (lib/lib.mk).
+# lib/draw/offsets.c is no part of a program: it asserts what kernels in assembly assume.
+# $(1): a board, $(2): the program's sources, and records of the library that it names by a macro.
+LIB_OBJECTS_OF = $(if $(filter host,$(call CORE_NAME,$(1))),$(call LIB_HOST_NEEDED,$(BOARD_SOURCES.$(1)) $(2)),\
+    $(patsubst %,$(BOARD_CORE_OUT)/lib/%.o,$(filter-out $(call LIB_FOREIGN,$(BOARD_CORE.$(1))),draw/offsets $(call LIB_NEEDED,$(BOARD_SOURCES.$(1)) $(2)))))
 
 # No object names the folder of the checkout: what it says of its source is relative to that folder.
 # For assembly the compiler does not pass that on.
@@ -136,8 +139,9 @@ ifeq ($(if $(VISIBILITY),$(call ONE_OF,$(VISIBILITY),$(VISIBILITIES)),none),)
 $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VISIBILITIES))
 endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
-WALK_METHODS_DEFINES := $(if $(CLIPPER),-DWALK_CLIPPER=fxl_clipper_$(subst -,_,$(CLIPPER))) \
-    $(if $(VISIBILITY),-DWALK_VISIBILITY=fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%))) \
+WALK_CLIPPER := $(if $(CLIPPER),fxl_clipper_$(subst -,_,$(CLIPPER)))
+WALK_VISIBILITY := $(if $(VISIBILITY),fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%)))
+WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(WALK_VISIBILITY:%=-DWALK_VISIBILITY=%) \
     $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH) $(if $(filter tree%,$(VISIBILITY)),-DWALK_TREE) \
     $(if $(filter surfaces,$(VISIBILITY)),-DWALK_SURFACES)
 WALK_METHODS_FILES := methods surfaces
@@ -166,6 +170,9 @@ endif
 WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
 WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
 
+# What was chosen, as the library calls it.
+WALK_RECORDS := $(WALK_CLIPPER) $(WALK_VISIBILITY) $(DRIVER:%=fxl_%)
+
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
@@ -192,7 +199,7 @@ $(FIRMWARE_OUT)/$(1)/boards/parts/memory_functions.o: FLAGS_OF_FILE := -fno-tree
 endef
 
 define PROGRAM_RULES
-$(call PROGRAM_FILE_OF,$(1),$(2)): $(call PROGRAM_OBJECTS_OF,$(1),$(2))
+$(call PROGRAM_FILE_OF,$(1),$(2)): $(call PROGRAM_OBJECTS_OF,$(1),$(2)) $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(2)))
 endef
 
 # The objects that differ stand in place of the program's own.
@@ -200,7 +207,8 @@ define CHOICE_RULES
 $(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),$(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
     $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o \
     $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) \
-    $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(FIRMWARE_OUT)/$(1)/$(call BOARD_WIRES_OF,$(1)).o)
+    $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(FIRMWARE_OUT)/$(1)/$(call BOARD_WIRES_OF,$(1)).o) \
+    $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(PROGRAM)) $(WALK_RECORDS) $(if $(DRIVER),boards/parts/driver_panel.c $(call BOARD_WIRES_OF,$(1)).c))
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
@@ -225,7 +233,7 @@ endef
 define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
-$(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF)
+$(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF)
 	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^))
 endef
 
@@ -233,7 +241,7 @@ define TARGET_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
-$(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(LIB_OBJECTS_OF) $(BOARD_LINK_SCRIPTS)
+$(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)

@@ -10,6 +10,23 @@ LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h lib/include/fixe
 LIB_SOURCES := $(sort $(wildcard lib/*/*.c lib/*/*.S))
 LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 
+# The kernels of other families of cores, which have no contents for this one. $(1): the compiler's flags that choose it.
+LIB_THUMB1 := cortex-m0 cortex-m0plus cortex-m1 cortex-m23
+LIB_FOREIGN = $(if $(filter -mcpu=%,$(1)),$(if $(filter $(LIB_THUMB1:%=-mcpu=%),$(1)),%_armv7m %_mve,%_armv6m),%_armv6m %_armv7m %_mve)
+LIB_NAMES_FOR = $(filter-out $(call LIB_FOREIGN,$(1)),$(LIB_NAMES))
+
+# Which of them a program needs: lib/needs.py finds it in the sources, once for a state of them. $(1): sources of the
+# program, or names of records of the library.
+LIB_NEEDED = $(filter $(sort $(foreach source,$(1),$(LIB_NEEDS.$(source)))),$(LIB_NAMES))
+LIB_USERS := $(wildcard boards/*/*.c firmware/*/*.c examples/*/*.c bench/firmware/*.c bench/listing/*.c \
+    host_tests/judges/*/*.c host_tests/stages/*.c host_tests/stages/*/*.c) $(filter-out host_tests/unit/test_%,$(wildcard host_tests/unit/*.c))
+$(BUILD)/lib_needs.mk: lib/needs.py $(LIB_SOURCES) $(wildcard lib/*/*.h) $(LIB_HEADERS) $(LIB_USERS)
+	$(MAKE_FOLDER)
+	@python3 $< $(LIB_SOURCES) -- $(LIB_USERS) > $@.$$$$ && mv $@.$$$$ $@
+ifneq ($(filter-out help $(COMMANDS),$(MAKECMDGOALS)),)
+include $(BUILD)/lib_needs.mk
+endif
+
 # No flag here is needed for a correct library; they save instructions. A kernel's own loop
 # must not become a call of memset. No code touches a register for floating point: nothing
 # here has floats, and what a compiler keeps there costs more than the stack. So a Cortex-M4
@@ -37,9 +54,13 @@ endef
 
 # --- build/host/libfixel.a, for the host's programs ---------------------------
 
-LIB_HOST_OBJECTS := $(LIB_NAMES:%=$(BUILD)/host/objects/lib/%.o)
+LIB_HOST_NAMES := $(call LIB_NAMES_FOR)
+LIB_HOST_OBJECTS := $(LIB_HOST_NAMES:%=$(BUILD)/host/objects/lib/%.o)
 
-$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(SAY)))
+$(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g1 $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(SAY)))
+
+# What a program of the host links of it. $(1): the sources of the program.
+LIB_HOST_NEEDED = $(patsubst %,$(BUILD)/host/objects/lib/%.o,$(filter $(LIB_HOST_NAMES),$(call LIB_NEEDED,$(1))))
 
 $(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
 	@rm -f $@
@@ -58,7 +79,7 @@ LIB_CORE_FLAGS := $(if $(filter host,$(LIB_CORE)),,-mcpu=$(LIB_CORE) -mthumb)
 LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(CROSS)gcc)
 LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(CROSS)ar)
 LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
-LIB_OBJECTS := $(LIB_NAMES:%=$(LIB_OUT)/objects/%.o)
+LIB_OBJECTS := $(patsubst %,$(LIB_OUT)/objects/%.o,$(call LIB_NAMES_FOR,$(LIB_CORE_FLAGS)))
 
 .PHONY: lib
 ifneq ($(and $(filter unknown,$(LIB_CORE)),$(filter lib,$(MAKECMDGOALS))),)

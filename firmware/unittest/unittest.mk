@@ -49,7 +49,7 @@ UNIT_OBJCOPY.libtests.a := $(UNIT_OBJCOPY.libhelpers.a) --wildcard --keep-global
 
 define CORE_TEST_RULES
 $(CORE_OUT)/$(1)/unit/libhelpers.a: $(BOARD_TEST_HELPERS:%.c=$(CORE_OUT)/$(1)/unit/%.o)
-$(CORE_OUT)/$(1)/unit/libfixel.a: $(LIB_NAMES:%=$(BOARD_TEST_LIB)/%.o)
+$(CORE_OUT)/$(1)/unit/libfixel.a: $(patsubst %,$(BOARD_TEST_LIB)/%.o,$(call LIB_NAMES_FOR,$(subst cpu-,-mcpu=,$(subst _, ,$(1)))))
 $(CORE_OUT)/$(1)/unit/libtests.a: $(BOARD_TESTS:%=$(CORE_OUT)/$(1)/unit/%.o)
 $(addprefix $(CORE_OUT)/$(1)/unit/,libtests.a libhelpers.a libfixel.a):
 	$(FIRMWARE_QUIET)rm -f $$@

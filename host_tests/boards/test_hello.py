@@ -379,7 +379,7 @@ def objects_for(core):
     parts = sorted(built(f"{BOARD}/walk.elf").parent.glob("boards/**/*.o"))
     if core == "cortex-m0":
         return [*parts, library(core) / "libfixel.a"]
-    return [*parts, *sorted(ROOT.glob("build/core/cpu-cortex-m3_float-abi-soft_no-unaligned-access/lib/**/*.o"))]
+    return [*parts, ROOT / "build/core/cpu-cortex-m3_float-abi-soft_no-unaligned-access/unit/libfixel.a"]
 
 
 # The board has an M3, which runs what is compiled for an M0 too (bench/bench.mk).

@@ -20,7 +20,7 @@ FUZZ_SHARED := $(filter-out fuzz_scene fuzz_pipeline mutate_scene replay,\
     $(basename $(notdir $(wildcard host_tests/fuzz/*.c))))
 FUZZ_PARTS_scene := fuzz_scene mutate_scene $(FUZZ_SHARED)
 FUZZ_PARTS_pipeline := fuzz_pipeline $(FUZZ_SHARED)
-FUZZ_LIB := $(LIB_NAMES)
+FUZZ_LIB := $(LIB_HOST_NAMES)
 
 # --- libFuzzer, sanitizers, the library's assertions ---------------------------
 

@@ -10,6 +10,6 @@ $(BUILD)/host/objects/stages/%.o: host_tests/stages/%.c
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib \
 	    -MMD -MP -c $< -o $@
 
-$(BUILD)/host/stage_errors: $(STAGES_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+$(BUILD)/host/stage_errors: $(STAGES_OBJECTS) $(BUILD)/host/libreference.a $(call LIB_HOST_NEEDED,$(wildcard host_tests/stages/*.c))
 	$(SAY)
 	$(HOSTCC) $^ -lm -o $@

@@ -13,7 +13,7 @@ UNIT_CFLAGS := -std=c11 $(WARNINGS) -O1 -g1 $(RELATIVE_PATHS) -fsanitize=address
 UNIT_FOREIGN_CFLAGS = $(filter-out $(WARNINGS) -g1 -f%,$(UNIT_CFLAGS)) -std=c11 -w
 
 # The fuzz targets' replay links this library too. Its assertions are on.
-UNIT_LIB_OBJECTS := $(LIB_NAMES:%=$(UNIT_OUT)/lib/%.o)
+UNIT_LIB_OBJECTS := $(LIB_HOST_NAMES:%=$(UNIT_OUT)/lib/%.o)
 UNIT_HELPER_OBJECTS := $(patsubst host_tests/unit/%.c,$(UNIT_OUT)/%.o,\
     $(filter-out host_tests/unit/test_%,$(wildcard host_tests/unit/*.c)))
 UNIT_PART_OBJECTS := $(UNIT_PARTS:boards/parts/%.c=$(UNIT_OUT)/parts/%.o)

@@ -15,7 +15,7 @@ $(eval $(call LIB_RULES,$(COVERAGE_OUT)/lib,\
     $$(COVERAGE_CLANG) $$(COVERAGE_CFLAGS) $$(COVERAGE_COUNTERS) -c $$< -o $$@,host_tests/unit/unit_coverage.mk,$$(SAY)))
 
 # One shared library, so that each of its functions is counted once, whichever program calls it.
-$(COVERAGE_LIBRARY): $(LIB_NAMES:%=$(COVERAGE_OUT)/lib/%.o)
+$(COVERAGE_LIBRARY): $(LIB_HOST_NAMES:%=$(COVERAGE_OUT)/lib/%.o)
 	$(SAY)
 	$(COVERAGE_CLANG) -shared -fprofile-instr-generate $^ -o $@
 

@@ -13,6 +13,7 @@ $(BUILD)/host/objects/judges/judge/%.o: host_tests/judges/judge/%.c
 
 $(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/objects/judges/frames/read_file.o \
         $(BUILD)/host/objects/judges/frames/moving_reference.o $(BUILD)/host/libreference.a \
-        $(BUILD)/host/liboracle.a $(BUILD)/host/libfixel.a
+        $(BUILD)/host/liboracle.a \
+        $(call LIB_HOST_NEEDED,$(wildcard host_tests/judges/judge/*.c) $(addprefix host_tests/judges/,oracle/tie.c frames/moving_reference.c))
 	$(SAY)
 	$(HOSTCC) -pthread $^ -lm -o $@

@@ -28,7 +28,7 @@ $(ORACLE_TURNS): $(BUILD)/host/objects/%.o: host_tests/%.c
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ilib/include -MMD -MP -c $< -o $@
 
 $(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(ORACLE_BRIDGE) \
-        $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+        $(BUILD)/host/libreference.a $(call LIB_HOST_NEEDED,$(wildcard host_tests/judges/oracle/*.c) $(ORACLE_BRIDGE:$(BUILD)/host/objects/%.o=host_tests/%.c))
 	$(SAY)
 	$(HOSTCC) $^ -lgmp -lm -o $@
 

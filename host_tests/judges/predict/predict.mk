@@ -13,6 +13,7 @@ $(BUILD)/host/objects/judges/predict/%.o: host_tests/judges/predict/%.c
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
 
-$(BUILD)/host/predict: $(PREDICT_OBJECTS) $(BUILD)/host/libfixel.a
+$(BUILD)/host/predict: $(PREDICT_OBJECTS) \
+    $(call LIB_HOST_NEEDED,$(wildcard host_tests/judges/predict/*.c) host_tests/judges/frames/session.c firmware/walk/path.c)
 	$(SAY)
 	$(HOSTCC) $^ $(PREDICT_WRAPPED:%=-Wl,--wrap=%) -lm -o $@

@@ -11,6 +11,7 @@ $(BUILD)/host/objects/judges/wire/%.o: host_tests/judges/wire/%.c
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ifirmware/walk -MMD -MP -c $< -o $@
 
-$(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+$(BUILD)/host/wire: $(WIRE_OBJECTS) $(BUILD)/host/libreference.a \
+    $(call LIB_HOST_NEEDED,$(addprefix host_tests/judges/,wire/main.c frames/session.c frames/moving_reference.c) firmware/walk/path.c)
 	$(SAY)
 	$(HOSTCC) $^ -lm -o $@
