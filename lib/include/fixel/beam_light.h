@@ -18,10 +18,14 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
 /* Makes a renderer draw with 1..FXL_BEAMS_MAX beams. beam_count 0 turns the light off; the other
  * arguments are then ignored. lit[c] is the lit variant of colour c. The renderer keeps pointers
  * to beams, lit and workspace. The caller must begin a frame anew.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (workspace, to 8 bytes), FXL_E_ORDER (the renderer was never
- * initialised), FXL_E_COUNT, the errors of fxl_beam_check, FXL_E_CAPACITY (the workspace is
- * too small, or a face of the renderer's scene has too many vertices for fxl_beams_fit): the
- * renderer is untouched, except for refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: workspace is not aligned to 8 bytes.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_COUNT: a count is out of its range.
+ * The statuses of fxl_beam_check.
+ * FXL_E_CAPACITY: the workspace is too small, or a face of the renderer's scene has too many
+ * vertices for fxl_beams_fit.
+ * With each of these statuses: the renderer is untouched, except for refused_calls. */
 fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
                                   uint32_t beam_count, const uint8_t *lit, void *workspace,
                                   uint32_t workspace_size);

@@ -45,10 +45,15 @@ typedef union {
  * of 1..65535; every number and range; and of a model with a billboard that it is convex, has one
  * face, and has a radius that holds all corners of the billboard about the anchor. Requires a
  * checked scene and tables as long as their counts; fault may be null.
- * FXL_E_ARGUMENT (a null pointer, also in a record), FXL_E_ALIGNMENT (billboards and sprites, to a
- * pointer's size; model_map, to 2 bytes), FXL_E_COUNT (the set's count, or the faces of a model),
- * FXL_E_RANGE, FXL_E_INDEX (model_map), FXL_E_RADIUS: *fault written. On FXL_OK *fault is
- * untouched. */
+ * FXL_E_ARGUMENT: a null pointer, also in a record.
+ * FXL_E_ALIGNMENT: billboards or sprites are not aligned to a pointer's size, or model_map to 2
+ * bytes.
+ * FXL_E_COUNT: the set's count, or the faces of a model.
+ * FXL_E_RANGE: a number is out of its range.
+ * FXL_E_INDEX: model_map has a number past the end of a table.
+ * FXL_E_RADIUS: a vertex is outside the sphere that must hold it.
+ * With each of these statuses: *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
                                 fxl_scene_fault *fault);
 
@@ -56,10 +61,16 @@ fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *s
  * many of each; they must outlive *set, as the image must. Checks that each sprite lies within the
  * image's sprite pixels, and as fxl_billboards_check.
  * Requires an image that fxl_scene_open has opened; fault may be null.
- * FXL_E_ARGUMENT (a null pointer; an image without billboards), FXL_E_ALIGNMENT (sprites or
- * boards), FXL_E_CAPACITY (more billboards than capacity), FXL_E_RANGE, FXL_E_OFFSET,
- * FXL_E_RESERVED, and those of fxl_billboards_check: *set untouched, *fault written; sprites and
- * boards may be overwritten. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT: a null pointer; an image without billboards.
+ * FXL_E_ALIGNMENT: sprites or boards are not aligned.
+ * FXL_E_CAPACITY: more billboards than capacity.
+ * FXL_E_RANGE: a number is out of its range.
+ * FXL_E_OFFSET: a table reaches outside the image.
+ * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
+ * The statuses of fxl_billboards_check.
+ * With each of these statuses: *set untouched, *fault written; sprites and boards may be
+ * overwritten.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
                                fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
                                fxl_scene_fault *fault);
@@ -72,10 +83,13 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
  * faces keep their surfaces. It is set after those, and ends where another method is set: then an
  * instance shows its face. A sprite may change between frames, and so may model_map. The frame must
  * begin anew. Several cores may draw bands of one frame.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised; or there is a set, and the
- * visibility method is another one: with a depth buffer fxl_renderer_set_billboards_by_depth does
- * it, with a span buffer, a BSP tree or outlines nothing does), FXL_E_ALIGNMENT (billboards), and
- * those of fxl_billboards_check: nothing is changed but refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised; or there is a set, and the visibility method is
+ * another one: with a depth buffer fxl_renderer_set_billboards_by_depth does it, with a span
+ * buffer, a BSP tree or outlines nothing does.
+ * FXL_E_ALIGNMENT: billboards are not aligned.
+ * The statuses of fxl_billboards_check.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                        const fxl_billboard_set *set);
 
@@ -84,9 +98,11 @@ fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *b
  * centre; one with the colour key keeps no depth. In the display list a billboard takes 40 bytes.
  * fxl_renderer_set_billboards with a set that is null takes them away. The relative error of a
  * depth is below 2^-28. set must not be null.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised, or draws without a depth
- * buffer), FXL_E_ALIGNMENT (billboards), and those of fxl_billboards_check: nothing is changed but
- * refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised, or draws without a depth buffer.
+ * FXL_E_ALIGNMENT: billboards are not aligned.
+ * The statuses of fxl_billboards_check.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_billboards_by_depth(fxl_renderer *renderer, fxl_billboards *billboards,
                                                 const fxl_billboard_set *set);
 

@@ -56,10 +56,13 @@ typedef struct {
  * normals in the world, each rounded once, are the faces. A sphere test, which is exact, passes
  * over instances that the segment does not come near. Error: half a unit of 2^-31 in `fraction`;
  * 0.75 units of 1/65536 in each coordinate of `point`. With no hit, *hit has `to`, a fraction of 1,
- * FXL_HIT_NONE and face 0. All turns are checked in each call. FXL_E_ARGUMENT, FXL_E_ORDER (the
- * scene was not checked, or has turns without a turn_code), FXL_E_TURN (the orientation of an
- * instance), FXL_E_RANGE (a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale
- * or the place of a turned instance): *hit untouched. */
+ * FXL_HIT_NONE and face 0. All turns are checked in each call.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the scene was not checked, or has turns without a turn_code.
+ * FXL_E_TURN: the orientation of an instance is no rotation.
+ * FXL_E_RANGE: a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale or the
+ * place of a turned instance.
+ * With each of these statuses: *hit untouched. */
 fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const fxl_point *to,
                             fxl_hit *hit);
 
@@ -87,10 +90,12 @@ typedef struct {
  * (`blocked`). A coordinate beyond FXL_COORDINATE_MAX is clamped to it. It reads every face of each
  * instance whose sphere it reaches, a few times for each step. The faces of an instance that is
  * turned are those of fxl_cast_segment; all turns are checked in each call. *slide may be null.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the scene was not checked, or has turns without a turn_code),
- * FXL_E_TURN (the orientation of an instance), FXL_E_RANGE (the centre, or the radius; a component
- * of `move` outside of FXL_COORDINATE_MAX; a move of more than FXL_SLIDE_STEPS_MAX steps; the scale
- * or the place of a turned instance): nothing is changed. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the scene was not checked, or has turns without a turn_code.
+ * FXL_E_TURN: the orientation of an instance is no rotation.
+ * FXL_E_RANGE: the centre, or the radius; a component of `move` outside of FXL_COORDINATE_MAX; a
+ * move of more than FXL_SLIDE_STEPS_MAX steps; the scale or the place of a turned instance.
+ * With each of these statuses: nothing is changed. */
 fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *move,
                             fxl_slide *slide);
 

@@ -40,8 +40,11 @@ extern const fxl_visibility fxl_visibility_depth_32; /* 32 bits a pixel */
  * before. Not with a BSP tree, which is a method of its own; billboards come after it
  * (fxl_renderer_set_billboards_by_depth). The depth ends where another visibility method is set. A
  * frame must begin anew. In memory of its own (fxl_workspace_init) each core may draw another band.
- * FXL_E_ARGUMENT (also another method), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer was never
- * initialised), FXL_E_CAPACITY (size): nothing is changed but refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer; also another method.
+ * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_CAPACITY: size is too small.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_depth(fxl_renderer *renderer, fxl_depth *depth,
                                   const fxl_visibility *method, void *memory, uint32_t size);
 

@@ -63,10 +63,9 @@ typedef struct {
  * Members are for reading only.
  *
  * A pump of this sink must have the width of the frame and the display's pixels, and at most the
- * height of the frame. sink.start sends nothing and returns false, so the pump answers
- * FXL_E_DISPLAY, if the rows are none or not all within the frame, if `size` is not
- * fxl_pixels_size(pixels.format, frame_width, rows), or if the first row is not the first one of a
- * page. */
+ * height of the frame. sink.start sends nothing and returns false if the rows are none or not all
+ * within the frame, if `size` is not fxl_pixels_size(pixels.format, frame_width, rows), or if the
+ * first row is not the first one of a page. The pump then answers FXL_E_DISPLAY. */
 typedef struct fxl_display {
     fxl_display_config config;
     const fxl_display_port *port;
@@ -85,16 +84,18 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
 
 /* Wakes the controller up, sets it up, makes the glass black and turns it on. The display keeps the
  * pointer to the port. The frame fills the glass. Takes some 300 ms.
- * FXL_E_ARGUMENT (a null pointer; a port without send or pause, or with start and no wait),
- * FXL_E_RANGE (no driver, or the glass is not in the controller's memory: fxl_display_config):
- * nothing was sent, *display untouched. FXL_E_DISPLAY: a send failed; the
- * display cannot be used until it is opened. */
+ * FXL_E_ARGUMENT: a null pointer; a port without send or pause, or with start and no wait.
+ * FXL_E_RANGE: no driver, or the glass is not in the controller's memory: fxl_display_config.
+ * With each of these statuses: nothing was sent, *display untouched.
+ * FXL_E_DISPLAY: a send failed; the display cannot be used until it is opened. */
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette);
 
 /* Puts a frame that is smaller than the glass into its middle; with an SSD1306 or SH1106, to a
  * multiple of eight rows above the middle. What is around it stays black.
- * FXL_E_ARGUMENT, FXL_E_RANGE (0, or larger than the glass): *display untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: 0, or larger than the glass.
+ * With each of these statuses: *display untouched. */
 fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height);
 
 #ifdef __cplusplus

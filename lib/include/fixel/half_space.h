@@ -41,9 +41,10 @@ void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint
 
 /* Makes the volume of an asymmetric frustum. Its window lies in the plane z = near_z. It reaches
  * from left to right and from bottom to top; zero need not lie between them. Exact.
- * FXL_E_ARGUMENT: volume is null. FXL_E_RANGE, *volume untouched: near_z is below FXL_NEAR_MIN
- * or not below far_z, far_z is above FXL_FAR_MAX, near_z or a side is beyond FXL_COORDINATE_MAX,
- * left is not below right, or bottom is not below top. */
+ * FXL_E_ARGUMENT: volume is null.
+ * FXL_E_RANGE: near_z is below FXL_NEAR_MIN or not below far_z, far_z is above FXL_FAR_MAX, near_z
+ * or a side is beyond FXL_COORDINATE_MAX, left is not below right, or bottom is not below top.
+ * With each of these statuses: *volume untouched. */
 fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 bottom,
                                   fxl_q16_16 top, fxl_q16_16 near_z, fxl_q16_16 far_z,
                                   fxl_volume *volume);

@@ -30,9 +30,13 @@ typedef struct {
  * to the ramp; each renderer has a record of its own. A frame must begin anew, so call it between
  * frames for light that changes. Faces are lit after fxl_world_recolour and before beams: a beam's
  * lit colours are those of the colours that the ramp gives. Several cores may draw bands of one
- * frame. FXL_E_ARGUMENT (renderer; light or ramp, where there are settings), FXL_E_ORDER (the
- * renderer was never initialised), FXL_E_COUNT (point_count, levels), FXL_E_NORMAL (the direction),
- * FXL_E_RANGE (another number): nothing is changed but refused_calls. */
+ * frame.
+ * FXL_E_ARGUMENT: renderer is null; or light or ramp, if there are settings.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_COUNT: point_count or levels is out of range.
+ * FXL_E_NORMAL: the direction is not of unit length.
+ * FXL_E_RANGE: another number is out of range.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
                                   const fxl_light_settings *settings);
 
@@ -42,7 +46,9 @@ fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
  * those at the same distance the one of the lowest number. The top level of a colour is the colour
  * itself. dark is what black, or fog, is: three bytes. It looks at 65536 * (levels - 1) pairs of
  * colours; a program with little time computes the ramp on the host, and keeps it in flash.
- * FXL_E_ARGUMENT, FXL_E_COUNT (levels): ramp untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_COUNT: levels is out of range.
+ * With each of these statuses: ramp untouched. */
 fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
                                uint8_t *ramp);
 

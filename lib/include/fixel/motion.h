@@ -32,10 +32,13 @@ typedef struct {
  * it. Set and memory must outlive the player and the scene.
  * Only what draws *scene moves: a world (fixel/world.h) has copies of the instances, which
  * the program moves (docs/extras/motion.md, section 5).
- * FXL_E_ARGUMENT (a null pointer, also in the memory; a scene without turns; a set that lacks a
- * table that it counts), FXL_E_ORDER (the scene is that of a world), FXL_E_ALIGNMENT (the memory's
- * tables or the set's, to 4 bytes), FXL_E_COUNT (more motions than turns), FXL_E_CAPACITY: *player,
- * *scene and the memory are untouched. */
+ * FXL_E_ARGUMENT: a null pointer, also in the memory; a scene without turns; a set that lacks a
+ * table that it counts.
+ * FXL_E_ORDER: the scene is that of a world.
+ * FXL_E_ALIGNMENT: a table of the memory or of the set is not aligned to 4 bytes.
+ * FXL_E_COUNT: more motions than turns.
+ * FXL_E_CAPACITY: too little memory.
+ * With each of these statuses: *player, *scene and the memory are untouched. */
 fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set, fxl_scene *scene,
                             const fxl_motion_memory *memory);
 

@@ -11,10 +11,11 @@ extern "C" {
 #endif
 
 /* The rows that these functions write are within 1.8 units of 2^-30 of unit length and of right
- * angles. Each function takes the orientations that fxl_turn_check takes, and refuses others
- * (FXL_E_TURN). An output may be one of the inputs. Errors are those of
- * an entry, in units of 2^-30, against the exact rotation.
- * On every status but FXL_OK the output is untouched. FXL_E_ARGUMENT: a null pointer. */
+ * angles. Each function takes the orientations that fxl_turn_check takes. An output may be one of
+ * the inputs. Errors are those of an entry, in units of 2^-30, against the exact rotation.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_TURN: an orientation that fxl_turn_check refuses.
+ * With each status but FXL_OK: the output is untouched. */
 
 /* A model turned so looks where a camera with these angles looks: its z axis to the camera's
  * forward, its y axis to the camera's up, its x axis to the camera's right (fxl_camera_from_pose).
@@ -25,7 +26,8 @@ fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle
 /* A turn by an angle about an axis, from x towards y about +z, from y towards z about +x, from z
  * towards x about +y. Takes any angle. The axis may have any length above 0; each coordinate is
  * below 2^30 in magnitude.
- * FXL_E_RANGE: an axis of length 0, or a coordinate out of range. Error: at most 4. */
+ * FXL_E_RANGE: an axis of length 0, or a coordinate out of range.
+ * Error: at most 4. */
 fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
                                      fxl_orientation *orientation);
 
@@ -52,9 +54,10 @@ fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientat
  *   orientation = parent's orientation . child's orientation
  *   scale       = parent's scale * child's scale
  * A child may be the parent of another. docs/extras/orientation.md states the error by depth.
- * FXL_E_RANGE, FXL_E_TURN: an input or an output is out of range. The parent's centre and turn, and
- * those that would be written, must be such as fxl_turn_check takes with a radius of 0, and so must
- * the child's turn.
+ * FXL_E_RANGE: an input or an output is out of range.
+ * FXL_E_TURN: an input or an output is out of range.
+ * The parent's centre and turn, and those that would be written, must be such as fxl_turn_check
+ * takes with a radius of 0, and so must the child's turn.
  * Error: of the centre and of the scale half a unit of 1/65536, of the orientation that of
  * fxl_orientation_multiply. */
 fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *parent,

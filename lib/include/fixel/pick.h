@@ -30,8 +30,10 @@ typedef struct {
  * with a pose. The pixel that holds it is (at.x >> 16, at.y >> 16). Faces that hide the point are
  * not looked for. The near and the far plane are those of the lens, moved inward by the inset.
  * `depth` is exact given the camera, and each coordinate has the error of fxl_project_point.
- * FXL_E_ARGUMENT, FXL_E_ORDER (a view without a pose), FXL_E_RANGE (a coordinate of the point
- * outside of FXL_COORDINATE_MAX): *place untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: a view without a pose.
+ * FXL_E_RANGE: a coordinate of the point outside of FXL_COORDINATE_MAX.
+ * With each of these statuses: *place untouched. */
 fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
                               fxl_screen_place *place);
 
@@ -65,10 +67,12 @@ typedef struct {
  * A method of the caller's must have the same submit function. The scene must be as it was when the
  * frame began. It costs as much as drawing one row of the frame up to that face, near to far. It
  * works in the renderer's workspace: no band of the frame may be drawn meanwhile, also not by
- * fxl_frame_draw_with. The frame stays, and its counters do. FXL_E_ARGUMENT, FXL_E_ORDER (no frame
- * begun, or it was released by fxl_frame_release_scene), FXL_E_BSP (fxl_visibility_bsp or
- * _bsp_spans, billboards, or another submit function), FXL_E_RANGE (a pixel outside of the screen):
- * *picked untouched; counted in refused_calls. */
+ * fxl_frame_draw_with. The frame stays, and its counters do.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: no frame begun, or it was released by fxl_frame_release_scene.
+ * FXL_E_BSP: fxl_visibility_bsp or _bsp_spans, billboards, or another submit function.
+ * FXL_E_RANGE: a pixel outside of the screen.
+ * With each of these statuses: *picked untouched; counted in refused_calls. */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked);
 
 #ifdef __cplusplus

@@ -40,7 +40,7 @@ struct fxl_pixels {
 
 /* Prepares a palette of 256 x red, green, blue: that of a scene, or cube_palette[0] of an exported
  * one.
- * FXL_E_ARGUMENT (a null pointer; a format of zeros): *pixels untouched. */
+ * FXL_E_ARGUMENT: a null pointer; a format of zeros; *pixels untouched. */
 fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
                            const uint8_t *palette);
 
@@ -51,10 +51,12 @@ size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t 
 /* Converts a band into `size` bytes at `out`, aligned to 4: row after row, without a gap. Bits of a
  * last byte that no pixel has are 0. The dither counts columns from the band's left edge and rows
  * from the top of the frame, so the result does not depend on how a frame is cut into bands.
- * FXL_E_ARGUMENT (a null pointer, a band without rows or columns), FXL_E_ORDER (fxl_pixels_init did
- * not prepare the pixels: they are all zeros), FXL_E_ALIGNMENT (out), FXL_E_RANGE (a stride below
- * the width; with pages, a first row that is no multiple of 8), FXL_E_CAPACITY (size is less than
- * fxl_pixels_size): *out untouched. */
+ * FXL_E_ARGUMENT: a null pointer, a band without rows or columns.
+ * FXL_E_ORDER: fxl_pixels_init did not prepare the pixels: they are all zeros.
+ * FXL_E_ALIGNMENT: out is not aligned.
+ * FXL_E_RANGE: a stride below the width; with pages, a first row that is no multiple of 8.
+ * FXL_E_CAPACITY: size is less than fxl_pixels_size.
+ * With each of these statuses: *out untouched. */
 fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, void *out,
                               size_t size);
 

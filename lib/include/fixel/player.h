@@ -21,8 +21,9 @@ extern "C" {
  *      may be null) says whether that happened, and viewer->clamped counts it.
  *   4. Friction moves speed towards 0 and stops there.
  * Error of a step: at most 0.51 + |speed| * 2^-29 units of 1/65536 in x and z.
- * FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (unknown key bits; limits, speed or position out
- * of range): *viewer untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: unknown key bits; limits, speed or position out of range.
+ * With each of these statuses: *viewer untouched. */
 fxl_status fxl_player_step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
                            bool *clamped);
 
@@ -35,8 +36,10 @@ fxl_status fxl_player_fly(fxl_player *viewer, uint32_t keys, const fxl_motion_li
 /* Multiplies acceleration, friction and top speed by a factor: the speed factor of the chapter
  * (speedscale). `turn` is copied. *scaled may be *limits. Each product is rounded to the nearest
  * 1/65536, halves upward.
- * Requires a factor of 0..256 in 16.16. FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (the factor;
- * limits out of range; a product above 256): *scaled untouched.
+ * Requires a factor of 0..256 in 16.16.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the factor; limits out of range; a product above 256.
+ * With each of these statuses: *scaled untouched.
  * Source: A5 (Listing 65.3). */
 fxl_status fxl_scale_motion_limits(const fxl_motion_limits *limits, fxl_q16_16 factor,
                                    fxl_motion_limits *scaled);
@@ -44,8 +47,10 @@ fxl_status fxl_scale_motion_limits(const fxl_motion_limits *limits, fxl_q16_16 f
 /* Turns a pose so that it looks at a point: sets yaw and pitch. Position and roll stay. Where the
  * point is straight above or below the position, yaw stays too.
  * Error: at most 0.75 of 2^-32 turn in each angle.
- * FXL_E_ARGUMENT (a null pointer), FXL_E_RANGE (the position or the point is outside of
- * FXL_COORDINATE_MAX), FXL_E_DEGENERATE (the point is the position): *pose untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the position or the point is outside of FXL_COORDINATE_MAX.
+ * FXL_E_DEGENERATE: the point is the position.
+ * With each of these statuses: *pose untouched. */
 fxl_status fxl_pose_look_at(fxl_pose *pose, const fxl_point *target);
 
 #ifdef __cplusplus

@@ -60,23 +60,31 @@ size_t fxl_pump_memory_size(const fxl_pump_config *config);
 
 /* Sets up a pump in memory of the caller's, aligned to 8 bytes; the pump keeps the pointers to it
  * and to the pixels, and copies the sink.
- * FXL_E_ARGUMENT (a null pointer), FXL_E_ALIGNMENT, FXL_E_RANGE (config), FXL_E_CAPACITY
- * (memory_size): *pump untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_RANGE: a member of config is out of range.
+ * FXL_E_CAPACITY: memory_size is too small.
+ * With each of these statuses: *pump untouched. */
 fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fxl_pump_sink *sink,
                          void *memory, size_t memory_size);
 
 /* Draws a frame and sends it: fxl_frame_begin, and for each band the clear to the
  * renderer's background, fxl_frame_draw and fxl_pump_send. When it returns, the last band may still
  * be on its way: the next frame waits for it, as does fxl_pump_wait.
- * FXL_E_ARGUMENT, FXL_E_RANGE (a screen of another size than the pump's), the statuses of
- * fxl_frame_begin: nothing was sent. FXL_E_DISPLAY: a part of the frame was sent. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a screen of another size than the pump's.
+ * The statuses of fxl_frame_begin.
+ * With each of these statuses: nothing was sent.
+ * FXL_E_DISPLAY: the display failed; a part of the frame was sent. */
 fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose *eye);
 
 /* --- the same step by step, to draw more into a band -------------------------------------------
  */
 
-/* Begins a frame at its first row, whether or not the frame before was finished. FXL_E_ARGUMENT,
- * FXL_E_ORDER (the pump was never set up: it is all zeros): nothing happens. */
+/* Begins a frame at its first row, whether or not the frame before was finished.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the pump was never set up: it is all zeros.
+ * With each of these statuses: nothing happens. */
 fxl_status fxl_pump_begin(fxl_pump *pump);
 
 /* Returns the band to draw next, whose pixels are those of an earlier band. Null after the last
@@ -84,19 +92,25 @@ fxl_status fxl_pump_begin(fxl_pump *pump);
 const fxl_band *fxl_pump_band(const fxl_pump *pump);
 
 /* Converts the band of fxl_pump_band, waits for the transfer before, and starts to send.
- * FXL_E_ORDER (no band): nothing happens. FXL_E_DISPLAY: the transfer before failed, or this one
- * did not start; the frame ends here. */
+ * FXL_E_ORDER: no band; nothing happens.
+ * FXL_E_DISPLAY: the transfer before failed, or this one did not start; the frame ends here. */
 fxl_status fxl_pump_send(fxl_pump *pump);
 
 /* Sends rows that lie elsewhere, as fxl_pump_send does: of the pump's width, and at most as many
  * rows as its bands have. Their pixels may change as soon as it returns. It neither needs a frame
  * nor changes which band is next; without a format that band's pixels are lost.
- * FXL_E_ARGUMENT (a null pointer, no rows), FXL_E_RANGE (another width, too many rows, rows beyond
- * the frame, the ranges of fxl_pixels_convert): nothing happens. FXL_E_DISPLAY as above. */
+ * FXL_E_ARGUMENT: a null pointer, no rows.
+ * FXL_E_RANGE: another width, too many rows, rows beyond the frame, the ranges of
+ * fxl_pixels_convert.
+ * With each of these statuses: nothing happens.
+ * FXL_E_DISPLAY: as with fxl_pump_send. */
 fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows);
 
-/* Returns when nothing is being sent. FXL_E_ARGUMENT, FXL_E_ORDER (the pump was never set up: it is
- * all zeros): nothing happens. FXL_E_DISPLAY: the last transfer failed. */
+/* Returns when nothing is being sent.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the pump was never set up: it is all zeros.
+ * With each of these statuses: nothing happens.
+ * FXL_E_DISPLAY: the last transfer failed. */
 fxl_status fxl_pump_wait(fxl_pump *pump);
 
 #ifdef __cplusplus

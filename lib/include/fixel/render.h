@@ -115,7 +115,7 @@ struct fxl_renderer {
     void *submit_workspace;           /* the visibility method's, of the caller's memory; or null */
     union {
         uint32_t instance_capacity; /* instances that the order has room for */
-        uint32_t memory_missing;    /* bytes, where fxl_renderer_init answered FXL_E_CAPACITY */
+        uint32_t memory_missing;    /* bytes, if fxl_renderer_init answers FXL_E_CAPACITY */
     };
     fxl_frame frame;
     fxl_workspace workspace;
@@ -144,10 +144,13 @@ fxl_config fxl_config_default(uint16_t width, uint16_t height);
  * every polygon. fxl_frame_begin with one band as large as the screen takes up to 20 % more
  * instructions with a display list than without: use fxl_render, or fxl_renderer_init_with and no
  * list.
- * FXL_E_ARGUMENT; FXL_E_ALIGNMENT (memory); FXL_E_RANGE (config); FXL_E_ORDER (the scene was
- * not checked): renderer untouched. FXL_E_CAPACITY: the block is too small by
- * renderer->memory_missing bytes; nothing else is written, and the renderer cannot draw until
- * it is initialised. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: memory is not aligned.
+ * FXL_E_RANGE: a member of config is out of range.
+ * FXL_E_ORDER: the scene was not checked.
+ * With each of these statuses: renderer untouched.
+ * FXL_E_CAPACITY: too little memory; the block is too small by renderer->memory_missing bytes;
+ * nothing else is written, and the renderer cannot draw until it is initialised. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
                              const fxl_config *config, void *memory, size_t memory_size);
 
@@ -155,7 +158,9 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
  * byte a pixel, rows downward, row y at pixels + y * stride. Requires stride >= width and
  * memory for height rows.
  * The display list is left empty, because one band is drawn in fewer instructions without it.
- * FXL_E_ARGUMENT, FXL_E_RANGE (eye, stride): pixels untouched; counted in refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: eye or stride is out of range.
+ * With each of these statuses: pixels untouched; counted in refused_calls. */
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixels,
                       uint16_t stride);
 
@@ -166,10 +171,12 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
  * at the scene. If it is full, each band computes anew those of the others that reach it. Without
  * one every band traverses the scene, which is best where a frame is one band. The pixels are the
  * same.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (order and display list to 4 bytes, cache to 8), FXL_E_RANGE
- * (a lens that is not valid), FXL_E_ORDER (the scene was not checked: its order_needed is 0),
- * FXL_E_CAPACITY (order; or an instance_count that was raised after the check): renderer
- * untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: order or display list is not aligned to 4 bytes, or cache to 8.
+ * FXL_E_RANGE: a lens that is not valid.
+ * FXL_E_ORDER: the scene was not checked: its order_needed is 0.
+ * FXL_E_CAPACITY: order; or an instance_count that was raised after the check.
+ * With each of these statuses: renderer untouched. */
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
@@ -181,23 +188,29 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
 /* Sets the clipper and its workspace: at least clipper->workspace_size bytes of the caller's,
  * aligned to 8; the renderer keeps the pointer. A clipper that needs none may be given size 0, or
  * an fxl_clip_stats to count in. Then a frame must begin anew.
- * FXL_E_ARGUMENT (a null pointer, or a clipper of zeros), FXL_E_ALIGNMENT, FXL_E_ORDER (the
- * renderer was never initialised: it is all zeros), FXL_E_CAPACITY (workspace_size): renderer
- * untouched but for refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer, or a clipper of zeros.
+ * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ORDER: the renderer was never initialised: it is all zeros.
+ * FXL_E_CAPACITY: workspace_size is too small.
+ * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
                                     void *workspace, uint32_t workspace_size);
 
 /* Moves the centre of the lens (fxl_lens_set_centre), as a window needs in front of a viewer who
  * moves. Then a frame must begin anew.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), FXL_E_RANGE (those of
- * fxl_lens_set_centre): renderer untouched but for refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_RANGE: what fxl_lens_set_centre answers it to.
+ * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 
 /* Sets the visibility method and its workspace, of the caller's memory, aligned to 8; the renderer
  * keeps the pointer. May be null where the method wants none. Then a frame must begin anew.
- * FXL_E_ARGUMENT (a null pointer, or a method of zeros), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer
- * was never initialised), FXL_E_CAPACITY (workspace_size is less than the method wants for this
- * scene and this lens): renderer untouched but for refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer, or a method of zeros.
+ * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_CAPACITY: workspace_size is less than the method wants for this scene and this lens.
+ * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
                                        void *workspace, uint32_t workspace_size);
 
@@ -210,20 +223,25 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * centres of all, and the orientations of the instances in sight. fxl_scene_check checks all
  * orientations. Requires that turns do not lose their turn_code, and that a scene gets no turns
  * without one.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no clipper, no visibility method, or turns without a turn_code),
- * FXL_E_RANGE (pose, or an instance's turn), FXL_E_TURN (the orientation of one in sight),
- * FXL_E_CAPACITY (scene->instance_count has grown beyond the order's room): counted in
- * refused_calls. A refused call leaves the frame before current if the scene has no turns. If it
- * has turns, the frame before ends as by fxl_frame_end, because drawing would read turns and
- * centres that are not checked. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: no clipper, no visibility method, or turns without a turn_code.
+ * FXL_E_RANGE: pose, or an instance's turn.
+ * FXL_E_TURN: the orientation of an instance in sight is no rotation.
+ * FXL_E_CAPACITY: scene->instance_count has grown beyond the order's room.
+ * With each of these statuses: counted in refused_calls.
+ * A refused call leaves the frame before current if the scene has no turns. If it has turns, the
+ * frame before ends as by fxl_frame_end, because drawing would read turns and centres that are not
+ * checked. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Draws the frame's polygons over a band that the caller has cleared
  * (fxl_fill_band): those of the display list that reach it, then the rest of the scene
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. Faces that the list had no room for are counted by the first band alone.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun, or frames of 16 bits a pixel), FXL_E_RANGE (a band
- * that is not of this screen): band untouched; counted in refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: no frame begun, or frames of 16 bits a pixel.
+ * FXL_E_RANGE: a band that is not of this screen.
+ * With each of these statuses: band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
 /* Releases the scene before the frame is drawn: from here on fxl_frame_draw reads the display list
@@ -232,15 +250,17 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
  * while another core changes the scene and begins the next frame in a second renderer. Textures,
  * sprites, palettes and ramps are still read, and must stay. fxl_pick_face answers FXL_E_ORDER
  * until the next frame begins. Call it while no core draws a band of the frame. A second call
- * changes nothing. FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun), FXL_E_CAPACITY (the display list
- * had no room for all polygons of the frame): the frame still reads the scene; counted in
- * refused_calls. */
+ * changes nothing.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: no frame begun.
+ * FXL_E_CAPACITY: the display list had no room for all polygons of the frame.
+ * With each of these statuses: the frame still reads the scene; counted in refused_calls. */
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer);
 
 /* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER
  * until a frame begins. Only a world (fixel/world.h) needs to be told: it may change again. After
  * fxl_frame_release_scene it need not be told.
- * FXL_E_ARGUMENT. */
+ * FXL_E_ARGUMENT: a null pointer. */
 fxl_status fxl_frame_end(fxl_renderer *renderer);
 
 /* --- several cores ------------------------------------------------------------------------ */
@@ -253,8 +273,11 @@ size_t fxl_workspace_size(const fxl_renderer *renderer);
  * bytes; the workspace keeps the pointer. Bytes beyond fxl_workspace_size become a vertex cache and
  * memory for the raster backend. The workspace must be set up anew after the
  * renderer's clipper or visibility method was changed, or the renderer initialised.
- * FXL_E_ARGUMENT (also the renderer's own workspace), FXL_E_ALIGNMENT, FXL_E_ORDER (the renderer
- * lacks a clipper or a visibility method), FXL_E_CAPACITY: workspace untouched. */
+ * FXL_E_ARGUMENT: a null pointer; also the renderer's own workspace.
+ * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_ORDER: the renderer lacks a clipper or a visibility method.
+ * FXL_E_CAPACITY: too little memory.
+ * With each of these statuses: workspace untouched. */
 fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
                               size_t memory_size);
 
@@ -264,9 +287,11 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
  * and beams have one workspace for all cores, so with them one band must be drawn after another.
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
- * FXL_E_ARGUMENT, FXL_E_ORDER (no frame begun; the workspace was set up for another clipper or
- * method, or never: it is all zeros), FXL_E_RANGE (a band that is not of this screen): band
- * untouched; counted in refused_calls of the workspace. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: no frame begun; the workspace was set up for another clipper or method, or never:
+ * it is all zeros.
+ * FXL_E_RANGE: a band that is not of this screen.
+ * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band);
 

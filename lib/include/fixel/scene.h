@@ -373,33 +373,55 @@ typedef struct {
  * range, normal, planarity and face bounds; that no vertex lies outside its model's radius; and
  * that every vertex of every instance lies within FXL_COORDINATE_MAX.
  * Requires tables as long as their counts; fault may be null.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (a table of 32-bit members to 4 bytes, indices to 2),
- * FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_RADIUS, FXL_E_NORMAL, FXL_E_PLANARITY,
- * FXL_E_FACE_BOUNDS, FXL_E_RESERVED: scene untouched, *fault written.
- * FXL_E_CAPACITY is for a face of more than FXL_FACE_VERTICES_MAX vertices, which a build with a
- * larger FXL_POLYGON_CAPACITY would draw. On FXL_OK *fault is untouched.
- * A turned instance is checked by fxl_turn_check instead of by its vertices; FXL_E_TURN.
- * A scene that has clusters, a BSP tree or beams is refused (FXL_E_ARGUMENT); fxl_scene_check_all
- * checks them. They are two functions so that a program without any links none of their checks. */
+ * FXL_E_ARGUMENT: a null pointer; or a scene that has clusters, a BSP tree or beams, which
+ * fxl_scene_check_all checks, so that a program without any links none of their checks.
+ * FXL_E_ALIGNMENT: a table of 32-bit members is not aligned to 4 bytes, or indices to 2.
+ * FXL_E_COUNT: a count is out of its range.
+ * FXL_E_INDEX: an index is past the end of its table.
+ * FXL_E_RANGE: a number is out of its range.
+ * FXL_E_RADIUS: a vertex is outside the sphere that must hold it.
+ * FXL_E_NORMAL: a normal is not of unit length.
+ * FXL_E_PLANARITY: a vertex is off the plane of its face.
+ * FXL_E_FACE_BOUNDS: a face's bounds are not those of its vertices and its normal.
+ * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
+ * FXL_E_CAPACITY: a face has more than FXL_FACE_VERTICES_MAX vertices, which a build with a larger
+ * FXL_POLYGON_CAPACITY would draw.
+ * FXL_E_TURN: an orientation is no rotation; fxl_turn_check checks a turned instance, instead of
+ * its vertices.
+ * With each of these statuses: scene untouched, *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
- * fxl_scene_check, and also FXL_E_CLUSTER and FXL_E_BSP. On FXL_OK scene->cluster_code is set too,
- * and scene->turn_code where there are turns. */
+ * fxl_scene_check. On FXL_OK scene->cluster_code is set too, and scene->turn_code where there are
+ * turns.
+ * FXL_E_CLUSTER: a cluster is not as it must be.
+ * FXL_E_BSP: the tree is not as it must be.
+ * The statuses of fxl_scene_check and fxl_beam_check. */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,
  * and that no frame takes an instance out of the world or a scale out of its range. The time is
  * linear in the counts. fault may be null.
- * FXL_E_ARGUMENT (a null pointer), FXL_E_ALIGNMENT (a table, to 4 bytes), FXL_E_COUNT, FXL_E_INDEX,
- * FXL_E_RANGE, FXL_E_RESERVED: *fault written. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: a table is not aligned to 4 bytes.
+ * FXL_E_COUNT: a count is out of its range.
+ * FXL_E_INDEX: an index is past the end of its table.
+ * FXL_E_RANGE: a number is out of its range.
+ * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
+ * With each of these statuses: *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
                             fxl_scene_fault *fault);
 
 /* Checks the settings of a light: every count and range, and the length of the direction. fault may
  * be null.
- * FXL_E_ARGUMENT (settings is null), FXL_E_COUNT (point_count, levels), FXL_E_RANGE, FXL_E_NORMAL
- * (the direction): *fault written. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT: settings is null.
+ * FXL_E_COUNT: point_count or levels is out of range.
+ * FXL_E_RANGE: a number is out of its range.
+ * FXL_E_NORMAL: the direction is not of unit length.
+ * With each of these statuses: *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
 
 /* Makes the settings of an image's light, for fxl_renderer_set_light. The ramp is that of the
@@ -413,9 +435,16 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
  * image must outlive *opened. size may exceed the size that the image states: a flash partition is
  * longer than the image in it.
  * Requires memory aligned to four bytes and a little-endian machine; fault may be null.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_SIZE, FXL_E_MAGIC, FXL_E_VERSION, FXL_E_CRC, FXL_E_OFFSET,
- * and those of fxl_scene_check_all: *opened untouched, *fault written. On FXL_OK *fault is
- * untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: a pointer is not aligned.
+ * FXL_E_SIZE: the image or its header has a size that this version does not allow.
+ * FXL_E_MAGIC: not a scene image.
+ * FXL_E_VERSION: a scene image of another version.
+ * FXL_E_CRC: the checksum does not match.
+ * FXL_E_OFFSET: a table reaches outside the image.
+ * The statuses of fxl_scene_check_all.
+ * With each of these statuses: *opened untouched, *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
 

@@ -121,10 +121,17 @@ typedef struct {
  * corners of a face are not on one line; that normals have unit length; that a set with a surface
  * that is FXL_SURFACE_BLEND has a table. Requires a checked scene and tables as long as their
  * counts; fault may be null.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (a table), FXL_E_COUNT, FXL_E_INDEX, FXL_E_RANGE, FXL_E_NORMAL,
- * FXL_E_DEGENERATE (corners on one line), FXL_E_RESERVED (also a texture FXL_TEXTURE_565 and a
- * surface FXL_SURFACE_ADD, which are for fxl_surfaces_check_rgb565): *fault written. On FXL_OK
- * *fault is untouched. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: a table is not aligned.
+ * FXL_E_COUNT: a count is out of its range.
+ * FXL_E_INDEX: an index is past the end of its table.
+ * FXL_E_RANGE: a number is out of its range.
+ * FXL_E_NORMAL: a normal is not of unit length.
+ * FXL_E_DEGENERATE: corners on one line.
+ * FXL_E_RESERVED: an unknown value; also a texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD, which are for
+ * fxl_surfaces_check_rgb565.
+ * With each of these statuses: *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
                               fxl_scene_fault *fault);
 
@@ -132,9 +139,13 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
  * outlive *set, as the image must; it may be null if there are none. Checks that each texture lies
  * within the image's texels, and as fxl_surfaces_check.
  * Requires an image that fxl_scene_open has opened; fault may be null.
- * FXL_E_ARGUMENT (a null pointer; an image without surfaces), FXL_E_ALIGNMENT (textures),
- * FXL_E_CAPACITY (more textures than capacity), FXL_E_OFFSET, and those of fxl_surfaces_check: *set
- * untouched, *fault written; textures may be overwritten. On FXL_OK *fault is untouched. */
+ * FXL_E_ARGUMENT: a null pointer; an image without surfaces.
+ * FXL_E_ALIGNMENT: textures are not aligned.
+ * FXL_E_CAPACITY: more textures than capacity.
+ * FXL_E_OFFSET: a table reaches outside the image.
+ * The statuses of fxl_surfaces_check.
+ * With each of these statuses: *set untouched, *fault written; textures may be overwritten.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
                              fxl_surface_set *set, fxl_scene_fault *fault);
 
@@ -143,8 +154,10 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
  * fxl_visibility_surfaces; another method that draws surfaces may be set after that. By any other
  * method, by light beams and by a BSP, faces are drawn in their own colours. A frame must begin
  * anew.
- * FXL_E_ARGUMENT, FXL_E_ORDER (the renderer was never initialised), and those of
- * fxl_surfaces_check: nothing is changed but refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * The statuses of fxl_surfaces_check.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                      const fxl_surface_set *set);
 
@@ -153,9 +166,10 @@ fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfa
  * same settings light flat faces and surfaces; another call of that function with the same *light
  * changes both. The renderer keeps a pointer to *light. fxl_renderer_set_surfaces takes the light
  * away. A frame must begin anew. Error of a corner's brightness: FXL_LIGHT_ERROR_MAX, given its
- * place and its normal. Of a pixel's level: docs/extras/surfaces.md, section 5. FXL_E_ARGUMENT
- * (renderer), FXL_E_ORDER (the renderer has no surfaces; a *light of zeros, which was never set):
- * nothing is changed but refused_calls. */
+ * place and its normal. Of a pixel's level: docs/extras/surfaces.md, section 5.
+ * FXL_E_ARGUMENT: renderer is null.
+ * FXL_E_ORDER: the renderer has no surfaces; a *light of zeros, which was never set.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light);
 
 /* Makes a blend table for the colours first..first + count - 1 of a palette of 256 colours of three
@@ -163,8 +177,11 @@ fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *
  * nearest to beneath + (colour - beneath) * sixteenths / 16, each of the three rounded to nearest,
  * halves upward; nearest as for fxl_light_make_ramp. Where colour and the one beneath are the same,
  * it is that colour. It looks at 65536 * count pairs of colours; a program with little time
- * computes the table on the host, and keeps it in flash. FXL_E_ARGUMENT, FXL_E_RANGE (sixteenths
- * not within 1..16), FXL_E_COUNT (count of 0, or first + count above 256): table untouched. */
+ * computes the table on the host, and keeps it in flash.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: sixteenths is not within 1..16.
+ * FXL_E_COUNT: count of 0, or first + count above 256.
+ * With each of these statuses: table untouched. */
 fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,
                                 uint32_t count, uint8_t *table);
 

@@ -70,77 +70,103 @@ typedef struct {
  * The scene may be the scene of another world: the instances that are shown there, in the colours
  * that they have there, are then in both worlds.
  * Requires that the scene's instances and turns do not lie in the memory.
- * FXL_E_ARGUMENT, FXL_E_ALIGNMENT (instances, slots or turns, to 4 bytes), FXL_E_ORDER (the scene
- * was not checked), FXL_E_COUNT (a capacity or colour_count is out of range), FXL_E_CAPACITY (the
- * scene has more instances, or more with a turn), FXL_E_INDEX (an instance is in the colours of a
- * table beyond colour_count): nothing is changed. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: instances, slots or turns are not aligned to 4 bytes.
+ * FXL_E_ORDER: the scene was not checked.
+ * FXL_E_COUNT: a capacity or colour_count is out of range.
+ * FXL_E_CAPACITY: the scene has more instances, or more with a turn.
+ * FXL_E_INDEX: an instance is in the colours of a table beyond colour_count.
+ * With each of these statuses: nothing is changed. */
 fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_world_memory *memory);
 
 /* Attaches a renderer that was initialised with &world->scene: after that it draws, before that
  * fxl_frame_begin answers FXL_E_CAPACITY. From fxl_frame_begin on until fxl_frame_end, or
  * fxl_frame_release_scene, the world refuses changes. A renderer that is initialised again must be
  * attached again; one that is moved, or ends before the world does, must be detached.
- * FXL_E_ARGUMENT, FXL_E_RANGE (the renderer draws another scene), FXL_E_CAPACITY (there are
- * FXL_WORLD_RENDERERS_MAX others, or the renderer's order has no room for the world's capacity):
- * nothing is changed but refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the renderer draws another scene.
+ * FXL_E_CAPACITY: there are FXL_WORLD_RENDERERS_MAX others, or the renderer's order has no room
+ * for the world's capacity.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_attach(fxl_world *world, fxl_renderer *renderer);
 
 /* Detaches a renderer, ends its frame, and has fxl_frame_begin refuse the next.
- * FXL_E_ARGUMENT, FXL_E_INDEX (it is not attached): nothing is changed but refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_INDEX: it is not attached.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_detach(fxl_world *world, fxl_renderer *renderer);
 
 /* Has an attached renderer draw instances in the colours that fxl_world_recolour gave them. The
  * renderer keeps the pointer; each renderer has a record of its own. The renderer must begin a
  * frame anew. colours null: it draws all in the colours of the models.
- * FXL_E_ARGUMENT, FXL_E_INDEX (the renderer is not attached): nothing is changed but
- * refused_calls. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_INDEX: the renderer is not attached.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
                                  fxl_world_colours *colours);
 
 /* Of all functions below:
- * FXL_E_ARGUMENT (a null pointer), FXL_E_STALE (the handle), FXL_E_ORDER (a renderer that is
- * attached draws a frame that was not released): nothing is changed but refused_calls. Their time
- * does not depend on the number of instances.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance of the handle was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
+ * With each status but FXL_OK: nothing is changed but refused_calls.
+ * Their time does not depend on the number of instances.
  *
  * An instance must lie within the world: with r its model's radius, times its scale where it has a
  * turn, rounded up to 1/65536 and enlarged by FXL_TURN_SLACK, |c| + r <= FXL_COORDINATE_MAX holds
- * for each coordinate c of its centre (else FXL_E_RANGE). The scene's own instances may reach
- * beyond that; they are tested where they are moved, turned or given another model. Where the scene
- * has a BSP tree, its instance may be recoloured and nothing else, and no other instance may have
- * its model, or a sorted model in its layer (else FXL_E_BSP). */
+ * for each coordinate c of its centre. The scene's own instances may reach beyond that; they are
+ * tested where they are moved, turned or given another model. Where the scene has a BSP tree, its
+ * instance may be recoloured and nothing else, and no other instance may have its model, or a
+ * sorted model in its layer.
+ * FXL_E_RANGE: an instance would not lie within the world.
+ * FXL_E_BSP: what the tree does not allow. */
 
 /* Adds an instance that is shown, and writes its handle. turn null: it has no turn. The field
  * recolour must be 0.
- * FXL_E_CAPACITY (there are as many as the memory has room for), FXL_E_INDEX (there is no such
- * model), FXL_E_RESERVED, FXL_E_RANGE (the place, or a turn's scale), FXL_E_TURN (its orientation),
- * FXL_E_BSP. */
+ * FXL_E_CAPACITY: there are as many as the memory has room for.
+ * FXL_E_INDEX: there is no such model.
+ * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
+ * FXL_E_RANGE: the place, or a turn's scale.
+ * FXL_E_TURN: its orientation is no rotation.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance, const fxl_turn *turn,
                            fxl_handle *handle);
 
-/* Removes an instance. Its handle goes stale. FXL_E_BSP. */
+/* Removes an instance. Its handle goes stale.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_remove(fxl_world *world, fxl_handle handle);
 
 /* Takes an instance out of the picture, and puts it back. An instance that is hidden may be changed
- * as others may. To hide what is hidden, or to show what is shown, changes nothing. FXL_E_BSP. */
+ * as others may. To hide what is hidden, or to show what is shown, changes nothing.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_hide(fxl_world *world, fxl_handle handle);
 fxl_status fxl_world_show(fxl_world *world, fxl_handle handle);
 
-/* Moves the centre of an instance. FXL_E_RANGE, FXL_E_BSP. */
+/* Moves the centre of an instance.
+ * FXL_E_RANGE: it would not lie within the world.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_move(fxl_world *world, fxl_handle handle, const fxl_point *centre);
 
 /* Turns and scales an instance; turn null: it has none any more.
- * FXL_E_CAPACITY (it had none, and turned_capacity is used up; or the other way round),
- * FXL_E_RANGE, FXL_E_TURN, FXL_E_BSP. */
+ * FXL_E_CAPACITY: it had none, and turned_capacity is used up; or the other way round.
+ * FXL_E_RANGE: it would not lie within the world.
+ * FXL_E_TURN: the orientation is no rotation.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_turn(fxl_world *world, fxl_handle handle, const fxl_turn *turn);
 
-/* Gives an instance another model. FXL_E_INDEX, FXL_E_RANGE, FXL_E_BSP. */
+/* Gives an instance another model.
+ * FXL_E_INDEX: there is no such model.
+ * FXL_E_RANGE: it would not lie within the world.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_set_model(fxl_world *world, fxl_handle handle, uint16_t model);
 
-/* Puts an instance into another layer. FXL_E_BSP. */
+/* Puts an instance into another layer.
+ * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_set_layer(fxl_world *world, fxl_handle handle, uint8_t layer);
 
 /* Draws an instance in the colours of table number - 1; number 0: in those of its model. It takes
- * fxl_world_set_colours for a renderer to do so. FXL_E_INDEX (there is no such table). */
+ * fxl_world_set_colours for a renderer to do so.
+ * FXL_E_INDEX: there is no such table. */
 fxl_status fxl_world_recolour(fxl_world *world, fxl_handle handle, uint32_t number);
 
 /* The handle of an instance of the scene that fxl_world_init took over, by its number in that

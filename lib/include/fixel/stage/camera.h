@@ -25,7 +25,9 @@ typedef struct fxl_camera {
  *   right   = ( cos r cos y - sin r sin p sin y,  sin r cos p, -cos r sin y - sin r sin p cos y)
  *   up      = (-sin r cos y - cos r sin p sin y,  cos r cos p,  sin r sin y - cos r sin p cos y)
  * Requires |position| <= FXL_COORDINATE_MAX in each coordinate. Takes any angles.
- * FXL_E_ARGUMENT, FXL_E_RANGE: camera untouched.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a number is out of its range.
+ * With each of these statuses: camera untouched.
  * Error: at most 2 units of 2^-30 an entry.
  * Source: Listing 65.3, UpdateViewPos. SPEC.md, section 1.4, says where sign and order of the
  * angles follow the Black Book's text and not its listing. */

@@ -16,8 +16,11 @@ extern "C" {
  * Requires width, height in 1..FXL_SCREEN_MAX; fov in FXL_FOV_MIN..FXL_FOV_MAX;
  * near_z >= FXL_NEAR_MIN; far_z <= FXL_FAR_MAX; 0 <= inset <= FXL_INSET_MAX;
  * near_z + 2 * inset < far_z.
- * FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched.
- * Error of focal: at most 1 unit of 1/65536 pixel plus focal * 2^-27. Source: A4. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a number is out of its range.
+ * With each of these statuses: lens untouched.
+ * Error of focal: at most 1 unit of 1/65536 pixel plus focal * 2^-27.
+ * Source: A4. */
 fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov, fxl_q16_16 near_z,
                              fxl_q16_16 far_z, fxl_q16_16 inset, fxl_lens *lens);
 
@@ -38,19 +41,24 @@ bool fxl_lens_is_valid(const fxl_lens *lens);
 
 /* Moves the centre of a lens to the point (x, y) of the screen, in pixels, y down. The middle of
  * the screen makes it a lens as fxl_lens_from_fov does.
- * Requires a lens made by the functions of this header. FXL_E_RANGE if its inset is not 0, or if
- * the centre is farther from the middle of the screen than one and a half times the width in x, or
- * the height in y, or than four focal lengths in x or y. FXL_E_ARGUMENT, FXL_E_RANGE: lens
- * untouched. Exact. Source: D1. */
+ * Requires a lens made by the functions of this header.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: its inset is not 0, or the centre is farther from the middle of the screen than one
+ * and a half times the width in x, or the height in y, or than four focal lengths in x or y.
+ * With each of these statuses: lens untouched.
+ * Exact.
+ * Source: D1. */
 fxl_status fxl_lens_set_centre(fxl_lens *lens, fxl_q16_16 x, fxl_q16_16 y);
 
 /* Makes the lens of a part of a screen: the pixels x <= column < x + width, y <= row < y + height,
  * which may lie beyond the screen. With the same pose it draws what the whole shows there; a pixel
  * may differ if its centre lies within 1/8192 pixel of an edge.
- * Requires a lens made by the functions of this header; part may be whole. FXL_E_RANGE if the part
- * is not 1..FXL_SCREEN_MAX pixels wide and high, if its centre is out of the range of
- * fxl_lens_set_centre, or if it is so narrow that its field of view is below FXL_FOV_MIN.
- * FXL_E_ARGUMENT, FXL_E_RANGE: part untouched. Exact. */
+ * Requires a lens made by the functions of this header; part may be whole.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the part is not 1..FXL_SCREEN_MAX pixels wide and high, its centre is out of the
+ * range of fxl_lens_set_centre, or it is so narrow that its field of view is below FXL_FOV_MIN.
+ * With each of these statuses: part untouched.
+ * Exact. */
 fxl_status fxl_lens_of_part(const fxl_lens *whole, int16_t x, int16_t y, uint16_t width,
                             uint16_t height, fxl_lens *part);
 
@@ -59,9 +67,12 @@ fxl_status fxl_lens_of_part(const fxl_lens *whole, int16_t x, int16_t y, uint16_
  * its pixels are square, so its height follows from its width and is rounded to whole pixels, and
  * the last row may show up to half a pixel more or less than the window.
  * Requires |left|, |right|, |bottom|, |top| <= FXL_COORDINATE_MAX; a width in 1..FXL_SCREEN_MAX;
- * near_z and far_z as fxl_lens_from_fov. FXL_E_RANGE also if a height, a focal length or a centre
- * is out of its range. FXL_E_ARGUMENT, FXL_E_RANGE: lens untouched.
- * Error: half a unit of 1/65536 pixel in focal and centre. Source: D1. */
+ * near_z and far_z as fxl_lens_from_fov.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: one of these, a height, a focal length or a centre is out of its range.
+ * With each of these statuses: lens untouched.
+ * Error: half a unit of 1/65536 pixel in focal and centre.
+ * Source: D1. */
 fxl_status fxl_lens_from_window(uint16_t width, fxl_q16_16 left, fxl_q16_16 right,
                                 fxl_q16_16 bottom, fxl_q16_16 top, fxl_q16_16 near_z,
                                 fxl_q16_16 far_z, fxl_lens *lens);

@@ -17,8 +17,8 @@ extern "C" {
  * each rounded once, to the nearest 1/65536 pixel (halves upward, before the centre is
  * added). All bits of X and Y are used, and 31 bits of Z.
  * Requires |X|, |Y|, |Z| < 2^61 units, and a lens made by fxl_lens_from_fov.
- * FXL_E_RANGE if Z < FXL_PROJECT_DEPTH_MIN, or if a coordinate would exceed
- * FXL_SCREEN_COORDINATE_MAX: screen untouched.
+ * FXL_E_RANGE: Z < FXL_PROJECT_DEPTH_MIN, or a coordinate would exceed FXL_SCREEN_COORDINATE_MAX;
+ * screen untouched.
  * Error, given the view point, in units of 1/65536 pixel: at most
  * 0.5 + 2^-30 + 2^-31 |x - width/2| in x, likewise in y: 0.52 on a screen of 1024
  * pixels. */
@@ -51,7 +51,8 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
                               fxl_screen_point *screen);
 
 /* Projects every vertex of a polygon as fxl_project_point does, and copies colour and count.
- * FXL_E_RANGE: the screen polygon's count is 0, and its points have no meaning.
+ * FXL_E_RANGE: as with fxl_project_point; the screen polygon's count is 0, and its points have no
+ * meaning.
  * Source: A6 (Listing 65.3, ProjectPolygon). */
 fxl_status fxl_project_polygon(const fxl_lens *lens, const fxl_view_polygon *view,
                                fxl_screen_polygon *screen);

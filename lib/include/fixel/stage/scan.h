@@ -70,8 +70,12 @@ typedef struct {
 /* Begins to scan a polygon into a band. The polygon must outlive the scan.
  * Requires 3 <= count <= FXL_POLYGON_CAPACITY, |x|, |y| <=
  * FXL_SCREEN_COORDINATE_MAX, and a band as fxl_band describes it.
- * FXL_E_ARGUMENT, FXL_E_DEGENERATE, FXL_E_CAPACITY, FXL_E_RANGE: the scan has no
- * pixels. Exact: given the 16.16 vertices, coverage has no error at all.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_DEGENERATE: fewer than three vertices are left.
+ * FXL_E_CAPACITY: too little memory.
+ * FXL_E_RANGE: a number is out of its range.
+ * With each of these statuses: the scan has no pixels.
+ * Exact: given the 16.16 vertices, coverage has no error at all.
  * Source: Bresenham's stepping along an edge, with an exact start. */
 fxl_status fxl_scan_begin(const fxl_screen_polygon *polygon, const fxl_band *band, fxl_scan *scan);
 

@@ -42,8 +42,10 @@ fxl_lens fxl_view_drawn_lens(const fxl_view *view);
 
 /* Sets the pose, which begins the next frame. Requires and rounds as
  * fxl_camera_from_pose; right and up of an off-centre lens are rounded once more, and within 4
- * units of 2^-30 of the exact ones. Requires a view that fxl_view_set_lens set up. FXL_E_ARGUMENT
- * (pose is null), FXL_E_RANGE (pose): view untouched. */
+ * units of 2^-30 of the exact ones. Requires a view that fxl_view_set_lens set up.
+ * FXL_E_ARGUMENT: pose is null.
+ * FXL_E_RANGE: pose is out of range.
+ * With each of these statuses: view untouched. */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose);
 
 /* Sets up the planes in the world: fxl_clipper.begin of clippers that clip there. Requires a pose.

@@ -74,8 +74,8 @@ fxl_clip_result fxl_clip_normalised(const fxl_varying_polygon *in, const fxl_nor
                                     const fxl_varying_polygon **result);
 
 /* Projects a point: x = width/2 (1 + x / z), y = height/2 (1 - y / z).
- * Error, given the point: 0.52 unit of 1/65536 pixel. FXL_E_RANGE, *screen untouched: z <= 0, or
- * the result is more than 4095 pixels off. */
+ * Error, given the point: 0.52 unit of 1/65536 pixel.
+ * FXL_E_RANGE: z <= 0, or the result is more than 4095 pixels off; *screen untouched. */
 fxl_status fxl_normalised_project(const fxl_normalised *frustum, const fxl_view_point *point,
                                   fxl_screen_point *screen);
 

@@ -85,8 +85,9 @@ fxl_clip_result fxl_triangle_begin(const fxl_clip_triangle *in, uint32_t carried
                                    const fxl_volume *volume, fxl_triangle_workspace *workspace);
 
 /* Returns the next triangle, which lies within the screen; null when there are no more. The
- * record is valid until the next call. *status is FXL_OK. It is FXL_E_RANGE, and the result
- * null, if a vertex leaves the range of the screen; the guard band rules that out. */
+ * record is valid until the next call. *status is FXL_OK or:
+ * FXL_E_RANGE: a vertex leaves the range of the screen, which the guard band rules out; the result
+ * is null. */
 const fxl_screen_triangle *fxl_triangle_next(const fxl_volume *volume, const fxl_lens *lens,
                                              fxl_triangle_workspace *workspace, fxl_status *status);
 
