@@ -25,6 +25,18 @@ def test_whoever_asks_for_pixel_centres_or_dividends_is_named():
     assert not [file.name for file in users if f"`{file.name}`" not in named and f"/{file.name}`" not in named]
 
 
+def test_the_recipes_are_those_of_ten_changes_and_name_files_that_are_there():
+    recipes = CONTRIBUTING.split("\n## Recipes\n", 1)[1].split("\n## ", 1)[0]
+    names = re.findall(r"^### (.*)$", recipes, re.MULTILINE)
+    assert len(names) == 10
+    listed = subprocess.run(["git", "ls-files"], cwd=CHECKOUT, capture_output=True, text=True, check=True).stdout.splitlines()
+    missing = [text for name in names for text in re.findall(r"`((?:[\w-]+/)*[\w-]+\.(?:c|h|S|py|toml|md|mk|ld))`", recipe(name))
+               if not any(file == text or file.endswith("/" + text) for file in listed)]
+    assert missing == []
+    for name in names:
+        assert re.search(r"`make \w+( [A-Z]+=|`)", recipe(name)), f"{name} names no command that shows it"
+
+
 def test_nobody_has_a_grid_of_pixel_centres_of_his_own():
     own = re.compile(r"#define \w*HALF_PIXEL\b")
     assert [file.name for file in (CHECKOUT / "lib").rglob("*.[ch]") if own.search(file.read_text(encoding="utf-8"))] == \

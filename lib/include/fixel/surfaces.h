@@ -128,8 +128,8 @@ typedef struct {
  * FXL_E_RANGE: a number is out of its range.
  * FXL_E_NORMAL: a normal is not of unit length.
  * FXL_E_DEGENERATE: corners on one line.
- * FXL_E_RESERVED: an unknown value; also a texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD, which are for
- * fxl_surfaces_check_rgb565.
+ * FXL_E_RESERVED: an unknown value; also a texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD,
+ * which are for fxl_surfaces_check_rgb565.
  * With each of these statuses: *fault written.
  * On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
