@@ -22,7 +22,7 @@ def fixel(*words, options=()):
 def test_each_module_with_a_main_is_a_command():
     assert {file.name for file in TOOLS.glob("*.py")} == SCRIPTS
     found = {str(file.relative_to(TOOLS).with_suffix("")).replace("/", ".") for file in TOOLS.glob("fixel/*/*.py")
-             if "\ndef main(argv):\n" in file.read_text(encoding="utf-8")}
+             if re.search(r"^(def main\(argv\):|main = )", file.read_text(encoding="utf-8"), re.MULTILINE)}
     assert found == set(commands.COMMANDS.values())
 
 

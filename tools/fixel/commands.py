@@ -67,6 +67,15 @@ def parser(name):
     return module.parsers()[name] if COMMANDS[name] == SCENE else module.parser()
 
 
+def main_of(read, work):
+    """The main() of a command that needs packages: it reads the options, and only then imports the module that does the
+    work."""
+    def main(argv):
+        options = read().parse_args(argv)
+        return importlib.import_module(work).command(options)
+    return main
+
+
 def start(name, words, program="fixel"):
     """Runs a command; the exit code. program: what it says that it is, before its name."""
     module = COMMANDS[name]

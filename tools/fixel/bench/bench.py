@@ -7,6 +7,8 @@ measured, 1 a program of the bench failed or drew a wrong picture, 2 the bench c
 
 import argparse
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -19,7 +21,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.bench import bench_report
-    return bench_report.command(options)
+main = commands.main_of(parser, "fixel.bench.bench_report")

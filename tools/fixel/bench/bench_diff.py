@@ -7,6 +7,8 @@ is nothing to compare. --accept makes the run the baseline, and renews the table
 
 import argparse
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -19,7 +21,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.bench import baseline
-    return baseline.command(options)
+main = commands.main_of(parser, "fixel.bench.baseline")

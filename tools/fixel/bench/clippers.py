@@ -7,6 +7,8 @@ every core drew the frames of the host, 1 not, 2 the comparison could not be run
 
 import argparse
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -21,7 +23,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.bench import clippers_report
-    return clippers_report.command(options)
+main = commands.main_of(parser, "fixel.bench.clippers_report")

@@ -8,6 +8,8 @@ execute for them, with the memory of a large board down to that of a small one. 
 
 import argparse
 
+from fixel import commands
+
 
 def setting(text):
     """("SMALL", (8, 1024, 8)) of "SMALL=8:1024:8"."""
@@ -25,7 +27,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.bench import costs_renewal
-    return costs_renewal.command(options)
+main = commands.main_of(parser, "fixel.bench.costs_renewal")

@@ -6,8 +6,8 @@ import pathlib
 import sys
 
 from fixel.base import output, scratch
-from fixel.scene import making
-from fixel.scene.scene_image import frame_count, make_scene_image
+from fixel.scene import scene_options
+from fixel.scene.scene_image import make_scene_image
 from fixel.bench import frame_costs
 from fixel.image import image, memory_needed
 from fixel.base import bounded
@@ -88,11 +88,10 @@ def print_prediction(result):
 
 def command(options):
     """The command; its exit code."""
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    screen = making.parse_screen(options.screen) if options.screen else None
+    scene_options.check(options)
     output.make_folder(options.build)
     with scratch.folder("predict", options.build) as folder:
-        result = predict(options, make_scene_image(options.scene, folder, options.frames, screen, bounded.limits_of(options)))
+        result = predict(options, make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options)))
     if options.json == "-":
         print(json.dumps(result, indent=1))
     else:

@@ -6,6 +6,8 @@ Counts are exact. Cycles are an ESTIMATE from a table of costs (bench/cycles.tom
 
 import argparse
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -19,7 +21,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.bench import profiling
-    return profiling.command(options)
+main = commands.main_of(parser, "fixel.bench.profiling")

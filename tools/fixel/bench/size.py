@@ -7,6 +7,8 @@ symbols, and by linking all of it with the compiler's own helpers alone. Exit 1 
 
 import argparse
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -21,7 +23,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.bench import sizes
-    return sizes.command(options)
+main = commands.main_of(parser, "fixel.bench.sizes")

@@ -9,6 +9,7 @@ has no room for another scene, the table says why. Exit: 0 all frames equal the 
 import argparse
 import os
 
+from fixel import commands
 from fixel.check import units
 
 
@@ -24,7 +25,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.board import all_boards
-    return all_boards.command(options)
+main = commands.main_of(parser, "fixel.board.all_boards")

@@ -10,7 +10,8 @@ from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.board.flash_memory import flash
 from fixel.base.table import table
-from fixel.scene.scene_image import frame_count, make_scene_image
+from fixel.scene import scene_options
+from fixel.scene.scene_image import make_scene_image
 
 
 def sectors(sizes):
@@ -42,8 +43,7 @@ def write_image(options, scene):
 
 def command(options):
     """The command; its exit code."""
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = making.parse_screen(options.screen) if options.screen else None
+    scene_options.check(options)
     if options.probe and options.probe not in probe.PROBES:
         raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
     if options.dry_run and not options.probe:

@@ -8,14 +8,14 @@ import sys
 import numpy
 
 from fixel.base import bounded, kept, output, picture, scratch, spent
-from fixel.scene import making
 from fixel.board import drawing, dump, emulator, firmware, methods, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
-from fixel.scene.scene_image import frame_count, make_scene_image
+from fixel.scene import scene_options
+from fixel.scene.scene_image import make_scene_image
 from fixel.base.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
@@ -247,8 +247,7 @@ def run(options, folder):
 
 def command(options):
     """The command; its exit code."""
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = making.parse_screen(options.screen) if options.screen else None
+    scene_options.check(options)
     options.kept = kept.Kept(options.build, options.fresh)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)

@@ -8,18 +8,17 @@ of the program that failed (boards/contract/system.h).
 
 import argparse
 
-from fixel.base import bounded, kept
+from fixel import commands
+from fixel.base import kept
 from fixel.board import methods
+from fixel.scene import scene_options
 
 
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--board", required=True)
-    made.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
-    made.add_argument("--frames", help="number of frames (default: the whole path)")
-    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    bounded.add_options(made)
+    scene_options.add(made)
     methods.add_options(made)
     made.add_argument("--driver", help="a driver of a display, whose wires are recorded and read back")
     made.add_argument("--out", default="build/run", help="folder for the results")
@@ -28,7 +27,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.board import judged_run
-    return judged_run.command(options)
+main = commands.main_of(parser, "fixel.board.judged_run")

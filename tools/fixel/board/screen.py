@@ -4,18 +4,16 @@
 import argparse
 import pathlib
 
+from fixel import commands
 from fixel.board import methods
-from fixel.base import bounded
+from fixel.scene import scene_options
 
 
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__)
     made.add_argument("--board", required=True, help="an emulated board with a screen")
-    made.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
-    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    bounded.add_options(made)
-    made.add_argument("--frames", help="number of frames (default: the whole path)")
+    scene_options.add(made)
     methods.add_options(made)
     made.add_argument("--device", help="a display to add to the board, in the words of QEMU's -device")
     made.add_argument("--out", required=True, type=pathlib.Path, help="the picture (.png)")
@@ -24,7 +22,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.board import screenshot
-    return screenshot.command(options)
+main = commands.main_of(parser, "fixel.board.screenshot")

@@ -4,14 +4,14 @@
 from PIL import Image
 
 from fixel.base import output, picture, scratch
-from fixel.scene import making
 from fixel.board import firmware, flash_memory, methods
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
 from fixel.image.image import load
 from fixel.base.progress import Progress
 from fixel.board.session import Session
-from fixel.scene.scene_image import frame_count, make_scene_image
+from fixel.scene import scene_options
+from fixel.scene.scene_image import make_scene_image
 
 DEVICE = "screen"       # what an added display is called
 
@@ -34,8 +34,7 @@ def photograph(options, folder):
 
 def command(options):
     """The command; its exit code."""
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = making.parse_screen(options.screen) if options.screen else None
+    scene_options.check(options)
     with scratch.folder("screen") as folder:
         pixels, frames = photograph(options, folder)
     output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))

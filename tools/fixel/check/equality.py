@@ -10,6 +10,8 @@ already compared with as many inputs.
 import argparse
 import os
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -22,7 +24,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.check import kernel_equality
-    return kernel_equality.command(options)
+main = commands.main_of(parser, "fixel.check.kernel_equality")

@@ -7,6 +7,8 @@ whole, the old one or the new one. Exit: 0 so it was, 1 not.
 
 import argparse
 
+from fixel import commands
+
 COMMANDS = ("run", "flash", "boot", "view", "view-stream", "report")
 
 
@@ -23,7 +25,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.check import killing
-    return killing.command(options)
+main = commands.main_of(parser, "fixel.check.killing")

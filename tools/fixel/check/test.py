@@ -10,6 +10,7 @@ Limits are on CPU time and on sleep (fixel.base.limits), not on wall time.
 import argparse
 import os
 
+from fixel import commands
 from fixel.check import units
 
 
@@ -27,7 +28,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.check import all_tests
-    return all_tests.command(options)
+main = commands.main_of(parser, "fixel.check.all_tests")

@@ -6,6 +6,8 @@
 
 import argparse
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -17,7 +19,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.image import c_font
-    return c_font.command(options)
+main = commands.main_of(parser, "fixel.image.c_font")

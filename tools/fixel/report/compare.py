@@ -6,6 +6,8 @@ Exit: 0 equal, 1 different, 2 cannot be compared.
 
 import argparse
 
+from fixel import commands
+
 SIDE_MAX = 4096         # pixels
 PIXELS_MAX = 1 << 23    # of a PNG: two of them, and what is made of them, take less than 200 MB and 2 s
 
@@ -23,7 +25,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.report import comparison
-    return comparison.command(options)
+main = commands.main_of(parser, "fixel.report.comparison")

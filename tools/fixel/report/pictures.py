@@ -4,6 +4,8 @@
 import argparse
 import pathlib
 
+from fixel import commands
+
 FRAMES = "30,45,105"       # of the plaza
 
 
@@ -18,7 +20,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.report import picture_row
-    return picture_row.command(options)
+main = commands.main_of(parser, "fixel.report.picture_row")

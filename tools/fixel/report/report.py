@@ -8,6 +8,7 @@ claims.json. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 
 
 import argparse
 
+from fixel import commands
 from fixel.base import bounded, kept
 
 
@@ -29,7 +30,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.report import accuracy
-    return accuracy.command(options)
+main = commands.main_of(parser, "fixel.report.accuracy")

@@ -3,24 +3,19 @@
 
 import argparse
 
+from fixel import commands
 from fixel.base import kept
-from fixel.base import bounded
+from fixel.scene import scene_options
 
 
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__)
-    made.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
-    made.add_argument("--frames", help="number of frames (default: the whole path)")
-    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    bounded.add_options(made)
+    scene_options.add(made)
     made.add_argument("--out", default="build/wire", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")
     kept.add_option(made)
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.report import wireframes
-    return wireframes.command(options)
+main = commands.main_of(parser, "fixel.report.wireframes")

@@ -2,13 +2,13 @@
 """A scene's path as wireframes, drawn on this machine and compared with double."""
 
 from fixel.base import kept, output, picture, scratch
-from fixel.scene import making
 from fixel.board import dump
 from fixel.base import bounded
 from fixel.base.errors import one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
-from fixel.scene.scene_image import frame_count, make_scene_image
+from fixel.scene import scene_options
+from fixel.scene.scene_image import make_scene_image
 
 PATTERNS = [*output.numbered("frame_", ".png"), "walk.gif", "summary.json"]
 
@@ -36,8 +36,7 @@ def run(options, folder):
 
 def command(options):
     """The command; its exit code."""
-    options.frames = frame_count(options.frames) if options.frames is not None else None
-    options.screen = making.parse_screen(options.screen) if options.screen else None
+    scene_options.check(options)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)
         output.write_json(folder / "summary.json", summary)

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The scene image that a command draws, and how many frames of its path."""
+"""The scene image that a command draws."""
 
 import pathlib
 import sys
 
 from fixel.base.errors import ToolError, one_line
-from fixel.base.reading import quoted
 from fixel.image import image as images
 from fixel.scene import making
 
@@ -14,13 +13,6 @@ def check_frames(scene, wanted, there):
     """Refuses more frames than a path has."""
     if wanted > there:
         raise ToolError(f"{scene}: path: {wanted} frames are asked for, and the path has {there}")
-
-
-def frame_count(text):
-    """A number of frames from a command line."""
-    if not (text.isascii() and text.isdigit() and len(text) < 20 and 1 <= int(text) <= 1_000_000):
-        raise ToolError(f"FRAMES is {quoted(text)}; it must be a whole number from 1 to 1,000,000")
-    return int(text)
 
 
 def make_scene_image(scene, folder, frames, screen=None, limits=None):

@@ -16,7 +16,7 @@ from fixel.view.view_pump import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
 from fixel.view.view_reference import Reference
 from fixel.scene.scene_image import make_scene_image
-from fixel.scene.making import parse_screen
+from fixel.scene import scene_options
 
 
 def open_page(file, address):
@@ -87,6 +87,6 @@ def port_number(text):
 
 def command(options):
     """The command; its exit code."""
-    options.screen = parse_screen(options.screen) if options.screen else None
+    scene_options.check(options)
     options.port = port_number(options.port) if options.port is not None else None
     return view(options)

@@ -4,6 +4,8 @@
 import argparse
 import pathlib
 
+from fixel import commands
+
 
 def parser():
     """The options of the command."""
@@ -15,7 +17,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.view import recording
-    return recording.command(options)
+main = commands.main_of(parser, "fixel.view.recording")

@@ -8,17 +8,16 @@ itself, with the exit code of its program.
 
 import argparse
 
+from fixel import commands
 from fixel.board import methods
-from fixel.base import bounded
+from fixel.scene import scene_options
 
 
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--board", required=True)
-    made.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
-    made.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
-    bounded.add_options(made)
+    scene_options.add(made, frames=False)
     methods.add_options(made)
     made.add_argument("--port", help="port on 127.0.0.1 (default: 8065, or a free one)")
     made.add_argument("--open", action="store_true", help="open the page in this machine's browser")
@@ -26,7 +25,4 @@ def parser():
     return made
 
 
-def main(argv):
-    options = parser().parse_args(argv)
-    from fixel.view import live
-    return live.command(options)
+main = commands.main_of(parser, "fixel.view.live")

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""The options by which a command takes a scene: which one, how much of its path, on what screen, within what limits."""
+
+from fixel.base import bounded
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
+from fixel.scene import making
+
+
+def add(parser, frames=True):
+    """--scene, --screen, the limits of compiling, and --frames."""
+    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
+    if frames:
+        parser.add_argument("--frames", help="number of frames (default: the whole path)")
+    else:
+        parser.set_defaults(frames=None)
+    parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
+    bounded.add_options(parser)
+
+
+def check(options):
+    """Makes numbers of --frames and --screen where they are given."""
+    options.frames = frame_count(options.frames) if options.frames is not None else None
+    options.screen = making.parse_screen(options.screen) if options.screen else None
+
+
+def frame_count(text):
+    """A number of frames from a command line."""
+    if not (text.isascii() and text.isdigit() and len(text) < 20 and 1 <= int(text) <= 1_000_000):
+        raise ToolError(f"FRAMES is {quoted(text)}; it must be a whole number from 1 to 1,000,000")
+    return int(text)
