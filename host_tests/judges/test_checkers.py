@@ -29,6 +29,11 @@ STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", 
 ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176, 48, 40, 76, 32, 28, 20, 256, 16, 1, 8, 36, 2, 12, 256, 32, 2, 1)
 
 
+# Of ranges of docs/formats.md: counts, coordinates, texels, parts of one; and the numbers just beyond.
+ENDS = sorted({end + step for end in (0, 4, 64, 8191 << 16, 16383 << 16, 1 << 30) for step in (0, 1)} |
+              {-1, -(8191 << 16), -(8191 << 16) - 1, -(1 << 30), -(1 << 30) - 1})
+
+
 def sealed(blob):
     """With a checksum that matches."""
     blob[12:16] = struct.pack("<I", zlib.crc32(bytes(blob[16:])))
@@ -62,6 +67,18 @@ def mutant(blob, chance, changes=1):
         else:
             put(blob, min(offset + chance.randrange(min(count, 1 << 16) * ENTRIES[number]), len(blob) - 1), chance)
     return sealed(blob)
+
+
+def at_the_ends(blob):
+    """Images in which one field of a table's first entry has a number at the end of a range, or just beyond it."""
+    for at, size in zip(TABLES, ENTRIES):
+        offset, count = struct.unpack_from("<II", blob, at)
+        for field in range(0, size - 3, 4) if count and offset + size <= len(blob) else ():
+            old, = struct.unpack_from("<i", blob, offset + field)
+            for new in {*ENDS, old - 1, old + 1} - {old}:
+                made = bytearray(blob)
+                struct.pack_into("<i", made, offset + field, new)
+                yield sealed(made)
 
 
 def with_overlaps(blob):
@@ -125,6 +142,12 @@ def test_both_take_or_refuse_images_with_several_faults(build, blob, tmp_path):
     chance = random.Random(SEED + 1)
     blobs = [blob, *(mutant(blob, chance, chance.choice((2, 3))) for _ in range(MUTANTS))]
     assert_agreement(build, blobs, tmp_path, lambda one, other: (one == "ok") == (other == "ok"))
+
+
+# These have every table.
+@pytest.mark.parametrize("blob", [("scenes/beam", "all"), *SCENES[-5:-4], *SCENES[-3:]], indirect=True, ids=lambda item: item[0])
+def test_both_say_the_same_at_the_ends_of_ranges(build, blob, tmp_path):
+    assert_agreement(build, [blob, *at_the_ends(blob)], tmp_path)
 
 
 def test_both_say_the_same_of_models_that_overlap(build, blob, tmp_path):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Scene files with textures: what becomes of each key, and each refusal."""
 
+import zlib
 import struct
 
+import numpy as np
 import pytest
 from PIL import Image
 
@@ -213,6 +215,49 @@ def test_patterns_repeat_at_any_size(name):
     made = texture.pattern(name, 32, 32, colours)
     assert {n for row in made.levels[0] for n in row} - {None} == set(range(len(colours)))
     assert made.has_clear == (name in ("grille", "tree"))
+
+
+@pytest.mark.parametrize("name, size, rows", [
+    ("checker", (8, 4), "00001111 00001111 11110000 11110000"),
+    ("grille", (16, 8), "0000000000000000 01......01...... 01......01...... 01......01...... " * 2),
+])
+def test_a_pattern_as_text(name, size, rows):
+    made = texture.pattern(name, *size, [(0, 0, 0)] * len(texture.PATTERNS[name][1]))
+    assert ["".join("." if n is texture.CLEAR else str(n) for n in row) for row in made.levels[0]] == rows.split()
+
+
+@pytest.mark.parametrize("name, crc", [
+    ("checker", 0x081df354), ("bricks", 0x2a5e6c78), ("planks", 0xe1430413), ("crate", 0xdda1dbc7), ("grille", 0x9de5a604),
+    ("tree", 0x69235fc3), ("stones", 0x986ac541)])
+def test_a_scene_keeps_its_patterns(name, crc):
+    """A pattern is part of a scene's image. Where one is to look otherwise, put the new figure in."""
+    found = 0
+    for size in ((4, 4), (8, 64), (32, 16), (64, 64), (128, 32)):
+        made = texture.pattern(name, *size, [(0, 0, 0)] * len(texture.PATTERNS[name][1]))
+        found = zlib.crc32(bytes(255 if n is texture.CLEAR else n for row in made.levels[0] for n in row), found)
+    assert found == crc
+
+
+def test_a_smaller_level_is_clear_where_half_of_its_texels_are():
+    clear = texture.codes_of(np.zeros((1, 1, 3), np.uint8), True).item()
+    red, odd = 0x400000, 0x400103
+    [_, level] = texture.levels_of(np.array([[red, odd, red, clear], [odd, clear, clear, red]], np.int32), 2)
+    assert level.tolist() == [[0x400102, clear]]      # of three the mean, rounded: 0, 1, 1 and 0, 3, 3
+    # A level of one row is only halved in width, down to the least.
+    row = np.array([[0, 2, 4, 6]], np.int32)
+    assert [level.tolist() for level in texture.levels_of(row, 9)] == [[[0, 2, 4, 6]], [[1, 5]], [[3]]]
+    assert [level.tolist() for level in texture.levels_of(np.array([[0, 2], [4, 6]], np.int32), 9, 2)] == [[[0, 2], [4, 6]], [[2, 4]]]
+
+
+def test_colours_of_a_picture_are_coarser_where_there_are_too_many():
+    few = np.arange(texture.DISTINCT_MAX, dtype=np.int32).reshape(32, 64)
+    assert (texture.coarser(few) == few).all()
+    noise = np.random.default_rng(5).integers(0, 1 << 24, (64, 64), np.int32)
+    for many, dropped in ((np.arange(0x800000, 0x800000 + 4096, dtype=np.int32).reshape(64, 64), 1), (noise, 4)):
+        made = texture.coarser(many)
+        shades = [(made >> shift & 255, many >> shift & 255) for shift in (0, 8, 16)]
+        # In the middle of those that become one.
+        assert all((found == (was >> dropped << dropped) + (1 << dropped >> 1)).all() for found, was in shades)
 
 
 def test_levels_are_means_of_the_level_before(tmp_path):

@@ -10,7 +10,7 @@ executes survives.
 from fixel.check import lines, trees
 
 CPU_TIMES, CPU_MORE = 4, 15.0   # the tests may take so many times what they take without a mutant, and so many seconds
-TESTS = 40                      # at most for a mutant
+TESTS = 120                     # at most for a mutant
 MISSING = (4, 5)                # pytest has not found a test
 
 

@@ -68,7 +68,8 @@ def codes_of(pixels, clear):
 
 
 def coarser(codes):
-    """The codes with so few bits of red, green and blue that there are at most DISTINCT_MAX colours."""
+    """The codes with so few bits of red, green and blue that there are at most DISTINCT_MAX colours; at least 4 bits are
+    kept."""
     for dropped in range(5):
         kept, middle = (0xFF >> dropped << dropped) * 0x010101, ((1 << dropped) >> 1) * 0x010101    # of what was dropped
         found = np.where(codes == _CLEAR_CODE, _CLEAR_CODE, (codes & kept) + middle)
