@@ -73,12 +73,11 @@ def at_the_ends(blob):
     """Images in which one field of a table's first entry has a number at the end of a range, or just beyond it."""
     for at, size in zip(TABLES, ENTRIES):
         offset, count = struct.unpack_from("<II", blob, at)
-        for field in range(0, size - 3, 4) if count and offset + size <= len(blob) else ():
-            old, = struct.unpack_from("<i", blob, offset + field)
-            for new in {*ENDS, old - 1, old + 1} - {old}:
-                made = bytearray(blob)
-                struct.pack_into("<i", made, offset + field, new)
-                yield sealed(made)
+        width = min(size, 4)
+        for place in range(offset, offset + size - width + 1, width) if count and offset + size <= len(blob) else ():
+            old = int.from_bytes(blob[place:place + width], "little")
+            for new in {end % (1 << 8 * width) for end in (*ENDS, old - 1, old + 1)} - {old}:
+                yield sealed(bytearray(blob[:place] + new.to_bytes(width, "little") + blob[place + width:]))
 
 
 def with_overlaps(blob):

@@ -12,7 +12,7 @@ import pytest
 from board_programs import ROOT, made
 from conftest import assert_one_sentence, run_cli
 from fixel.bench import frame_costs
-from fixel.image import c_names, c_scene, image, memory_needed
+from fixel.image import c_names, c_scene, c_text, image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
 
@@ -536,3 +536,12 @@ def test_a_scene_without_a_path_is_seen_from_all_sides(tmp_path):
             compiler.compile_scene(str(tmp_path / "scene.toml"))
     (tmp_path / "scene.toml").write_text("[view]\nfar = 20\n" + boxes, encoding="utf-8")
     assert any("view.far = " in note for note in compiler.compile_scene(str(tmp_path / "scene.toml"))[1])
+
+
+def test_a_comment_is_broken_between_words_where_it_is_too_long():
+    assert c_text.comment("a short one") == ["/* a short one */"]
+    words = " ".join(["word"] * 60)
+    made = c_text.comment(words)
+    assert all(len(line) <= c_text.WIDTH for line in made) and all(len(line) > c_text.WIDTH - 6 for line in made[:-1])
+    assert " ".join(line.removeprefix("/*").removeprefix(" *").strip() for line in made) == f"{words} */"
+    assert c_text.comment("x" * 200) == ["/*", f" * {'x' * 200}", " * */"]

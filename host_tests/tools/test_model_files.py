@@ -118,6 +118,14 @@ def test_images_of_absurd_sizes(size):
         texture_image.decode(big_png(*size), "big.png")
 
 
+def test_an_image_of_as_many_bytes_as_are_allowed(monkeypatch):
+    blob = png([[(1, 2, 3)]])
+    monkeypatch.setattr(texture_image, "FILE_MAX", len(blob))
+    assert texture_image.decode(blob, "a.png").pixels.tolist() == [[[1, 2, 3, 255]]]
+    with pytest.raises(ToolError, match=f"an image of {len(blob) + 1} bytes is more than the limit"):
+        texture_image.decode(blob + b"x", "a.png")
+
+
 # --- fit, mend, merge -----------------------------------------------------------------
 
 def test_fit_makes_the_largest_extent_so_many_units(tmp_path):

@@ -133,8 +133,19 @@ def test_a_parent_is_one_object_before(tmp_path):
 def test_a_chain_has_at_most_eight_parents(tmp_path):
     chain = "".join(f'[[objects]]\nsolid = "box"\nname = "n{i}"\nsize = 1\n' + (f'parent = "n{i - 1}"\n' if i else "")
                     for i in range(10))
-    build(tmp_path, chain[:chain.rindex("[[")])
+    longest = build(tmp_path, chain[:chain.rindex("[[")])
+    assert image.unpack(image.pack(longest)).motions[-1].parent == len(longest.motions) - 1 == 8
     refused(tmp_path, chain, "more than 8 parents")
+
+
+def test_as_many_keys_as_an_image_may_have(tmp_path, monkeypatch):
+    text = BOX + "motion = { keys = [{ frames = 9 }, { offset = [1, 0, 0], frames = 9 }, { offset = [2, 0, 0] }] }\n"
+    text += BOX + "spin = { yaw = 5 }\n" + BOX + "turn = 10\nmotion = { keys = [{ frames = 60 }, { turn = 720 }] }\n"
+    keys = sum(len(motion.keys) for motion in build(tmp_path, text).motions)
+    monkeypatch.setattr(image_turn, "KEYS_MAX", keys)
+    build(tmp_path, text)
+    monkeypatch.setattr(image_turn, "KEYS_MAX", keys - 1)
+    refused(tmp_path, text, f"more than {keys - 1} keys together")
 
 
 def test_a_tree_leaves_what_turns_alone():
