@@ -59,6 +59,51 @@ def test_solids_fit_the_unit_cube(name):
         name in ("tile", "disc", "floor"))
 
 
+@pytest.mark.parametrize("name, vertices, faces", [
+    ("box", 8, 6), ("pyramid", 5, 5), ("prism", 12, 8), ("cylinder", 32, 18), ("cone", 13, 13), ("band", 32, 16),
+    ("sphere", 62, 72), ("tetrahedron", 4, 4), ("octahedron", 6, 8), ("icosahedron", 12, 20), ("dodecahedron", 20, 12),
+    ("tile", 4, 1), ("disc", 24, 1), ("floor", 81, 64), ("torus", 200, 200)])
+def test_how_many_vertices_and_faces_a_solid_has(name, vertices, faces):
+    made = solids.make(name, {}, name)
+    assert (len(made.vertices), len(made.faces)) == (vertices, faces)
+    assert {corner for face in made.faces for corner in face} == set(range(vertices))
+
+
+def lengths(points, *axes):
+    """How far points are from the origin, by some of the axes."""
+    return [math.hypot(*(point[axis] / UNIT for axis in axes)) for point in points]
+
+
+@pytest.mark.parametrize("name", ["tetrahedron", "octahedron", "icosahedron", "dodecahedron"])
+def test_edges_of_a_regular_solid_are_equal(name):
+    made = solids.make(name, {}, name)
+    edges = [lengths([[p - q for p, q in zip(made.vertices[a], made.vertices[b])]], 0, 1, 2)[0]
+             for face in made.faces for a, b in zip(face, face[1:] + face[:1])]
+    assert max(edges) - min(edges) < 1e-6 and {round(length, 6) for length in lengths(made.vertices, 0, 1, 2)} == {0.5}
+
+
+def test_round_solids_have_diameter_and_height_1():
+    for made in (solids.prism(7), solids.pyramid(5), solids.band(9), solids.prism(6, 0.5)):
+        assert {point[1] / UNIT for point in made.vertices} == {-0.5, 0.5}
+    ball = solids.sphere(8, 4)
+    assert {round(length, 6) for length in lengths(ball.vertices, 0, 1, 2)} == {0.5}
+    assert len(ball.vertices) == 8 * 3 + 2 and len(ball.faces) == 8 * 4
+    assert [round(length, 6) for length in lengths(solids.band(9, 0.5).vertices, 0, 2)] == 9 * [0.5] + 9 * [0.25]
+    assert [round(length, 6) for length in lengths(solids.pyramid(5).vertices, 0, 2)] == 5 * [0.5] + [0]
+
+
+def test_a_tube_of_a_torus_is_a_quarter_of_the_width_and_looks_outward():
+    made = solids.torus(12, 6)
+    for point, length in zip(made.vertices, lengths(made.vertices, 0, 2)):
+        assert abs(((length - 0.375) / 0.125) ** 2 + (point[1] / UNIT / 0.5) ** 2 - 1) < 1e-6
+    for face in made.faces:
+        middle = [sum(made.vertices[c][axis] for c in face) / 4 / UNIT for axis in range(3)]
+        along = math.hypot(middle[0], middle[2])
+        outward = (middle[0] * (1 - 0.375 / along), middle[1], middle[2] * (1 - 0.375 / along))
+        assert mesh.dot(mesh.newell([made.vertices[c] for c in face]), outward) > 0
+    assert mesh.shape(made, ONE, "torus").open_edges == 0
+
+
 def test_box_of_unit_size_is_exact():
     shape = mesh.shape(solids.box(), ONE, "box")
     assert sorted(shape.vertices) == sorted((x, y, z) for x in (-32768, 32768)

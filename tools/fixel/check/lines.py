@@ -17,8 +17,8 @@ import shutil
 from fixel.base import output
 from fixel.base.progress import Progress
 
-FILE = 20.0         # CPU seconds for a file of tests; its tests that come later are not known
-PARAMETERS = 2.0    # CPU seconds for the parameters of a test; its later ones are not known
+FILE = 60.0         # CPU seconds for a file of tests; its tests that come later are not known
+PARAMETERS = 15.0   # CPU seconds for the parameters of a test; its later ones are not known
 KEPT = 30           # tests for a line
 LEAST = 0.05        # CPU seconds; a test costs no less: its file is imported
 
