@@ -96,7 +96,7 @@ BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
-$(foreach part,path looks surfaces,
+$(foreach part,path looks surfaces billboards methods,
 $(BENCH_OUT)/$(1)/$(part).o: firmware/walk/$(part).c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 )
@@ -180,26 +180,32 @@ $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core)))
 # --- costs -----------------------------------------------------------------------
 
 # The programs that make costs measures: bands as boards of several sizes have them. $(1): the core.
-# The settings of a program: rows of a band, words of the display list, entries of the cache.
+# The settings of a program: rows of a band, words of the display list, entries of the cache, and
+# entries of the order beside those that the scene needs, in which rows of faces are kept.
 COSTS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
 COSTED_CORES := $(foreach core,$(COSTS_CORES),$(or $(call ONE_OF,$(core),$(BENCH_CORES_HERE)),\
     $(error COSTS_CORES: there is no core "$(core)"; the cores are: $(BENCH_CORES_HERE))))
-COSTS_LARGE := 240 65536 1024
-COSTS_MIDDLE := 25 4096 64
-COSTS_SMALL := 8 1024 8
-COSTS_LEAST := 3 150 0
-COSTS_SIZES := LARGE MIDDLE SMALL LEAST
-COSTS_FLAGS = -DDRAW_CLEARS=1 -DDRAW_BAND_ROWS=$(word 1,$(COSTS_$(1)))u -DDRAW_LIST_WORDS=$(word 2,$(COSTS_$(1)))u \
-    -DDRAW_CACHE_ENTRIES=$(word 3,$(COSTS_$(1)))u
+COSTS_LARGE := 240 65536 1024 0
+COSTS_MIDDLE := 25 4096 64 0
+COSTS_SMALL := 8 1024 8 0
+COSTS_ORDER := 8 128 8 120
+COSTS_LEAST := 3 150 0 0
+COSTS_SIZES := LARGE MIDDLE SMALL ORDER LEAST
+COSTS_FLAGS = -DDRAW_BAND_ROWS=$(word 1,$(COSTS_$(1)))u -DDRAW_LIST_WORDS=$(word 2,$(COSTS_$(1)))u \
+    -DDRAW_CACHE_ENTRIES=$(word 3,$(COSTS_$(1)))u -DDRAW_ORDER_MORE=$(word 4,$(COSTS_$(1)))u
+# What they have of the walk, and of the library.
+COSTS_WALK := path looks surfaces billboards methods
+COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c) $(COSTS_WALK:%=firmware/walk/%.c) \
+    $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core))))))
 define COSTS_RULES
-BENCH_OBJECTS.costs-$(2) := $(2)/draw_bands $(BENCH_FRAMES)
-$(BENCH_OUT)/$(1)/$(2)/draw_bands.o: bench/firmware/draw_bands.c bench/bench.mk
+BENCH_OBJECTS.costs-$(2) := $(2)/draw_costs $(COSTS_WALK) frames $(COSTS_LIB)
+$(BENCH_OUT)/$(1)/$(2)/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(call COSTS_FLAGS,$(2)))
 endef
 $(foreach core,$(COSTED_CORES),$(foreach size,$(COSTS_SIZES),$(eval $(call COSTS_RULES,$(core),$(size)))\
     $(eval $(call BENCH_PROGRAM_RULES,$(core),costs-$(size)))))
 COSTS_PROGRAMS := $(foreach core,$(COSTED_CORES),$(COSTS_SIZES:%=$(BENCH_OUT)/$(core)/costs-%.elf))
-# What the tool is told: NAME=rows:words:entries.
+# What the tool is told: NAME=rows:words:entries:more.
 COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COSTS_$(size))))
 
 BENCH_BUILT := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))

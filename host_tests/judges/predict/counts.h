@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* What the library did in a frame: calls of its functions, and how much each was given. */
 #ifndef PREDICT_COUNTS_H
+#define PREDICT_COUNTS_H
+
+#include "fixel/types.h"
+
 #define PREDICT_COUNTS(X) \
     X(frames) \
     X(instances) \
@@ -38,6 +42,7 @@
     X(lamps) \
     X(in_fog) \
     X(surfaces_found) \
+    X(attributes_found) \
     X(surfaces_listed) \
     X(surfaces_read) \
     X(surfaces_painted) \
@@ -50,9 +55,34 @@
     X(lit_segment_pixels) \
     X(slow_rows) \
     X(slow_segments) \
+    X(slow_attributes) \
     X(slow_pixels) \
     X(loop_pixels) \
-    X(divided_pixels)
+    X(level_pixels) \
+    X(divided_pixels) \
+    X(depth_planes) \
+    X(depth_runs) \
+    X(depth_kept) \
+    X(depth_hidden_runs) \
+    X(depth_hidden) \
+    X(depth_each) \
+    X(depth_each_unkept) \
+    X(depth_each_rows) \
+    X(depth_holes) \
+    X(points_transformed) \
+    X(billboards) \
+    X(billboard_rows) \
+    X(billboard_texels) \
+    X(billboard_drawn) \
+    X(billboard_tested) \
+    X(billboard_compared) \
+    X(instances_in_beams) \
+    X(plane_distances) \
+    X(lit_pieces) \
+    X(lit_corners) \
+    X(lit_cuts) \
+    X(lit_searched) \
+    X(turned_normals)
 
 typedef struct {
 #define X(name) double name;
@@ -62,5 +92,14 @@ typedef struct {
 
 /* Of the frame under way. */
 extern predict_counts counted;
+
+/* Under way is a band with a depth buffer; and a surface of which it keeps not every depth: a
+ * blended one, or one with holes. */
+extern bool has_depth_buffer, keeps_less;
+
+/* A polygon between two rows: its area in pixels, which is on the average the pixels whose centres
+ * it covers; and its rows. */
+double area_between(const fxl_screen_point *points, uint32_t count, double top, double bottom);
+double rows_between(const fxl_screen_point *points, uint32_t count, double top, double bottom);
 
 #endif

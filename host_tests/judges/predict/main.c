@@ -3,8 +3,8 @@
  *
  * Walks a scene's path as firmware/walk does on a board with these settings, and prints what the
  * library did in each frame, as JSON. ORDER_ENTRIES: 0: as many as the scene needs. LIST_MOST:
- * bytes that limit the display list alone. FRAMES: at most so many; 0: all. Exit code 0: it ran; 2:
- * it could not. */
+ * bytes that limit the display list alone. FRAMES: at most so many; 0: all. Exit code 0: it ran; 1:
+ * the board has no room; 2: it could not. */
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -14,6 +14,7 @@
 #include "frames/session.h"
 #include "path.h"
 #include "predict/counts.h"
+#include "predict/shares.h"
 
 enum {
     BAND,
@@ -41,8 +42,9 @@ static const char *why_no_room(const fxl_scene_image *image, const uint32_t sett
     if (settings[ORDER] > 0 && image->scene.order_needed > settings[ORDER]) {
         return "the order has too few entries";
     }
-    return taken > settings[LIST]
-               ? "the display list's memory is too small for the motions, light and surfaces"
+    const uint32_t left = taken < settings[LIST] ? settings[LIST] - taken : 0;
+    return taken > settings[LIST] || depth_bytes(image, left) > left
+               ? "the display list's memory is too small for what the scene has beside its faces"
                : NULL;
 }
 
@@ -62,51 +64,19 @@ static bool parse(int count, char **words, uint32_t settings[SETTINGS])
     return true;
 }
 
-static uint32_t aligned(uint32_t bytes)
-{
-    return (bytes + 7u) & ~7u;
-}
-
-/* Bytes of the list's memory that motions take on a board: the instances and the turns. */
-static uint32_t motion_bytes(const fxl_scene_image *image)
-{
-    const fxl_scene *scene = &image->scene;
-    return image->motion.motion_count == 0
-               ? 0
-               : aligned(16 * scene->instance_count +
-                         40 * (scene->instance_count - scene->first_turned));
-}
-
-/* The same for light and surfaces, with their records as an Armv6-M or Armv7-M has them. */
-static uint32_t look_bytes(const fxl_scene_image *image)
-{
-    enum {
-        LIGHT = 132,
-        SURFACES = 76,
-        TEXTURE = 16
-    };
-    return (image->light.base != NULL ? aligned(LIGHT) : 0) +
-           (image->surfaces.face_map != NULL
-                ? aligned(SURFACES + TEXTURE * image->surfaces.texture_count)
-                : 0);
-}
-
 /* The renderer as the walk sets it up. Null, or what is wrong. */
 static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint32_t taken)
 {
-    const fxl_scene *scene = &run->image.scene;
-    const uint32_t order = settings[ORDER] > 0 ? settings[ORDER] : scene->order_needed;
-    if (scene->bsp_nodes != NULL || scene->beam_count > 0 ||
-        run->image.billboards.model_map != NULL || run->image.visibility != FXL_SCENE_BY_DEFAULT) {
-        return "a scene with a BSP tree, beams, billboards or a depth buffer, of which no costs "
-               "are known";
-    }
-    uint32_t list = settings[LIST] - taken;
+    const uint32_t order =
+        settings[ORDER] > 0 ? settings[ORDER] : run->image.scene.order_needed;
+    const uint32_t depth = depth_bytes(&run->image, settings[LIST] - taken);
+    uint32_t list = settings[LIST] - taken - depth;
     list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;
     const session_settings methods = {.clipper = &fxl_clipper_view,
                                       .visibility = session_visibility(run),
                                       .display_list_words = list / 4,
-                                      .cache_entries = settings[CACHE]};
+                                      .cache_entries = settings[CACHE],
+                                      .raster_bytes = depth};
     session_reserve(run, &methods);
     run->memory.order = session_memory(order * sizeof(fxl_order_entry));
     run->memory.order_capacity = order;
@@ -159,7 +129,11 @@ int main(int count, char **arguments)
                              "CACHE_ENTRIES LIST_MOST FRAMES");
     }
     const char *wrong = session_open(&run, arguments[1]);
-    const uint32_t taken = wrong == NULL ? motion_bytes(&run.image) + look_bytes(&run.image) : 0;
+    if (wrong == NULL && run.image.scene.bsp_nodes != NULL) {
+        wrong = "the scene has a BSP tree; costs of BSP trees and of RGB565 are not known, and make "
+                "run counts the instructions";
+    }
+    const uint32_t taken = wrong == NULL ? taken_bytes(&run.image) : 0;
     const char *no_room = wrong == NULL ? why_no_room(&run.image, settings, taken) : NULL;
     if (no_room != NULL) {
         fail(arguments[1], no_room);

@@ -5,8 +5,8 @@ PREDICT_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcar
     $(addprefix $(BUILD)/host/objects/judges/frames/,session.o read_file.o path.o)
 HOST_TOOLS += $(BUILD)/host/predict
 
-# The functions that wraps.c puts itself in the place of.
-PREDICT_WRAPPED = $(shell sed -n 's/^WRAPPED.[a-z0-9_ *]*, \(fxl_[a-z_]*\),.*/\1/p' host_tests/judges/predict/wraps.c)
+# The functions and records that the files wraps*.c put their own in the place of.
+PREDICT_WRAPPED = $(shell sed -n 's/^WRAPPED[_A-Z]*.[a-z0-9_ *]*, \(fxl_[a-z_]*\)[^a-z_].*/\1/p' host_tests/judges/predict/wraps*.c)
 
 $(BUILD)/host/objects/judges/predict/%.o: host_tests/judges/predict/%.c
 	@mkdir -p $(@D)

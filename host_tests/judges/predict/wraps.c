@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Counts calls of the library's functions. The linker's --wrap puts these functions in their place
- * for callers in other files, so nothing in the library knows of it. */
+/* Counts of what every scene may have: instances, faces, polygons, light and surfaces. */
 #include <math.h>
 
-#include "predict/counts.h"
+#include "predict/wrapped.h"
 #include "clip/clip_stats.h"
 #include "clip/intersect_edge.h"
 #include "draw/reach.h"
@@ -21,14 +20,6 @@ predict_counts counted;
 
 /* Under way is a band that looks at those faces alone of which it knows that they reach it. */
 static bool passes_over;
-
-/* The declarations of a function that is wrapped, under both names. */
-#define WRAPPED(result, name, parameters) \
-    result __real_##name parameters; \
-    result __wrap_##name parameters; \
-    _Static_assert(__builtin_types_compatible_p(__typeof__(name), __typeof__(__real_##name)), \
-                   #name " is declared otherwise"); \
-    result __wrap_##name parameters
 
 /* --- instances and faces ------------------------------------------------------------------ */
 
@@ -155,10 +146,7 @@ WRAPPED(bool, fxl_display_list_next,
 
 /* --- raster --------------------------------------------------------------------------------- */
 
-/* The area of a polygon between two rows, in pixels: on the average, the pixels whose centres it
- * covers. */
-static double area_between(const fxl_screen_point *points, uint32_t count, double top,
-                           double bottom)
+double area_between(const fxl_screen_point *points, uint32_t count, double top, double bottom)
 {
     double twice = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -174,8 +162,7 @@ static double area_between(const fxl_screen_point *points, uint32_t count, doubl
     return fabs(twice) / 2;
 }
 
-static double rows_between(const fxl_screen_point *points, uint32_t count, double top,
-                           double bottom)
+double rows_between(const fxl_screen_point *points, uint32_t count, double top, double bottom)
 {
     double first = bottom, end = top;
     for (uint32_t i = 0; i < count; i++) {
@@ -213,7 +200,7 @@ WRAPPED(fxl_rows, fxl_scan_rows, (const fxl_screen_polygon *polygon, uint16_t he
 
 WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
 {
-    counted.bands += 1;
+    counted.bands += !has_depth_buffer; /* its cells are cleared by this too */
     counted.cleared += (double)band->rows * band->width;
     __real_fxl_fill_band(band, colour);
 }
@@ -258,6 +245,7 @@ WRAPPED(void, fxl_gradients_find,
         (const fxl_gradient_corners *face, const fxl_view *view, fxl_gradients *gradients))
 {
     counted.surfaces_found += 1;
+    counted.attributes_found += face->count;
     __real_fxl_gradients_find(face, view, gradients);
 }
 
@@ -279,6 +267,12 @@ WRAPPED(uint32_t, fxl_surface_polygon_read,
     return __real_fxl_surface_polygon_read(record, polygon);
 }
 
+/* A surface that may leave out pixels: a depth buffer paints it twice, over two backgrounds. */
+static bool has_holes(const fxl_paint *paint)
+{
+    return paint->opacity < 16 || (paint->level.flags & FXL_TEXTURE_KEYED) != 0;
+}
+
 WRAPPED(void, fxl_paint_polygon,
         (const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
          const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row, void *with))
@@ -287,7 +281,9 @@ WRAPPED(void, fxl_paint_polygon,
     counted.surfaces_painted += 1;
     counted.painted_edges += count;
     counted.painted_rows += rows_between(points, count, top, bottom);
+    keeps_less = paint->blend != NULL || has_holes(paint);
     __real_fxl_paint_polygon(paint, points, count, band, scan, paint_row, with);
+    keeps_less = false;
 }
 
 static double sixteens(int32_t x0, int32_t x1)
@@ -305,6 +301,18 @@ static bool has_loop(const fxl_paint *paint)
     return paint->level.texels == NULL
                ? paint->ramp != NULL
                : paint->level.colours == NULL && (paint->level.flags & FXL_TEXTURE_CLAMP) == 0;
+}
+
+/* The count of pixels that the kernel does not paint. */
+static double *pixels_of(const fxl_paint *paint, bool linear)
+{
+    if (!linear) {
+        return &counted.divided_pixels;
+    }
+    if (!has_loop(paint)) {
+        return &counted.slow_pixels;
+    }
+    return paint->level.texels == NULL ? &counted.level_pixels : &counted.loop_pixels;
 }
 
 /* Whether the weight is at least the least one for a division at the ends of these columns alone:
@@ -329,13 +337,8 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
         const int32_t size = of_16 ? 16 : 8, border = (x0 & ~(size - 1)) + size;
         const int32_t end = border < x1 ? border : x1;
         counted.slow_segments += linear;
-        if (!linear) {
-            counted.divided_pixels += end - x0;
-        } else if (has_loop(paint)) {
-            counted.loop_pixels += end - x0;
-        } else {
-            counted.slow_pixels += end - x0;
-        }
+        counted.slow_attributes += linear ? paint->gradients->count : 0;
+        *pixels_of(paint, linear) += end - x0;
         x0 = end;
     }
 }
@@ -366,6 +369,9 @@ WRAPPED(void, fxl_paint_pixels,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
     counted.slow_rows += 1;
+    if (has_depth_buffer && has_holes(paint)) {
+        counted.depth_holes += x1 - x0;
+    }
     counted_to = x0;
     slow_paint = paint;
     __real_fxl_paint_pixels(paint, row, x0, x1);

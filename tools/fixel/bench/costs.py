@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Renews bench/costs.json: what a frame costs on the cores given, and what the walk takes on the boards given.
 
-Counts what the library does in scenes of the bench and in two of its own, and the instructions that programs of the bench
+Counts what the library does in scenes of the bench and in some of its own, and the instructions that programs of the bench
 execute for them, with the memory of a large board down to that of a small one. Fits a cost for each count. Exit: 0 done,
 1 a program failed.
 """
@@ -12,7 +12,7 @@ from fixel import commands
 
 
 def setting(text):
-    """("SMALL", (8, 1024, 8)) of "SMALL=8:1024:8"."""
+    """("SMALL", (8, 1024, 8, 0)) of "SMALL=8:1024:8:0"."""
     name, _, numbers = text.partition("=")
     return name, tuple(map(int, numbers.split(":")))
 
@@ -21,7 +21,9 @@ def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--cores", nargs="*", default=[], help="others stay as they are in the file")
-    made.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES", help="of the cores' programs")
+    made.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES:MORE",
+                      help="of the cores' programs: rows of a band, words of the list, entries of the cache, and how many more "
+                           "entries of the order than a scene needs")
     made.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made

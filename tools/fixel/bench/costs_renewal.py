@@ -10,17 +10,25 @@ from fixel.base import output, parallel, scratch
 from fixel.scene import making
 from fixel.bench import bench_plan, bench_run, frame_costs
 from fixel.board import fleet, methods, qemu
-from fixel.image import image
+from fixel.image import image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 
 FRAMES = 30         # of each scene, at most
-LOOKS_BYTES = 65536     # more than motions, light and surfaces of a scene take
-MORE = ("bench/costs.toml", "bench/costs_sphere.toml", "bench/costs_surfaces.toml", "bench/costs_rooms.toml",
-        "bench/costs_lights.toml", "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml", "scenes/landscape.toml")
+OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_turned", "_turned_lit", "_depth", "_depth_textures", "_glass",
+       "_billboards", "_wood", "_beams", "_all")
+MORE = (*(f"bench/costs{name}.toml" for name in OWN), "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
+        "scenes/landscape.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
-STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml")
+STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml", "bench/costs_all.toml", "bench/costs_glass.toml",
+               "bench/costs_beams.toml")
 STACK_FRAMES = 4
+
+
+def room_of(words):
+    """Bytes of a board's display list that leave so many words to it, whatever a scene has beside its faces:
+    ROOM_BYTES of bench/firmware/draw_costs.c."""
+    return 8 * words + 65536
 
 
 def scenes_of(plan):
@@ -30,11 +38,11 @@ def scenes_of(plan):
 
 def measure(plan, core, size, settings, file):
     """(counts, instructions) of the frames of a scene image. settings: rows of a band, words of the list, entries of
-    the cache."""
+    the cache, and of the order beside those that the scene needs."""
     scene = image.load(file)
-    rows, words, cache = settings
-    # The bench's programs have memory of their own for motions, light and surfaces, so the list has all its words.
-    names, counts = frame_costs.count(plan.build, file, rows * scene.width, 0, 4 * words + LOOKS_BYTES, cache, 4 * words, FRAMES)
+    rows, words, cache, more = settings
+    names, counts = frame_costs.count(plan.build, file, rows * scene.width, memory_needed.order_needed(scene) + more,
+                                      room_of(words), cache, 4 * words, FRAMES)
     drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
     return names, counts, np.array(drawn.instructions, dtype=float)
 
@@ -82,7 +90,7 @@ def deepest_stack(board, elf, sources, room, folder):
 
 
 def board_sizes(board, build, folder):
-    """What the walk takes on a board, and the deepest stack that it saw: without, and with light and surfaces."""
+    """What the walk takes on a board, and the deepest stack that it saw: with flat colours alone, and with more."""
     elf = methods.elf_of(board, build)
     sizes = fleet.sizes(elf)
     plain = deepest_stack(board, elf, STACK_SCENES, sizes["scene_room"], folder)

@@ -20,7 +20,8 @@ def parser():
                        ("cache", "entries of the vertex cache")):
         made.add_argument(f"--{name}", type=int, required=True, help=what)
     made.add_argument("--list-most", type=int, default=0, help="bytes that limit the display list alone")
-    made.add_argument("--without-surfaces", action="store_true", help="the board's program draws none")
+    made.add_argument("--without", default="", metavar="NAME,...",
+                      help="what the board's program leaves out: surfaces, depth, billboards")
     made.add_argument("--json", help="write the prediction to this file too; - for the terminal, and nothing else")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made

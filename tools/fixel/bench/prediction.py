@@ -9,10 +9,26 @@ from fixel.base import output, scratch
 from fixel.scene import scene_options
 from fixel.scene.scene_image import make_scene_image
 from fixel.bench import frame_costs
-from fixel.image import image, memory_needed
+from fixel.image import image, image_header, memory_needed
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
 from fixel.base.table import coloured, table
+
+
+# What a board's program may leave out: WALK_WITHOUT_... of its settings.
+NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that draws them)",
+             "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",
+             "billboards": "billboards"}
+
+
+def by_depth(scene):
+    """Whether a scene asks for a depth buffer."""
+    return scene.visibility == image_header.BY_DEPTH
+
+
+def has_looks(scene):
+    """Whether a scene has more than flat colours by distance: then the stack goes deeper."""
+    return bool(scene.surfaces or scene.light or scene.beams or scene.billboards or by_depth(scene))
 
 
 def board_of(options, known):
@@ -31,8 +47,10 @@ def count(options, scene, size, board, file):
         raise frame_costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
     if needed > options.order:
         raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
-    if options.without_surfaces and scene.surfaces:
-        raise frame_costs.NoRoom("the board has no room to draw surfaces (VISIBILITY=surfaces builds a program that draws them)")
+    wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "billboards": scene.billboards}
+    for name in options.without.lower().split(","):
+        if wanted.get(name):
+            raise frame_costs.NoRoom(f"the board has no room to draw {NOT_DRAWN[name]}")
     return frame_costs.count(options.build, file, options.band, options.order, options.list, options.cache, options.list_most,
                        options.frames or 0, options.scene)
 
@@ -50,7 +68,7 @@ def predict(options, file):
     board, core = board_of(options, known)
     scene, size = image.load(file), pathlib.Path(file).stat().st_size
     result = {"board": options.board, "core": core, "scene": options.scene, "frames": scene.frames,
-              "why_not": None, **frame_costs.memory(board, size, bool(scene.surfaces or scene.light)), "instructions_per_frame": None,
+              "why_not": None, **frame_costs.memory(board, size, has_looks(scene)), "instructions_per_frame": None,
               "ram_of_your_program": memory_needed.of_program(scene), "parts": []}
     try:
         names, counts = count(options, scene, size, board, file)
@@ -80,7 +98,8 @@ def print_prediction(result):
         rows.append(["instructions a frame", f"{taken['min']:,} to {taken['max']:,}, mean {taken['mean']:,}"])
     print(table(rows))
     if result["parts"]:
-        print(table([[part["what"], part["times"], part["instructions"]] for part in result["parts"][:8]],
+        print(table([[part["what"], round(part["times"], None if part["times"] >= 100 else 1), part["instructions"]]
+                     for part in result["parts"][:8]],
                     ["most of them for", "times a frame", "instructions"]))
     if result["why_not"]:
         print(f"{coloured('no room', 'red')}: {one_line(result['why_not'])}")

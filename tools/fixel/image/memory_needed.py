@@ -5,7 +5,7 @@ The block holds, in this order: the order of drawing; the vertex cache, in at mo
 rest; the display list, in all that is left. host_tests/tools/test_export.py compares the figures
 with what the library made of a block."""
 
-from fixel.image import image_surface
+from fixel.image import image_header, image_surface
 from fixel.image.image_tree import SORTED
 
 ORDER_ENTRY = 12        # bytes of an fxl_order_entry
@@ -37,20 +37,21 @@ def cache_entries(vertices):
     return 1 << (vertices - 1).bit_length()
 
 
-def surface_words(scene, face):
-    """Words of a face's polygon beside its outline: the gradients of 1/z and, per attribute, of u, v and light
-    (lib/draw/surface_polygon.c)."""
+def words_beside(scene, face):
+    """Words of a face's polygon beside its outline: with a surface the gradients of 1/z and, per attribute, of u, v and light;
+    with a depth buffer that of the depth (lib/draw/surface_polygon.c)."""
+    depth = 8 if scene.visibility == image_header.BY_DEPTH else 0
     if face.mapped is None:
-        return 0
+        return 2 + depth if depth else 0
     surface = scene.surfaces.surfaces[face.mapped.surface]
     attributes = (2 if surface.texture else 0) + (1 if surface.flags & image_surface.LIT else 0)
-    return 4 + 6 * (1 + attributes)
+    return 4 + 6 * (1 + attributes) + depth
 
 
 def most_words(scene):
     """Words of a display list that holds every polygon of any frame: each face of each instance is
     turned to the eye and cut by every plane."""
-    of_model = [sum(display_list_words(len(face.corners) + CLIP_PLANES) + surface_words(scene, face) for face in model.faces)
+    of_model = [sum(display_list_words(len(face.corners) + CLIP_PLANES) + words_beside(scene, face) for face in model.faces)
                 for model in scene.models]
     return sum(of_model[item.model] for item in scene.objects)
 

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* Bytes of records on a core of 32 bits. host_tests/tools/test_predict.py has the compiler for
+ * boards compare them. */
+#ifndef PREDICT_RECORDS_H
+#define PREDICT_RECORDS_H
+
+enum {
+    ARM_INSTANCE = 16,   /* fxl_instance */
+    ARM_TURN = 40,       /* fxl_turn */
+    ARM_POINT = 12,      /* fxl_point */
+    ARM_BEAM_LIGHT = 32, /* what lib/extra/beams/beam_light.c has at the start of its workspace */
+    ARM_LIT_PIECES = 28, /* fxl_lit_pieces */
+    ARM_LIT_PIECE = 6,   /* fxl_lit_piece */
+    ARM_LIGHT = 132,     /* fxl_light */
+    ARM_SURFACES = 76,   /* what firmware/walk/surfaces.c has before its textures */
+    ARM_TEXTURE = 16,    /* fxl_texture */
+    ARM_BILLBOARDS = 48, /* what firmware/walk/billboards.c has before its records */
+    ARM_BILLBOARD = 20,  /* fxl_billboard */
+    ARM_SPRITE = 16      /* fxl_sprite */
+};
+
+#endif

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: MIT */
+#include "predict/shares.h"
+
+#include "paint/lit_pieces.h"
+#include "fixel/depth.h"
+#include "predict/records.h"
+
+static uint32_t aligned(uint32_t bytes)
+{
+    return (bytes + 7u) & ~7u;
+}
+
+static uint32_t motion_bytes(const fxl_scene_image *image)
+{
+    const fxl_scene *scene = &image->scene;
+    return image->motion.motion_count == 0
+               ? 0
+               : aligned(ARM_INSTANCE * scene->instance_count +
+                         ARM_TURN * (scene->instance_count - scene->first_turned));
+}
+
+/* fxl_beam_light_workspace_size on a board. */
+static uint32_t beam_bytes(const fxl_scene *scene)
+{
+    if (scene->beam_count == 0) {
+        return 0;
+    }
+    const uint32_t corners = fxl_lit_corners_needed(scene->beams, scene->beam_count);
+    const uint32_t pieces = fxl_lit_pieces_needed(scene->beams, scene->beam_count);
+    return aligned(ARM_BEAM_LIGHT) + aligned(ARM_LIT_PIECES) + aligned(ARM_POINT * corners) +
+           aligned(2 * corners) + aligned(ARM_LIT_PIECE * pieces) +
+           aligned(ARM_POINT * FXL_POLYGON_CAPACITY);
+}
+
+static uint32_t billboard_bytes(const fxl_scene_billboards *billboards)
+{
+    return billboards->model_map == NULL
+               ? 0
+               : aligned(ARM_BILLBOARDS + (ARM_BILLBOARD + ARM_SPRITE) * billboards->count);
+}
+
+uint32_t taken_bytes(const fxl_scene_image *image)
+{
+    return motion_bytes(image) + beam_bytes(&image->scene) +
+           (image->light.base != NULL ? aligned(ARM_LIGHT) : 0) +
+           (image->surfaces.face_map != NULL
+                ? aligned(ARM_SURFACES + ARM_TEXTURE * image->surfaces.texture_count)
+                : 0) +
+           billboard_bytes(&image->billboards);
+}
+
+/* A row at least, and half of the rest. */
+uint32_t depth_bytes(const fxl_scene_image *image, uint32_t room)
+{
+    if (image->visibility != FXL_SCENE_BY_DEPTH) {
+        return 0;
+    }
+    const uint32_t row = aligned(FXL_DEPTH_BYTES(image->lens.width, 1, 16));
+    return row + (room > row ? (room - row) / 2u & ~7u : 0);
+}

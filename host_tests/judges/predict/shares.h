@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* How the walk on a board shares the display list's memory: firmware/walk/walk.c. In bytes,
+ * multiples of 8, with records as an Armv6-M or Armv7-M has them. */
+#ifndef PREDICT_SHARES_H
+#define PREDICT_SHARES_H
+
+#include "fixel/scene.h"
+
+/* What motions, beams, light, surfaces and billboards take. */
+uint32_t taken_bytes(const fxl_scene_image *image);
+
+/* What a depth buffer takes of so much; may be more. 0: the scene is drawn without one. */
+uint32_t depth_bytes(const fxl_scene_image *image, uint32_t room);
+
+#endif

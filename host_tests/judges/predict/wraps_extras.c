@@ -1,0 +1,187 @@
+/* SPDX-License-Identifier: MIT */
+/* Counts of what a scene may ask for: a depth buffer, billboards, beams of light; and of turned
+ * faces that are placed in the world for those and for light. */
+#include "paint/lit_pieces.h"
+#include "paint/billboard_paint.h"
+#include "paint/billboard_walk.h"
+#include "paint/depth_band.h"
+#include "draw/depth_draw.h"
+#include "draw/depth_plane.h"
+#include "fixel/split.h"
+#include "fixel/stage/plane.h"
+#include "fixel/stage/transform.h"
+#include "fixel/stage/turn.h"
+#include "paint/depth_run.h"
+#include "predict/wrapped.h"
+#include "draw/submit.h"
+
+/* --- depth buffer --------------------------------------------------------------------------- */
+
+bool has_depth_buffer, keeps_less;
+
+/* The band under way is drawn far to near, by loops that stand in the callers: each pixel of a
+ * polygon is compared, and counted by area. */
+static bool compares_each;
+
+WRAPPED(void, fxl_depth_plane_find,
+        (const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+         fxl_depth_plane *plane))
+{
+    counted.depth_planes += 1;
+    __real_fxl_depth_plane_find(model_view, face, on, plane);
+}
+
+WRAPPED(void, fxl_depth_draw_parts,
+        (const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
+         uint32_t cell_bytes))
+{
+    has_depth_buffer = true;
+    compares_each = !renderer->visibility->front_to_back;
+    __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes);
+    has_depth_buffer = false;
+}
+
+WRAPPED(void, fxl_scan_outline,
+        (const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
+{
+    if (has_depth_buffer && compares_each) {
+        const double top = band->first_row, bottom = top + band->rows;
+        counted.depth_each_rows += rows_between(points, count, top, bottom);
+        *(keeps_less ? &counted.depth_each_unkept : &counted.depth_each) +=
+            area_between(points, count, top, bottom);
+    }
+    __real_fxl_scan_outline(points, count, band, scan);
+}
+
+WRAPPED(uint32_t, fxl_depth_keep_visible,
+        (uint16_t * cells, uint32_t count, uint32_t code, uint32_t step))
+{
+    const uint32_t kept = __real_fxl_depth_keep_visible(cells, count, code, step);
+    counted.depth_runs += 1;
+    counted.depth_kept += kept;
+    return kept;
+}
+
+WRAPPED(uint32_t, fxl_depth_skip_hidden,
+        (const uint16_t *cells, uint32_t count, uint32_t code, uint32_t step))
+{
+    const uint32_t hidden = __real_fxl_depth_skip_hidden(cells, count, code, step);
+    counted.depth_hidden_runs += 1;
+    counted.depth_hidden += hidden;
+    return hidden;
+}
+
+/* --- billboards ----------------------------------------------------------------------------- */
+
+WRAPPED(void, fxl_transform_point,
+        (const fxl_camera *camera, const fxl_point *point, fxl_view_point *view))
+{
+    counted.points_transformed += 1;
+    __real_fxl_transform_point(camera, point, view);
+}
+
+/* fxl_billboard_row_painter, which paints nothing. */
+static void count_row(fxl_billboard_row *row, const void *with)
+{
+    double drawn = 0;
+    (void)with;
+    for (uint32_t x = row->columns.first; x < row->columns.end; x++) {
+        drawn += fxl_sprite_value(row->sprite, row->texels, row->along.texel, row->shift) !=
+                 row->sprite->key;
+        fxl_take_step(&row->along);
+    }
+    counted.billboard_rows += 1;
+    *(has_depth_buffer ? &counted.billboard_tested : &counted.billboard_texels) +=
+        row->columns.end - row->columns.first;
+    *(has_depth_buffer ? &counted.billboard_compared : &counted.billboard_drawn) += drawn;
+}
+
+static bool is_passed_over(const fxl_workspace *workspace)
+{
+    return has_depth_buffer && ((const fxl_depth_head *)workspace->raster_workspace)->pass ==
+                                   FXL_DEPTH_BLENDED;
+}
+
+static void count_billboard(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                            const fxl_screen_point *points, const fxl_band *band)
+{
+    counted.billboards += 1;
+    if (!is_passed_over(workspace)) {
+        fxl_billboard_walk_rows(fxl_billboard_sprite(renderer, (uint32_t)points[2].x), &points[0],
+                                &points[1], band, count_row, NULL);
+    }
+}
+
+/* The painter that billboards were joined with: by depth, or over what is there. */
+static const fxl_billboard_painter *joined;
+
+static void paint_joined(const fxl_renderer *renderer, fxl_workspace *workspace,
+                         const fxl_screen_point *points, const fxl_band *band)
+{
+    count_billboard(renderer, workspace, points, band);
+    joined->paint(renderer, workspace, points, band);
+}
+
+WRAPPED(fxl_status, fxl_billboards_join,
+        (fxl_renderer * renderer, fxl_billboards *billboards, const fxl_billboard_set *set,
+         const fxl_billboard_painter *painter))
+{
+    static fxl_billboard_painter counting;
+    joined = painter;
+    counting = (fxl_billboard_painter){paint_joined, painter->points};
+    return __real_fxl_billboards_join(renderer, billboards, set, &counting);
+}
+
+static void paint_over(const fxl_renderer *renderer, fxl_workspace *workspace,
+                       const fxl_screen_point *points, const fxl_band *band);
+
+WRAPPED_RECORD(const fxl_billboard_painter, fxl_billboard_paints_over) = {paint_over, 3};
+
+static void paint_over(const fxl_renderer *renderer, fxl_workspace *workspace,
+                       const fxl_screen_point *points, const fxl_band *band)
+{
+    count_billboard(renderer, workspace, points, band);
+    __real_fxl_billboard_paints_over.paint(renderer, workspace, points, band);
+}
+
+/* --- beams of light ------------------------------------------------------------------------- */
+
+WRAPPED(bool, fxl_beam_reaches, (const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius))
+{
+    counted.instances_in_beams += 1;
+    return __real_fxl_beam_reaches(beam, centre, radius);
+}
+
+WRAPPED(fxl_q18_46, fxl_plane_distance, (const fxl_plane *plane, const fxl_point *point))
+{
+    counted.plane_distances += 1;
+    return __real_fxl_plane_distance(plane, point);
+}
+
+WRAPPED(fxl_point, fxl_split_edge,
+        (const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
+         fxl_q18_46 behind_distance))
+{
+    counted.lit_cuts += 1;
+    return __real_fxl_split_edge(front, behind, front_distance, behind_distance);
+}
+
+/* For each cut, the corners that the face has so far are looked through. */
+WRAPPED(bool, fxl_lit_split,
+        (fxl_lit_pieces * to, const fxl_beam *beams, uint32_t beam_count,
+         const fxl_direction *normal, const fxl_point *points, uint32_t count))
+{
+    const double cuts = counted.lit_cuts;
+    const bool done = __real_fxl_lit_split(to, beams, beam_count, normal, points, count);
+    counted.lit_pieces += to->piece_count;
+    counted.lit_corners += to->corner_count;
+    counted.lit_searched += (counted.lit_cuts - cuts) * to->corner_count;
+    return done;
+}
+
+WRAPPED(void, fxl_turn_direction,
+        (const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned))
+{
+    counted.turned_normals += 1;
+    __real_fxl_turn_direction(turn, direction, turned);
+}
