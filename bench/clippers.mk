@@ -66,7 +66,7 @@ COMPARISON_OUT := $(BUILD)/host/comparison
 COMPARISON_OBJECTS := $(patsubst host_tests/stages/comparison/%.c,$(COMPARISON_OUT)/%.o,$(wildcard host_tests/stages/comparison/*.c)) \
     $(addprefix $(BUILD)/host/objects/,stages/clippers/case.o stages/clippers/outline.o stages/bridge.o \
         judges/frames/dump.o judges/frames/path.o judges/frames/read_file.o judges/frames/session.o)
-COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Iboards -Ibench/firmware \
+COMPARISON_CC := $(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -Iboards -Ibench/firmware \
     -Ifirmware/walk -MMD -MP
 
 $(COMPARISON_OUT)/%.o: host_tests/stages/comparison/%.c
@@ -81,7 +81,7 @@ $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o: bench/firmware/combi
 	$$(SAY)
 	$$(COMPARISON_CC) $(call CLIPPERS_DEFINES,$(1),$(2)) -c $$< -o $$@
 $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)).chosen.o \
-        $(COMPARISON_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+        $(COMPARISON_OBJECTS) $(HOST_LIBRARIES) $(BUILD)/host/libreference.a
 	$$(SAY)
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 

@@ -192,7 +192,7 @@ endef
 
 define BOARD_RULES
 $(FIRMWARE_OUT)/$(1)/%.o: %.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $$(FLAGS_OF_FILE) -Ilib/include -Iboards -Ifirmware/walk -Iexamples $$(call BOARD_DEFINES,$(1)))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $$(FLAGS_OF_FILE) -Ilib/include -Ilib -Iboards -Ifirmware/walk -Iexamples $$(call BOARD_DEFINES,$(1)))
 
 # Its loops must not become calls of themselves.
 $(FIRMWARE_OUT)/$(1)/boards/parts/memory_functions.o: FLAGS_OF_FILE := -fno-tree-loop-distribute-patterns
@@ -227,7 +227,7 @@ endef
 
 define METHODS_RULES
 $(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES))): $(FIRMWARE_OUT)/$(1)/%$(WALK_METHODS).o: firmware/walk/%.c firmware/firmware.mk boards/$(1)/board.mk
-	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include $(BOARD_SETTINGS.$(1):%=-D%))
+	$$(call FIRMWARE_COMPILE,$$(CORE_CC.$(call CORE_NAME,$(1))) $(WALK_METHODS_DEFINES) -Ilib/include -Ilib $(BOARD_SETTINGS.$(1):%=-D%))
 endef
 
 define HOSTED_RULES

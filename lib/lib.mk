@@ -7,6 +7,7 @@ LIB_HEADERS := $(wildcard lib/include/*.h lib/include/fixel/*.h lib/include/fixe
 # for (lib/math/family.h), and of each kernel exactly one has contents. An object is named
 # by its source's path below lib/; a makefile has a rule for .c and one for .S. No two sources
 # share a name, so another build may put all objects into one folder.
+# Those of the study make an archive of their own, libfixel_study.a.
 LIB_SOURCES := $(sort $(wildcard lib/*/*.c lib/*/*.S))
 LIB_NAMES := $(basename $(LIB_SOURCES:lib/%=%))
 
@@ -52,21 +53,23 @@ $(1)/%.o: lib/%.$(suffix) $(3) lib/lib.mk
 )
 endef
 
-# --- build/host/libfixel.a, for the host's programs ---------------------------
+# --- build/host/{libfixel.a,libfixel_study.a}, for the host's programs ----------
 
 LIB_HOST_NAMES := $(call LIB_NAMES_FOR)
-LIB_HOST_OBJECTS := $(LIB_HOST_NAMES:%=$(BUILD)/host/objects/lib/%.o)
+HOST_LIBRARIES := $(BUILD)/host/libfixel_study.a $(BUILD)/host/libfixel.a
 
 $(eval $(call LIB_RULES,$(BUILD)/host/objects/lib,$$(HOSTCC) $$(LIB_CFLAGS) $$(call LIB_TUNE) -O2 -g1 $$(RELATIVE_PATHS) -c $$< -o $$@,,$$(SAY)))
 
 # What a program of the host links of it. $(1): the sources of the program.
 LIB_HOST_NEEDED = $(patsubst %,$(BUILD)/host/objects/lib/%.o,$(filter $(LIB_HOST_NAMES),$(call LIB_NEEDED,$(1))))
 
-$(BUILD)/host/libfixel.a: $(LIB_HOST_OBJECTS)
+$(BUILD)/host/libfixel.a: $(patsubst %,$(BUILD)/host/objects/lib/%.o,$(filter-out study/%,$(LIB_HOST_NAMES)))
+$(BUILD)/host/libfixel_study.a: $(patsubst %,$(BUILD)/host/objects/lib/%.o,$(filter study/%,$(LIB_HOST_NAMES)))
+$(HOST_LIBRARIES):
 	@rm -f $@
 	ar rcs $@ $^
 
-# --- make lib CORE=: build/lib/CORE/{libfixel.a,include/} ---------------------
+# --- make lib CORE=: build/lib/CORE/{libfixel.a,libfixel_study.a,include/} -------
 
 # CORE is one of LIB_CORES; "cortex-" may be left out. LIB_FLAGS adds to the flags,
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
@@ -85,7 +88,7 @@ LIB_OBJECTS := $(patsubst %,$(LIB_OUT)/objects/%.o,$(call LIB_NAMES_FOR,$(LIB_CO
 ifneq ($(and $(filter unknown,$(LIB_CORE)),$(filter lib,$(MAKECMDGOALS))),)
 $(error CORE=$(CORE) is unknown; the cores are: $(LIB_CORES))
 endif
-lib: $(LIB_OUT)/libfixel.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
+lib: $(LIB_OUT)/libfixel.a $(LIB_OUT)/libfixel_study.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
 	@printf '  %s and %s\n' '$(LIB_OUT)/libfixel.a' '$(LIB_OUT)/include/fixel.h'
 
 # Flags are part of what was built: another choice builds anew.
@@ -99,7 +102,9 @@ LIB_COMPILE = $(LIB_CC) $(LIB_CFLAGS) $(LIB_OPTIMISE) $(LIB_CORE_FLAGS) $(LIB_FL
 
 $(eval $(call LIB_RULES,$(LIB_OUT)/objects,$$(LIB_COMPILE) $$< -o $$@,$(LIB_OUT)/flags,$$(SAY)))
 
-$(LIB_OUT)/libfixel.a: $(LIB_OBJECTS)
+$(LIB_OUT)/libfixel.a: $(filter-out $(LIB_OUT)/objects/study/%,$(LIB_OBJECTS))
+$(LIB_OUT)/libfixel_study.a: $(filter $(LIB_OUT)/objects/study/%,$(LIB_OBJECTS))
+$(LIB_OUT)/libfixel.a $(LIB_OUT)/libfixel_study.a:
 	@rm -f $@
 	@$(LIB_AR) rcs $@ $^
 

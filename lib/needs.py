@@ -29,7 +29,7 @@ NAME = re.compile(r"\bfxl_\w+")
 FUNCTION = re.compile(r"\b(fxl_\w+)\s*\([^;{}]*\)\s*\{")
 RECORD = re.compile(r"\b(fxl_\w+)\s*(?:\[[^\]]*\]\s*)*=")
 NAMED_BY_MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(fxl_\w+)[ \t]*$", re.MULTILINE)
-IN_PLACE = re.compile(r"\bFXL_IN_PLACE\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/src/math/arith.h
+IN_PLACE = re.compile(r"\bFXL_IN_PLACE\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
 LABEL = re.compile(r"^\s*\.glob(?:a|)l\s+(fxl_\w+)", re.MULTILINE)
 
 

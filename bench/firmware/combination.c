@@ -2,6 +2,7 @@
 /* Compiled once for each combination: bench/clippers.mk says which. */
 #include "combination.h"
 #include "fixel/all.h"
+#include "study/study.h"
 
 const combination combination_chosen = {&COMBINATION_CLIPPER, &COMBINATION_HIDDEN,
                                         COMBINATION_ROOM};

@@ -2,6 +2,7 @@
 #include "methods.h"
 
 #include "fixel/all.h"
+#include "study/study.h"
 
 #ifndef WALK_CLIPPER
 #define WALK_CLIPPER fxl_clipper_view

@@ -213,3 +213,34 @@ def test_a_cmake_project_gets_optimised_code_unless_it_chooses(tmp_path, options
     flags = (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel.dir" / "flags.make").read_text(encoding="utf-8")
     line = next(line for line in flags.splitlines() if line.startswith("C_FLAGS"))
     assert [word for word in line.split() if word.startswith("-O")] == wanted
+
+
+STUDY = """#include <fixel.h>
+#include <study/study.h>
+int main(void)
+{
+    return fxl_clipper_near.workspace_size != sizeof(fxl_volume_workspace) || fxl_visibility_spans.submit == 0;
+}
+"""
+
+
+@pytest.mark.parametrize("chosen", ["ON", "OFF"])
+def test_a_cmake_project_gets_the_study_where_it_asks_for_it(tmp_path, chosen):
+    (tmp_path / "main.c").write_text(STUDY, encoding="utf-8")
+    (tmp_path / "CMakeLists.txt").write_text(f"""cmake_minimum_required(VERSION 3.16)
+project(study LANGUAGES C)
+add_subdirectory({CHECKOUT} fixel)
+if(TARGET fixel::study)
+    add_executable(program main.c)
+    target_link_libraries(program PRIVATE fixel::study)
+endif()
+""", encoding="utf-8")
+    code, text = run(["cmake", "-S", tmp_path, "-B", tmp_path / "build", f"-DFIXEL_STUDY={chosen}"])
+    assert code == 0, text
+    assert (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel_study.dir").exists() == (chosen == "ON")
+    sources = (tmp_path / "build" / "fixel" / "CMakeFiles" / "fixel.dir" / "build.make").read_text(encoding="utf-8")
+    assert "lib/draw/render.c" in sources and "lib/study/" not in sources
+    if chosen == "ON":
+        code, text = run(["cmake", "--build", tmp_path / "build", "--parallel", "2"])
+        assert code == 0 and "warning" not in text.lower(), text
+        assert run([tmp_path / "build" / "program"]) == (0, "")

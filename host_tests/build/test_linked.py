@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a program does not name it does not link."""
 
+import re
 import subprocess
 
 import pytest
@@ -14,6 +15,23 @@ int main(void)
 }
 """
 MORE = {"fxl_bsp_check", "fxl_beam_check", "fxl_beams_fit", "fxl_cluster_check", "fxl_clusters", "fxl_order_clusters"}
+
+UNDEFINED, DEFINED = " U ", re.compile(r" [BDRTVW] ")
+
+
+def symbols(archive, kind):
+    """The names of an archive that nm gives this letter."""
+    lines = subprocess.run(["nm", archive], check=True, text=True, capture_output=True).stdout.splitlines()
+    return {line.split()[-1] for line in lines if re.search(kind, line)}
+
+
+def test_the_library_needs_nothing_of_the_study(build):
+    library, study = build / "host" / "libfixel.a", build / "host" / "libfixel_study.a"
+    ours, theirs = symbols(library, DEFINED), symbols(study, DEFINED)
+    assert {"fxl_clipper_view", "fxl_line_by_codes", "fxl_split_piece", "fxl_box_planes", "fxl_plane_from_points"} <= ours
+    assert {"fxl_clipper_near", "fxl_clipper_world", "fxl_visibility_spans", "fxl_visibility_box"} <= theirs
+    assert not ours & theirs and not symbols(library, UNDEFINED) & theirs
+
 
 SHADERS = {"fxl_renderer_set_shader", "fxl_submit_coloured_face", "fxl_light_brightness"}
 

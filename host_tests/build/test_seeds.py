@@ -64,8 +64,10 @@ def test_names_stand_where_the_page_says(number, cells):
 
 
 def public_headers():
-    folder = CHECKOUT / "lib" / "include"
-    return "\n".join(file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*.h")))
+    """The text of what a program may include: the public headers, and with the study's archive its headers."""
+    lib = CHECKOUT / "lib"
+    files = [*sorted((lib / "include").rglob("*.h")), *sorted((lib / "study").glob("*.h"))]
+    return "\n".join(file.read_text(encoding="utf-8") for file in files)
 
 
 def names_of(setting):

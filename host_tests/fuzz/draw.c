@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw.h"
+#include "study/clippers.h"
+#include "study/methods.h"
+#include "study/span_buffer.h"
 
 #include <string.h>
 

@@ -4,6 +4,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "study/methods.h"
 #include "record.h"
 
 enum {

@@ -4,6 +4,8 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "study/clippers.h"
+#include "study/methods.h"
 #include "make_scene.h"
 #include "record.h"
 #include "stages.h"

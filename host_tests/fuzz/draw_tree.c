@@ -3,6 +3,8 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "study/clippers.h"
+#include "study/methods.h"
 #include "record.h"
 
 enum {

@@ -5,6 +5,8 @@
 
 #include "demand.h"
 #include "stages.h"
+#include "study/clippers.h"
+#include "study/methods.h"
 
 enum {
     PIXELS = 4096

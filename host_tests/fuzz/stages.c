@@ -6,6 +6,7 @@
 #include "demand.h"
 #include "judge.h"
 #include "record.h"
+#include "study/clip_world.h"
 
 enum {
     TEXEL_MAX = 16383 * 65536,

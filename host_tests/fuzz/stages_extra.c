@@ -6,6 +6,11 @@
 #include "record.h"
 #include "show.h"
 #include "stages.h"
+#include "study/clip_once.h"
+#include "study/clip_world.h"
+#include "study/half_space.h"
+#include "study/rectangle.h"
+#include "study/triangle.h"
 
 enum {
     ENTRIES = 300,

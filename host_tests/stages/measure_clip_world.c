@@ -5,6 +5,7 @@
 #include "reference/plane.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
+#include "study/clip_world.h"
 
 enum {
     FROM_EDGE,

@@ -5,6 +5,7 @@
 #include "reference/span_buffer.h"
 #include "stages/bridge.h"
 #include "stages/measure.h"
+#include "study/span_buffer.h"
 
 stages_tally stages_cover_tally(const char *input)
 {

@@ -3,7 +3,7 @@
 #ifndef CLIPPERS_LIST_H
 #define CLIPPERS_LIST_H
 
-#include "fixel/study/workspace.h"
+#include "study/clippers.h"
 #include "fixel/stage/clipper.h"
 
 enum {

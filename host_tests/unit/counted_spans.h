@@ -4,6 +4,7 @@
 #define COUNTED_SPANS_H
 
 #include "fixel/all.h"
+#include "study/span_buffer.h"
 
 /* span_buffer.c, but that each span that it fills is counted. */
 fxl_span_buffer *counted_span_buffer_make(void *memory, uint32_t size, uint16_t height);

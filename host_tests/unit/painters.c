@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "painters.h"
 
-#include "fixel/study/spans.h"
+#include "study/study.h"
 
 static struct {
     uint8_t background;

@@ -5,6 +5,7 @@
 #include "tiny.h"
 #include "tiny_board.h"
 #include "tiny_frames.h"
+#include "study/methods.h"
 
 enum {
     WIDTH = 32,

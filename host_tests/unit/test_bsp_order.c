@@ -4,6 +4,7 @@
 #include "bsp_sight.h"
 #include "frame_bands.h"
 #include "painters.h"
+#include "study/clippers.h"
 
 enum {
     WIDTH = BSP_WIDTH,

@@ -3,6 +3,9 @@
  * one plane: each clipper makes exactly the vertices that the pattern asks for, or refuses, and
  * writes nothing beyond the capacity. */
 #include "clip_shapes.h"
+#include "study/clip_once.h"
+#include "study/clip_world.h"
+#include "study/half_space.h"
 
 /* x of a vertex at depth 10: inside the left plane x = -z, on it, outside it. */
 enum {

@@ -2,6 +2,7 @@
 /* The clipper that takes all planes at once: corners, edges through two planes, and
  * against the clipper that goes plane by plane. */
 #include "clip_shapes.h"
+#include "study/clip_once.h"
 
 static struct {
     fxl_clip_once_workspace workspace;

@@ -4,6 +4,7 @@
 #include "clip_shapes.h"
 #include "clippers_list.h"
 #include "polygon_face.h"
+#include "study/half_space.h"
 
 /* The lens: 90 degrees both ways, near 1, far 100, no inset. */
 static fxl_lens square_lens(void)

@@ -4,6 +4,7 @@
 
 #include "plane_cases.h"
 #include "unit.h"
+#include "study/clip_world.h"
 
 static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Polygons of the world, cut by the planes of a frustum: all of them, or some. */
 #include "unit.h"
+#include "study/clip_world.h"
 
 static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 static fxl_clip_world_work work;

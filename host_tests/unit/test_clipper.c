@@ -4,6 +4,7 @@
 #include "polygon_face.h"
 #include "tiny.h"
 #include "tiny_frames.h"
+#include "study/clippers.h"
 
 enum {
     WIDTH = 48,

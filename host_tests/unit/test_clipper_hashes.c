@@ -5,6 +5,7 @@
 #include "clip_views.h"
 #include "clippers_list.h"
 #include "polygon_face.h"
+#include "study/half_space.h"
 
 enum {
     FACES = 600, /* by each clipper */

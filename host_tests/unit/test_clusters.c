@@ -2,6 +2,7 @@
 /* Clusters outside the frustum and clusters turned away. */
 #include "cluster_scene.h"
 #include "view/clusters.h"
+#include "study/clippers.h"
 
 enum {
     WIDTH = 48,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Objects that a sphere leaves out, in whole frames. */
 #include "tiny.h"
+#include "study/clippers.h"
 
 enum {
     WIDTH = 48,

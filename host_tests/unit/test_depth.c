@@ -5,6 +5,7 @@
 
 #include "depth_scene.h"
 #include "unity.h"
+#include "study/clippers.h"
 
 static depth_scene *made;
 

@@ -5,6 +5,8 @@
 
 #include "clip_shapes.h"
 #include "wide.h"
+#include "study/clip_world.h"
+#include "study/half_space.h"
 
 static fxl_clip_workspace workspace;
 

@@ -4,6 +4,7 @@
 #include "clippers_list.h"
 #include "tiny.h"
 #include "tiny_frames.h"
+#include "study/methods.h"
 
 enum {
     WIDTH = 48,

@@ -6,6 +6,9 @@
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"
+#include "study/clippers.h"
+#include "study/methods.h"
+#include "study/span_buffer.h"
 
 enum {
     WIDTH = 24,

@@ -2,6 +2,8 @@
 /* What a pick answers with each visibility method (docs/extras/pick.md, section 2.4). */
 #include "tiny.h"
 #include "tiny_frames.h"
+#include "study/methods.h"
+#include "study/span_buffer.h"
 
 enum {
     WIDTH = 24,

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Bands that pass over what does not reach them: the same frames, and less work. */
-#include "fixel/study/clippers.h"
-#include "fixel/study/spans.h"
+#include "study/study.h"
 #include "frame_bands.h"
 #include "tiny.h"
 

@@ -3,6 +3,7 @@
  * outline. */
 #include "clip_shapes.h"
 #include "wide.h"
+#include "study/rectangle.h"
 
 static struct {
     fxl_rectangle_work work;

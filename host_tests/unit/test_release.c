@@ -2,6 +2,7 @@
 /* Frames whose scene is released (fxl_frame_release_scene): it changes while they are drawn, and
  * their pixels stay. */
 #include "fixel/all.h"
+#include "study/methods.h"
 #include "world_unit.h"
 
 enum {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The brute-force scan against the edge walk and against the definition. */
 #include "picture.h"
+#include "study/scan_box.h"
 
 enum {
     SIZE = 40

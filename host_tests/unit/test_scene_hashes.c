@@ -4,7 +4,7 @@
 #include "bsp_sight.h"
 #include "cluster_scene.h"
 #include "frame_bands.h"
-#include "fixel/study/spans.h"
+#include "study/study.h"
 
 enum {
     FRAMES = 60, /* of each kind */

@@ -2,6 +2,7 @@
 /* The span buffer: each pixel is drawn once, by the first that covers it. */
 #include "counted_spans.h"
 #include "unit.h"
+#include "study/span_buffer.h"
 
 enum {
     WIDTH = 24,

@@ -6,6 +6,7 @@
 #include "../../lib/paint/affine.h"
 #include "clip_views.h"
 #include "polygon_face.h"
+#include "study/clippers.h"
 
 enum {
     ROUNDS = 1000, /* of each kind */

@@ -2,7 +2,7 @@
 /* Faces with textures, against the definition in double: a ray through each pixel's centre. */
 #include <math.h>
 
-#include "fixel/study/workspace.h"
+#include "study/clippers.h"
 #include "mapped_quad.h"
 #include "unit.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Triangles by planes and by the screen's borders: the four cases, and the pieces. */
 #include "clip_shapes.h"
+#include "study/triangle.h"
 
 static fxl_triangle_workspace workspace;
 static fxl_clip_stats stats;

@@ -4,6 +4,7 @@
 #include "scene/turn_code.h"
 #include "view/clusters.h"
 #include "view/turned_view.h"
+#include "study/clippers.h"
 #include "turns.h"
 
 enum {

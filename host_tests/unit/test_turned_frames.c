@@ -2,7 +2,7 @@
 /* Turned instances in a renderer: whole frames, with every clipper and method. */
 #include "clippers_list.h"
 #include "frame_bands.h"
-#include "fixel/study/spans.h"
+#include "study/study.h"
 #include "scene/face_bounds.h"
 #include "turns.h"
 #include "tiny.h"

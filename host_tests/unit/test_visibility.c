@@ -5,6 +5,7 @@
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"
+#include "study/visibility_spans.h"
 
 enum {
     WIDTH = 16,

@@ -2,6 +2,8 @@
 /* Bands of one frame drawn in several workspaces, in turn; and what setting up a renderer or a
  * workspace refuses. */
 #include "fixel/all.h"
+#include "study/clippers.h"
+#include "study/methods.h"
 #include "tiny.h"
 
 enum {

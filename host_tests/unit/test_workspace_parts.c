@@ -2,6 +2,7 @@
 /* How memory for a workspace, or for a visibility method, is divided into parts. */
 #include "../../lib/draw/renderer.h"
 #include "tiny.h"
+#include "study/methods.h"
 
 enum {
     WIDTH = 24,

@@ -3,7 +3,7 @@
 #ifndef WATERTIGHT_H
 #define WATERTIGHT_H
 
-#include "fixel/study/workspace.h"
+#include "study/clippers.h"
 #include "unit.h"
 
 enum {

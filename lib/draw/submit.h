@@ -83,11 +83,6 @@ bool fxl_draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uin
  * backend's workspace is full: what was counted must then be forgotten. */
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
-/* fxl_raster_backend.draw_band: where the workspace is full the band is drawn again in halves,
- * and so on; counted in split_bands. Requires a workspace for any one row. Returns FXL_OK. */
-fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
-                               const fxl_band *band);
-
 /* What draws models with clusters. */
 struct fxl_cluster_code {
     /* What fxl_order_model does before the sort, for a model with clusters. Clusters outside the

@@ -6,8 +6,7 @@
 #ifndef FXL_CLIP_COMMON_H
 #define FXL_CLIP_COMMON_H
 
-#include "fixel/stage/clipper.h"
-#include "fixel/study/workspace.h"
+#include "clippers.h"
 
 /* The steps in which the clippers differ. The clip_flags of a vertex have a bit for each plane
  * that it lies outside of, and may have FXL_VERTEX_BEYOND_GUARD_BAND. */

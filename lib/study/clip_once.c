@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/clip_once.h"
+#include "clip_once.h"
 
 #include "../math/arith.h"
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 #include "intersection_order.h"
 
 typedef struct {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../clip/cut_polygon.h"
 #include "../math/arith.h"
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 
 /* By the sliver rule, whether a vertex is inside depends on the vertex before it, all the way
  * round. So the loop starts after a vertex that the rule cannot change: one that is outside, or

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/clip_world.h"
+#include "clip_world.h"
 
 #include "../clip/cut_polygon.h"
 #include "../math/arith.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A clipper whose outcodes and cuts use six homogeneous half-spaces, which need not form a
  * frustum. */
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 #include "clip_common.h"
 #include "../view/rotate.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 #include "fetch_normalised.h"
 
 static fxl_varying_polygon *input(const fxl_model_view *model_view)

@@ -4,6 +4,7 @@
 #include "fixel/stage/transform.h"
 
 #include "clip_world_by_planes.h"
+#include "clippers.h"
 #include "clip_common.h"
 #include "../view/rotate.h"
 

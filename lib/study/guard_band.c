@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "guard_band.h"
 
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 #include "clip_common.h"
 
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)

@@ -4,8 +4,7 @@
 #ifndef FXL_GUARD_BAND_H
 #define FXL_GUARD_BAND_H
 
-#include "fixel/stage/clipper.h"
-#include "fixel/study/workspace.h"
+#include "clippers.h"
 
 /* Implements fxl_clipper.clip with an fxl_volume_workspace. screen: the planes at the border of
  * the screen, near and far among them. A workspace belongs to one clipper, so they are the same

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/normalised.h"
+#include "normalised.h"
 
 #include "../math/arith.h"
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 #include "../math/ratio.h"
 
 /* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. part is

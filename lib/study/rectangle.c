@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/rectangle.h"
+#include "rectangle.h"
 
 #include "../clip/cut_polygon.h"
 #include "../math/arith.h"
-#include "fixel/study/triangle.h"
+#include "triangle.h"
 #include "../clip/intersection.h"
 
 /* How far a point lies inside a border. Coordinates are below 2^28, so this is below 2^29. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/scan_box.h"
+#include "scan_box.h"
 
 #include "../math/arith.h"
 #include "../math/pixel_centre.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/span_buffer.h"
+#include "span_buffer.h"
 
 #include "../math/arith.h"
 #include "../raster/fill_row.h"

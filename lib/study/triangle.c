@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/triangle.h"
+#include "triangle.h"
 
 #include "../math/arith.h"
-#include "../clip/intersection.h"
+#include "clip_polygon.h"
 
 static void copy_corner(const fxl_screen_corner *from, uint32_t carried, fxl_screen_corner *to)
 {

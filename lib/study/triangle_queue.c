@@ -2,7 +2,7 @@
 #include "../math/arith.h"
 #include "../clip/intersection.h"
 #include "fixel/stage/project.h"
-#include "fixel/study/triangle.h"
+#include "triangle.h"
 
 #define MASK (FXL_TRIANGLE_QUEUE - 1u)
 

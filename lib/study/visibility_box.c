@@ -2,8 +2,9 @@
 /* The raster backend that tests every pixel of a polygon's bounding box, for clippers that leave
  * the sides of the screen to the scan. */
 #include "fixel/stage/fill.h"
-#include "fixel/study/scan_box.h"
+#include "scan_box.h"
 #include "../draw/submit.h"
+#include "methods.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../order/submit_by_bsp.h"
+#include "methods.h"
 
 const fxl_visibility fxl_visibility_bsp_spans = {.front_to_back = true,
                                                  .submit = fxl_submit_by_bsp,

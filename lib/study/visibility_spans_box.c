@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/study/scan_box.h"
+#include "scan_box.h"
 #include "visibility_spans.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,

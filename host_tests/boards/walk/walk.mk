@@ -9,7 +9,7 @@ WALK_TEST_CONTRACT := $(wildcard boards/contract/*.h)
 WALK_TEST_MOCKS := $(WALK_TEST_CONTRACT:boards/contract/%.h=$(WALK_TEST)/mock_%.c)
 # Small, so that a small scene takes several bands and can want too much.
 WALK_TEST_CFLAGS := $(WARNINGS) -g1 $(RELATIVE_PATHS) -O1 -fsanitize=undefined -fno-sanitize-recover \
-    -Ilib/include -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ihost_tests/boards/walk -I$(WALK_TEST) \
+    -Ilib/include -Ilib -Iboards -Iboards/contract -Ifirmware/walk -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ihost_tests/boards/walk -I$(WALK_TEST) \
     -I$(CMOCK_DIR)/src -I$(WALK_TEST_UNITY)/src -DWALK_BAND_BYTES=1024 -DWALK_ORDER_ENTRIES=4 -DWALK_LIST_BYTES=100 \
     -DWALK_CACHE_ENTRIES=8
 WALK_TEST_OBJECTS := $(addprefix $(WALK_TEST)/,test_walk.o test_path.o test_dump.o test_display.o test_window.o board_double.o scene_bytes.o \
@@ -64,13 +64,13 @@ $(WALK_TEST)/cmock.o: $(CMOCK_DIR)/src/cmock.c
 	$(HOSTCC) $(WALK_TEST_CFLAGS) -w -c $< -o $@
 
 $(WALK_TEST)/test_walk: $(addprefix $(WALK_TEST)/,test_walk.o test_walk_runner.o board_double.o \
-        scene_bytes.o walk.o billboards.o looks.o surfaces.o methods.o act_path.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(BUILD)/host/libfixel.a \
+        scene_bytes.o walk.o billboards.o looks.o surfaces.o methods.o act_path.o path.o unity.o cmock.o) $(WALK_TEST_MOCKS:.c=.o) $(HOST_LIBRARIES) \
         $(BUILD)/host/libreference.a
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -lm -o $@
 
 $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o scene_bytes.o path.o unity.o) \
-        $(BUILD)/host/libfixel.a
+        $(HOST_LIBRARIES)
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 

@@ -5,7 +5,7 @@ FRAMES_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcard
     $(BUILD)/host/objects/judges/frames/path.o
 HOST_TOOLS += $(BUILD)/host/frames
 
-FRAMES_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ifirmware/walk -MMD -MP -c
+FRAMES_CC = $(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -Ifirmware/walk -MMD -MP -c
 
 $(BUILD)/host/objects/judges/frames/%.o: host_tests/judges/frames/%.c
 	$(MAKE_FOLDER)
@@ -17,6 +17,6 @@ $(BUILD)/host/objects/judges/frames/path.o: firmware/walk/path.c
 	$(SAY)
 	$(FRAMES_CC) $< -o $@
 
-$(BUILD)/host/frames: $(FRAMES_OBJECTS) $(BUILD)/host/libfixel.a
+$(BUILD)/host/frames: $(FRAMES_OBJECTS) $(HOST_LIBRARIES)
 	$(SAY)
 	$(HOSTCC) $^ -o $@

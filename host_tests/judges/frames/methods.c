@@ -2,6 +2,8 @@
 #include "frames/methods.h"
 
 #include <string.h>
+#include "study/clippers.h"
+#include "study/methods.h"
 
 static const named_clipper clippers[] = {
     {"view", &fxl_clipper_view, NULL},

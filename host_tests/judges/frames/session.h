@@ -5,6 +5,7 @@
 #define FRAMES_SESSION_H
 
 #include "fixel/all.h"
+#include "study/clippers.h"
 #include "lights/named.h"
 
 /* How frames are drawn. In session_reserve: the largest that session_set_up is given. */

@@ -9,7 +9,7 @@ $(BUILD)/host/objects/judges/judge/%.o: host_tests/judges/judge/%.c
 	$(MAKE_FOLDER)
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -pthread \
-	    -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -MMD -MP -c $< -o $@
+	    -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
 $(BUILD)/host/judge: $(JUDGE_OBJECTS) $(BUILD)/host/objects/judges/frames/read_file.o \
         $(BUILD)/host/objects/judges/frames/moving_reference.o $(BUILD)/host/libreference.a \

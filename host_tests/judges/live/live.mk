@@ -7,7 +7,7 @@ HOST_TOOLS += $(BUILD)/host/live
 $(BUILD)/host/objects/judges/live/%.o: host_tests/judges/live/%.c
 	$(MAKE_FOLDER)
 	$(SAY)
-	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -MMD -MP -c $< -o $@
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
 $(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/judges/frames/read_file.o \
     $(BUILD)/host/objects/judges/frames/moving_reference.o $(BUILD)/host/objects/judges/judge/pixel.o \

@@ -7,7 +7,7 @@ HOST_TOOLS += $(BUILD)/host/loader
 $(BUILD)/host/objects/judges/loader/%.o: host_tests/judges/loader/%.c
 	$(MAKE_FOLDER)
 	$(SAY)
-	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -MMD -MP -c $< -o $@
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
 $(BUILD)/host/loader: $(LOADER_OBJECTS) $(BUILD)/host/libfixel.a
 	$(SAY)

@@ -6,6 +6,7 @@
 
 #include "frames/methods.h"
 #include "unit/polygon_face.h"
+#include "study/clippers.h"
 
 static const fxl_clipper *chosen = &fxl_clipper_view;
 static int own_integers;

@@ -25,7 +25,7 @@ ORACLE_OBJECTS += $(ORACLE_TURNS)
 $(ORACLE_TURNS): $(BUILD)/host/objects/%.o: host_tests/%.c
 	@mkdir -p $(@D)
 	$(SAY)
-	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ilib/include -MMD -MP -c $< -o $@
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
 $(BUILD)/host/oracle: $(ORACLE_OBJECTS) $(ORACLE_BRIDGE) \
         $(BUILD)/host/libreference.a $(call LIB_HOST_NEEDED,$(wildcard host_tests/judges/oracle/*.c) $(ORACLE_BRIDGE:$(BUILD)/host/objects/%.o=host_tests/%.c))
@@ -47,10 +47,10 @@ $(ORACLE_UNIT)/test_%.o: host_tests/judges/oracle/unit/test_%.c
 	$(MAKE_FOLDER)
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O1 -g1 $(RELATIVE_PATHS) -fsanitize=undefined -fno-sanitize-recover=all -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages \
-	    -Ilib/include -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
+	    -Ilib/include -Ilib -I$(ORACLE_UNIT_UNITY)/src -MMD -MP -c $< -o $@
 
 $(ORACLE_UNIT)/test_%: $(ORACLE_UNIT)/test_%.o $(ORACLE_UNIT)/unity.o \
-        $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(ORACLE_BRIDGE) $(BUILD)/host/libfixel.a \
+        $(filter-out %/main.o,$(ORACLE_OBJECTS)) $(ORACLE_BRIDGE) $(HOST_LIBRARIES) \
         $(BUILD)/host/libreference.a
 	$(SAY)
 	$(HOSTCC) -fsanitize=undefined $^ -lgmp -lm -o $@

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "oracle/space.h"
+#include "study/normalised.h"
 
 static void set_screen(const fxl_lens *lens, oracle_space *space)
 {

@@ -15,6 +15,9 @@
 #include "counted_spans.h"
 #include "frames/session.h"
 #include "path.h"
+#include "study/clippers.h"
+#include "study/methods.h"
+#include "study/span_buffer.h"
 
 enum {
     BACKGROUND = 0,

@@ -24,6 +24,6 @@ $(BUILD)/host/objects/judges/visibility/%.o: firmware/walk/%.c
 	$(SAY)
 	$(HIDDEN_CC) $< -o $@
 
-$(BUILD)/host/hidden: $(HIDDEN_OBJECTS) $(BUILD)/host/libfixel.a
+$(BUILD)/host/hidden: $(HIDDEN_OBJECTS) $(HOST_LIBRARIES)
 	$(SAY)
 	$(HOSTCC) $^ -o $@

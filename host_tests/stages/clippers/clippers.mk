@@ -7,11 +7,11 @@ HOST_TOOLS += $(BUILD)/host/clipper_errors
 $(BUILD)/host/objects/stages/clippers/%.o: host_tests/stages/clippers/%.c
 	$(MAKE_FOLDER)
 	$(SAY)
-	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include \
+	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib \
 	    -MMD -MP -c $< -o $@
 
 $(BUILD)/host/clipper_errors: $(CLIPPERS_OBJECTS) \
         $(addprefix $(BUILD)/host/objects/stages/,bridge.o random.o tally.o) \
-        $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
+        $(HOST_LIBRARIES) $(BUILD)/host/libreference.a
 	$(SAY)
 	$(HOSTCC) $^ -lm -o $@

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "clippers/measure.h"
+#include "study/clip_once.h"
 
 static void load(const clipper_case *of, const fxl_normalised *frustum,
                  fxl_varying_polygon *polygon)

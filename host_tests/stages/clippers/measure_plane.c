@@ -4,6 +4,7 @@
 #include "clippers/measure.h"
 #include "reference/plane.h"
 #include "reference/rectangle.h"
+#include "study/rectangle.h"
 
 static void note(clipper_tally *tally, double error)
 {

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "clippers/measure.h"
+#include "study/triangle.h"
 
 /* What rides along is the corner's place in the world: seen from the eye it is where
  * the corner is on the screen, but for its own rounding, which near the eye is many

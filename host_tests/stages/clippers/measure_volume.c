@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "clippers/measure.h"
+#include "study/half_space.h"
 
 #define UNIT 0x1p46
 

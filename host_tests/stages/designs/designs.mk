@@ -8,7 +8,7 @@ HOST_TOOLS += $(BUILD)/host/designs
 $(BUILD)/host/objects/stages/designs/%.o: host_tests/stages/designs/%.c
 	$(MAKE_FOLDER)
 	$(SAY)
-	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -MMD -MP -c $< -o $@
+	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
 # Triangles with surfaces, and what is exact of them.
 DESIGNS_ORACLE := $(addprefix $(BUILD)/host/objects/,$(addprefix judges/oracle/,random.o setup.o triangle.o \

@@ -42,9 +42,6 @@ typedef struct {
  * another bit and 4 bytes for each node, and 12 bytes for each of these instances, in addition. */
 extern const fxl_visibility fxl_visibility_bsp;
 
-/* Draws the same near to far into a span buffer. */
-extern const fxl_visibility fxl_visibility_bsp_spans;
-
 #ifdef __cplusplus
 }
 #endif

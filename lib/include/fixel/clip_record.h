@@ -4,7 +4,7 @@
 #ifndef FXL_CLIP_RECORD_H
 #define FXL_CLIP_RECORD_H
 
-#include "fixel/study/clip_world.h"
+#include "fixel/stage/clip_view.h"
 
 /* How many varyings a vertex may carry: texture coordinates, colours, light. */
 #define FXL_CARRIED_MAX 6

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Convex volumes of six half-spaces, which are homogeneous vectors. This header tests points and
- * clips polygons; line.h clips lines. Source: notes on homogeneous view volumes (D1, D2, D5,
- * D6), and one clipper for planes of the world and of the view (C7). */
+/* Convex volumes of six half-spaces, which are homogeneous vectors. Points are tested here;
+ * line.h clips lines, and lib/study/half_space.h polygons. Source: notes on homogeneous view
+ * volumes (D1, D2, D6). */
 #ifndef FXL_HALF_SPACE_H
 #define FXL_HALF_SPACE_H
 
@@ -66,20 +66,6 @@ uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point);
 
 /* Tells whether a point is inside all six planes. Exact. */
 bool fxl_volume_holds(const fxl_volume *volume, const fxl_view_point *point);
-
-/* Clips a polygon to one half-space, by the rules of fxl_clip_world_to_plane. Error of a new
- * vertex: that of fxl_clip_normalised. */
-fxl_clip_result fxl_clip_to_half_space(const fxl_varying_polygon *in, const fxl_half_space *plane,
-                                       fxl_clip_stats *stats, fxl_varying_polygon *out,
-                                       fxl_q18_46 *distances);
-
-/* Clips a polygon to a volume. Outcodes reject a polygon whose vertices are all outside one
- * plane, and accept one whose vertices are all inside all planes. Any other polygon is clipped,
- * in order, to the planes that a vertex lies outside of. In all else this is
- * fxl_clip_normalised. */
-fxl_clip_result fxl_clip_to_volume(const fxl_varying_polygon *in, const fxl_volume *volume,
-                                   fxl_clip_workspace *workspace,
-                                   const fxl_varying_polygon **result);
 
 #ifdef __cplusplus
 }

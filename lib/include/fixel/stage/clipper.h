@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/* The workspace of fxl_clip_world_to_frustum (fixel/study/clip_world.h). The caller
+/* The workspace of fxl_clip_world_to_frustum (study/clip_world.h). The caller
  * owns it. It keeps nothing from one call to the next. */
 typedef struct {
     fxl_polygon polygons[2];
@@ -54,10 +54,9 @@ typedef struct {
     bool by_points;
 } fxl_clipper;
 
-/* These two need no workspace. If the caller gives them an fxl_clip_stats, and its
- * size, as their workspace, they count in it. */
-extern const fxl_clipper fxl_clipper_view;  /* fxl_clip_by_view: the default */
-extern const fxl_clipper fxl_clipper_world; /* fxl_clip_by_world */
+/* fxl_clip_by_view: the default. It needs no workspace. If the caller gives it an fxl_clip_stats,
+ * and its size, as its workspace, it counts in it. */
+extern const fxl_clipper fxl_clipper_view;
 
 /* The function clip of fxl_clipper_view. It transforms the face's vertices, then clips in the view
  * on exact sums, then projects.
@@ -65,22 +64,6 @@ extern const fxl_clipper fxl_clipper_world; /* fxl_clip_by_world */
  * of docs/accuracy.md, section 3. Source: A12. */
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen);
-
-/* The function clip of fxl_clipper_world, the Black Book's clipper. It clips in the world in 16.16,
- * then transforms what is left, so it transforms fewer vertices.
- * Error: a clipped vertex is off by up to about focal / (65536 near) pixels on the screen.
- * Source: A2. */
-fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_face *face,
-                                  fxl_clipper_work *work, fxl_screen_polygon *screen);
-
-/* The other clippers (docs/extras/clippers.md). Each needs a workspace of its own
- * (fixel/study/workspace.h). */
-extern const fxl_clipper fxl_clipper_normalised;  /* planes at x = +-z: outcodes need no product */
-extern const fxl_clipper fxl_clipper_once;        /* all planes in one pass */
-extern const fxl_clipper fxl_clipper_half_spaces; /* any six homogeneous half-spaces */
-extern const fxl_clipper fxl_clipper_triangles;   /* triangles; borders in two dimensions */
-extern const fxl_clipper fxl_clipper_near;        /* near and far alone: the scan does the rest */
-extern const fxl_clipper fxl_clipper_left;        /* near, far and the left side */
 
 #ifdef __cplusplus
 }

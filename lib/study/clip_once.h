@@ -4,7 +4,7 @@
 #ifndef FXL_CLIP_ONCE_H
 #define FXL_CLIP_ONCE_H
 
-#include "fixel/study/normalised.h"
+#include "normalised.h"
 
 #ifdef __cplusplus
 extern "C" {
