@@ -3,12 +3,13 @@
 
 from fractions import Fraction
 import math
+import zlib
 
 from hypothesis import assume, given, settings, strategies as st
 import pytest
 
 from fixel.image import image
-from fixel.model import convex, mesh, solids
+from fixel.model import convex, island, mesh, solids
 from fixel.scene import palette
 from fixel.model.mesh import UNIT, Mesh
 from fixel.scene.toml_object import matrix
@@ -102,6 +103,32 @@ def test_a_tube_of_a_torus_is_a_quarter_of_the_width_and_looks_outward():
         outward = (middle[0] * (1 - 0.375 / along), middle[1], middle[2] * (1 - 0.375 / along))
         assert mesh.dot(mesh.newell([made.vertices[c] for c in face]), outward) > 0
     assert mesh.shape(made, ONE, "torus").open_edges == 0
+
+
+def test_two_colours_in_turn_make_a_floor_chequered():
+    made = solids.floor((3, 4))
+    assert len(made.vertices) == 4 * 5
+    assert all(len(set(one) & set(after)) == 2 for one, after in zip(made.faces, made.faces[1:]))
+
+
+@pytest.mark.parametrize("options, crc", [({}, 0x00146bb9), ({"cells": (9, 5), "seed": 7, "sea": 0.1}, 0x2c37523c)])
+def test_a_seed_gives_the_same_island_for_ever(options, crc):
+    """It is part of a scene's image. Where one is to look otherwise, put the new figure in."""
+    made = solids.make("island", options, "here")
+    assert zlib.crc32(repr((made.vertices, made.faces)).encode()) == crc
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_an_island_rises_from_the_sea_to_the_top_of_the_cube(seed):
+    rows = island.heights((12, 8), seed, 0.25)
+    assert (len(rows), len(rows[0])) == (9, 13)
+    assert max(map(max, rows)) == 1 and min(map(min, rows)) == 0
+    assert {rows[0][0], rows[0][12], rows[8][0], rows[8][12]} == {0}, "corners lie in the sea"
+    assert sum(height > 0 for row in island.heights((12, 8), seed, 0.0) for height in row) > \
+        sum(height > 0 for row in rows for height in row) > 12
+    made = island.make((12, 8), seed, 0.25)
+    assert len(made.vertices) == 13 * 9 and len(made.faces) <= 2 * 12 * 8
+    assert all(mesh.newell([made.vertices[corner] for corner in face])[1] > 0 for face in made.faces), "all look up"
 
 
 def test_box_of_unit_size_is_exact():
