@@ -6,17 +6,12 @@
 
 #include "submit.h"
 #include "fixel/surfaces.h"
+#include "../paint/depth_code.h"
 #include "../paint/paint.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* The plane of a face, as its depth on the screen. */
-typedef struct {
-    fxl_gradient gradient;
-    int32_t one; /* at z = near_z the gradient's 64 bits are 2^one */
-} fxl_depth_plane;
 
 #define FXL_NO_SURFACE UINT16_MAX
 FXL_STATIC_ASSERT(FXL_SURFACES_MAX <= FXL_NO_SURFACE, "no surface has this number");

@@ -11,7 +11,13 @@
 #define FXL_DEPTH_CODE_H
 
 #include "../math/arith.h"
-#include "../draw/surface_polygon.h"
+#include "gradients.h"
+
+/* The plane of a face, as its depth on the screen. */
+typedef struct {
+    fxl_gradient gradient;
+    int32_t one; /* at z = near_z the gradient's 64 bits are 2^one */
+} fxl_depth_plane;
 
 /* What the codes of a lens share. */
 typedef struct {

@@ -8,7 +8,7 @@ enum {
     ARM_INSTANCE = 16,   /* fxl_instance */
     ARM_TURN = 40,       /* fxl_turn */
     ARM_POINT = 12,      /* fxl_point */
-    ARM_BEAM_LIGHT = 32, /* what lib/extra/beams/beam_light.c has at the start of its workspace */
+    ARM_BEAM_LIGHT = 32, /* what lib/draw/beam_light.c has at the start of its workspace */
     ARM_LIT_PIECES = 28, /* fxl_lit_pieces */
     ARM_LIT_PIECE = 6,   /* fxl_lit_piece */
     ARM_LIGHT = 132,     /* fxl_light */

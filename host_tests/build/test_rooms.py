@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""The rooms of the library: which folder's files may include those of which other."""
+
+import os
+import pathlib
+import re
+
+import pytest
+
+from conftest import CHECKOUT
+
+LIB = CHECKOUT / "lib"
+PUBLIC = LIB / "include"
+# A room includes itself and the rooms before it. A wing includes all rooms, and the study the wings too.
+ROOMS = ("math", "scene", "view", "clip", "raster", "paint", "draw")
+WINGS = ("order", "screen", "game")
+STUDY = "study"
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+
+# The room of each public header: that of the code which it declares.
+ROOM_OF = {
+    "math": {"config", "types", "stage/angle", "stage/plane", "plane_from_points"},
+    "scene": {"scene", "stage/lens", "stage/turn", "beam"},
+    "view": {"stage/camera", "stage/cull", "stage/frustum", "stage/model_view", "stage/order", "stage/outcode", "stage/project",
+             "stage/sphere", "stage/transform", "stage/view", "box"},
+    "clip": {"stage/clip_view", "stage/clipper", "clip_record", "half_space", "line", "split"},
+    "raster": {"stage/fill", "stage/scan"},
+    # These also declare how lib/draw attaches what they describe to a renderer.
+    "paint": {"beam_light", "beams", "billboards", "depth", "light", "rgb565", "surfaces"},
+    "draw": {"fixel", "render", "stage/display_list", "stage/visibility"},
+    "order": {"bsp", "wire"},
+    "screen": {"display", "overlay", "pixels", "pump"},
+    "game": {"collide", "motion", "orientation", "pick", "player", "world"},
+}
+# (room, what it includes): why it may, though it stands before it.
+EXCEPTIONS = {
+    ("scene", "include/fixel/stage/view.h"): "a lens points to the code that shears the view, so that others link none of it",
+    ("view", "include/fixel/stage/clip_view.h"): "fxl_view_distance, which the clipper inlines, gives the outcode near a plane",
+    ("paint", "include/fixel/overlay.h"): "a billboard is a sprite of the overlay",
+}
+
+
+def headers():
+    """{public header: its room}."""
+    return {name: room for room, names in ROOM_OF.items() for name in names}
+
+
+def room_of(file):
+    """The room of a file of lib/."""
+    if PUBLIC in file.parents:
+        name = str(file.relative_to(PUBLIC).with_suffix(""))
+        return headers()[name.removeprefix("fixel/")]
+    return file.parent.name
+
+
+def allowed(room):
+    """The rooms of which a room's files may include some."""
+    if room in ROOMS:
+        return ROOMS[:ROOMS.index(room) + 1]
+    return (*ROOMS, room) if room in WINGS else (*ROOMS, *WINGS, STUDY)
+
+
+def included(file):
+    """The files of lib/ that a file includes."""
+    for name in INCLUDE.findall(file.read_text(encoding="utf-8")):
+        beside = pathlib.Path(os.path.normpath(file.parent / name))
+        yield beside if beside.is_file() else PUBLIC / name
+
+
+def sources():
+    return sorted(file for folder in (*ROOMS, *WINGS, STUDY) for file in (LIB / folder).iterdir() if file.suffix in (".c", ".h", ".S"))
+
+
+def test_every_file_has_a_room():
+    assert {file.name for file in LIB.iterdir() if file.is_dir()} == {*ROOMS, *WINGS, STUDY, "include"}
+    found = {str(file.relative_to(PUBLIC).with_suffix("")).removeprefix("fixel/") for file in PUBLIC.rglob("*.h")}
+    assert set(headers()) == found - {"all"}
+
+
+def strange(files):
+    """["file includes file"] that no rule allows, and the exceptions that were needed."""
+    found, used = [], set()
+    for file in files:
+        room = room_of(file)
+        for other in included(file):
+            pair = (room, str(other.relative_to(LIB)))
+            if room_of(other) in allowed(room):
+                continue
+            if pair in EXCEPTIONS:
+                used.add(pair)
+            else:
+                found.append(f"{file.relative_to(LIB)} includes {pair[1]}")
+    return found, used
+
+
+def test_no_room_includes_a_later_one():
+    found, used = strange(sources())
+    assert found == []
+    assert used == set(EXCEPTIONS), "an exception that nothing needs"
+
+
+@pytest.mark.parametrize("room, line, wrong", [
+    ("math", '#include "../view/rotate.h"', True), ("view", '#include "../math/arith.h"', False),
+    ("paint", '#include "../draw/submit.h"', True), ("draw", '#include "../paint/paint.h"', False),
+    ("draw", '#include "../order/bsp_cut.h"', True), ("order", '#include "../draw/submit.h"', False),
+    ("screen", '#include "../game/exact.h"', True), ("game", '  #  include "../study/normalised.h"', True),
+    ("study", '#include "../order/submit_by_bsp.h"', False), ("clip", '#include "fixel/render.h"', True),
+    ("raster", '#include "fixel/stage/scan.h"', False), ("math", '/* #include "fixel/scene.h" */', False)])
+def test_an_include_that_points_back_is_seen(monkeypatch, tmp_path, room, line, wrong):
+    """In a library with the real headers, and one file more."""
+    lib = tmp_path / "lib"
+    for file in LIB.rglob("*.h"):
+        copy = lib / file.relative_to(LIB)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.symlink_to(file)
+    (lib / room / "new.h").write_text(line + "\n", encoding="utf-8")
+    monkeypatch.setattr(f"{__name__}.LIB", lib)
+    monkeypatch.setattr(f"{__name__}.PUBLIC", lib / "include")
+    assert bool(strange([lib / room / "new.h"])[0]) == wrong
