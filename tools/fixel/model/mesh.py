@@ -83,10 +83,13 @@ def newell(points):
 
 def unit_normal(area):
     """An integer vector at unit length in 2.30, each component to nearest."""
-    square = dot(area, area)
-    # Two more bits than needed, so that one rounding remains.
-    sizes = [(isqrt((value * value << 64) // square) + 2) >> 2 for value in area]
-    return tuple([size if value >= 0 else -size for size, value in zip(sizes, area)])
+    x, y, z = area
+    square = x * x + y * y + z * z
+    # Two more bits than needed, so that one rounding remains. Written out: every face comes here.
+    u = (isqrt((x * x << 64) // square) + 2) >> 2
+    v = (isqrt((y * y << 64) // square) + 2) >> 2
+    w = (isqrt((z * z << 64) // square) + 2) >> 2
+    return (u if x >= 0 else -u, v if y >= 0 else -v, w if z >= 0 else -w)
 
 
 def transform(mesh, matrix):
@@ -161,6 +164,10 @@ class _Counts:
 
 def _pieces(corners, points, place, counts):
     """A face of the mesh as pairs (corners, normal) that the library takes."""
+    if len(corners) == 3 and len(set(corners)) == 3:    # most faces of most files
+        area = newell([points[c] for c in corners])
+        if area != (0, 0, 0):
+            return [(tuple(corners), unit_normal(area))]
     corners = _outline(corners)
     if len(corners) < 3:
         counts.add("without area dropped", place)
@@ -190,9 +197,7 @@ def _pieces(corners, points, place, counts):
 
 def _open_edges(faces):
     """How many edges are not shared by two faces that agree on the front."""
-    balance = collections.Counter()
-    for face in faces:
-        balance.update(zip(face.corners, face.corners[1:] + face.corners[:1]))
+    balance = collections.Counter([edge for face in faces for edge in zip(face.corners, face.corners[1:] + face.corners[:1])])
     # Of an edge that runs as often one way as the other, none is left. One without a partner stands there once.
     return sum(1 for (a, b), times in balance.items() if times != balance.get((b, a), 0) and (a < b or (b, a) not in balance))
 
@@ -271,7 +276,7 @@ def _used(points, faces, sources, notes):
     """The shape with only those vertices that faces use."""
     order = {}
     for face in faces:
-        face.corners = tuple(order.setdefault(c, len(order)) for c in face.corners)
+        face.corners = tuple([order.setdefault(c, len(order)) for c in face.corners])
     vertices = [points[c] for c in order]
     low = [min(axis) for axis in zip(*vertices)]
     high = [max(axis) for axis in zip(*vertices)]

@@ -105,7 +105,7 @@ def _lines(blob):
 
 
 def _face(rest, counts, where):
-    """The corners of a face, in the order of Fixel."""
+    """(numbers of a face's vertices, in the order of Fixel; those of its texture coordinates, None if a corner has none)."""
     if len(rest) < 3:
         raise ToolError(f"{where}: a face needs three corners, found {len(rest)}")
     if len(rest) > CORNERS_MAX:
@@ -115,8 +115,9 @@ def _face(rest, counts, where):
     if plain.isascii() and plain.isdigit() and len(plain) < 10 * len(rest):     # vertices alone, counted from 1: most files
         numbers = [int(text) - 1 for text in reversed(rest)]
         if 0 <= min(numbers) and max(numbers) < counts["v"]:
-            return [(number, None) for number in numbers]
-    return [_corner(text, counts, where) for text in reversed(rest)]
+            return numbers, None
+    vertices, coordinates = zip(*[_corner(text, counts, where) for text in reversed(rest)])
+    return list(vertices), None if None in coordinates else coordinates
 
 
 def _refuse_many_faces(name, count):
@@ -184,12 +185,11 @@ class _Parser:
         self.materials = _Materials(folder, name, sources)
 
     def _add_face(self, rest, where):
-        corners = _face(rest, self.counts, where)
-        self.faces.append([vertex for vertex, _ in corners])
+        vertices, numbers = _face(rest, self.counts, where)
+        self.faces.append(vertices)
         self.lines.append(where)
         _refuse_many_faces(self.name, len(self.faces))
-        numbers = [number for _, number in corners]
-        self.materials.add(None if None in numbers else [self.coordinates[number] for number in numbers])
+        self.materials.add(numbers and [self.coordinates[number] for number in numbers])
 
     def _add_numbers(self, word, rest, where):
         if len(rest) < _SIZES[word]:

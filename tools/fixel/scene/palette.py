@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Colours: names, baked light, and 256 palette entries for all of them."""
 
-import bisect
 import colorsys
-import operator
 import difflib
 import re
 
+import numpy as np
 from PIL import ImageColor
 
 from fixel.base.errors import ToolError
@@ -55,8 +54,11 @@ class Light:
         facing = -(x * u + y * v + z * w) / 2 ** 30
         glow = self.ambient * (0.875 + 0.125 * v / 2 ** 30)
         direct = (1 - self.ambient) * max(0.0, (1 + facing) / 2) ** 1.5
-        return tuple([min(255, max(0, round(c * (glow * s + direct * l))))
-                      for c, s, l in zip(colour, self.sky, self.colour)])
+        # Written out: every face comes here.
+        (red, green, blue), (a, b, c), (d, e, f) = colour, self.sky, self.colour
+        red, green, blue = (round(red * (glow * a + direct * d)), round(green * (glow * b + direct * e)),
+                            round(blue * (glow * c + direct * f)))
+        return (min(255, max(0, red)), min(255, max(0, green)), min(255, max(0, blue)))
 
 
 def lit(colour, strength, tint):
@@ -64,30 +66,25 @@ def lit(colour, strength, tint):
     return tuple(min(255, round(c * (1 + strength * t / 255))) for c, t in zip(colour, tint))
 
 
-def _ranges(group):
-    """How far the colours of a group reach in red, green and blue."""
-    return [max(axis) - min(axis) for axis in zip(*group)]
-
-
 def median_cut(weights, count):
     """Distinct colours merged into count groups: {colour: group's mean}."""
-    groups = [sorted(weights)]
-    spreads = [_ranges(groups[0])]
+    ordered = sorted(weights)
+    colours = np.array(ordered)
+    groups = [np.arange(len(ordered))]      # numbers of colours in their order
+    spreads = [np.ptp(colours, axis=0).tolist()]
     while len(groups) < count:
         widest = max(range(len(groups)), key=lambda i: (max(spreads[i]), len(groups[i]), -i))
         group, ranges = groups.pop(widest), spreads.pop(widest)
-        axis = ranges.index(max(ranges))
-        group.sort()
-        group.sort(key=operator.itemgetter(axis))
-        middle = (group[0][axis] + group[-1][axis]) / 2
-        cut = bisect.bisect_right(group, middle, key=operator.itemgetter(axis))
-        groups += [group[:cut], group[cut:]]
-        spreads += [_ranges(group[:cut]), _ranges(group[cut:])]
+        values = colours[group, ranges.index(max(ranges))]
+        is_low = 2 * values <= values.min() + values.max()
+        groups += [group[is_low], group[~is_low]]
+        spreads += [np.ptp(colours[half], axis=0).tolist() for half in groups[-2:]]
     merged = {}
+    heavy = np.array([weights[colour] for colour in ordered])
     for group in groups:
-        total = sum(weights[c] for c in group)
-        mean = tuple(round(sum(weights[c] * c[k] for c in group) / total) for k in range(3))
-        merged.update(dict.fromkeys(group, mean))
+        total = int(heavy[group].sum())
+        sums = (heavy[group, None] * colours[group]).sum(axis=0)
+        merged.update(dict.fromkeys((ordered[number] for number in group.tolist()), tuple(round(int(each) / total) for each in sums)))
     return merged
 
 
