@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """OBJ files: every index form, every complaint, and which way things face."""
 
+import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -199,6 +201,16 @@ def test_a_framed_model_of_any_shape_touches_the_margin_of_the_screen(tmp_path, 
     assert abs(_check_in_view(scene) - 0.9) < 0.01
     reach = np.linalg.norm(np.array(scene.models[0].vertices) / 65536, axis=1)
     assert abs(reach.max() - 4) < 0.01
+
+
+def test_the_camera_stays_outside_the_ball_about_a_model():
+    # A bar that points at the camera, on a screen so high that the bar alone would let it come nearer.
+    along = [round(UNIT * part(math.radians(framing.WALK.start))) for part in (math.sin, math.cos)]
+    bar = SimpleNamespace(vertices=[(sign * along[0], 0, sign * along[1]) for sign in (-1, 1)], surfaces=[])
+    data = framing.scene_data(bar, "bar.obj", 1, (64, 1024))
+    distance = math.hypot(data["path"]["orbit"]["radius"], data["path"]["orbit"]["height"])
+    assert abs(distance - 1.1 * 4) < 0.02
+    assert 0.3 <= data["view"]["near"] < distance - 4 and data["view"]["far"] > distance + 4
 
 
 @pytest.mark.parametrize("name", ["spot.obj", "teapot.obj"])

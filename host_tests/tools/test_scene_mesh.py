@@ -68,6 +68,8 @@ def test_how_many_vertices_and_faces_a_solid_has(name, vertices, faces):
     made = solids.make(name, {}, name)
     assert (len(made.vertices), len(made.faces)) == (vertices, faces)
     assert {corner for face in made.faces for corner in face} == set(range(vertices))
+    shape = mesh.shape(made, ONE, name)
+    assert len(shape.faces) == faces and (shape.open_edges == 0) == (name in (*CLOSED, "torus"))
 
 
 def lengths(points, *axes):

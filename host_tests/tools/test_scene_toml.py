@@ -11,8 +11,9 @@ import sys
 import pytest
 
 from fixel.image import c_scene, image, image_lens
-from fixel.scene import toml_object, toml_scene
+from fixel.scene import toml_object, toml_places, toml_scene
 from fixel.base.errors import ToolError
+from fixel.scene.toml_table import Table
 
 ROOT = Path(__file__).resolve().parents[2]
 BOX = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
@@ -394,3 +395,16 @@ def test_an_unwritable_out_leaves_nothing(tmp_path):
     failed = _tool("build", str(ROOT / "scenes" / "cube.toml"), "-o", str(tmp_path / "folder"))
     assert failed.returncode == 2 and "cannot be written" in failed.stderr
     assert sorted(p.name for p in tmp_path.iterdir()) == ["file", "folder"]
+
+
+@pytest.mark.parametrize("text, most", [
+    ({"repeat": {"count": [1, 1000, 1], "step": [0, 0, 0]}}, 1000), ({"ring": {"count": 1000, "radius": 1}}, 1000),
+    ({"ring": {"count": 2, "radius": 1}, "repeat": {"count": [3, 4, 5], "step": [1, 0, 0]}, "positions": [[0, 0, 0]] * 2}, 240)])
+def test_how_many_copies_there_may_be(text, most):
+    assert toml_places.count(Table(text, "here", set(text))) == most
+
+
+@pytest.mark.parametrize("text", [{"repeat": {"count": [1, 1001, 1], "step": [0, 0, 0]}}, {"ring": {"count": 1001, "radius": 1}}])
+def test_more_copies_than_there_may_be(text):
+    with pytest.raises(ToolError, match="1000"):
+        toml_places.count(Table(text, "here", set(text)))
