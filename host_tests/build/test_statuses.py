@@ -8,8 +8,8 @@ import pytest
 from conftest import CHECKOUT
 
 INCLUDE = CHECKOUT / "lib" / "include"
-# types.h defines the statuses.
-HEADERS = [file for file in sorted(INCLUDE.rglob("*.h")) if file.name != "types.h"]
+# Those of the study's archive are beside their code. types.h defines the statuses.
+HEADERS = [file for file in sorted([*INCLUDE.rglob("*.h"), *(CHECKOUT / "lib" / "study").glob("*.h")]) if file.name != "types.h"]
 OWN_LINE = re.compile(r"FXL_E_[A-Z_]+: \S.*")
 IN_A_SENTENCE = re.compile(r"\b(?:answers?|refuses \w+ with) FXL_E_[A-Z_]+")
 
@@ -26,7 +26,7 @@ def badly_placed(text):
     return wrong
 
 
-@pytest.mark.parametrize("file", HEADERS, ids=lambda file: str(file.relative_to(INCLUDE)))
+@pytest.mark.parametrize("file", HEADERS, ids=lambda file: str(file.relative_to(CHECKOUT / "lib")))
 def test_each_status_has_a_line_and_a_reason(file):
     assert badly_placed(file.read_text(encoding="utf-8")) == []
 
