@@ -104,3 +104,8 @@ def test_an_orbit_about_any_centre():
     poses = path.orbit((1, 2, 3), Fraction(4), Fraction(-4), 4, Fraction(90), Fraction(-1))
     assert [p[:3] for p in poses] == [(x << 16, -2 << 16, z << 16) for x, z in ((-3, 3), (1, -1), (5, 3), (1, 7))]
     assert [p[3:] for p in poses] == [(turn << 30, 1 << 29, 0) for turn in (1, 0, 3, 2)]
+
+
+def test_beside_a_key_that_looks_at_no_point_the_angles_move():
+    made = [key((0, 0, 0), 2, target=(0, 0, 10)), key((0, 0, 0), 2, yaw=40), key((0, 0, 0), target=(10, 0, 0))]
+    assert [p[3] for p in path.poses(made, False, "key")] == [quantity.angle(Fraction(yaw)) for yaw in (0, 20, 40, 65, 90)]

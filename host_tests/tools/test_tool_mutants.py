@@ -35,6 +35,8 @@ def becomes(statement):
     ("c = a", set()),
     ("a.c = b", {("a.c = b", "pass")}),
     ("a[b] += b", {("a[b] += b", "pass")}),
+    ("raise AssertionError('never')", set()),
+    ("raise", {("raise", "pass")}),
     ("raise ValueError(f'{a} is not {1}')", {("raise ValueError(f'{a} is not {1}')", "pass")}),
 ])
 def test_mistakes(statement, expected):

@@ -6,7 +6,7 @@ The mistakes are those of mutate.py, in Python's words:
     + for -, - for +, // for *, << for >>, & for |, `and` for `or`, and so on
     a whole number one larger or one smaller, True for False, a `not` left out
     a statement left out: a call, an assignment to a part of something, +=
-Code outside functions, texts, and the words of errors that are raised are left alone.
+Code outside functions, assertions, texts, and the words of errors that are raised are left alone.
 """
 
 import ast
@@ -74,8 +74,9 @@ class Finder(ast.NodeVisitor):
             super().visit(node)
 
     def visit_Raise(self, node):
-        """The words of an error are no result; that it is raised is."""
-        self.leave_out(node)
+        """The words of an error are no result; that it is raised is, unless it is an assertion."""
+        if not (isinstance(node.exc, ast.Call) and getattr(node.exc.func, "id", "") == "AssertionError"):
+            self.leave_out(node)
 
     def visit_JoinedStr(self, node):
         pass
