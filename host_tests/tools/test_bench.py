@@ -445,3 +445,11 @@ def test_the_make_commands_are_there():
     done = subprocess.run(["make", "help"], cwd=CHECKOUT, capture_output=True, text=True, check=True)
     for command in ("bench", "bench-diff", "bench-baseline", "profile"):
         assert f"make {command} " in done.stdout
+
+
+@pytest.mark.parametrize("value, text", [
+    (None, "-"), (1234567, "1,234,567"), (1234.6, "1,235"), (1000.0, "1,000"), (999.94, "999.9"), (10.0, "10.0"),
+    (9.994, "9.99"), (1.0, "1.00"), (0.99949, "0.999")])
+def test_a_number_of_a_table_has_three_digits_or_more(value, text):
+    header, ruler, row = bench_page.markdown_table(["a", "b"], [["x", bench_page._number(value)]]).splitlines()
+    assert (header, ruler, row) == ("| a | b |", "| --- | ---: |", f"| x | {text} |")

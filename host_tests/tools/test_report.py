@@ -15,7 +15,7 @@ from fractions import Fraction
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
-from fixel.report import report_claims, report_frames, report_plots, report_scale, report_shards, report_stages
+from fixel.report import report_claims, report_frames, report_page, report_plots, report_scale, report_shards, report_stages
 from fixel.base.errors import ToolError
 
 SAMPLES = 4000
@@ -414,3 +414,10 @@ def test_picture(result, tmp_path):
                                           (65536 * 1234, "1,234 pixels"), (1500, "1,500")])
 def test_errors_in_words(value, words):
     assert report_plots.in_words(value) == words
+
+
+@pytest.mark.parametrize("value, text", [
+    (None, "–"), (0, "0"), (1234567, "1,234,567"), (1234567.0, "1,234,567"), (9999.5, "10,000"), (9999.25, "9999"), (10000.25, "10,000"),
+    (-20000.75, "-20,001"), (12.34567, "12.35"), (0.000123456, "0.0001235")])
+def test_a_number_of_a_table(value, text):
+    assert report_page.figure(value) == text

@@ -249,6 +249,15 @@ def test_a_smaller_level_is_clear_where_half_of_its_texels_are():
     assert [level.tolist() for level in texture.levels_of(np.array([[0, 2], [4, 6]], np.int32), 9, 2)] == [[[0, 2], [4, 6]], [[2, 4]]]
 
 
+@pytest.mark.parametrize("rows, nearest", [([[0, 1], [0, 0]], 0), ([[1, 1], [0, 1]], 1)])
+def test_a_smaller_level_has_the_nearest_of_the_colours_where_no_other_is_allowed(rows, nearest):
+    picture = texture.Picture([rows], [(0, 0, 0), (255, 255, 255)])
+    assert texture.with_levels(picture, 2, 2, 1).levels == [rows, [[nearest]]]
+    made = texture.with_levels(picture, 2, 3, 1)
+    assert made.colours[:2] == picture.colours and made.levels == [rows, [[2]]]
+    assert made.colours[2] == 3 * ([64, 191][nearest],)
+
+
 def test_colours_of_a_picture_are_coarser_where_there_are_too_many():
     few = np.arange(texture.DISTINCT_MAX, dtype=np.int32).reshape(32, 64)
     assert (texture.coarser(few) == few).all()
