@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Billboards with a depth buffer: each pixel is compared at the distance of the instance. */
 #include "renderer.h"
+#include "surface_polygon.h"
 #include "../paint/depth_band.h"
 #include "depth_plane.h"
 #include "../paint/depth_ratio.h"

@@ -2,6 +2,7 @@
 #include "depth_draw.h"
 
 #include "draw_band.h"
+#include "surface_polygon.h"
 #include "../paint/depth_band.h"
 #include "fixel/stage/fill.h"
 

@@ -9,6 +9,7 @@
 #define FXL_DEPTH_METHODS_H
 
 #include "submit.h"
+#include "surface_polygon.h"
 #include "../paint/depth_band.h"
 #include "depth_draw.h"
 #include "depth_plane.h"

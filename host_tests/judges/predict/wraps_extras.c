@@ -4,6 +4,7 @@
 #include "paint/lit_pieces.h"
 #include "paint/billboard_paint.h"
 #include "paint/billboard_walk.h"
+#include "draw/surface_polygon.h"
 #include "paint/depth_band.h"
 #include "draw/depth_draw.h"
 #include "draw/depth_plane.h"
