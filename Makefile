@@ -259,13 +259,14 @@ set-up-lib:
 	@tools/setup.sh lib
 
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
-SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(core)/libfixel.a)
+# A Cortex-M7's library is that of a Cortex-M4, instruction for instruction (CORE_SHARED): it is compiled once.
+SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(call CORE_SHARED,$(core))/libfixel.a)
 
 size: ## print flash, RAM and stack; check that the library has no float and no heap [BOARD= PROGRAM=walk]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
-	@for core in $(SIZE_CORES); do echo "  LIB  $$core" && \
-	    $(MAKE) lib CORE=$$core >/dev/null || exit; done
+	@for core in $(sort $(call CORE_SHARED,$(SIZE_CORES))); do echo "  LIB  $$core" && \
+	    $(MAKE) CORE=$$core $(BUILD)/lib/$$core/libfixel.a >/dev/null || exit; done
 	@$(FIXEL) size --board $(BOARD_CHOSEN) $(if $(filter %.elf,$(WALK)),--elf $(WALK) \
 	    --usage $(dir $(WALK)) $(call BOARD_CORE_OUT,$(BOARD_CHOSEN))/lib) \
 	    $(SIZE_LIBRARIES) --cross $(CROSS) --out $(BUILD)/size.json
