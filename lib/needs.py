@@ -29,6 +29,7 @@ NAME = re.compile(r"\bfxl_\w+")
 FUNCTION = re.compile(r"\b(fxl_\w+)\s*\([^;{}]*\)\s*\{")
 RECORD = re.compile(r"\b(fxl_\w+)\s*(?:\[[^\]]*\]\s*)*=")
 NAMED_BY_MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(fxl_\w+)[ \t]*$", re.MULTILINE)
+PASTES = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)\((\w+)\)[ \t]+\(&\2##(\w+)\)", re.MULTILINE)     # FXL_SURFACES_OF
 IN_PLACE = re.compile(r"\bFXL_IN_PLACE\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
 LABEL = re.compile(r"^\s*\.glob(?:a|)l\s+(fxl_\w+)", re.MULTILINE)
 
@@ -75,10 +76,17 @@ def names_in_header(file):
     return set(NAME.findall(split_at_braces(text)[1])) | set(NAME.findall(" ".join(MACRO.findall(text))))
 
 
+def pasted_names(file):
+    """The names that the code of a source makes of another, as FXL_SURFACES_OF(fxl_palette) does."""
+    pastes = {macro: end for header in included(file) for macro, _, end in PASTES.findall(text_of(header))}
+    return {name + end for macro, end in pastes.items()
+            for name in re.findall(rf"\b{macro}\((fxl_\w+)\)", text_of(file))}
+
+
 @functools.cache
 def names_in(file):
     """All names that the code of a source may use."""
-    found = set(NAME.findall(text_of(file)))
+    found = set(NAME.findall(text_of(file))) | pasted_names(file)
     return found.union(*(names_in_header(header) for header in included(file) - {file}))
 
 

@@ -24,11 +24,11 @@ static uint32_t room_for_hidden(const fxl_scene_image *image)
 {
     const fxl_visibility *hidden = combination_chosen.hidden;
     uint32_t walk = 0, paint = 0;
-    if (hidden->submit_workspace_size != NULL) {
-        walk = (hidden->submit_workspace_size(&image->scene) + 7u) & ~7u;
+    if (hidden->order->memory_size != NULL) {
+        walk = (hidden->order->memory_size(&image->scene) + 7u) & ~7u;
     }
-    if (hidden->backend != NULL && hidden->backend->workspace_size != NULL) {
-        paint = hidden->backend->workspace_size(&image->lens);
+    if (hidden->target->memory_size != NULL) {
+        paint = hidden->target->memory_size(&image->lens);
         paint = paint < combination_chosen.room ? combination_chosen.room : paint;
     }
     return walk + paint;

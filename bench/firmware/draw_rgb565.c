@@ -19,7 +19,7 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
     if (!draw_indices(pose, whole)) {
         return false;
     }
-    if (pixels.format == NULL && fxl_pixels_init(&pixels, &fxl_rgb565, palette) != FXL_OK) {
+    if (pixels.format == NULL && fxl_pixels_init(&pixels, &fxl_pixels_rgb565, palette) != FXL_OK) {
         return false;
     }
     for (uint32_t row = 0; row < whole->rows; row += BAND_ROWS) {

@@ -65,7 +65,8 @@ static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const
 static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number,
                      uint32_t *stack)
 {
-    const fxl_band band = {pixels, image->lens.width, image->lens.width, 0, image->lens.height};
+    const fxl_band band = {.pixels = pixels, .width = image->lens.width,
+                           .stride = image->lens.width, .first_row = 0, .rows = image->lens.height};
 
     if (walk_path_next(path, 0) != FXL_OK) {
         return SYSTEM_EXIT_INPUT;

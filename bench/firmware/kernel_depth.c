@@ -23,7 +23,8 @@ static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(SURFACE_WIDTH, SURFACE_HEIGHT, 
 static void draw(workload *of, fxl_angle yaw, uint32_t times)
 {
     const fxl_pose eye = {{0, 0, -10 * 65536}, yaw, FXL_DEGREES(10), 0};
-    const fxl_band band = {kernel_screen, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
+    const fxl_band band = {.pixels = kernel_screen, .width = SURFACE_WIDTH,
+                           .stride = SURFACE_WIDTH, .first_row = 0, .rows = SURFACE_HEIGHT};
     (void)fxl_frame_begin(&of->renderer, &eye);
     for (uint32_t i = 0; i < times; i++) {
         (void)fxl_frame_draw(&of->renderer, &band);

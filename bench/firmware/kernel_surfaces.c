@@ -5,7 +5,7 @@
 
 #include "fixel/all.h"
 #include "../../host_tests/unit/mapped_quad.h"
-#include "paint/paint.h"
+#include "paint/paint_polygon.h"
 
 enum {
     LOG_SIZE = 6,
@@ -17,7 +17,8 @@ enum {
 static mapped_quad floor_scene;
 static uint8_t ramp[256 * LEVELS];
 FXL_ALIGN_8 uint8_t kernel_screen[SURFACE_WIDTH * SURFACE_HEIGHT];
-static const fxl_band screen = {kernel_screen, SURFACE_WIDTH, SURFACE_WIDTH, 0, SURFACE_HEIGHT};
+static const fxl_band screen = {.pixels = kernel_screen, .width = SURFACE_WIDTH,
+                                .stride = SURFACE_WIDTH, .first_row = 0, .rows = SURFACE_HEIGHT};
 static fxl_scan scan;
 
 /* --- a quad --------------------------------------------------------------------------------- */
@@ -56,7 +57,9 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit, uin
                              .ramp = lit ? ramp : NULL,
                              .levels_less_1 = LEVELS - 1,
                              .opacity = 16};
-    fxl_paint_polygon(&paint, whole, 4, &screen, &scan, NULL, NULL);
+    fxl_segment_face segments;
+    fxl_paint_polygon(&paint, fxl_segments_find(&paint, &segments) ? &segments : NULL, whole, 4,
+                      &screen, 1, &scan, fxl_paint_simply, NULL);
 }
 
 static void affine(const kernel_inputs *in)

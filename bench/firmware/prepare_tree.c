@@ -8,14 +8,14 @@ static uint32_t most;
 
 void combination_prepare(fxl_renderer *renderer)
 {
-    fxl_bsp_workspace *room = renderer->submit_workspace;
+    fxl_bsp_workspace *room = renderer->order_memory;
     room->pieces = pieces;
     room->pieces_size = sizeof pieces;
 }
 
 uint32_t combination_memory(const fxl_renderer *renderer)
 {
-    const fxl_bsp_workspace *room = renderer->submit_workspace;
+    const fxl_bsp_workspace *room = renderer->order_memory;
     most = room->used > most ? room->used : most;
     return most;
 }

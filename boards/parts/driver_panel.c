@@ -145,8 +145,9 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     (void)x; /* whole rows come */
     for (row = 0; row < height; row = (uint16_t)(row + ROWS)) {
         const uint16_t left = (uint16_t)(height - row);
-        const fxl_band band = {(uint8_t *)pixels + (size_t)row * width, width, width,
-                               (uint16_t)(y + row), left < ROWS ? left : (uint16_t)ROWS};
+        const fxl_band band = {.pixels = (uint8_t *)pixels + (size_t)row * width, .width = width,
+                               .stride = width, .first_row = (uint16_t)(y + row),
+                               .rows = left < ROWS ? left : (uint16_t)ROWS};
 
         if (fxl_pump_send_rows(&pump, &band) != FXL_OK) {
             return false;

@@ -72,7 +72,7 @@ static panel_answer open(const panel_format *format)
     if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT) {
         return PANEL_UNSUITABLE;
     }
-    (void)fxl_pixels_init(&greys, &fxl_grey4, format->palette);
+    (void)fxl_pixels_init(&greys, &fxl_pixels_grey4, format->palette);
     if (!ssd0323_wires_open() || !configure() || !clear() ||
         !ssd0323_send(SSD0323_COMMAND, on, sizeof on)) {
         return PANEL_FAILED;
@@ -91,8 +91,9 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     (void)x; /* whole rows come */
     for (row = 0; row < height && good; row++) {
         /* It only reads the pixels. */
-        const fxl_band one = {(uint8_t *)(uintptr_t)(pixels + row * width), width, width,
-                              (uint16_t)(y + row), 1};
+        const fxl_band one = {.pixels = (uint8_t *)(uintptr_t)(pixels + row * width),
+                              .width = width, .stride = width, .first_row = (uint16_t)(y + row),
+                              .rows = 1};
 
         good = fxl_pixels_convert(&greys, &one, packed, sizeof packed) == FXL_OK &&
                ssd0323_send(SSD0323_DATA, (const uint8_t *)packed, sizeof packed);

@@ -87,8 +87,9 @@ void test_chains(uint32_t rounds)
      * band that begins on a power of two. */
     for (uint32_t rows = 1; rows <= 1022; rows++) {
         for (uint32_t first = 0; first < 1024; first = first == 0 ? 1 : 2 * first) {
-            const fxl_band band = {NULL, FXL_SCREEN_MAX, FXL_SCREEN_MAX, (uint16_t)first,
-                                   (uint16_t)(FXL_SCREEN_MAX - first)};
+            const fxl_band band = {.pixels = NULL, .width = FXL_SCREEN_MAX,
+                                   .stride = FXL_SCREEN_MAX, .first_row = (uint16_t)first,
+                                   .rows = (uint16_t)(FXL_SCREEN_MAX - first)};
             const int32_t end = (int32_t)(rows << 16) - (int32_t)(any_32() >> 17),
                           width = 1024 << 16;
             const fxl_screen_point points[] = {

@@ -23,8 +23,8 @@ typedef struct {
 static void compare(const shape *of, const fxl_trapezoid *trapezoid)
 {
     static uint8_t colour;
-    fxl_band band = {(uint8_t *)by_core + 4 + of->offset, (uint16_t)of->width, (uint16_t)of->stride,
-                     7, (uint16_t)of->rows};
+    fxl_band band = {.pixels = (uint8_t *)by_core + 4 + of->offset, .width = (uint16_t)of->width,
+                     .stride = (uint16_t)of->stride, .first_row = 7, .rows = (uint16_t)of->rows};
     colour = (uint8_t)(colour + 1);
     fxl_fill_trapezoid(&band, trapezoid, colour);
     band.pixels = (uint8_t *)by_portable + 4 + of->offset;
@@ -137,8 +137,9 @@ static void compare_outline(const shape *of, uint32_t first_row, uint32_t tall)
         points[i].x = any_place(of->width);
         points[i].y = top + any_place(tall);
     }
-    fxl_band band = {(uint8_t *)by_core + 4 + of->offset, (uint16_t)of->width, (uint16_t)of->stride,
-                     (uint16_t)first_row, (uint16_t)of->rows};
+    fxl_band band = {.pixels = (uint8_t *)by_core + 4 + of->offset, .width = (uint16_t)of->width,
+                     .stride = (uint16_t)of->stride, .first_row = (uint16_t)first_row,
+                     .rows = (uint16_t)of->rows};
     scan.colour = (uint8_t)(any_32() >> 7);
     const bool core_reaches = fxl_draw_outline(points, count, &band, &scan);
     band.pixels = (uint8_t *)by_portable + 4 + of->offset;

@@ -52,7 +52,7 @@ static bool draws_by_bsp(const walk_methods *methods, const fxl_scene *scene)
     return false;
 #else
     return scene->bsp_nodes != NULL &&
-           methods->visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
+           methods->visibility->order->memory_size == fxl_visibility_bsp.order->memory_size;
 #endif
 }
 
@@ -130,12 +130,12 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, ui
     methods->clipper_bytes = aligned(methods->clipper->workspace_size);
     methods->visibility_bytes = 0;
     methods->piece_bytes = 0;
-    if (methods->visibility->submit_workspace_size != NULL) {
-        methods->visibility_bytes = aligned(methods->visibility->submit_workspace_size(scene));
+    if (methods->visibility->order->memory_size != NULL) {
+        methods->visibility_bytes = aligned(methods->visibility->order->memory_size(scene));
     }
-    if (methods->visibility->backend->workspace_size != NULL) {
+    if (methods->visibility->target->memory_size != NULL) {
         methods->visibility_bytes +=
-            aligned(methods->visibility->backend->workspace_size(&image->lens));
+            aligned(methods->visibility->target->memory_size(&image->lens));
         methods->visibility_bytes += share_of(room, walk_methods_bytes(methods));
     }
     if (draws_by_bsp(methods, scene) && has_movers(scene)) {
@@ -162,7 +162,7 @@ fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer,
                                                    methods->visibility_bytes);
     }
     if (status == FXL_OK && draws_by_bsp(methods, renderer->scene)) {
-        fxl_bsp_workspace *const bsp = renderer->submit_workspace;
+        fxl_bsp_workspace *const bsp = renderer->order_memory;
         bsp->pieces = visibility + methods->visibility_bytes;
         bsp->pieces_size = methods->piece_bytes;
     }
@@ -191,6 +191,6 @@ fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *b
 uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer)
 {
     return draws_by_bsp(methods, renderer->scene)
-               ? ((const fxl_bsp_workspace *)renderer->submit_workspace)->unsplit
+               ? ((const fxl_bsp_workspace *)renderer->order_memory)->unsplit
                : 0;
 }

@@ -43,7 +43,7 @@ int main(void)
         fxl_display_open(&display, &config, &wires, palette) ||
         fxl_pump_init(&pump, &pages, &display.sink, memory, sizeof memory)) { return 1; }
     for (uint16_t y = 0; y < 64; y = (uint16_t)(y + 8)) {
-        const fxl_band band = {frame[y], 128, 128, y, 8};
+        const fxl_band band = {.pixels = frame[y], .width = 128, .stride = 128, .first_row = y, .rows = 8};
         if (fxl_pump_send_rows(&pump, &band)) { return 1; }
     }
     return fxl_pump_wait(&pump) != FXL_OK;

@@ -27,7 +27,7 @@ ROOM_OF = {
     "raster": {"stage/fill", "stage/scan"},
     # These also declare how lib/draw attaches what they describe to a renderer.
     "paint": {"beam_light", "beams", "billboards", "depth", "light", "rgb565", "surfaces"},
-    "draw": {"fixel", "render", "stage/display_list", "stage/visibility"},
+    "draw": {"target", "fixel", "render", "stage/display_list", "stage/visibility"},
     "order": {"bsp", "wire"},
     "screen": {"display", "overlay", "pixels", "pump"},
     "game": {"collide", "motion", "orientation", "pick", "player", "world"},

@@ -119,13 +119,13 @@ static void misuse(way *by, fxl_renderer *renderer, const fxl_visibility *method
     DEMAND(fxl_renderer_set_billboards_by_depth(NULL, &by->billboards, set) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_billboards_by_depth(renderer, NULL, set) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, NULL) == FXL_E_ARGUMENT);
-    const fxl_visibility *joined = renderer->visibility;
+    const fxl_order *joined = renderer->order;
     DEMAND(fxl_renderer_set_billboards(renderer, NULL, NULL) == FXL_OK);
-    DEMAND(renderer->visibility != joined);
+    DEMAND(renderer->order != joined);
     if (method == NULL) {
         DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_box, NULL, 0) == FXL_OK);
         DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_E_ORDER);
-        renderer->visibility = NULL;
+        DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0) == FXL_OK);
         DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
         DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
     } else {
@@ -163,8 +163,9 @@ static void draw(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_
     const uint16_t width = renderer->frame.view.lens.width;
     for (uint32_t row = 0, count; row < rows; row += count) {
         count = step < rows - row ? step : rows - row;
-        const fxl_band band = {pixels + (size_t)row * width, width, width, (uint16_t)row,
-                               (uint16_t)count};
+        const fxl_band band = {.pixels = pixels + (size_t)row * width, .width = width,
+                               .stride = width, .first_row = (uint16_t)row,
+                               .rows = (uint16_t)count};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }

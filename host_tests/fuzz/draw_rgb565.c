@@ -77,7 +77,7 @@ static void misuse(fxl_renderer *renderer, fxl_surfaces *surfaces, const set_565
     const fxl_scene *scene = renderer->scene;
     uint16_t *pixels = block(1);
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
-    fxl_band_565 band = {pixels, 1, 1, 0, 1};
+    fxl_band_565 band = {.pixels = pixels, .width = 1, .stride = 1, .first_row = 0, .rows = 1};
     fxl_texture texture = made->textures[0];
     fxl_surface surface = made->surfaces[0];
     fxl_surface_set set = made->set;
@@ -120,8 +120,9 @@ static void draw_bands(fxl_renderer *renderer, fxl_workspace *workspace, uint16_
     const uint16_t stride = (uint16_t)(lens->width + 1);
     for (uint32_t row = 0, rows; row < lens->height; row += rows) {
         rows = step < lens->height - row ? step : lens->height - row;
-        const fxl_band_565 band = {pixels + (size_t)row * stride, lens->width, stride,
-                                   (uint16_t)row, (uint16_t)rows};
+        const fxl_band_565 band = {.pixels = pixels + (size_t)row * stride, .width = lens->width,
+                                   .stride = stride, .first_row = (uint16_t)row,
+                                   .rows = (uint16_t)rows};
         fxl_fill_rgb565(&band, 0x1234);
         DEMAND((workspace != NULL ? fxl_frame_draw_rgb565_with(renderer, workspace, &band)
                                   : fxl_frame_draw_rgb565(renderer, &band)) == FXL_OK);
@@ -150,7 +151,9 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     const size_t least = fxl_workspace_size(renderer);
     uint16_t *whole = guarded(count), *bands = guarded(count), *other = guarded(count);
     uint16_t *list = block(2 * (size_t)words), *memory = block(least / 2 + 4);
-    fxl_band_565 frame = {whole, lens->width, (uint16_t)(lens->width + 1), 0, lens->height};
+    fxl_band_565 frame = {.pixels = whole, .width = lens->width,
+                          .stride = (uint16_t)(lens->width + 1), .first_row = 0,
+                          .rows = lens->height};
     renderer->frame.display_list.capacity = 0;
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
     draw_bands(renderer, NULL, whole, lens->height);

@@ -203,8 +203,9 @@ static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *pixels, 
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     for (uint32_t row = 0, rows; row < lens->height; row += rows) {
         rows = step < lens->height - row ? step : lens->height - row;
-        const fxl_band band = {pixels + (size_t)row * lens->width, lens->width, lens->width,
-                               (uint16_t)row, (uint16_t)rows};
+        const fxl_band band = {.pixels = pixels + (size_t)row * lens->width, .width = lens->width,
+                               .stride = lens->width, .first_row = (uint16_t)row,
+                               .rows = (uint16_t)rows};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }

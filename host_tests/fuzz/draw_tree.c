@@ -55,9 +55,9 @@ static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *
     made->order = block(scene->order_needed * sizeof(fxl_order_entry));
     made->list = block(1);
     const fxl_memory memory = {made->order, scene->order_needed, made->list, 0, NULL, 0};
-    uint32_t room = (visibility->submit_workspace_size(scene) + 7u) & ~7u;
+    uint32_t room = (visibility->order->memory_size(scene) + 7u) & ~7u;
     room +=
-        visibility->backend->workspace_size != NULL ? visibility->backend->workspace_size(lens) : 0;
+        visibility->target->memory_size != NULL ? visibility->target->memory_size(lens) : 0;
     DEMAND(fxl_renderer_init_with(&made->renderer, scene, lens, &memory) == FXL_OK);
     made->room = block(room);
     made->pieces = block(pieces);
@@ -89,8 +89,8 @@ static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
     DEMAND(fxl_frame_begin(&made->renderer, pose) == FXL_OK);
     for (uint32_t row = 0, rows; row < made->rows; row += rows) {
         rows = step < made->rows - row ? step : made->rows - row;
-        fxl_band band = {made->pixels + (size_t)row * width, width, width, (uint16_t)row,
-                         (uint16_t)rows};
+        fxl_band band = {.pixels = made->pixels + (size_t)row * width, .width = width,
+                         .stride = width, .first_row = (uint16_t)row, .rows = (uint16_t)rows};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(&made->renderer, &band) == FXL_OK);
     }

@@ -17,8 +17,9 @@ static uint8_t *draw(fxl_wire *wire, const fxl_lens *lens, uint32_t rows, uint32
     DEMAND(pixels != NULL);
     for (uint32_t row = 0, count; row < rows; row += count) {
         count = step < rows - row ? step : rows - row;
-        fxl_band band = {pixels + (size_t)row * lens->width, lens->width, lens->width,
-                         (uint16_t)row, (uint16_t)count};
+        fxl_band band = {.pixels = pixels + (size_t)row * lens->width, .width = lens->width,
+                         .stride = lens->width, .first_row = (uint16_t)row,
+                         .rows = (uint16_t)count};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_wire_draw(wire, &band) == FXL_OK);
     }

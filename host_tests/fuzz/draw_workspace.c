@@ -33,9 +33,12 @@ void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t
     DEMAND(fxl_workspace_init(&workspace, renderer, memory, size) == FXL_OK);
     const uint16_t cut = (uint16_t)fuzz_below(in, lens->height);
     const fxl_band bands[] = {
-        {again, lens->width, lens->width, 0, cut},
-        {again + (size_t)cut * lens->width, lens->width, lens->width, cut,
-         (uint16_t)(lens->height - cut)},
+        {.pixels = again, .width = lens->width, .stride = lens->width, .rows = cut},
+        {.pixels = again + (size_t)cut * lens->width,
+         .width = lens->width,
+         .stride = lens->width,
+         .first_row = cut,
+         .rows = (uint16_t)(lens->height - cut)},
     };
     for (uint32_t i = cut == 0 ? 1 : 0; i < 2; i++) {
         fxl_fill_band(&bands[i], background);

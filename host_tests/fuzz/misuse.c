@@ -43,7 +43,8 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
 /* A band of the lens's screen with one number spoilt, or none. */
 static fxl_band any_band(const fxl_lens *lens, uint8_t *pixels, fuzz_input *in)
 {
-    fxl_band band = {pixels, lens->width, lens->width, 0, lens->height};
+    fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width, .first_row = 0,
+                     .rows = lens->height};
     uint16_t *const numbers[] = {&band.width, &band.stride, &band.first_row, &band.rows};
     uint32_t which = fuzz_below(in, 8);
     if (which < sizeof numbers / sizeof numbers[0]) {
@@ -149,7 +150,8 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, room, 64) == FXL_E_COUNT);
     DEMAND(fxl_renderer_set_beams(renderer, beams, FXL_BEAMS_MAX + 1, lit, room, 64) ==
            FXL_E_COUNT);
-    DEMAND(before.clipper == renderer->clipper && before.visibility == renderer->visibility &&
+    DEMAND(before.clipper == renderer->clipper && before.target == renderer->target &&
+           before.order == renderer->order &&
            before.shader == renderer->shader);
     DEMAND(fxl_renderer_set_beams(renderer, NULL, 0, NULL, NULL, 0) == FXL_OK);
 }

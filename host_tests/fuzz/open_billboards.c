@@ -21,7 +21,8 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
     uint8_t *pixels = malloc(lens->width);
     const fxl_memory memory = {
         malloc(entries * sizeof(fxl_order_entry)), entries, NULL, 0, NULL, 0};
-    const fxl_band band = {pixels, lens->width, lens->width, (uint16_t)(lens->height / 2), 1};
+    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width,
+                           .first_row = (uint16_t)(lens->height / 2), .rows = 1};
     fxl_billboards billboards;
     DEMAND(renderer != NULL && pixels != NULL && memory.order != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &opened->scene, lens, &memory) == FXL_OK);

@@ -116,7 +116,8 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
 {
     static uint8_t pixels[PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band band = {pixels, lens->width, lens->width, 0, lens->height};
+    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width,
+                           .first_row = 0, .rows = lens->height};
     const fxl_pose pose = fuzz_pose(in);
     uint64_t faces = 0;
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
@@ -136,7 +137,8 @@ static void demand_release(any_world *of, fxl_renderer *renderer, fuzz_input *in
     static uint8_t pixels[2][PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
     for (int i = 0; i < 2; i++) {
-        const fxl_band band = {pixels[i], lens->width, lens->width, 0, lens->height};
+        const fxl_band band = {.pixels = pixels[i], .width = lens->width, .stride = lens->width,
+                               .first_row = 0, .rows = lens->height};
         memset(pixels[i], 0, sizeof pixels[i]);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
         if (i == 0 && fxl_frame_release_scene(renderer) != FXL_OK) {

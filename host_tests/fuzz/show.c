@@ -14,8 +14,10 @@ enum {
     GUARD = 0x5A
 };
 
-static const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb565_low, &fxl_rgb332,
-                                                  &fxl_grey4,  &fxl_mono_rows,  &fxl_mono_pages};
+static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
+                                                  &fxl_pixels_rgb332,
+                                                  &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
+     &fxl_pixels_mono_pages};
 static const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_ili9341, &fxl_st7735,
                                                     &fxl_ssd1306, &fxl_sh1106};
 static uint8_t palette[3 * FXL_PALETTE_COLOURS];
@@ -79,7 +81,7 @@ static void fuzz_formats(fuzz_input *in)
     static uint32_t out[WIDEST * ROWS / 2 + 2];
     static fxl_pixels pixels;
     const uint32_t run = 1u + fuzz_below(in, 64), noise = fuzz_below(in, 2);
-    fxl_band band = {frame, 0, 0, 0, 0};
+    fxl_band band = {.pixels = frame, .width = 0, .stride = 0, .first_row = 0, .rows = 0};
     band.width = (uint16_t)fuzz_below(in, 68);
     band.stride = (uint16_t)fuzz_below(in, WIDEST + 1);
     band.first_row = (uint16_t)fuzz_below(in, 32);
@@ -141,7 +143,7 @@ static void fuzz_parts(fuzz_input in)
 
 static fxl_status send_elsewhere(fuzz_input *in, fxl_pump *pump, uint8_t *lent)
 {
-    fxl_band rows = {lent, 0, 0, 0, 0};
+    fxl_band rows = {.pixels = lent, .width = 0, .stride = 0, .first_row = 0, .rows = 0};
     rows.width = (uint16_t)(WIDTH + (fuzz_below(in, 16) == 1));
     rows.stride = (uint16_t)(WIDTH + fuzz_below(in, 3) - 1u);
     rows.first_row = (uint16_t)fuzz_below(in, HEIGHT + 1);
@@ -242,8 +244,8 @@ static void demand_refusals(fuzz_input *in)
     const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
     fxl_pump_config shape = {NULL, 4, 4, 1};
     uint16_t *const sides[] = {&shape.width, &shape.height, &shape.rows};
-    DEMAND(fxl_pixels_init(NULL, &fxl_rgb565, palette) == FXL_E_ARGUMENT);
-    DEMAND(fxl_pixels_init(&pixels, &fxl_rgb565, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pixels_init(NULL, &fxl_pixels_rgb565, palette) == FXL_E_ARGUMENT);
+    DEMAND(fxl_pixels_init(&pixels, &fxl_pixels_rgb565, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_pixels_convert(NULL, NULL, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_pixels_convert(&pixels, NULL, NULL, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_display_open(NULL, &config, &port, palette) == FXL_E_ARGUMENT);

@@ -96,7 +96,8 @@ static void demand_refused(const fxl_band *band)
 {
     const uint8_t pixel = 1;
     const fxl_sprite sprite = {&pixel, NULL, 1, 1, 8, 0};
-    const fxl_band none = {NULL, WIDTH, STRIDE, 0, 1};
+    const fxl_band none = {.pixels = NULL, .width = WIDTH, .stride = STRIDE, .first_row = 0,
+                           .rows = 1};
     fxl_font font = fxl_font_5x7;
     fxl_text_style style = {&font, 1, 0};
     DEMAND(fxl_draw_rectangle(NULL, 0, 0, 1, 1, 1) == FXL_E_ARGUMENT);
@@ -122,8 +123,9 @@ void fuzz_overlay(fuzz_input *in)
 {
     uint8_t whole[ROWS * STRIDE], bands[ROWS * STRIDE];
     const uint16_t step = (uint16_t)(1 + fuzz_below(in, ROWS));
-    const fxl_band all = {whole, WIDTH, STRIDE, 0, ROWS};
-    fxl_band wrong = {whole, 0, 0, 0, 0};
+    const fxl_band all = {.pixels = whole, .width = WIDTH, .stride = STRIDE, .first_row = 0,
+                          .rows = ROWS};
+    fxl_band wrong = {.pixels = whole, .width = 0, .stride = 0, .first_row = 0, .rows = 0};
     wrong.width = (uint16_t)fuzz_any(in);
     wrong.stride = (uint16_t)fuzz_any(in);
     wrong.first_row = (uint16_t)fuzz_any(in);
@@ -136,7 +138,8 @@ void fuzz_overlay(fuzz_input *in)
         draw_any(in, &all);
         for (uint16_t row = 0; row < ROWS; row = (uint16_t)(row + step)) {
             const uint16_t rows = row + step <= ROWS ? step : (uint16_t)(ROWS - row);
-            const fxl_band band = {bands + row * STRIDE, WIDTH, STRIDE, row, rows};
+            const fxl_band band = {.pixels = bands + row * STRIDE, .width = WIDTH,
+                                   .stride = STRIDE, .first_row = row, .rows = rows};
             fuzz_input again = before;
             draw_any(&again, &band);
         }

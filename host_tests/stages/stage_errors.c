@@ -124,7 +124,8 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
         }
     }
     listed[listed_count++ % LISTED_MAX] = screen;
-    fxl_band band = {pixels, view->lens.width, view->lens.width, 0, view->lens.height};
+    fxl_band band = {.pixels = pixels, .width = view->lens.width, .stride = view->lens.width,
+                     .first_row = 0, .rows = view->lens.height};
     stages_measure_fill(&to->fill, &screen, &band);
 }
 
@@ -302,7 +303,8 @@ static void take_random_outline(stages_tally *fill, stages_random *random)
     uint32_t large = stages_random_below(random, 64) == 0 ? FXL_SCREEN_MAX : 48;
     uint16_t width = (uint16_t)(1 + stages_random_below(random, large));
     uint16_t height = (uint16_t)(1 + stages_random_below(random, large));
-    fxl_band band = {pixels, width, width, 0, height};
+    fxl_band band = {.pixels = pixels, .width = width, .stride = width, .first_row = 0,
+                     .rows = height};
     band.first_row = (uint16_t)stages_random_below(random, height);
     band.rows = (uint16_t)(1 + stages_random_below(random, (uint32_t)height - band.first_row));
     fxl_screen_polygon outline = stages_random_outline(random, width, height);

@@ -134,9 +134,8 @@ def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
 def test_every_clipper_and_method_of_the_library_is_compared(plan):
     assert {each["record"] for each in plan.clippers.values()} == records("fxl_clipper")
     # The span buffer with the other scan, which is nothing new; and methods that draw other pictures.
-    left_out = {"fxl_visibility_depth", "fxl_visibility_depth_32", "fxl_depth_far_to_near", "fxl_depth_far_to_near_32",
-                "fxl_visibility_surfaces", "fxl_visibility_billboards", "fxl_visibility_rgb565",
-                    "fxl_visibility_spans_box", "fxl_visibility_outlined"}
+    left_out = {"fxl_visibility_depth", "fxl_visibility_depth_32", "fxl_visibility_surfaces",
+                "fxl_visibility_billboards", "fxl_visibility_spans_box", "fxl_visibility_outlined"}
     assert {each["record"] for each in plan.hidden.values()} == records("fxl_visibility") - left_out
 
 

@@ -32,23 +32,23 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     const fxl_trapezoid *trapezoid;
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        if (!counted_span_buffer_draw(workspace->raster_workspace, trapezoid, colour, band)) {
+        if (!counted_span_buffer_draw(workspace->target_memory, trapezoid, colour, band)) {
             return false;
         }
     }
     return true;
 }
 
-static fxl_raster_backend painter;
+static fxl_target painter;
 static fxl_visibility visibility;
 const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
 {
     counted_writes = writes;
     counted_pixels = pixels;
     memset(writes, 0, count);
-    painter = fxl_raster_spans;
-    painter.draw_polygon = paint;
+    painter = fxl_palette_spans;
+    painter.flat = paint;
     visibility = fxl_visibility_spans;
-    visibility.backend = &painter;
+    visibility.target = &painter;
     return &visibility;
 }

@@ -78,8 +78,9 @@ void depth_scene_draw_in_bands(depth_scene *made, uint16_t rows, uint32_t list_w
     memset(made->again, 0, sizeof made->again);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
     for (uint16_t row = 0; row < DEPTH_SCENE_HEIGHT; row = (uint16_t)(row + rows)) {
-        const fxl_band band = {made->again + row * DEPTH_SCENE_WIDTH, DEPTH_SCENE_WIDTH,
-                               DEPTH_SCENE_WIDTH, row, rows};
+        const fxl_band band = {.pixels = made->again + row * DEPTH_SCENE_WIDTH,
+                               .width = DEPTH_SCENE_WIDTH, .stride = DEPTH_SCENE_WIDTH,
+                               .first_row = row, .rows = rows};
         fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
     }

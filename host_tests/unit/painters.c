@@ -39,9 +39,9 @@ static bool paint_under(fxl_workspace *workspace, const fxl_screen_point *points
     return paint(span_under, points, count, colour, band);
 }
 
-const fxl_raster_backend *painter_under(uint8_t background)
+const fxl_target *painter_under(uint8_t background)
 {
-    static const fxl_raster_backend under = {.draw_polygon = paint_under};
+    static const fxl_target under = {.flat = paint_under};
     painter.background = background;
     return &under;
 }
@@ -62,9 +62,9 @@ static bool paint_counting(fxl_workspace *workspace, const fxl_screen_point *poi
     return paint(count_span, points, count, colour, band);
 }
 
-const fxl_raster_backend *painter_counting(uint8_t *times, uint32_t width, uint8_t colour_max)
+const fxl_target *painter_counting(uint8_t *times, uint32_t width, uint8_t colour_max)
 {
-    static const fxl_raster_backend counting = {.draw_polygon = paint_counting};
+    static const fxl_target counting = {.flat = paint_counting};
     painter.times = times;
     painter.width = width;
     painter.colour_max = colour_max;

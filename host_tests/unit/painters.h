@@ -6,10 +6,10 @@
 #include "unit.h"
 
 /* What comes first keeps its pixels: only pixels of the background's colour are painted. */
-const fxl_raster_backend *painter_under(uint8_t background);
+const fxl_target *painter_under(uint8_t background);
 
 /* Paints nothing. Counts how often each pixel of a frame, of so many bytes a row, is painted with
  * colours up to colour_max. */
-const fxl_raster_backend *painter_counting(uint8_t *times, uint32_t width, uint8_t colour_max);
+const fxl_target *painter_counting(uint8_t *times, uint32_t width, uint8_t colour_max);
 
 #endif

@@ -55,8 +55,8 @@ static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         uint32_t left = HEIGHT - row;
-        fxl_band band = {pixels + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
+        fxl_band band = {.pixels = pixels + row * WIDTH, .width = WIDTH, .stride = WIDTH,
+                         .first_row = (uint16_t)row, .rows = (uint16_t)(rows < left ? rows : left)};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
 }
@@ -158,7 +158,7 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
         make(0);
         tiny->instances[1].centre.y = tiny->instances[2].centre.y = Q16(-7000);
         fxl_visibility method = fxl_visibility_sorted;
-        method.backend = painter_counting(drawn, WIDTH, 255);
+        method.target = painter_counting(drawn, WIDTH, 255);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
         memset(drawn, 0, sizeof drawn);
         draw(whole, &pose, HEIGHT);
@@ -182,7 +182,7 @@ void test_near_to_far_gives_the_same_pixels(void)
     fxl_visibility reverse = fxl_visibility_sorted;
     int bright = 0;
     reverse.front_to_back = true;
-    reverse.backend = painter_under(0);
+    reverse.target = painter_under(0);
     for (int i = 0; i < UNIT_REPEAT / 200; i++) {
         const fxl_pose pose = any_pose();
         make(0);

@@ -225,7 +225,8 @@ void test_a_released_frame_draws_its_billboards(void)
     static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth};
     const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
     for (uint32_t i = 0; i < 4; i++) {
-        const fxl_band band = {other, WIDTH, WIDTH, 0, HEIGHT};
+        const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                               .rows = HEIGHT};
         start(LIST_WORDS);
         choose(methods[i / 2], i % 2);
         TEST_ASSERT_EQUAL(FXL_OK, add(methods[i / 2]));
@@ -245,7 +246,8 @@ void test_a_moved_renderer_draws_the_same(void)
                                                     &fxl_visibility_depth_32};
     static fxl_renderer moved;
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};
-    const fxl_band band = {other, WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     for (uint32_t i = 0; i < 6; i++) {
         start(i % 2 * LIST_WORDS);
         choose(methods[i % 3], true);
@@ -269,17 +271,17 @@ void test_billboards_are_taken_away(void)
     for (uint32_t i = 0; i < 2; i++) {
         start(LIST_WORDS);
         choose(methods[i], true);
-        const fxl_visibility *before = renderer.visibility;
-        void *const memory = renderer.workspace.raster_workspace;
+        const fxl_order *before = renderer.order;
+        void *const memory = renderer.workspace.target_memory;
         draw(whole, &pose, HEIGHT);
         TEST_ASSERT_EQUAL(FXL_OK, add(methods[i]));
         TEST_ASSERT_EQUAL(FXL_OK, add(methods[i])); /* twice is once */
-        TEST_ASSERT_EQUAL_PTR(memory, renderer.workspace.raster_workspace);
+        TEST_ASSERT_EQUAL_PTR(memory, renderer.workspace.target_memory);
         draw(other, &pose, HEIGHT);
         TEST_ASSERT_TRUE(memcmp(whole, other, sizeof whole) != 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-        TEST_ASSERT_EQUAL_PTR(before, renderer.visibility);
-        TEST_ASSERT_EQUAL_PTR(memory, renderer.workspace.raster_workspace);
+        TEST_ASSERT_EQUAL_PTR(before, renderer.order);
+        TEST_ASSERT_EQUAL_PTR(memory, renderer.workspace.target_memory);
         draw(other, &pose, HEIGHT);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     }
@@ -300,7 +302,7 @@ static void expect_no_method(const fxl_visibility *method)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, cells, sizeof cells));
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
-    TEST_ASSERT_EQUAL_PTR(method, renderer.visibility);
+    TEST_ASSERT_TRUE(method->target == renderer.target && method->order == renderer.order);
 }
 
 static bool no_submit(const fxl_traversal *on)
@@ -314,17 +316,18 @@ void test_other_methods_take_no_billboards(void)
     expect_no_method(&fxl_visibility_spans);
     expect_no_method(&fxl_visibility_box);
     fxl_visibility own = fxl_visibility_sorted; /* another order, over what was drawn before */
-    own.submit = no_submit;
+    static const fxl_order none = {.submit = no_submit};
+    own.order = &none;
     expect_no_method(&own);
     start(0);
     choose(&fxl_visibility_depth, false);
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
-    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_depth, renderer.visibility);
+    TEST_ASSERT_TRUE(fxl_visibility_depth.target == renderer.target && fxl_visibility_depth.order == renderer.order);
     start(0);
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
     choose(NULL, true);
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
-    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_surfaces, renderer.visibility);
+    TEST_ASSERT_TRUE(fxl_visibility_surfaces.target == renderer.target && fxl_visibility_surfaces.order == renderer.order);
 }
 
 /* A call that takes billboards away where there are none, on a frame that has begun. */
@@ -361,11 +364,11 @@ void test_a_removal_where_there_are_none_changes_nothing(void)
             start(0);
             choose(methods[i], with_surfaces != 0);
             expect_nothing_to_take();
-            const fxl_visibility *const before = renderer.visibility;
+            const fxl_order *const before = renderer.order;
             TEST_ASSERT_EQUAL(FXL_OK, add(methods[i]));
-            TEST_ASSERT_TRUE(before != renderer.visibility);
+            TEST_ASSERT_TRUE(before != renderer.order);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-            TEST_ASSERT_EQUAL_PTR(before, renderer.visibility);
+            TEST_ASSERT_EQUAL_PTR(before, renderer.order);
             expect_nothing_to_take();
         }
     }
@@ -373,7 +376,7 @@ void test_a_removal_where_there_are_none_changes_nothing(void)
     const fxl_memory memory = {order, TINY_INSTANCES, list, 0, NULL, 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-    TEST_ASSERT_NULL(renderer.visibility);
+    TEST_ASSERT_TRUE(renderer.target == NULL && renderer.order == NULL);
     memset(&renderer, 0, sizeof renderer);
     expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, NULL, NULL));
 }

@@ -23,7 +23,7 @@ static bsp_scene *made;
 
 static fxl_bsp_workspace *bsp_workspace(void)
 {
-    return renderer.submit_workspace;
+    return renderer.order_memory;
 }
 
 static void start_with(uint32_t words, const fxl_visibility *visibility, uint32_t pieces_size)
@@ -36,7 +36,7 @@ static void start_with(uint32_t words, const fxl_visibility *visibility, uint32_
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_visibility(&renderer, visibility, room, sizeof room));
-    if (visibility->submit_workspace_size != NULL && scene->bsp_nodes != NULL) {
+    if (visibility->order->memory_size != NULL && scene->bsp_nodes != NULL) {
         bsp_workspace()->pieces = pieces_size > 0 ? pieces : NULL;
         bsp_workspace()->pieces_size = pieces_size;
     }
@@ -175,7 +175,7 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
 {
     fxl_visibility reverse = fxl_visibility_bsp;
     reverse.front_to_back = true;
-    reverse.backend = painter_under(BACKGROUND);
+    reverse.target = painter_under(BACKGROUND);
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         const uint32_t workspace_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
         fxl_pose pose = shuffle();
@@ -194,7 +194,7 @@ void test_pieces_leave_no_gap_and_do_not_overlap(void)
 {
     fxl_visibility count_all = fxl_visibility_bsp;
     uint32_t covered = 0, most = 0;
-    count_all.backend = painter_counting(times, WIDTH, 6); /* colours of objects that move */
+    count_all.target = painter_counting(times, WIDTH, 6); /* colours of objects that move */
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = shuffle();
         made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
@@ -264,7 +264,7 @@ void test_room_for_the_walk(void)
 {
     made = bsp_make();
     start_with(0, &fxl_visibility_bsp, 0);
-    uint32_t needed = fxl_visibility_bsp.submit_workspace_size(&made->tiny->scene);
+    uint32_t needed = fxl_visibility_bsp.order->memory_size(&made->tiny->scene);
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 8 + 4 * BSP_NODES + 2 * 12, needed);
     needed = (needed + 7) / 8 * 8;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
@@ -275,9 +275,9 @@ void test_room_for_the_walk(void)
                       fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, needed));
     made->tiny->instances[0].layer = made->tiny->instances[2].layer = 1; /* nothing moves */
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 4,
-                             fxl_visibility_bsp.submit_workspace_size(&made->tiny->scene));
+                             fxl_visibility_bsp.order->memory_size(&made->tiny->scene));
     made->tiny->scene.bsp_nodes = NULL;
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_visibility_bsp.submit_workspace_size(&made->tiny->scene));
+    TEST_ASSERT_EQUAL_UINT32(0, fxl_visibility_bsp.order->memory_size(&made->tiny->scene));
 }
 
 /* --- counting, and scenes of another kind ------------------------------------- */

@@ -29,8 +29,8 @@ static void start(const fxl_visibility *visibility, const fxl_lens *lens)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, lens, &memory));
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_set_visibility(&renderer, visibility, workspace, sizeof workspace));
-    if (visibility->submit_workspace_size != NULL && scene->bsp_nodes != NULL) {
-        fxl_bsp_workspace *tree = renderer.submit_workspace;
+    if (visibility->order->memory_size != NULL && scene->bsp_nodes != NULL) {
+        fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
         tree->pieces_size = sizeof pieces;
     }
@@ -49,7 +49,7 @@ void test_layers_come_in_reverse_near_to_far(void)
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
     fxl_visibility reverse = fxl_visibility_bsp;
     reverse.front_to_back = true;
-    reverse.backend = painter_under(BACKGROUND);
+    reverse.target = painter_under(BACKGROUND);
     for (uint32_t turn = 0; turn < 3; turn++) {
         made = bsp_make();
         for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
@@ -148,7 +148,7 @@ void test_pieces_are_lit(void)
     make_crossing();
     start(&fxl_visibility_bsp, &lens);
     draw(whole, &pose, HEIGHT);
-    TEST_ASSERT_EQUAL_UINT32(0, ((const fxl_bsp_workspace *)renderer.submit_workspace)->unsplit);
+    TEST_ASSERT_EQUAL_UINT32(0, ((const fxl_bsp_workspace *)renderer.order_memory)->unsplit);
     for (uint32_t rows = HEIGHT; rows > 0; rows /= 4) {
         start(&fxl_visibility_bsp, &lens);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, light_room,
@@ -180,7 +180,7 @@ void test_what_touches_a_plane_is_not_cut(void)
         made->tiny->instances[2].layer = 1;
         start(&fxl_visibility_bsp, &lens);
         draw(whole, &pose, HEIGHT);
-        const fxl_bsp_workspace *tree = renderer.submit_workspace;
+        const fxl_bsp_workspace *tree = renderer.order_memory;
         uint32_t front = 0;
         for (uint32_t k = 0; k < 6; k++) {
             front += fxl_face_is_front(&made->tiny->scene, &made->tiny->instances[0],
@@ -198,7 +198,7 @@ static uint32_t used_by(const fxl_point *centre, const fxl_pose *pose)
     made->tiny->instances[2].layer = 1;
     start(&fxl_visibility_bsp, &lens);
     draw(whole, pose, HEIGHT);
-    const fxl_bsp_workspace *tree = renderer.submit_workspace;
+    const fxl_bsp_workspace *tree = renderer.order_memory;
     TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
     return tree->used;
 }
@@ -213,7 +213,7 @@ void test_what_a_failed_cut_took_is_free_again(void)
     made->tiny->instances[0].centre = (fxl_point){Q16(1), 0, Q16(8)};
     made->tiny->instances[2].centre = (fxl_point){Q16(2), Q16(2), Q16(6)};
     start(&fxl_visibility_bsp, &lens);
-    fxl_bsp_workspace *tree = renderer.submit_workspace;
+    fxl_bsp_workspace *tree = renderer.order_memory;
     draw(whole, &pose, HEIGHT);
     TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
     TEST_ASSERT_EQUAL_UINT32(5 * 12 + 5 * 4 * 16 + 3 * (12 + 4 * 16), tree->used);
@@ -235,13 +235,13 @@ void test_room_for_trees_of_any_size(void)
         scene->bsp_node_count = nodes[i];
         made->tiny->instances[0].layer = made->tiny->instances[2].layer = 0;
         TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 2 * 12,
-                                 fxl_visibility_bsp.submit_workspace_size(scene));
+                                 fxl_visibility_bsp.order->memory_size(scene));
         made->tiny->instances[0].layer = 1;
         TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 12,
-                                 fxl_visibility_bsp.submit_workspace_size(scene));
+                                 fxl_visibility_bsp.order->memory_size(scene));
         made->tiny->instances[2].layer = 1;
         TEST_ASSERT_EQUAL_UINT32(record + 4 * words[i],
-                                 fxl_visibility_bsp.submit_workspace_size(scene));
+                                 fxl_visibility_bsp.order->memory_size(scene));
     }
 }
 
@@ -345,7 +345,7 @@ void test_the_workspace_is_large_enough(void)
         draw(whole, &pose, HEIGHT);
         deepen_to(counts[i]);
         fxl_scene *scene = &made->tiny->scene;
-        const uint32_t size = fxl_visibility_bsp.submit_workspace_size(scene);
+        const uint32_t size = fxl_visibility_bsp.order->memory_size(scene);
         const uint32_t rounded = (size + 7) / 8 * 8;
         TEST_ASSERT_TRUE(rounded + 32 <= sizeof room);
         memset(room, 0x5A, sizeof room);
@@ -353,7 +353,7 @@ void test_the_workspace_is_large_enough(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, rounded));
-        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        fxl_bsp_workspace *tree = renderer.order_memory;
         memset(room + sizeof *tree, 0x5A, sizeof room - sizeof *tree);
         tree->pieces = pieces;
         tree->pieces_size = i % 2 ? sizeof pieces : 0;

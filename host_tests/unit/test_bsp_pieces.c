@@ -107,7 +107,7 @@ void test_pieces_share_every_vertex(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
                                                               workspace, sizeof workspace));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &watching, NULL, 0));
-        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
         tree->pieces_size = sizeof pieces;
         edge_count = piece_count = 0;

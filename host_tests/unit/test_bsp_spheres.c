@@ -93,8 +93,8 @@ static void start(const fxl_visibility *visibility, const fxl_lens *lens, uint32
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, lens, &memory));
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_set_visibility(&renderer, visibility, workspace, sizeof workspace));
-    if (visibility->submit_workspace_size != NULL) {
-        fxl_bsp_workspace *tree = renderer.submit_workspace;
+    if (visibility->order->memory_size != NULL) {
+        fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
         tree->pieces_size = sizeof pieces;
     }
@@ -231,7 +231,7 @@ void test_a_scene_moved_as_a_whole_looks_the_same(void)
         pose.position.z -= Q16(3);
         for (int moved = 0; moved < 2; moved++) {
             start(&fxl_visibility_bsp, &lens, 0);
-            ((fxl_bsp_workspace *)renderer.submit_workspace)->pieces_size = pieces_size;
+            ((fxl_bsp_workspace *)renderer.order_memory)->pieces_size = pieces_size;
             draw(moved ? other : whole, &pose, HEIGHT);
             for (int i = 0; i < TINY_INSTANCES; i++) {
                 shift(&tiny->instances[i].centre, &way);
@@ -255,7 +255,7 @@ void test_a_node_of_several_faces(void)
     const fxl_pose pose = {{Q16(-5), 0, Q16(10)}, DEGREES(90), 0, 0};
     fxl_visibility reverse = fxl_visibility_bsp;
     reverse.front_to_back = true;
-    reverse.backend = painter_under(BACKGROUND);
+    reverse.target = painter_under(BACKGROUND);
     for (int near_first = 0; near_first < 2; near_first++) {
         tiny = bsp_make()->tiny;
         for (uint32_t i = 1; i < 3; i++) {
@@ -306,7 +306,7 @@ void test_a_whole_cube_before_and_behind(void)
             tiny->instances[2].layer = 1; /* behind the eye, or beside it */
             tiny->instances[2].centre = (fxl_point){Q16(1000), Q16(1000), Q16(1000)};
             start(&fxl_visibility_bsp, &lens, 0);
-            ((fxl_bsp_workspace *)renderer.submit_workspace)->pieces_size = 0;
+            ((fxl_bsp_workspace *)renderer.order_memory)->pieces_size = 0;
             const fxl_counters counters = draw(whole, &pose, HEIGHT);
             const uint8_t seen = whole[HEIGHT / 2 * WIDTH + WIDTH / 2];
             TEST_ASSERT_TRUE(before ? seen <= 6 : seen >= 11 && seen <= 16);
@@ -331,7 +331,7 @@ void test_what_moves_is_cut_on_any_layer(void)
             tiny->instances[2].centre = (fxl_point){Q16(4), 0, Q16(12)};
             start(&fxl_visibility_bsp, &lens, 0);
             const fxl_counters counters = draw(whole, &pose, HEIGHT);
-            const fxl_bsp_workspace *tree = renderer.submit_workspace;
+            const fxl_bsp_workspace *tree = renderer.order_memory;
             TEST_ASSERT_EQUAL_UINT32(18, counters.in);
             TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
             /* A face takes 12 bytes and 16 for each of its vertices; parts take more. */

@@ -189,7 +189,7 @@ void test_upright_edges_stay_where_they_are(void)
                                              {Q16(14.5), Q16(1000.25)},
                                              {Q16(10.5), Q16(1000.25)}}};
     uint8_t pixel = 0; /* scan writes none */
-    fxl_band band = {&pixel, 20, 20, 0, 1000};
+    fxl_band band = {.pixels = &pixel, .width = 20, .stride = 20, .first_row = 0, .rows = 1000};
     fxl_scan scan;
     fxl_span span;
     int32_t rows = 0;
@@ -306,7 +306,8 @@ static void check_polygon(const fxl_screen_polygon *polygon, const fxl_band *ban
 static fxl_band any_band(int32_t width)
 {
     static uint8_t unused[FXL_SCREEN_MAX];
-    fxl_band band = {unused, (uint16_t)width, (uint16_t)width, 0, 0};
+    fxl_band band = {.pixels = unused, .width = (uint16_t)width, .stride = (uint16_t)width,
+                     .first_row = 0, .rows = 0};
     band.first_row = (uint16_t)(unit_random() % 2 ? 0 : unit_between(0, FXL_SCREEN_MAX - 1));
     band.rows = (uint16_t)unit_between(1, FXL_SCREEN_MAX - band.first_row);
     return band;
@@ -417,7 +418,7 @@ void test_the_sides_of_the_band_are_where_they_are_said_to_be(void)
 void test_outlines_out_of_range(void)
 {
     static uint8_t frame[64];
-    const fxl_band band = {frame, 8, 8, 0, 8};
+    const fxl_band band = {.pixels = frame, .width = 8, .stride = 8, .first_row = 0, .rows = 8};
     fxl_scan scan;
     for (int i = 0; i < 16; i++) {
         fxl_screen_polygon polygon = {

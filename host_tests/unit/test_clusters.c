@@ -114,7 +114,8 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (uint16_t row = 0; row < HEIGHT; row += HEIGHT / 2) {
-        const fxl_band band = {&pixels[which][row * WIDTH], WIDTH, WIDTH, row, HEIGHT / 2};
+        const fxl_band band = {.pixels = &pixels[which][row * WIDTH], .width = WIDTH,
+                               .stride = WIDTH, .first_row = row, .rows = HEIGHT / 2};
         fxl_fill_band(&band, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }

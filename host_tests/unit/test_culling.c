@@ -16,7 +16,8 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_lens *lens, const fxl_pose 
                          const fxl_clipper *clipper)
 {
     const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
-    const fxl_band band = {pixels[which], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = pixels[which], .width = WIDTH, .stride = WIDTH,
+                           .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));

@@ -172,7 +172,8 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
                       fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
                                              made->cells, sizeof made->cells));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
-    const fxl_band band = {made->again, PART_WIDTH, DEPTH_SCENE_WIDTH, 0, PART_HEIGHT};
+    const fxl_band band = {.pixels = made->again, .width = PART_WIDTH, .stride = DEPTH_SCENE_WIDTH,
+                           .first_row = 0, .rows = PART_HEIGHT};
     fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
     uint32_t different = 0;
@@ -296,8 +297,9 @@ void test_two_workspaces_draw_halves_of_a_frame(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
     for (uint16_t half = 0; half < 2; half++) {
         const uint16_t row = (uint16_t)(half * DEPTH_SCENE_HEIGHT / 2);
-        const fxl_band band = {made->again + row * DEPTH_SCENE_WIDTH, DEPTH_SCENE_WIDTH,
-                               DEPTH_SCENE_WIDTH, row, DEPTH_SCENE_HEIGHT / 2};
+        const fxl_band band = {.pixels = made->again + row * DEPTH_SCENE_WIDTH,
+                               .width = DEPTH_SCENE_WIDTH, .stride = DEPTH_SCENE_WIDTH,
+                               .first_row = row, .rows = DEPTH_SCENE_HEIGHT / 2};
         fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, half ? fxl_frame_draw_with(&made->renderer, &other, &band)
                                        : fxl_frame_draw(&made->renderer, &band));
@@ -322,20 +324,6 @@ void test_another_method_ends_the_depth(void)
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
-}
-
-/* Set as any other method, without its shader, it draws what a span buffer does. */
-void test_without_its_record_it_hides_by_order(void)
-{
-    depth_scene_start(made);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&made->renderer, &fxl_visibility_depth,
-                                                          made->cells, sizeof made->cells));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
-    depth_scene_draw_in_bands(made, 6, 0);
 }
 
 void test_what_is_refused(void)
@@ -364,7 +352,7 @@ void test_what_is_refused(void)
                       fxl_renderer_set_depth(&made->renderer, &made->depth, method, made->cells,
                                              FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16) - 1));
     TEST_ASSERT_EQUAL(6, made->renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EQUAL_PTR(&fxl_visibility_sorted, made->renderer.visibility);
+    TEST_ASSERT_TRUE(fxl_visibility_sorted.target == made->renderer.target && fxl_visibility_sorted.order == made->renderer.order);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_depth(&made->renderer, &made->depth, method, made->cells,
                                              FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16)));

@@ -57,7 +57,8 @@ static fxl_status show(uint16_t width, uint16_t height, uint16_t rows)
     fxl_status status = fxl_pump_init(&pump, &config, &display.sink, memory, sizeof memory);
     for (uint32_t y = 0; status == FXL_OK && y < height; y += rows) {
         const uint16_t count = (uint16_t)(rows < height - y ? rows : height - y);
-        const fxl_band band = {lent, width, width, (uint16_t)y, count};
+        const fxl_band band = {.pixels = lent, .width = width, .stride = width,
+                               .first_row = (uint16_t)y, .rows = count};
         memcpy(lent, frame + y * width, (size_t)count * width);
         status = fxl_pump_send_rows(&pump, &band);
         memset(lent, 0xEE, sizeof lent);
@@ -258,7 +259,7 @@ void test_a_pump_narrower_than_the_pages(void)
     static uint64_t block[FXL_PUMP_MEMORY(64, 8, 1)];
     static uint8_t bytes[64];
     const fxl_pump_config narrow = {&display.pixels, 64, OLED_HEIGHT, 8};
-    const fxl_band band = {frame, 64, 64, 0, 8};
+    const fxl_band band = {.pixels = frame, .width = 64, .stride = 64, .first_row = 0, .rows = 8};
     open_oled(&oleds[0], 0, &plain);
     const uint32_t sends = model.sends;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_init(&pump, &narrow, &display.sink, block, sizeof block));

@@ -101,7 +101,8 @@ void test_an_outline_has_its_pixels_and_says_whether_it_reaches_the_band(void)
     for (int i = 0; i < UNIT_REPEAT / 40; i++) {
         const fxl_screen_polygon outline = any_outline();
         const int32_t first = unit_between(0, HEIGHT - 1), rows = unit_between(1, HEIGHT - first);
-        const fxl_band band = {pixels, WIDTH, WIDTH, (uint16_t)first, (uint16_t)rows};
+        const fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH,
+                               .first_row = (uint16_t)first, .rows = (uint16_t)rows};
         const bool wanted = reaches(&outline, first, rows);
         expect_outline(fxl_draw_outline, &outline, &band, wanted);
         expect_outline(fxl_draw_by_active_edges, &outline, &band, wanted);

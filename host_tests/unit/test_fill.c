@@ -14,7 +14,8 @@ static uint8_t memory[STRIDE * (ROWS_OF_BAND + 2)];
 static fxl_band band_of_memory(void)
 {
     memset(memory, '.', sizeof memory);
-    return (fxl_band){memory + STRIDE, WIDTH, STRIDE, FIRST, ROWS_OF_BAND};
+    return (fxl_band){.pixels = memory + STRIDE, .width = WIDTH, .stride = STRIDE,
+                      .first_row = FIRST, .rows = ROWS_OF_BAND};
 }
 
 static void expect_memory(const char *text)
@@ -66,7 +67,8 @@ void test_every_start_and_length(void)
     for (int16_t start = 0; start < 32; start++) {
         for (int16_t end = (int16_t)(start + 1); end <= 32; end++) {
             memset(row, '.', sizeof row);
-            fxl_band band = {row + 4, 32, 32, 0, 1};
+            fxl_band band = {.pixels = row + 4, .width = 32, .stride = 32, .first_row = 0,
+                             .rows = 1};
             fxl_fill_span(&band, &(fxl_span){0, start, end}, 0xAB);
             for (int i = 0; i < 40; i++) {
                 TEST_ASSERT_EQUAL_HEX8(i - 4 >= start && i - 4 < end ? 0xAB : '.', row[i]);

@@ -173,7 +173,8 @@ void test_a_frame_is_the_same_whatever_the_block(void)
     TEST_ASSERT_EQUAL_UINT32(0, renderer.frame.display_list.used);
     TEST_ASSERT_TRUE(renderer.frame.display_list.capacity > 0);
     memcpy(other, pixels, sizeof pixels);
-    const fxl_band whole = {pixels[0], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band whole = {.pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                            .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     TEST_ASSERT_TRUE(renderer.frame.display_list.used > 0);
     fxl_fill_band(&whole, 9);

@@ -129,7 +129,8 @@ static void look(uint32_t number)
 static void overlay(uint32_t number)
 {
     static const char words[] = "Score 0123456789\nFxl: @{}~";
-    const fxl_band band = {pixels, WIDTH, WIDTH, 7, HEIGHT};
+    const fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 7,
+                           .rows = HEIGHT};
     const fxl_text_style style = {&fxl_font_5x7, (uint8_t)number, (uint8_t)(number % 3 ? 0 : 7)};
     const fxl_sprite sprite = {texels,
                                texels,
@@ -165,7 +166,8 @@ static void lines(uint32_t number)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + rows)) {
         const uint16_t left = (uint16_t)(HEIGHT - row);
-        const fxl_band band = {pixels + row * WIDTH, WIDTH, WIDTH, row, rows < left ? rows : left};
+        const fxl_band band = {.pixels = pixels + row * WIDTH, .width = WIDTH, .stride = WIDTH,
+                               .first_row = row, .rows = rows < left ? rows : left};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
     }
     mix_pixels();

@@ -33,7 +33,8 @@ static void start(fxl_pose *eye)
 
 void test_the_picture_is_that_of_every_board(void)
 {
-    const fxl_band whole = {pixels[0], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band whole = {.pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                            .rows = HEIGHT};
     fxl_pose eye;
     start(&eye);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels[0], WIDTH));
@@ -48,7 +49,8 @@ void test_bands_have_the_pixels_of_the_whole(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     for (uint16_t row = 0; row < HEIGHT; row += BAND) {
         const uint16_t rows = row + BAND <= HEIGHT ? BAND : HEIGHT - row;
-        const fxl_band band = {pixels[row], WIDTH, WIDTH, row, rows};
+        const fxl_band band = {.pixels = pixels[row], .width = WIDTH, .stride = WIDTH,
+                               .first_row = row, .rows = rows};
         fxl_fill_band(&band, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_TRUE(hud_draw(&band, WIDTH, HEIGHT, "01230", &colours));

@@ -133,7 +133,8 @@ static tiny_scene *start(void)
 
 static void draw(const fxl_pose *pose, uint8_t *frame)
 {
-    const fxl_band band = {frame, WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -301,7 +302,8 @@ void test_cores_share_the_light(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(second, &renderer, room, sizeof room));
     draw(&pose, frames[0]);
     for (uint16_t row = 0; row < HEIGHT; row++) {
-        const fxl_band band = {frames[1] + row * WIDTH, WIDTH, WIDTH, row, 1};
+        const fxl_band band = {.pixels = frames[1] + row * WIDTH, .width = WIDTH, .stride = WIDTH,
+                               .first_row = row, .rows = 1};
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_frame_draw_with(&renderer, row % 2 ? second : &renderer.workspace, &band));
@@ -315,7 +317,7 @@ static void expect_refused(fxl_status status, const fxl_light_settings *of)
 {
     const fxl_light before = light;
     const uint32_t refused = renderer.workspace.counters.refused_calls;
-    fxl_shader *const shader = renderer.shader;
+    const fxl_shader *const shader = renderer.shader;
     TEST_ASSERT_EQUAL(status, fxl_renderer_set_light(&renderer, &light, of));
     TEST_ASSERT_EQUAL_MEMORY(&before, &light, sizeof light);
     TEST_ASSERT_TRUE(renderer.shader == shader);

@@ -59,7 +59,8 @@ static void start(const fxl_lens *lens, const fxl_clipper *clipper,
 static void draw(const fxl_pose *pose, uint8_t *pixels)
 {
     const fxl_lens *lens = &renderer.frame.view.lens;
-    const fxl_band band = {pixels, lens->width, WIDTH, 0, lens->height};
+    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = WIDTH, .first_row = 0,
+                           .rows = lens->height};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -165,7 +166,8 @@ void test_a_renderer_moves_its_centre(void)
         start(&lens, NULL, &fxl_visibility_sorted);
         draw(&other, tiled);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, x, y));
-        const fxl_band band = {tiled, WIDTH, WIDTH, 0, HEIGHT};
+        const fxl_band band = {.pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                               .rows = HEIGHT};
         TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
         draw(&pose, tiled);
         TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);
@@ -203,7 +205,8 @@ void test_a_wrong_centre_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_centre(NULL, 0, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_set_centre(&renderer, Q16(2 * WIDTH) + 1, 0));
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused_calls);
-    const fxl_band band = {tiled, WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);

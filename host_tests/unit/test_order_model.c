@@ -61,7 +61,8 @@ static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame, u
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, pose));
     for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + rows)) {
-        fxl_band band = {frame + row * WIDTH, WIDTH, WIDTH, row, rows};
+        fxl_band band = {.pixels = frame + row * WIDTH, .width = WIDTH, .stride = WIDTH,
+                         .first_row = row, .rows = rows};
         fxl_fill_band(&band, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
     }

@@ -137,7 +137,8 @@ void test_another_workspace_takes_the_style(void)
     static uint64_t memory[32];
     static fxl_workspace workspace;
     const fxl_pose pose = {{Q16(1), Q16(2), Q16(-4)}, 0, 0, 0};
-    const fxl_band band = {bands[0], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = bands[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     tiny = tiny_make();
     style.line = LINE;
     style.keeps_colours = true;

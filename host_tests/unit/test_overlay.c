@@ -12,7 +12,8 @@ enum {
 };
 
 static uint8_t drawn[HEIGHT][STRIDE], wanted[HEIGHT][STRIDE];
-static const fxl_band band = {drawn[1], WIDTH, STRIDE, FIRST, HEIGHT - 2};
+static const fxl_band band = {.pixels = drawn[1], .width = WIDTH, .stride = STRIDE,
+                              .first_row = FIRST, .rows = HEIGHT - 2};
 
 void setUp(void)
 {
@@ -320,19 +321,26 @@ static void expect_refused_by_all(fxl_status status, const fxl_band *wrong)
 
 void test_bands_that_are_none_are_refused(void)
 {
-    const fxl_band bad[] = {{drawn[1], 0, STRIDE, 0, 1},
-                            {drawn[1], FXL_SCREEN_MAX + 1, 2000, 0, 1},
-                            {drawn[1], WIDTH, WIDTH - 1, 0, 1},
-                            {drawn[1], WIDTH, STRIDE, 0, 0},
-                            {drawn[1], WIDTH, STRIDE, 1000, 25}};
+    const fxl_band bad[] = {{.pixels = drawn[1], .width = 0, .stride = STRIDE, .first_row = 0,
+                             .rows = 1},
+                            {.pixels = drawn[1], .width = FXL_SCREEN_MAX + 1, .stride = 2000,
+                             .first_row = 0, .rows = 1},
+                            {.pixels = drawn[1], .width = WIDTH, .stride = WIDTH - 1,
+                             .first_row = 0, .rows = 1},
+                            {.pixels = drawn[1], .width = WIDTH, .stride = STRIDE, .first_row = 0,
+                             .rows = 0},
+                            {.pixels = drawn[1], .width = WIDTH, .stride = STRIDE,
+                             .first_row = 1000, .rows = 25}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         expect_refused_by_all(FXL_E_RANGE, &bad[i]);
     }
     uint8_t pixel = 5;
-    const fxl_band least = {&pixel, 1, 1, FXL_SCREEN_MAX - 1, 1}; /* the last row there is */
+    const fxl_band least = {.pixels = &pixel, .width = 1, .stride = 1,
+                            .first_row = FXL_SCREEN_MAX - 1, .rows = 1}; /* the last row there is */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_rectangle(&least, -3, FXL_SCREEN_MAX - 1, 9, 9, 7));
     TEST_ASSERT_EQUAL_UINT8(7, pixel);
-    const fxl_band none = {NULL, WIDTH, STRIDE, 0, 1};
+    const fxl_band none = {.pixels = NULL, .width = WIDTH, .stride = STRIDE, .first_row = 0,
+                           .rows = 1};
     expect_refused_by_all(FXL_E_ARGUMENT, &none);
     expect_refused_by_all(FXL_E_ARGUMENT, NULL);
 }

@@ -211,7 +211,8 @@ void test_a_face_in_pieces_counts_once(void)
     static fxl_visibility in_pieces;
     uint32_t full = 0;
     in_pieces = fxl_visibility_sorted;
-    in_pieces.submit = walk_in_pieces;
+    static const fxl_order by_pieces = {.submit = walk_in_pieces};
+    in_pieces.order = &by_pieces;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
         fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw_plainly(&pose);
@@ -340,7 +341,8 @@ void test_a_clippers_room(void)
     TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &roomy, room, 16));
     TEST_ASSERT_EACH_EQUAL_HEX8(0, room, sizeof room);
-    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
     for (uint32_t frame = 1; frame < 4; frame++) {
         fxl_counters found = draw(&pose, frames[1], 5);

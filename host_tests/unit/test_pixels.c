@@ -12,8 +12,10 @@ static uint32_t out_words[(2u * WIDEST * ROWS + 8u) / 4u];
 static uint8_t *const out = (uint8_t *)out_words;
 static fxl_pixels pixels;
 
-static const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb565_low, &fxl_rgb332,
-                                                  &fxl_grey4,  &fxl_mono_rows,  &fxl_mono_pages};
+static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
+                                                  &fxl_pixels_rgb332,
+                                                  &fxl_pixels_grey4,  &fxl_pixels_mono_rows,
+     &fxl_pixels_mono_pages};
 
 void setUp(void)
 {
@@ -55,22 +57,22 @@ static uint32_t level_of(const uint8_t *colour, uint32_t highest, uint32_t x, ui
 static uint32_t got(const fxl_band *band, uint32_t x, uint32_t row)
 {
     const uint32_t width = band->width;
-    if (pixels.format == &fxl_rgb565) {
+    if (pixels.format == &fxl_pixels_rgb565) {
         const uint8_t *at = out + 2u * (row * width + x);
         return (uint32_t)at[0] << 8 | at[1];
     }
-    if (pixels.format == &fxl_rgb565_low) {
+    if (pixels.format == &fxl_pixels_rgb565_low) {
         const uint8_t *at = out + 2u * (row * width + x);
         return (uint32_t)at[1] << 8 | at[0];
     }
-    if (pixels.format == &fxl_rgb332) {
+    if (pixels.format == &fxl_pixels_rgb332) {
         return out[row * width + x];
     }
-    if (pixels.format == &fxl_grey4) {
+    if (pixels.format == &fxl_pixels_grey4) {
         const uint8_t byte = out[row * ((width + 1u) / 2u) + x / 2u];
         return x % 2u == 0 ? byte >> 4 : byte & 15u;
     }
-    if (pixels.format == &fxl_mono_rows) {
+    if (pixels.format == &fxl_pixels_mono_rows) {
         return (uint32_t)out[row * ((width + 7u) / 8u) + x / 8u] >> (7u - x % 8u) & 1u;
     }
     return (uint32_t)out[row / 8u * width + x] >> (row % 8u) & 1u;
@@ -78,13 +80,13 @@ static uint32_t got(const fxl_band *band, uint32_t x, uint32_t row)
 
 static uint32_t expected(const uint8_t *colour, uint32_t x, uint32_t y)
 {
-    if (pixels.format == &fxl_rgb565 || pixels.format == &fxl_rgb565_low) {
+    if (pixels.format == &fxl_pixels_rgb565 || pixels.format == &fxl_pixels_rgb565_low) {
         return (uint32_t)(colour[0] / 8u * 2048u + colour[1] / 4u * 32u + colour[2] / 8u);
     }
-    if (pixels.format == &fxl_rgb332) {
+    if (pixels.format == &fxl_pixels_rgb332) {
         return (uint32_t)(colour[0] / 32u * 32u + colour[1] / 32u * 4u + colour[2] / 64u);
     }
-    return level_of(colour, pixels.format == &fxl_grey4 ? 15 : 1, x, y);
+    return level_of(colour, pixels.format == &fxl_pixels_grey4 ? 15 : 1, x, y);
 }
 
 static void assert_converted(const fxl_band *band)
@@ -108,9 +110,10 @@ void test_seven_white_pixels(void)
     static const uint8_t white[3] = {255, 255, 255};
     uint8_t row[7] = {9, 9, 9, 9, 9, 9, 9};
     memcpy(&palette[3 * 9], white, sizeof white);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_rows, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_rows, palette));
     for (uint16_t width = 1; width <= 7; width++) {
-        const fxl_band band = {row, width, width, 0, 1};
+        const fxl_band band = {.pixels = row, .width = width, .stride = width, .first_row = 0,
+                               .rows = 1};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 1));
         TEST_ASSERT_EQUAL_HEX8(0xFF00u >> width & 0xFFu, out[0]);
     }
@@ -122,8 +125,9 @@ void test_every_width_at_every_place_of_a_word(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[f], palette));
         for (uint32_t width = 1; width <= WIDEST; width++) {
             const uint32_t offset = width % 4u, stride = width + width / 4u % 4u;
-            const fxl_band band = {frame + offset, (uint16_t)width, (uint16_t)stride,
-                                   (uint16_t)(width % 5u * 8u), (uint16_t)(1u + width % ROWS)};
+            const fxl_band band = {.pixels = frame + offset, .width = (uint16_t)width,
+                                   .stride = (uint16_t)stride,
+                                   .first_row = (uint16_t)(width % 5u * 8u), .rows = (uint16_t)(1u + width % ROWS)};
             any_frame();
             assert_converted(&band);
         }
@@ -133,8 +137,8 @@ void test_every_width_at_every_place_of_a_word(void)
 /* Rows that are one run, and rows in which one pixel is another: at each place of a block. */
 void test_a_pixel_within_a_run(void)
 {
-    const fxl_band band = {frame, 48, 48, 0, 1};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_rgb565, palette));
+    const fxl_band band = {.pixels = frame, .width = 48, .stride = 48, .first_row = 0, .rows = 1};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_rgb565, palette));
     for (uint32_t at = 0; at <= 48; at++) {
         memset(frame, 7, 48);
         if (at < 48) {
@@ -150,15 +154,15 @@ void test_a_pixel_within_a_run(void)
 
 void test_bits_that_no_pixel_has_are_zero(void)
 {
-    const fxl_band band = {frame, 5, 5, 0, 2};
+    const fxl_band band = {.pixels = frame, .width = 5, .stride = 5, .first_row = 0, .rows = 2};
     memset(palette, 255, sizeof palette);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_grey4, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_grey4, palette));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 6));
     TEST_ASSERT_EQUAL_HEX8(0xF0, out[2]);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_rows, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_rows, palette));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 2));
     TEST_ASSERT_EQUAL_HEX8(0xF8, out[1]);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_pages, palette));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, 5));
     TEST_ASSERT_EACH_EQUAL_HEX8(0x03, out, 5);
 }
@@ -173,11 +177,11 @@ void test_sizes(void)
 
 void test_what_is_refused_changes_nothing(void)
 {
-    fxl_band band = {frame, 8, 8, 0, 8};
+    fxl_band band = {.pixels = frame, .width = 8, .stride = 8, .first_row = 0, .rows = 8};
     memset(&pixels, GUARD, sizeof pixels);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(NULL, &fxl_rgb565, palette));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(NULL, &fxl_pixels_rgb565, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, NULL, palette));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &fxl_rgb565, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &fxl_pixels_rgb565, NULL));
     static const fxl_pixel_format zeros;
     static const fxl_pixels unprepared;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &zeros, palette));
@@ -185,7 +189,7 @@ void test_what_is_refused_changes_nothing(void)
     TEST_ASSERT_EQUAL(0, fxl_pixels_size(&zeros, 17, 10));
     TEST_ASSERT_EQUAL(0, fxl_pixels_size(NULL, 17, 10));
     TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, &pixels, sizeof pixels);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_pages, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(NULL, &band, out, 64));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, NULL, out, 64));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, NULL, 64));

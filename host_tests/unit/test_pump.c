@@ -97,7 +97,8 @@ static fxl_status init(const fxl_pixel_format *format, uint16_t rows)
 static uint32_t expect_frame(int number)
 {
     const fxl_pose pose = pose_number(number);
-    const fxl_band band = {whole, WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, whole, WIDTH));
     if (pump.config.pixels == NULL) {
         memcpy(expected, whole, sizeof whole);
@@ -127,10 +128,11 @@ static void assert_frames(void)
 
 void test_frames_arrive_whole_in_every_format_and_height(void)
 {
-    static const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb332, &fxl_grey4,
-                                                      &fxl_mono_pages, NULL};
+    static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
+                                                      &fxl_pixels_grey4,
+                                                      &fxl_pixels_mono_pages, NULL};
     for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        const bool has_pages = formats[i] == &fxl_mono_pages;
+        const bool has_pages = formats[i] == &fxl_pixels_mono_pages;
         for (uint16_t rows = has_pages ? 8 : 1; rows <= 16;
              rows = (uint16_t)(rows + (has_pages ? 8 : 5))) {
             TEST_ASSERT_EQUAL(FXL_OK, init(formats[i], rows));
@@ -144,7 +146,7 @@ void test_a_band_is_drawn_while_another_is_sent(void)
 {
     const fxl_band *band;
     const fxl_pose pose = pose_number(1);
-    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8));
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8));
     for (int frame = 0; frame < 2; frame++) {
         taken = next_row = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
@@ -169,9 +171,9 @@ void test_a_band_is_drawn_while_another_is_sent(void)
 
 void test_rows_from_elsewhere(void)
 {
-    fxl_band rows = {whole, WIDTH, WIDTH, 0, 8};
+    fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 8};
     for (uint32_t with_format = 0; with_format < 2; with_format++) {
-        TEST_ASSERT_EQUAL(FXL_OK, init(with_format != 0 ? &fxl_rgb332 : NULL, 8));
+        TEST_ASSERT_EQUAL(FXL_OK, init(with_format != 0 ? &fxl_pixels_rgb332 : NULL, 8));
         const uint32_t size = expect_frame(2);
         taken = next_row = 0;
         for (rows.first_row = 0; rows.first_row < HEIGHT;
@@ -195,7 +197,8 @@ void test_rows_from_elsewhere(void)
 /* Rows from elsewhere take the buffer in which a band without a format lies. */
 void test_rows_from_elsewhere_between_bands(void)
 {
-    const fxl_band rows = {whole, WIDTH, WIDTH, 0, 1};
+    const fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = 1};
     TEST_ASSERT_EQUAL(FXL_OK, init(NULL, 2));
     (void)expect_frame(0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_begin(&pump));
@@ -213,7 +216,7 @@ void test_rows_from_elsewhere_between_bands(void)
 void test_a_transfer_that_fails_ends_the_frame(void)
 {
     const fxl_pose pose = pose_number(0);
-    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8));
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8));
     taken = next_row = 0;
     refused = 2;
     TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_pump_frame(&pump, &renderer, &pose));
@@ -254,7 +257,7 @@ void test_what_a_pump_is_not_set_up_with(void)
         TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(&config));
         TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
     }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_mono_pages, palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_pages, palette));
     config = (fxl_pump_config){&pixels, WIDTH, HEIGHT, 4}; /* half a page */
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
     static const fxl_pixels unprepared;
@@ -268,8 +271,8 @@ void test_what_a_pump_is_not_set_up_with(void)
 void test_what_a_pump_is_not_called_with(void)
 {
     fxl_pose pose = pose_number(0);
-    fxl_band rows = {whole, WIDTH, WIDTH, 0, 8};
-    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8));
+    fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 8};
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8));
     TEST_ASSERT_NULL(fxl_pump_band(&pump)); /* no frame has begun */
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_send(&pump));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_frame(NULL, &renderer, &pose));
@@ -307,8 +310,9 @@ void test_what_a_pump_is_not_called_with(void)
 void test_a_pump_that_was_never_set_up(void)
 {
     const fxl_pose pose = pose_number(0);
-    const fxl_band rows = {whole, WIDTH, WIDTH, 0, 8};
-    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_rgb565, 8)); /* the renderer */
+    const fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = 8};
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8)); /* the renderer */
     memset(&pump, 0, sizeof pump);
     const fxl_pump before = pump;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_wait(&pump));
@@ -323,8 +327,9 @@ void test_a_pump_that_was_never_set_up(void)
 /* The macro for static memory is what the function says. */
 void test_the_memory_of_a_pump(void)
 {
-    const fxl_pixel_format *const formats[] = {&fxl_rgb565, &fxl_rgb332, &fxl_grey4, &fxl_mono_rows,
-                                               &fxl_mono_pages};
+    const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
+                                               &fxl_pixels_grey4, &fxl_pixels_mono_rows,
+                                               &fxl_pixels_mono_pages};
     static const uint32_t words[] = {FXL_PUMP_MEMORY(40, 8, 16), FXL_PUMP_MEMORY(40, 8, 8),
                                      FXL_PUMP_MEMORY(40, 8, 4), FXL_PUMP_MEMORY(40, 8, 1),
                                      FXL_PUMP_MEMORY(40, 8, 1)};

@@ -8,8 +8,8 @@
 static void expect_depth_unread(depth_scene *made)
 {
     fxl_renderer *renderer = &made->renderer;
-    const fxl_band band = {made->again, DEPTH_SCENE_WIDTH, DEPTH_SCENE_WIDTH, 0,
-                           DEPTH_SCENE_HEIGHT};
+    const fxl_band band = {.pixels = made->again, .width = DEPTH_SCENE_WIDTH,
+                           .stride = DEPTH_SCENE_WIDTH, .first_row = 0, .rows = DEPTH_SCENE_HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_render(renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, &depth_scene_eye));
@@ -47,7 +47,8 @@ void test_depth_and_textures_are_drawn_without_the_scene(void)
 
 void test_frames_of_16_bits_are_drawn_without_the_scene(void)
 {
-    const fxl_band_565 band = {walls.again, WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band_565 band = {.pixels = walls.again, .width = WIDTH, .stride = WIDTH,
+                               .first_row = 0, .rows = HEIGHT};
     walls_make();
     walls_begin();
     walls_draw(walls.pixels);
@@ -78,12 +79,13 @@ void test_a_tree_is_drawn_without_the_scene(void)
                       fxl_renderer_init_with(&renderer, &made->tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, sizeof room));
-    fxl_bsp_workspace *tree = (fxl_bsp_workspace *)renderer.submit_workspace;
+    fxl_bsp_workspace *tree = (fxl_bsp_workspace *)renderer.order_memory;
     tree->pieces = pieces;
     tree->pieces_size = sizeof pieces;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     for (int i = 0; i < 2; i++) {
-        const fxl_band band = {frames[i], WIDTH, WIDTH, 0, HEIGHT};
+        const fxl_band band = {.pixels = frames[i], .width = WIDTH, .stride = WIDTH,
+                               .first_row = 0, .rows = HEIGHT};
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderer));

@@ -28,7 +28,8 @@ static tiny_scene *start(int which)
 
 static void draw_rows(fxl_renderer *renderer, uint8_t *frame, uint16_t first, uint16_t rows)
 {
-    fxl_band band = {frame + first * WIDTH, WIDTH, WIDTH, first, rows};
+    fxl_band band = {.pixels = frame + first * WIDTH, .width = WIDTH, .stride = WIDTH,
+                     .first_row = first, .rows = rows};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
 }
@@ -150,7 +151,8 @@ void test_a_wider_stride_gives_the_same_pixels(void)
     fxl_pose pose = pose_number(4);
     draw_whole(&renderers[0], &pose, whole);
     memset(wide, 0x5A, sizeof wide);
-    fxl_band band = {wide, WIDTH, WIDTH + 5, 0, HEIGHT};
+    fxl_band band = {.pixels = wide, .width = WIDTH, .stride = WIDTH + 5, .first_row = 0,
+                     .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[0], &band));
     for (int y = 0; y < HEIGHT; y++) {
@@ -223,7 +225,8 @@ void test_drawing_before_a_frame_has_begun_is_refused(void)
 {
     start(0);
     memset(whole, 0x5A, sizeof whole);
-    fxl_band band = {whole, WIDTH, WIDTH, 0, HEIGHT};
+    fxl_band band = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                     .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderers[0], &band));
     expect_untouched(whole, 0x5A);
     TEST_ASSERT_EQUAL_UINT32(1, renderers[0].workspace.counters.refused_calls);
@@ -280,15 +283,24 @@ void test_a_band_of_another_screen_is_refused(void)
     start(0);
     fxl_pose pose = pose_number(2);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
-    expect_band_refused(FXL_E_RANGE, (fxl_band){other, WIDTH - 1, WIDTH, 0, 4}, 1);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){other, WIDTH, WIDTH - 1, 0, 4}, 2);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){other, WIDTH, WIDTH, HEIGHT, 1}, 3);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){other, WIDTH, WIDTH, 1, HEIGHT}, 4);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){other, WIDTH, WIDTH, 65535, 1}, 5);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){other, WIDTH, WIDTH, 0, 0}, 6);
-    expect_band_refused(FXL_E_ARGUMENT, (fxl_band){NULL, WIDTH, WIDTH, 0, 4}, 7);
+    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH - 1,
+                                                .stride = WIDTH, .first_row = 0, .rows = 4}, 1);
+    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH,
+                                                .stride = WIDTH - 1, .first_row = 0, .rows = 4}, 2);
+    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
+                                                .first_row = HEIGHT, .rows = 1}, 3);
+    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
+                                                .first_row = 1, .rows = HEIGHT}, 4);
+    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
+                                                .first_row = 65535, .rows = 1}, 5);
+    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
+                                                .first_row = 0, .rows = 0}, 6);
+    expect_band_refused(FXL_E_ARGUMENT, (fxl_band){.pixels = NULL, .width = WIDTH, .stride = WIDTH,
+                                                   .first_row = 0, .rows = 4}, 7);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw(&renderers[0], NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw(NULL, &(fxl_band){other, 48, 48, 0, 4}));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw(NULL, &(fxl_band){.pixels = other,
+                                                                       .width = 48, .stride = 48,
+                                                                       .first_row = 0, .rows = 4}));
 }
 
 void test_a_renderer_needs_what_the_scene_needs(void)

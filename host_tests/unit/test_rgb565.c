@@ -189,7 +189,8 @@ void test_bands_and_lists_change_no_pixel(void)
         memset(walls.again, 0, sizeof walls.again);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
         for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + 2)) {
-            const fxl_band_565 band = {walls.again + row * WIDTH, WIDTH, WIDTH, row, 2};
+            const fxl_band_565 band = {.pixels = walls.again + row * WIDTH, .width = WIDTH,
+                                       .stride = WIDTH, .first_row = row, .rows = 2};
             fxl_fill_rgb565(&band, walls.palette[BACKGROUND]);
             TEST_ASSERT_EQUAL(FXL_OK,
                               row % 4 ? fxl_frame_draw_rgb565(&walls.renderer, &band)
@@ -221,7 +222,8 @@ void test_bytes_are_swapped_for_a_display(void)
 {
     uint16_t two[2][3] = {{0x1234, 0xF00D, 0x5555}, {0xABCD, 1, 0x7777}};
     const uint16_t swapped[2][3] = {{0x3412, 0x0DF0, 0x5555}, {0xCDAB, 0x0100, 0x7777}};
-    const fxl_band_565 band = {two[0], 2, 3, 0, 2};
+    const fxl_band_565 band = {.pixels = two[0], .width = 2, .stride = 3, .first_row = 0,
+                               .rows = 2};
     fxl_swap_rgb565(&band);
     TEST_ASSERT_EQUAL_HEX16_ARRAY(swapped[0], two[0], 6);
     TEST_ASSERT_EQUAL_HEX16(31 << 11 | 50 << 5 | 1, FXL_RGB565(255, 200, 15));
@@ -262,7 +264,8 @@ void test_surfaces_of_the_wrong_kind_are_refused(void)
 void test_bands_of_the_wrong_kind_are_refused(void)
 {
     fxl_band_565 band = {walls.pixels, WIDTH, WIDTH, 0, HEIGHT};
-    const fxl_band bytes = {walls.indexed, WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band bytes = {.pixels = walls.indexed, .width = WIDTH, .stride = WIDTH,
+                            .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_rgb565(&walls.renderer, &band));
     TEST_ASSERT_EQUAL(FXL_E_ORDER,

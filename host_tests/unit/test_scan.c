@@ -241,7 +241,8 @@ void test_coverage_on_the_largest_screen(void)
     fxl_screen_polygon polygon;
     for (int i = 0; i < UNIT_REPEAT / 100 + 20; i++) {
         uint16_t y = (uint16_t)unit_between(0, FXL_SCREEN_MAX - 1);
-        fxl_band band = {unused, FXL_SCREEN_MAX, FXL_SCREEN_MAX, y, 1};
+        fxl_band band = {.pixels = unused, .width = FXL_SCREEN_MAX, .stride = FXL_SCREEN_MAX,
+                         .first_row = y, .rows = 1};
         fxl_scan scan;
         fxl_span span;
         random_polygon(&polygon, FXL_SCREEN_MAX);
@@ -329,7 +330,8 @@ void test_an_outline_is_scanned_as_its_polygon_is(void)
     fxl_span span = {0, 0, 0}, same = {0, 0, 0};
     uint32_t spans = 0;
     for (int i = 0; i < UNIT_REPEAT / 5; i++) {
-        fxl_band band = {pixels, 16, 16, 0, (uint16_t)unit_between(1, 16)};
+        fxl_band band = {.pixels = pixels, .width = 16, .stride = 16, .first_row = 0,
+                         .rows = (uint16_t)unit_between(1, 16)};
         random_polygon(&polygon, 16);
         fxl_rows rows = fxl_scan_rows(&polygon, band.rows);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
@@ -362,7 +364,7 @@ static void expect_refused(fxl_status status, const fxl_screen_polygon *polygon,
 void test_what_breaks_the_contract_is_refused(void)
 {
     static uint8_t pixels[64];
-    fxl_band band = {pixels, 8, 8, 0, 8};
+    fxl_band band = {.pixels = pixels, .width = 8, .stride = 8, .first_row = 0, .rows = 8};
     fxl_screen_polygon polygon = picture_polygon(POINTS(1, 1, 5, 1, 5, 4), 3);
     fxl_scan scan;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scan_begin(&polygon, &band, NULL));
@@ -380,18 +382,24 @@ void test_what_breaks_the_contract_is_refused(void)
     polygon.points[2].y = -FXL_SCREEN_COORDINATE_MAX - 1;
     expect_refused(FXL_E_RANGE, &polygon, &band);
     polygon.points[2].y = 0;
-    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, 0, 8, 0, 8});
-    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, 8, 8, 0, 0});
-    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, FXL_SCREEN_MAX + 1, 8, 0, 8});
-    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){pixels, 8, 8, 1, FXL_SCREEN_MAX});
-    band = (fxl_band){pixels, FXL_SCREEN_MAX, FXL_SCREEN_MAX, FXL_SCREEN_MAX - 1, 1};
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){.pixels = pixels, .width = 0, .stride = 8,
+                                                      .first_row = 0, .rows = 8});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){.pixels = pixels, .width = 8, .stride = 8,
+                                                      .first_row = 0, .rows = 0});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){.pixels = pixels,
+                                                      .width = FXL_SCREEN_MAX + 1, .stride = 8,
+                                                      .first_row = 0, .rows = 8});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){.pixels = pixels, .width = 8, .stride = 8,
+                                                      .first_row = 1, .rows = FXL_SCREEN_MAX});
+    band = (fxl_band){.pixels = pixels, .width = FXL_SCREEN_MAX, .stride = FXL_SCREEN_MAX,
+                      .first_row = FXL_SCREEN_MAX - 1, .rows = 1};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));
 }
 
 void test_a_span_is_untouched_at_the_end(void)
 {
     static uint8_t pixels[64];
-    fxl_band band = {pixels, 8, 8, 0, 8};
+    fxl_band band = {.pixels = pixels, .width = 8, .stride = 8, .first_row = 0, .rows = 8};
     fxl_screen_polygon polygon = picture_polygon(POINTS(1, 1, 5, 1, 5, 2, 1, 2), 4);
     fxl_scan scan;
     fxl_span span;

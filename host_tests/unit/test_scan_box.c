@@ -51,7 +51,8 @@ void test_it_covers_the_same_pixels(void)
     int covered = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_screen_polygon polygon = {.count = (uint8_t)unit_between(3, i % 4 ? 5 : 12)};
-        fxl_band band = {&canvas[0][0][0], SIZE, SIZE, 0, SIZE};
+        fxl_band band = {.pixels = &canvas[0][0][0], .width = SIZE, .stride = SIZE, .first_row = 0,
+                         .rows = SIZE};
         band.width = (uint16_t)unit_between(1, SIZE);
         band.first_row = (uint16_t)unit_between(0, SIZE - 1);
         band.rows = (uint16_t)unit_between(1, SIZE - band.first_row);
@@ -75,7 +76,8 @@ void test_far_outside_is_nothing(void)
 {
     const int32_t end = FXL_SCREEN_COORDINATE_MAX;
     fxl_screen_polygon polygon = {.count = 3, .points = {{-end, -end}, {-end, end}, {-Q16(1), 0}}};
-    fxl_band band = {&canvas[0][0][0], SIZE, SIZE, 0, SIZE};
+    fxl_band band = {.pixels = &canvas[0][0][0], .width = SIZE, .stride = SIZE, .first_row = 0,
+                     .rows = SIZE};
     fxl_scan_box scan;
     fxl_span span;
     fxl_scan_box_begin(polygon.points, polygon.count, &band, &scan);
@@ -89,7 +91,8 @@ void test_the_range_s_ends(void)
     const int32_t end = FXL_SCREEN_COORDINATE_MAX;
     fxl_screen_polygon polygon = {.count = 4,
                                   .points = {{-end, -end}, {end, -end}, {end, end}, {-end, end}}};
-    fxl_band band = {&canvas[0][0][0], SIZE, SIZE, 0, SIZE};
+    fxl_band band = {.pixels = &canvas[0][0][0], .width = SIZE, .stride = SIZE, .first_row = 0,
+                     .rows = SIZE};
     memset(canvas, 0, sizeof canvas);
     draw(&polygon, &band, true);
     TEST_ASSERT_EACH_EQUAL_HEX8(1, canvas[1], sizeof canvas[1]);

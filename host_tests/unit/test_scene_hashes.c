@@ -178,7 +178,7 @@ static void set_method(const fxl_visibility *method)
 static void add_extras(const fxl_visibility *method, uint32_t with)
 {
     if (with & TREE) {
-        fxl_bsp_workspace *tree = renderer.submit_workspace;
+        fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
         tree->pieces_size = (uint32_t)unit_between(0, sizeof pieces / 4) * 4;
     }
@@ -240,7 +240,7 @@ static uint32_t hash_of(const fxl_clipper *clipper, const fxl_visibility *method
         start(clipper, method, with);
         hash = 31u * hash + draw(&pose);
         if (with & TREE) {
-            const fxl_bsp_workspace *tree = renderer.submit_workspace;
+            const fxl_bsp_workspace *tree = renderer.order_memory;
             hash = 31u * hash + tree->used + 7u * tree->unsplit;
         }
     }

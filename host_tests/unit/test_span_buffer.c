@@ -14,7 +14,8 @@ enum {
 
 static uint64_t workspace[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
 static uint8_t pixels[HEIGHT][WIDTH];
-static const fxl_band whole = {&pixels[0][0], WIDTH, WIDTH, 0, HEIGHT};
+static const fxl_band whole = {.pixels = &pixels[0][0], .width = WIDTH, .stride = WIDTH,
+                               .first_row = 0, .rows = HEIGHT};
 static fxl_span_buffer *buffer;
 static uint32_t given; /* bytes of the workspace */
 
@@ -204,7 +205,8 @@ void test_an_odd_width(void)
     enum {
         ODD = 7
     };
-    const fxl_band band = {&pixels[0][0], ODD, WIDTH, 0, 1};
+    const fxl_band band = {.pixels = &pixels[0][0], .width = ODD, .stride = WIDTH, .first_row = 0,
+                           .rows = 1};
     make(FXL_SPAN_BUFFER_BYTES_LEAST(ODD, 1), 1);
     begin(&band);
     for (int16_t x = ODD - 1; x >= 0; x = (int16_t)(x - 2)) {
@@ -219,7 +221,8 @@ void test_a_new_band_finds_nothing_covered(void)
 {
     start(INTERVALS);
     TEST_ASSERT_TRUE(draw(0, 0, WIDTH, 'a') && draw(3, 2, 8, 'a'));
-    const fxl_band lower = {&pixels[2][0], WIDTH, WIDTH, 2, 2};
+    const fxl_band lower = {.pixels = &pixels[2][0], .width = WIDTH, .stride = WIDTH,
+                            .first_row = 2, .rows = 2};
     begin(&lower);
     TEST_ASSERT_EQUAL(2, buffer->open_rows);
     TEST_ASSERT_TRUE(draw_span(3, 4, 12, 'b', &lower));

@@ -126,7 +126,8 @@ void test_bands_and_lists_give_the_same_pixels(void)
         renderer.frame.display_list.capacity = words * 64;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
         for (uint16_t row = 0; row < HEIGHT; row += 3) {
-            const fxl_band band = {again + row * WIDTH, WIDTH, WIDTH, row, 3};
+            const fxl_band band = {.pixels = again + row * WIDTH, .width = WIDTH, .stride = WIDTH,
+                                   .first_row = row, .rows = 3};
             fxl_fill_band(&band, BACKGROUND);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         }

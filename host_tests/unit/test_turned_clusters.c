@@ -64,7 +64,8 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    const fxl_band band = {pixels[which], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = pixels[which], .width = WIDTH, .stride = WIDTH,
+                           .first_row = 0, .rows = HEIGHT};
     fxl_fill_band(&band, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     return renderer.workspace.counters;

@@ -47,7 +47,8 @@ static void expect_refused(fxl_status status)
 /* A refused frame has ended the frame before: no call reads the turns. */
 static void expect_ended(void)
 {
-    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     fxl_picked picked;
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
@@ -162,7 +163,8 @@ void test_turns_without_their_code_are_refused(void)
 
 static void expect_no_lines(fxl_wire *wire)
 {
-    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_draw(wire, &band));
 }
 
@@ -173,7 +175,8 @@ void test_a_refused_wireframe(void)
     static const fxl_q16_16 scales[] = {0, -5, FXL_UNITS(20000), INT32_MAX};
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
-    const fxl_band band = {frames[0], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = frames[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     start(1, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));

@@ -91,7 +91,7 @@ static void draw(fxl_scene *scene, const fxl_clipper *clipper, int method, bool 
     if (method > 0) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
                                                               bsp_room, sizeof bsp_room));
-        fxl_bsp_workspace *workspace = renderer.submit_workspace;
+        fxl_bsp_workspace *workspace = renderer.order_memory;
         workspace->pieces = method == 1 ? pieces : NULL;
         workspace->pieces_size = method == 1 ? sizeof pieces : 0;
     }

@@ -189,12 +189,13 @@ void test_refusals(void)
                                                                   room, least - 1));
     counters.refused_calls = 4;
     TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
-    TEST_ASSERT_TRUE(renderer.visibility == &fxl_visibility_sorted);
+    TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order == &fxl_by_distance);
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, room, least));
-    const fxl_band band = {frames[1], WIDTH, WIDTH, 0, HEIGHT};
+    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     draw_rows(frames[1], 0, HEIGHT);
@@ -215,7 +216,8 @@ void test_two_renderers_do_not_know_of_each_other(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&other, &tiny->scene, &lens, &memory));
     for (int round = 0; round < 20; round++) {
         fxl_pose pose = tiny_pose_before();
-        fxl_band upper = {frames[0], WIDTH, WIDTH, 0, HEIGHT / 2}, lower = upper;
+        fxl_band upper = {.pixels = frames[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                          .rows = HEIGHT / 2}, lower = upper;
         lower.pixels += HEIGHT / 2 * WIDTH;
         lower.first_row = HEIGHT / 2;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&other, &pose));
@@ -238,7 +240,8 @@ void test_a_renderer_is_moved_within_a_frame(void)
                         {&fxl_visibility_box, LIST_WORDS, 0}};
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_pose pose = tiny_pose_before();
-        fxl_band upper = {frames[1], WIDTH, WIDTH, 0, HEIGHT / 2}, lower = upper;
+        fxl_band upper = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                          .rows = HEIGHT / 2}, lower = upper;
         lower.pixels += HEIGHT / 2 * WIDTH;
         lower.first_row = HEIGHT / 2;
         (void)draw(&ways[i], &pose, frames[0], HEIGHT);
@@ -293,8 +296,8 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uin
  * the larger. Each halving is counted. */
 void test_how_a_band_is_halved(void)
 {
-    static const fxl_raster_backend picky = {
-        .draw_band = fxl_band_split_draw, .begin_band = note_rows, .draw_polygon = is_low_enough};
+    static const fxl_target picky = {
+        .draw_band = fxl_band_split_draw, .begin_band = note_rows, .flat = is_low_enough};
     static fxl_visibility method;
     static const uint32_t rows[][20] = {
         {16, 8, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
@@ -307,14 +310,15 @@ void test_how_a_band_is_halved(void)
     const way sorted = {&fxl_visibility_sorted, 0, 0};
     const fxl_pose pose = {{0, 0, Q16(-1.5)}, 0, 0, 0}; /* a face over all of the screen */
     method = fxl_visibility_sorted;
-    method.backend = &picky;
+    method.target = &picky;
     for (int i = 0; i < 6; i++) {
         start(&sorted);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         begun_count = 0;
         rows_at_most = most[i];
-        const fxl_band band = {frames[1], WIDTH, WIDTH, 1, (uint16_t)rows[i][0]};
+        const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH,
+                               .first_row = 1, .rows = (uint16_t)rows[i][0]};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL_UINT32(halvings[i], renderer.workspace.counters.split_bands);
         uint32_t done = 0;

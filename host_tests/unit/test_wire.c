@@ -11,7 +11,8 @@ static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 
 static fxl_band all_of(uint8_t *pixels)
 {
-    fxl_band band = {pixels, WIDTH, WIDTH, 0, HEIGHT};
+    fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                     .rows = HEIGHT};
     return band;
 }
 
@@ -173,8 +174,8 @@ static void draw_frame(uint8_t *pixels, uint32_t rows)
     memset(pixels, 0, WIDTH * HEIGHT);
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         uint32_t left = HEIGHT - row;
-        fxl_band band = {pixels + row * WIDTH, WIDTH, WIDTH, (uint16_t)row,
-                         (uint16_t)(rows < left ? rows : left)};
+        fxl_band band = {.pixels = pixels + row * WIDTH, .width = WIDTH, .stride = WIDTH,
+                         .first_row = (uint16_t)row, .rows = (uint16_t)(rows < left ? rows : left)};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
     }
 }
@@ -309,14 +310,18 @@ void test_what_is_no_wireframe_is_refused(void)
     pose.position.x = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     const fxl_band bad[] = {
-        {whole, WIDTH, WIDTH, 0, HEIGHT + 1}, {whole, WIDTH, WIDTH, 0, 0},
-        {whole, WIDTH, WIDTH, 1, HEIGHT},     {whole, WIDTH, WIDTH, HEIGHT, 1},
-        {whole, WIDTH - 1, WIDTH, 0, 1},      {whole, WIDTH + 1, WIDTH + 1, 0, 1},
-        {whole, WIDTH, WIDTH - 1, 0, 1}};
+        {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT + 1},
+    {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 0},
+        {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 1, .rows = HEIGHT},
+        {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = HEIGHT, .rows = 1},
+        {.pixels = whole, .width = WIDTH - 1, .stride = WIDTH, .first_row = 0, .rows = 1},
+         {.pixels = whole, .width = WIDTH + 1, .stride = WIDTH + 1, .first_row = 0, .rows = 1},
+        {.pixels = whole, .width = WIDTH, .stride = WIDTH - 1, .first_row = 0, .rows = 1}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &bad[i]));
     }
-    const fxl_band last = {whole, WIDTH, WIDTH, HEIGHT - 1, 1}, none = {NULL, WIDTH, WIDTH, 0, 1};
+    const fxl_band last = {.pixels = whole, .width = WIDTH, .stride = WIDTH,
+                           .first_row = HEIGHT - 1, .rows = 1}, none = {.width = WIDTH, .stride = WIDTH, .rows = 1};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &last));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, &none));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, NULL));

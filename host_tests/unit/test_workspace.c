@@ -59,7 +59,8 @@ static fxl_pose pose_number(int number)
 
 static fxl_band band_of(uint8_t *frame, uint16_t first, uint16_t rows)
 {
-    return (fxl_band){frame + first * WIDTH, WIDTH, WIDTH, first, rows};
+    return (fxl_band){.pixels = frame + first * WIDTH, .width = WIDTH, .stride = WIDTH,
+                      .first_row = first, .rows = rows};
 }
 
 /* Every second band in the second workspace: as the whole frame in the renderer's own. */
@@ -183,11 +184,11 @@ void test_a_clipper_and_a_method_of_zeros_are_refused(void)
     static const fxl_visibility no_method;
     start();
     const fxl_clipper *clipper = renderer.clipper;
-    const fxl_visibility *method = renderer.visibility;
+    const fxl_target *target = renderer.target;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &no_clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, &no_method, NULL, 0));
     TEST_ASSERT_EQUAL_PTR(clipper, renderer.clipper);
-    TEST_ASSERT_EQUAL_PTR(method, renderer.visibility);
+    TEST_ASSERT_EQUAL_PTR(target, renderer.target);
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.refused_calls);
 }
 
@@ -332,7 +333,7 @@ void test_settings_of_a_renderer_that_is_not_initialised(void)
     TEST_ASSERT_EQUAL(FXL_E_ORDER,
                       fxl_renderer_set_beams(&renderer, &beam, 1, lit, rooms[0], ROOM));
     TEST_ASSERT_EQUAL_UINT32(3, renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_NULL(renderer.visibility);
+    TEST_ASSERT_TRUE(renderer.target == NULL && renderer.order == NULL);
     TEST_ASSERT_NULL(renderer.clipper);
 }
 

@@ -41,8 +41,8 @@ void test_what_is_over_keeps_vertices(void)
         }
         TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
         TEST_ASSERT_NULL(second.cache.clipper_workspace);
-        TEST_ASSERT_NULL(second.raster_workspace);
-        TEST_ASSERT_EQUAL_UINT32(0, second.raster_workspace_size);
+        TEST_ASSERT_NULL(second.target_memory);
+        TEST_ASSERT_EQUAL_UINT32(0, second.target_memory_size);
     }
 }
 
@@ -60,16 +60,19 @@ static uint32_t forty_bytes(const fxl_lens *lens)
 }
 
 /* The submit function's part of the memory comes first, rounded up to a multiple of 8, and is
- * zeroed. The rest is the raster backend's. */
+ * zeroed. The rest is the target's. */
 void test_a_method_with_two_workspaces(void)
 {
-    static fxl_raster_backend backend;
+    static fxl_target backend;
     static fxl_visibility both;
-    backend = fxl_raster_over;
-    backend.workspace_size = forty_bytes;
+    backend = fxl_palette;
+    backend.memory_size = forty_bytes;
     both = fxl_visibility_sorted;
-    both.submit_workspace_size = eleven_bytes;
-    both.backend = &backend;
+    static fxl_order eleven;
+    eleven = fxl_by_distance;
+    eleven.memory_size = eleven_bytes;
+    both.order = &eleven;
+    both.target = &backend;
     start();
     memset(rooms[0], 0x5A, ROOM);
     for (uint32_t size = 0; size < 56; size++) {
@@ -79,30 +82,30 @@ void test_a_method_with_two_workspaces(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0], ROOM);
     for (uint32_t size = 56; size < 64; size++) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &both, rooms[0], size));
-        TEST_ASSERT_EQUAL_PTR(rooms[0], renderer.submit_workspace);
-        TEST_ASSERT_EQUAL_PTR(rooms[0] + 16, renderer.workspace.raster_workspace);
-        TEST_ASSERT_EQUAL_UINT32(size - 16, renderer.workspace.raster_workspace_size);
+        TEST_ASSERT_EQUAL_PTR(rooms[0], renderer.order_memory);
+        TEST_ASSERT_EQUAL_PTR(rooms[0] + 16, renderer.workspace.target_memory);
+        TEST_ASSERT_EQUAL_UINT32(size - 16, renderer.workspace.target_memory_size);
     }
     TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[0], 16);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0] + 16, ROOM - 16);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
-    TEST_ASSERT_NULL(renderer.workspace.raster_workspace);
-    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.raster_workspace_size);
+    TEST_ASSERT_NULL(renderer.workspace.target_memory);
+    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.target_memory_size);
 }
 
-/* The order of the parts: faces, clipper, vertices, raster backend. Each begins at a multiple of 8
+/* The order of the parts: faces, clipper, vertices, target. Each begins at a multiple of 8
  * bytes; only the clipper's is zeroed. */
 void test_the_parts_of_a_workspace_follow_each_other(void)
 {
     static const fxl_clipper one = {.clip = fxl_clip_by_view, .workspace_size = 1};
     static const fxl_clipper nine = {.clip = fxl_clip_by_view, .workspace_size = 9};
-    static fxl_raster_backend backend;
+    static fxl_target backend;
     static fxl_visibility method;
-    backend = fxl_raster_over;
-    backend.workspace_size = forty_bytes;
+    backend = fxl_palette;
+    backend.memory_size = forty_bytes;
     method = fxl_visibility_sorted;
-    method.backend = &backend;
+    method.target = &backend;
     start();
     const size_t faces = fxl_workspace_size(&renderer), vertices = 2 * sizeof(fxl_cached_vertex);
     memset(rooms[0], 0x5A, ROOM);
@@ -123,18 +126,18 @@ void test_the_parts_of_a_workspace_follow_each_other(void)
     TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
     TEST_ASSERT_EQUAL_PTR(rooms[1] + faces, second.cache.clipper_workspace);
     TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16, second.cache.entries);
-    TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16 + vertices, second.raster_workspace);
-    TEST_ASSERT_EQUAL_UINT32(40 + 3 * vertices, second.raster_workspace_size);
+    TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16 + vertices, second.target_memory);
+    TEST_ASSERT_EQUAL_UINT32(40 + 3 * vertices, second.target_memory_size);
     TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[1] + faces, 16);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[1] + faces + 16 + vertices, 40 + 3 * vertices);
     /* A byte less than four times the bytes of two vertices is room for one. */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size - 1));
     TEST_ASSERT_EQUAL_UINT32(0, second.cache.mask);
-    TEST_ASSERT_EQUAL_UINT32(40 + 4 * vertices - vertices / 2 - 1, second.raster_workspace_size);
+    TEST_ASSERT_EQUAL_UINT32(40 + 4 * vertices - vertices / 2 - 1, second.target_memory_size);
 }
 
-/* Of what is over, a raster backend gets what the vertices do not take of a quarter. */
-void test_the_rest_is_the_raster_backend_s(void)
+/* Of what is over, a target gets what the vertices do not take of a quarter. */
+void test_the_rest_is_the_target_s(void)
 {
     start();
     const size_t order_bytes = fxl_workspace_size(&renderer);
@@ -147,8 +150,8 @@ void test_the_rest_is_the_raster_backend_s(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
         uint8_t *const after = rooms[1] + order_bytes + n * vertex;
         TEST_ASSERT_EQUAL_PTR(n > 0 ? rooms[1] + order_bytes : NULL, second.cache.entries);
-        TEST_ASSERT_EQUAL_PTR(after, second.raster_workspace);
-        TEST_ASSERT_EQUAL_UINT32(rooms[1] + size - after, second.raster_workspace_size);
+        TEST_ASSERT_EQUAL_PTR(after, second.target_memory);
+        TEST_ASSERT_EQUAL_UINT32(rooms[1] + size - after, second.target_memory_size);
     }
 }
 

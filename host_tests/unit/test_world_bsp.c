@@ -25,7 +25,7 @@ static bsp_scene *start(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_attach(&world, &world_renderer));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&world_renderer, &fxl_visibility_bsp,
                                                           room, sizeof room));
-    fxl_bsp_workspace *tree = world_renderer.submit_workspace;
+    fxl_bsp_workspace *tree = world_renderer.order_memory;
     tree->pieces = pieces;
     tree->pieces_size = sizeof pieces;
     return made;
@@ -112,9 +112,9 @@ void test_a_tree_cuts_what_comes_and_goes(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&anew, &fxl_visibility_bsp,
                                                               other_room, sizeof other_room));
         world_draw(&world_renderer, &pose, world_frames[0]);
-        cut += ((fxl_bsp_workspace *)world_renderer.submit_workspace)->used > 0;
-        ((fxl_bsp_workspace *)anew.submit_workspace)->pieces = pieces;
-        ((fxl_bsp_workspace *)anew.submit_workspace)->pieces_size = sizeof pieces;
+        cut += ((fxl_bsp_workspace *)world_renderer.order_memory)->used > 0;
+        ((fxl_bsp_workspace *)anew.order_memory)->pieces = pieces;
+        ((fxl_bsp_workspace *)anew.order_memory)->pieces_size = sizeof pieces;
         world_draw(&anew, &pose, world_frames[1]);
         TEST_ASSERT_EQUAL_MEMORY(world_frames[1], world_frames[0], sizeof world_frames[0]);
     }
@@ -143,5 +143,5 @@ void test_pieces_have_the_colours_of_their_instance(void)
         changed += is != was;
     }
     TEST_ASSERT_TRUE(changed > 10);
-    TEST_ASSERT_TRUE(((fxl_bsp_workspace *)world_renderer.submit_workspace)->used > 0);
+    TEST_ASSERT_TRUE(((fxl_bsp_workspace *)world_renderer.order_memory)->used > 0);
 }

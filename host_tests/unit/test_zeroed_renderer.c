@@ -82,8 +82,9 @@ void test_a_world_refuses_a_zeroed_renderer(void)
 void test_frames_of_a_zeroed_renderer(void)
 {
     const fxl_pose pose = {.position = {0, 0, 0}};
-    const fxl_band band = {memory, 1, 1, 0, 1};
-    const fxl_band_565 colours = {(uint16_t *)(void *)memory, 1, 1, 0, 1};
+    const fxl_band band = {.pixels = memory, .width = 1, .stride = 1, .first_row = 0, .rows = 1};
+    const fxl_band_565 colours = {.pixels = (uint16_t *)(void *)memory, .width = 1, .stride = 1,
+                                  .first_row = 0, .rows = 1};
     fxl_picked picked;
     expect(FXL_E_ORDER, fxl_frame_begin(&renderer, &pose));
     expect(FXL_E_ORDER, fxl_render(&renderer, &pose, memory, 1));

@@ -59,7 +59,7 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
         pieces->outcome |= REFUSED;
         return fxl_submit_split_piece(shader, pieces, face, points, count, face->material);
     }
-    const bool reverse = pieces->on->renderer->visibility->front_to_back;
+    const bool reverse = pieces->on->renderer->near_first;
     for (uint32_t i = 0; i < made->piece_count; i++) {
         const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
         if (!fxl_lit_outline(made, piece, of->outline)) {

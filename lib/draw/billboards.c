@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The visibility method that draws billboards: its traversal takes the instances in their order,
+/* The order that draws billboards: its traversal takes the instances in their order,
  * and submits a rectangle of the screen for an instance whose model has a billboard. */
-#include "draw_band.h"
 #include "renderer.h"
 #include "submit_instance.h"
+#include "../math/aligned.h"
 #include "../math/arith.h"
 #include "../math/pixel_centre.h"
+#include "surface_polygon.h"
 #include "../paint/billboard_paint.h"
 #include "fixel/billboards.h"
 #include "fixel/stage/transform.h"
@@ -77,7 +78,7 @@ static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
 static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_screen_point *corners,
                            fxl_q18_46 distance)
 {
-    const fxl_billboard_painter *painter = fxl_billboards_of(on->renderer)->of.painter;
+    const fxl_sprite_painter *painter = on->renderer->billboards->painter;
     const fxl_rows rows = rows_of(corners, on->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
@@ -128,7 +129,7 @@ static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint3
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */
 static bool submit_any(const fxl_traversal *on, const fxl_order_entry *entry)
 {
-    const fxl_billboard_set *set = fxl_billboards_of(on->renderer)->of.set;
+    const fxl_billboard_set *set = on->renderer->billboards->set;
     const uint32_t model = on->renderer->scene->instances[entry->index].model;
     const uint32_t number = set->model_map[model];
     if (number == 0) {
@@ -153,154 +154,55 @@ static bool submit(const fxl_traversal *on)
     return fxl_submit_all(on, submit_any);
 }
 
-/* --- drawing ---------------------------------------------------------------------------- */
+const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
 
-static bool draw_list(const fxl_traversal *on)
-{
-    const fxl_rows wanted = fxl_rows_of_band(on->band);
-    fxl_display_list_record record;
-    uint32_t place = 0;
-    while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
-        if (record.kind == FXL_POLYGON_SPRITE) {
-            fxl_billboard_paints_over.paint(on->renderer, on->workspace, record.points, on->band);
-        } else {
-            fxl_draw_over(on->workspace, record.points, record.count, record.colour, on->band);
-        }
-    }
-    return true;
-}
+/* --- attaching -------------------------------------------------------------------------- */
 
-static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
-                            const fxl_band *band)
-{
-    (void)fxl_draw_band_by(renderer, workspace, band, draw_list);
-    return FXL_OK;
-}
-
-/* --- setting ---------------------------------------------------------------------------- */
-
-static uint32_t set_size(const fxl_scene *scene)
-{
-    (void)scene;
-    return (uint32_t)sizeof(fxl_billboards);
-}
-
-static const fxl_raster_backend backend = {
-    .draw_band = draw_band, .draw_polygon = fxl_draw_over, .draws_over = true};
-
-const fxl_visibility fxl_visibility_billboards = {
-    .submit = submit, .submit_workspace_size = set_size, .backend = &backend};
-
-fxl_status fxl_billboards_check_setting(const fxl_renderer *renderer,
-                                        const fxl_billboards *billboards,
-                                        const fxl_billboard_set *set)
+fxl_status fxl_billboards_check_attaching(const fxl_renderer *renderer,
+                                          const fxl_billboards *billboards,
+                                          const fxl_billboard_set *set)
 {
     if (renderer->scene == NULL) {
         return FXL_E_ORDER;
     }
+    if (set == NULL) {
+        return FXL_OK;
+    }
     if (billboards == NULL) {
         return FXL_E_ARGUMENT;
     }
-    return (uintptr_t)billboards % 8 != 0 ? FXL_E_ALIGNMENT
-                                          : fxl_billboards_check(set, renderer->scene, NULL);
+    return !fxl_is_aligned(billboards, FXL_POINTER) ? FXL_E_ALIGNMENT
+                                                    : fxl_billboards_check(set, renderer->scene,
+                                                                           NULL);
 }
 
-bool fxl_billboards_may_join(const fxl_renderer *renderer)
+/* The order with billboards stands in the place of that without. */
+static void change_order(fxl_renderer *renderer, const fxl_order *from, const fxl_order *to)
 {
-    const fxl_visibility *method = renderer->visibility;
-    return method != NULL && method->backend->draws_surfaces &&
-           (method->submit == fxl_submit_by_distance || method->submit == submit);
-}
-
-/* Whether billboards have joined the renderer's method. */
-static bool have_joined(const fxl_renderer *renderer)
-{
-    return fxl_billboards_may_join(renderer) && renderer->visibility->submit == submit;
-}
-
-/* The method that the renderer draws by but for billboards. */
-static const fxl_visibility *method_without(const fxl_renderer *renderer)
-{
-    return have_joined(renderer) ? fxl_billboards_of(renderer)->of.without : renderer->visibility;
-}
-
-fxl_status fxl_billboards_join(fxl_renderer *renderer, fxl_billboards *billboards,
-                               const fxl_billboard_set *set, const fxl_billboard_painter *painter)
-{
-    fxl_workspace *workspace = &renderer->workspace;
-    const fxl_visibility *without = method_without(renderer);
-    billboards->of.without = without;
-    billboards->of.method = *without;
-    billboards->of.method.submit = submit;
-    billboards->of.set = set;
-    billboards->of.painter = painter;
-    const fxl_status status =
-        fxl_renderer_set_visibility(renderer, &billboards->of.method, workspace->raster_workspace,
-                                    workspace->raster_workspace_size);
-    FXL_ASSERT(status == FXL_OK);
-    renderer->submit_workspace = billboards;
-    return status;
-}
-
-/* Whether a method is fxl_visibility_sorted, or that with billboards. */
-static bool goes_far_to_near(const fxl_visibility *method)
-{
-    return (method->submit == fxl_submit_by_distance || method->submit == submit) &&
-           !method->front_to_back && method->backend->draws_over;
-}
-
-/* By distance alone, or where billboards are taken away, as before. */
-static fxl_status set_sorted(fxl_renderer *renderer, fxl_billboards *billboards,
-                             const fxl_billboard_set *set)
-{
-    const fxl_visibility *method = renderer->visibility;
-    if (method != NULL && !goes_far_to_near(method)) { /* bug: sprite-method */
-        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    if (renderer->order == from) {
+        renderer->order = to;
     }
-    const fxl_status status = fxl_renderer_set_visibility(renderer, &fxl_visibility_billboards,
-                                                          billboards, (uint32_t)sizeof *billboards);
-    if (status == FXL_OK) {
-        billboards->of.set = set;
-        billboards->of.painter = &fxl_billboard_paints_over;
-    }
-    return status;
 }
 
-/* Where there are no billboards, the method and its memory stay. */
-static fxl_status take_away(fxl_renderer *renderer)
+fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboards,
+                                 const fxl_billboard_set *set, const fxl_sprite_painter *painter)
 {
-    fxl_workspace *workspace = &renderer->workspace;
-    const fxl_visibility *method = renderer->visibility;
-    if (renderer->scene == NULL) {
-        return fxl_refuse(workspace, FXL_E_ORDER);
-    }
-    if (method == NULL || method->submit != submit) { /* bug: sprite-none */
-        return FXL_OK;
-    }
-    return have_joined(renderer)
-               ? fxl_renderer_set_visibility(renderer, method_without(renderer),
-                                             workspace->raster_workspace,
-                                             workspace->raster_workspace_size)
-               : fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0);
-}
-
-fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
-                                       const fxl_billboard_set *set)
-{
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    if (set == NULL) {
-        return take_away(renderer);
-    }
-    const fxl_status status = fxl_billboards_check_setting(renderer, billboards, set);
+    const fxl_status status = fxl_billboards_check_attaching(renderer, billboards, set);
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
-    if (!fxl_billboards_may_join(renderer)) {
-        return set_sorted(renderer, billboards, set);
+    if (set != NULL) {
+        billboards->set = set;
+        billboards->painter = painter;
+        renderer->billboards = billboards;
+        renderer->draw_list = fxl_mixed_draw_list;
+        change_order(renderer, &fxl_by_distance, &fxl_by_distance_with_billboards);
+    } else if (renderer->billboards == NULL) { /* bug: sprite-none */
+        return FXL_OK; /* a frame that has begun stays */
+    } else {
+        renderer->billboards = NULL;
+        change_order(renderer, &fxl_by_distance_with_billboards, &fxl_by_distance);
     }
-    return renderer->visibility->backend->workspace_size == NULL
-               ? fxl_billboards_join(renderer, billboards, set, &fxl_billboard_paints_over)
-               : fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    renderer->frame.state = FXL_FRAME_NONE;
+    return FXL_OK;
 }

@@ -9,10 +9,11 @@
 extern "C" {
 #endif
 
-/* fxl_raster_backend.draw_band: as many rows at a time as the workspace has cells for. Far to near
- * each part is drawn in two passes: what is opaque, then what is blended. */
+/* fxl_target.draw_band: as many rows at a time as the workspace has cells for. Far to near
+ * each part is drawn in two passes: what is opaque, then what is blended. A cell and a pixel have
+ * so many bytes. */
 void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
-                          const fxl_band *band, uint32_t cell_bytes);
+                          const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes);
 
 #ifdef __cplusplus
 }

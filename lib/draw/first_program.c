@@ -24,7 +24,8 @@ fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene
     fxl_status status = fxl_renderer_init_bare(renderer, scene, lens, memory);
     if (status == FXL_OK) {
         renderer->clipper = &fxl_clipper_view;
-        renderer->visibility = &fxl_visibility_sorted;
+        renderer->order = &fxl_by_distance;
+        renderer->target = &fxl_palette;
     }
     return status;
 }
@@ -86,7 +87,8 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band whole = {pixels, lens->width, stride, 0, lens->height};
+    const fxl_band whole = {.pixels = pixels, .width = lens->width, .stride = stride,
+                            .first_row = 0, .rows = lens->height};
     if (stride < lens->width) {
         return fxl_refuse(&renderer->workspace, FXL_E_RANGE);
     }

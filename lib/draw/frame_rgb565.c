@@ -4,9 +4,12 @@
 #include "submit.h"
 #include "../math/aligned.h"
 #include "surface_polygon.h"
-#include "visibility_rgb565.h"
+#include "../paint/fill_row_rgb565.h"
+#include "fixel/rgb565.h"
 
 #define STRIDE_MAX 32767u /* twice of it, in bytes, fits a band */
+
+static const fxl_visibility visibility_rgb565 = {.order = &fxl_by_distance, .target = &fxl_rgb565};
 
 fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *frame,
                                    const uint16_t *palette, uint16_t dark)
@@ -21,11 +24,17 @@ fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *fra
         return fxl_refuse(&renderer->workspace, FXL_E_ALIGNMENT);
     }
     const fxl_status status =
-        fxl_renderer_set_visibility(renderer, &fxl_visibility_rgb565, frame, sizeof *frame);
+        fxl_renderer_set_visibility(renderer, &visibility_rgb565, NULL, 0);
     if (status == FXL_OK) {
-        frame->palette = palette;
+        fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);
+        renderer->palette = palette;
+        renderer->order_memory = frame;
         frame->dark = dark;
-        frame->raster.opened = NULL;
+        if (surfaces != NULL) {
+            surfaces->painter = FXL_SURFACES_OF(fxl_rgb565);
+            surfaces->shader.code = surfaces->painter->code;
+            surfaces->dark = dark;
+        }
     }
     return status;
 }
@@ -36,17 +45,23 @@ fxl_status fxl_renderer_set_surfaces_rgb565(fxl_renderer *renderer, fxl_surfaces
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (renderer->visibility != &fxl_visibility_rgb565) {
+    if (renderer->target != &fxl_rgb565) {
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
-    return fxl_surfaces_attach(renderer, surfaces, set, fxl_surfaces_check_rgb565, NULL);
+    const fxl_status status = fxl_surfaces_attach(renderer, surfaces, set,
+                                                  fxl_surfaces_check_rgb565,
+                                                  FXL_SURFACES_OF(fxl_rgb565));
+    if (status == FXL_OK && set != NULL) {
+        surfaces->dark = (uint16_t)((const fxl_rgb565_frame *)renderer->order_memory)->dark;
+    }
+    return status;
 }
 
 /* The status of a band, and of a workspace that draws it. */
 static fxl_status check_band(const fxl_renderer *renderer, const fxl_workspace *workspace,
                              const fxl_band_565 *band)
 {
-    if (renderer->visibility != &fxl_visibility_rgb565 ||
+    if (renderer->target != &fxl_rgb565 ||
         workspace->settings_version != renderer->workspace.settings_version) {
         return FXL_E_ORDER;
     }
@@ -69,13 +84,10 @@ fxl_status fxl_frame_draw_rgb565_with(const fxl_renderer *renderer, fxl_workspac
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }
-    fxl_rgb565_raster *raster = (fxl_rgb565_raster *)workspace->raster_workspace;
-    const fxl_band bytes = {(uint8_t *)(void *)band->pixels, band->width,
-                            (uint16_t)(2u * band->stride), band->first_row, band->rows};
-    raster->opened = &bytes;
-    status = fxl_frame_draw_with(renderer, workspace, &bytes);
-    raster->opened = NULL;
-    return status;
+    const fxl_band pixels = {.pixels = (uint8_t *)(void *)band->pixels, .width = band->width,
+                             .stride = band->stride, .first_row = band->first_row,
+                             .rows = band->rows, .palette = renderer->palette};
+    return fxl_frame_draw_with(renderer, workspace, &pixels);
 }
 
 fxl_status fxl_frame_draw_rgb565(fxl_renderer *renderer, const fxl_band_565 *band)
@@ -94,7 +106,8 @@ fxl_status fxl_render_rgb565(fxl_renderer *renderer, const fxl_pose *eye, uint16
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band_565 whole = {pixels, lens->width, stride, 0, lens->height};
+    const fxl_band_565 whole = {.pixels = pixels, .width = lens->width, .stride = stride,
+                                .first_row = 0, .rows = lens->height};
     fxl_status status = check_band(renderer, &renderer->workspace, &whole);
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
@@ -103,8 +116,7 @@ fxl_status fxl_render_rgb565(fxl_renderer *renderer, const fxl_pose *eye, uint16
     if (status != FXL_OK) {
         return status;
     }
-    const fxl_rgb565_frame *frame = (const fxl_rgb565_frame *)renderer->submit_workspace;
-    fxl_fill_rgb565(&whole, frame->palette[renderer->frame.background]);
+    fxl_fill_rgb565(&whole, renderer->palette[renderer->frame.background]);
     return fxl_frame_draw_rgb565(renderer, &whole);
 }
 

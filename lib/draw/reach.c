@@ -35,7 +35,7 @@ static face_rows *faces_of(const fxl_frame *frame)
 
 static uint32_t place_of(const fxl_renderer *renderer, uint32_t number)
 {
-    return renderer->visibility->front_to_back ? renderer->frame.visible_count - 1 - number
+    return renderer->near_first ? renderer->frame.visible_count - 1 - number
                                                : number;
 }
 
@@ -54,7 +54,7 @@ static bool measure_group(const fxl_traversal *on, const fxl_model_view *model_v
 {
     const unsigned shift = shift_of(&on->renderer->frame);
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->visibility->front_to_back;
+    const bool reverse = on->renderer->near_first;
     const uint32_t used = to->used;
     bool reaches = false;
     for (uint32_t number = first; number < end; number++) {
@@ -193,7 +193,7 @@ static bool draw_convex(const fxl_traversal *on, const fxl_model_view *model_vie
     const uint32_t first_row = on->band->first_row >> shift;
     const uint32_t last_row = (on->band->first_row + on->band->rows - 1u) >> shift;
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->visibility->front_to_back;
+    const bool reverse = on->renderer->near_first;
     const face_rows *rows = faces_of(&on->renderer->frame) + (kept & UINT16_MAX);
     const uint32_t size = group_of(model);
     uint32_t number = 0;
@@ -235,7 +235,7 @@ bool fxl_reach_submit(const fxl_traversal *on)
     const fxl_renderer *renderer = on->renderer;
     const fxl_rows wanted = fxl_rows_of_band(on->band);
     const uint32_t count = renderer->frame.visible_count;
-    const int32_t step = renderer->visibility->front_to_back ? -1 : 1;
+    const int32_t step = renderer->near_first ? -1 : 1;
     uint32_t number = on->resume->instances;
     const fxl_order_entry *entry = renderer->frame.order + place_of(renderer, number);
     for (; number < count; number++, entry += step) {

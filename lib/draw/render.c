@@ -7,14 +7,13 @@
  *                     then, where the list was full, every face that is left:
  *                     transform -> clip -> project -> scan -> fill
  *
- * The clipper transforms, clips and projects (fxl_clipper.clip); the visibility method gives
- * the faces in their order (fxl_visibility.submit) and owns the raster backend, which scans
- * and fills. A flat face meets two indirect calls on its way: the clipper and the backend. */
+ * The clipper transforms, clips and projects (fxl_clipper.clip), the order gives the faces
+ * (fxl_order.submit), and the target scans and fills (fxl_target.flat). A flat face meets two
+ * indirect calls on its way: the clipper's and the target's. */
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../raster/draw_outline.h"
 #include "../view/order_instance.h"
-#include "draw_band.h"
 #include "reach.h"
 #include "renderer.h"
 #include "submit_sorted.h"
@@ -45,7 +44,17 @@ static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool
 static bool measures_rows(const fxl_renderer *renderer)
 {
     return !FXL_IS_SMALL && renderer->frame.display_list.capacity > 0 &&
-           renderer->visibility->submit == fxl_submit_by_distance;
+           renderer->order == &fxl_by_distance;
+}
+
+static inline fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
+{
+    if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
+        return FXL_SUBMIT_ANY;
+    }
+    return is_begin                       ? FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND
+           : renderer->target->draws_over ? FXL_SUBMIT_DRAW
+                                          : FXL_SUBMIT_ANY;
 }
 
 /* look for a scene without turns. */
@@ -86,7 +95,7 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (renderer->clipper == NULL || renderer->visibility == NULL) {
+    if (renderer->clipper == NULL || renderer->target == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
     fxl_frame *frame = &renderer->frame;
@@ -112,11 +121,11 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
                               .band = NULL,
                               .resume = &frame->resume,
                               .counters = &workspace->counters,
-                              .way = fxl_way_of(renderer, true)};
+                              .way = way_of(renderer, true)};
     frame->state = FXL_FRAME_BEGUN;
     const uint32_t capacity = frame->display_list.capacity;
     frame->display_list.capacity = in_bands ? capacity : 0;
-    const bool is_whole = renderer->visibility->submit(&on);
+    const bool is_whole = renderer->order->submit(&on);
     frame->display_list.capacity = capacity;
     if (!is_whole && in_bands && measures_rows(renderer)) {
         fxl_reach_measure(&on, frame);
@@ -150,7 +159,7 @@ static fxl_outcome deliver(const fxl_traversal *on)
         fxl_rows_add(on->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
-    return on->renderer->visibility->backend->draw_polygon(workspace, screen->points, screen->count,
+    return on->renderer->target->flat(workspace, screen->points, screen->count,
                                                            screen->colour, on->band)
                ? FXL_OUTCOME_SPILLED
                : FXL_OUTCOME_FULL;
@@ -254,29 +263,32 @@ bool fxl_submit_shaded_face(const fxl_model_view *model_view, const fxl_face *fa
 
 /* --- draw -------------------------------------------------------------------------------- */
 
-bool fxl_draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                   uint8_t colour, const fxl_band *band)
+/* What the display list had no room for. Of a frame that was released that is nothing, and another
+ * core may be changing the scene. */
+static inline bool submit_rest(const fxl_traversal *on)
 {
-    workspace->work.scan.colour = colour;
-    (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
-    return true;
+    const fxl_renderer *renderer = on->renderer;
+    if (renderer->frame.state == FXL_FRAME_RELEASED) {
+        return true; /* bug: release-reads */
+    }
+    return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
+               ? fxl_reach_submit(on)
+               : renderer->order->submit(on);
 }
 
-const fxl_raster_backend fxl_raster_over = {.draw_polygon = fxl_draw_over, .draws_over = true};
-
-/* The polygons of the display list that reach the band. False where the backend's workspace is
- * full. A method whose polygons have surfaces draws the list itself. */
+/* The polygons of the display list that reach the band,
+    all flat. False where the target's memory is
+ * full. */
 static inline bool draw_display_list(const fxl_traversal *on)
 {
-    const fxl_visibility *visibility = on->renderer->visibility;
+    const fxl_target *target = on->renderer->target;
     const fxl_band *band = on->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     fxl_display_list_record record;
     uint32_t place = 0;
     while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
         FXL_ASSERT(record.kind == FXL_POLYGON_FLAT);
-        if (!visibility->backend->draw_polygon(on->workspace, record.points, record.count,
-                                               record.colour, band)) {
+        if (!target->flat(on->workspace, record.points, record.count, record.colour, band)) {
             return false;
         }
     }
@@ -285,7 +297,29 @@ static inline bool draw_display_list(const fxl_traversal *on)
 
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    return fxl_draw_band_by(renderer, workspace, band, draw_display_list);
+    fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */
+    fxl_counters uncounted;
+    if (workspace->rest_counted) {
+        memset(&uncounted, 0, sizeof uncounted);
+    }
+    const fxl_traversal on = {.renderer = renderer,
+                              .clipper = renderer->clipper,
+                              .workspace = workspace,
+                              .display_list = NULL,
+                              .band = band,
+                              .resume = &resume,
+                              .counters =
+                                  workspace->rest_counted ? &uncounted : &workspace->counters,
+                              .way = way_of(renderer, false)};
+    if (renderer->target->begin_band != NULL) {
+        renderer->target->begin_band(renderer, workspace, band);
+    }
+    if (!(renderer->draw_list != NULL ? renderer->draw_list(&on) : draw_display_list(&on)) ||
+        !submit_rest(&on)) {
+        return false;
+    }
+    workspace->rest_counted = true; /* bug: counted-again */
+    return true;
 }
 
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
@@ -314,9 +348,8 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
     if (workspace->frame_number != frame->view.frame) {
         begin_workspace(workspace, &frame->view, true);
     }
-    const fxl_raster_backend *backend = renderer->visibility->backend;
-    if (backend->draw_band != NULL) {
-        return backend->draw_band(renderer, workspace, band);
+    if (renderer->target->draw_band != NULL) {
+        return renderer->target->draw_band(renderer, workspace, band);
     }
     (void)fxl_draw_band(renderer, workspace, band);
     return FXL_OK;

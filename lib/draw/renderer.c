@@ -2,9 +2,10 @@
 /* A renderer and its settings. */
 #include "../math/memory.h"
 #include "renderer.h"
+#include "submit.h"
 
 #ifdef __arm__
-FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 488 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
+FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 512 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)
@@ -115,12 +116,21 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
     return FXL_OK;
 }
 
-/* Bytes of the workspace that the submit function needs, rounded up. */
-static uint32_t submit_size(const fxl_visibility *visibility, const fxl_scene *scene)
+/* Bytes of memory that an order needs, rounded up. */
+static uint32_t order_size(const fxl_order *order, const fxl_scene *scene)
 {
-    return visibility->submit_workspace_size == NULL
-               ? 0
-               : (uint32_t)fxl_aligned(visibility->submit_workspace_size(scene));
+    return order->memory_size == NULL ? 0 : (uint32_t)fxl_aligned(order->memory_size(scene));
+}
+
+/* The target's shader in place of that of another target. Constant records are in no other place of
+ * the list, and nothing is written to them. */
+static void set_last_shader(fxl_renderer *renderer)
+{
+    const fxl_shader **place = &renderer->shader;
+    while (*place != NULL && (*place)->rank != FXL_SHADER_TARGET) {
+        place = &((fxl_shader *)(uintptr_t)*place)->next;
+    }
+    *place = renderer->target->last;
 }
 
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
@@ -129,27 +139,33 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (visibility == NULL || visibility->submit == NULL || visibility->backend == NULL) {
+    if (visibility == NULL || visibility->order == NULL || visibility->target == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     fxl_status status = check_workspace(renderer, workspace, workspace_size, 0);
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
-    const fxl_raster_backend *backend = visibility->backend;
-    const uint32_t submit = submit_size(visibility, renderer->scene);
+    const fxl_target *target = visibility->target;
+    const uint32_t submit = order_size(visibility->order, renderer->scene);
     const uint32_t raster =
-        backend->workspace_size != NULL ? backend->workspace_size(&renderer->frame.view.lens) : 0;
+        target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
     if (workspace_size < submit || workspace_size - submit < raster) {
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     if (submit > 0) {
         memset(workspace, 0, submit);
     }
-    renderer->visibility = visibility;
-    renderer->submit_workspace = workspace;
-    renderer->workspace.raster_workspace = raster > 0 ? (uint8_t *)workspace + submit : NULL;
-    renderer->workspace.raster_workspace_size = raster > 0 ? workspace_size - submit : 0;
+    renderer->order = visibility->order;
+    renderer->target = target;
+    renderer->near_first = visibility->front_to_back;
+    if (target->draw_list != NULL) {
+        renderer->draw_list = target->draw_list; /* it draws flat records, too */
+    }
+    set_last_shader(renderer);
+    renderer->order_memory = workspace;
+    renderer->workspace.target_memory = raster > 0 ? (uint8_t *)workspace + submit : NULL;
+    renderer->workspace.target_memory_size = raster > 0 ? workspace_size - submit : 0;
     settings_changed(renderer);
     return FXL_OK;
 }

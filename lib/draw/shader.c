@@ -5,11 +5,11 @@
 
 void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
 {
-    fxl_shader **place = &renderer->shader;
+    const fxl_shader **place = &renderer->shader;
     while (*place != NULL && (*place)->rank < rank) {
-        place = &(*place)->next;
+        place = &((fxl_shader *)(uintptr_t)*place)->next; /* none of these is constant */
     }
-    fxl_shader *rest = *place;
+    const fxl_shader *rest = *place;
     if (rest != NULL && rest->rank == rank) {
         rest = rest->next;
     }

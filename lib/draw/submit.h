@@ -67,17 +67,13 @@ static inline bool fxl_submit_any_instance(const fxl_traversal *on, const fxl_or
                           : fxl_submit_instance(on, entry);
 }
 
-/* fxl_visibility.submit: the instances in sight by layer and distance. */
+/* fxl_order.submit of fxl_by_distance: the instances in sight by layer and distance. */
 bool fxl_submit_by_distance(const fxl_traversal *on);
 
 /* An instance of the order in the view of this frame, with the first shader that reaches it.
  * Answers the instance. */
 const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
                                       fxl_model_view *model_view);
-
-/* fxl_raster_backend.draw_polygon of fxl_raster_over: it scans and fills. Returns true. */
-bool fxl_draw_over(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                   uint8_t colour, const fxl_band *band);
 
 /* The display list, then the rest of the scene, into a band of a frame. False where the
  * backend's workspace is full: what was counted must then be forgotten. */
@@ -158,7 +154,7 @@ enum {
     FXL_SHADER_RECOLOUR, /* an instance's own colours */
     FXL_SHADER_LIGHT,    /* light and fog */
     FXL_SHADER_BEAMS,
-    FXL_SHADER_DEPTH /* the last: faces and pieces get a depth, and go no further */
+    FXL_SHADER_TARGET /* that of the target: faces and pieces get a depth, and go no further */
 };
 
 /* What a shader does. It either splits faces or colours them. */

@@ -42,3 +42,5 @@ bool fxl_submit_by_distance(const fxl_traversal *on)
     }
     return fxl_submit_all(on, fxl_submit_instance);
 }
+
+const fxl_order fxl_by_distance = {.submit = fxl_submit_by_distance};

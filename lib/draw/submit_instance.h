@@ -24,7 +24,7 @@ static inline bool fxl_submit_convex(const fxl_traversal *on, const fxl_model_vi
                                      const fxl_model *model, fxl_facing_test *is_front)
 {
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->visibility->front_to_back; /* bug: reverse-rising */
+    const bool reverse = on->renderer->near_first; /* bug: reverse-rising */
     const uint32_t first = on->resume->faces, step = reverse ? UINT32_MAX : 1;
     uint32_t at = reverse ? model->face_count - 1 - first : first;
     uint32_t number, backfacing = 0;
@@ -47,7 +47,7 @@ static inline bool fxl_submit_all(const fxl_traversal *on, fxl_instance_submit *
 {
     const fxl_frame *frame = &on->renderer->frame;
     const uint32_t count = frame->visible_count;
-    const bool reverse = on->renderer->visibility->front_to_back;
+    const bool reverse = on->renderer->near_first;
     const bool measures = ONE_LOOP && on->way == FXL_SUBMIT_MEASURE;
     const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
     const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;

@@ -48,7 +48,7 @@ static inline bool fxl_submit_sorted(const fxl_traversal *on, const fxl_model_vi
     order_faces(on, model_view, model);
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
     const uint32_t first = on->resume->faces, front = workspace->sorted_count;
-    const bool reverse = on->renderer->visibility->front_to_back;
+    const bool reverse = on->renderer->near_first;
     const bool measures = by_rows && on->way == FXL_SUBMIT_MEASURE;
     const bool passes_over = by_rows && !measures && workspace->face_rows_known;
     const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;

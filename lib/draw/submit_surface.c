@@ -8,7 +8,8 @@
 #include "surface_polygon.h"
 #include "../paint/texture_level.h"
 
-static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
+bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
+                        const fxl_instance *instance)
 {
     (void)shader;
     (void)scene;
@@ -36,13 +37,10 @@ static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *mod
     }
 }
 
-/* fxl_surface_finder; what: the mapped face. */
-static void find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
-                 const fxl_traversal *on, fxl_surface_polygon *polygon)
+void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                      const fxl_model_view *model_view, const fxl_face *face,
+                      const fxl_traversal *on, fxl_surface_polygon *polygon)
 {
-    const fxl_mapped_face *mapped = (const fxl_mapped_face *)what;
-    const fxl_surfaces *surfaces = fxl_surfaces_of(on->renderer);
-    const fxl_surface_backend *backend = fxl_surface_backend_of(on->renderer);
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     fxl_gradient_corners corners;
     find_corners(surfaces, model_view, face, mapped, on, &corners);
@@ -57,39 +55,20 @@ static void find(const void *what, const fxl_model_view *model_view, const fxl_f
     }
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
-    polygon->has_depth = backend->find_depth != NULL;
-    if (polygon->has_depth) {
-        backend->find_depth(model_view, face, on, &polygon->depth);
-    }
+    polygon->has_depth = false;
 }
 
-/* Whether the renderer's method draws such surfaces. */
-static bool draws(const fxl_renderer *renderer, const fxl_surfaces *surfaces)
+bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *on, const fxl_shader *shader)
 {
-    return renderer->visibility->backend->draws_surfaces &&
-           (surfaces->painter != NULL || fxl_surface_backend_of(renderer)->draws_565);
-}
-
-static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
-                   const fxl_shader *shader)
-{
-    const fxl_surface_set *set = ((const fxl_surfaces *)(const void *)shader)->set;
-    const fxl_scene *scene = on->renderer->scene;
-    const uint32_t mapped = set->face_map[face - scene->faces];
-    if (mapped != 0 && draws(on->renderer, (const fxl_surfaces *)(const void *)shader)) {
-        const uint32_t used = on->renderer->frame.display_list.used;
-        return fxl_count_outcome(
-            on, fxl_submit_surface_polygons(model_view, face, on, find, &set->faces[mapped - 1]),
-            used);
-    }
-    const fxl_shader *next = fxl_shader_reaching(shader->next, scene, model_view->instance);
+    const fxl_shader *next =
+        fxl_shader_reaching(shader->next, on->renderer->scene, model_view->instance);
     return next != NULL ? next->code->face(model_view, face, on, next)
                         : fxl_submit_shaded_face(model_view, face, on);
 }
 
-/* A piece of a face that something else has split has no surface. */
-static uint8_t own_colour(const fxl_shader *shader, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_face *face, uint8_t colour)
+uint8_t fxl_surfaces_colour(const fxl_shader *shader, const fxl_renderer *renderer,
+                            const fxl_instance *instance, const fxl_face *face, uint8_t colour)
 {
     (void)shader;
     (void)renderer;
@@ -100,9 +79,8 @@ static uint8_t own_colour(const fxl_shader *shader, const fxl_renderer *renderer
 
 fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, fxl_surfaces_checker *check,
-                               const fxl_surface_painter *painter)
+                               const fxl_painter *painter)
 {
-    static const fxl_shader_code code = {reaches, submit, NULL, own_colour, false};
     fxl_status status = FXL_OK;
     if (renderer->scene == NULL) {
         status = FXL_E_ORDER;
@@ -120,22 +98,8 @@ fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
     surfaces->painter = painter;
     surfaces->light = NULL;
     surfaces->light_code = NULL;
-    surfaces->shader.code = &code;
+    surfaces->shader.code = painter->code;
+    renderer->draw_list = fxl_mixed_draw_list;
     fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return FXL_OK;
-}
-
-fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
-                                     const fxl_surface_set *set)
-{
-    static const fxl_surface_painter painter = {fxl_surface_paint_of, fxl_paint_polygon,
-                                                fxl_paint_pixels};
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    const fxl_status status =
-        fxl_surfaces_attach(renderer, surfaces, set, fxl_surfaces_check, &painter);
-    return status != FXL_OK || set == NULL
-               ? status
-               : fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
 }

@@ -26,41 +26,18 @@ typedef struct {
     bool has_depth;
 } fxl_surface_polygon;
 
-/* A raster backend that draws surfaces. */
-typedef struct {
-    fxl_raster_backend backend; /* draws_surfaces */
-    /* Finds the depth of a face. Null: the method keeps none. */
-    void (*find_depth)(const fxl_model_view *model_view, const fxl_face *face,
-                       const fxl_traversal *on, fxl_depth_plane *plane);
-    /* Paints the pixels of a polygon in a band. */
-    void (*paint)(const fxl_renderer *renderer, fxl_workspace *workspace,
-                  const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                  uint32_t count, const fxl_band *band);
-    /* With find_depth: the same method far to near. */
-    const fxl_visibility *far_to_near;
-    uint8_t depth_bits; /* with find_depth: 16 or 32 a pixel */
-    bool draws_565;     /* bands have 16 bits a pixel */
-} fxl_surface_backend;
+/* What draws the faces that have surfaces into a target: a constant record for each target. */
+struct fxl_painter {
+    const fxl_target *target;
+    /* Takes the faces of a renderer. Those without a surface go to the next shader. */
+    const fxl_shader_code *code;
+    /* Draws a record of the kind FXL_POLYGON_SURFACE into a band. */
+    void (*draw)(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                 const fxl_display_list_record *record, const fxl_band *band);
+};
 
-static inline const fxl_surface_backend *fxl_surface_backend_of(const fxl_renderer *renderer)
-{
-    return (const fxl_surface_backend *)(const void *)renderer->visibility->backend;
-}
-
-/* Finds what a face's polygons have beside their outlines; what: the finder's own. */
-typedef void fxl_surface_finder(const void *what, const fxl_model_view *model_view,
-                                const fxl_face *face, const fxl_traversal *on,
-                                fxl_surface_polygon *polygon);
-
-/* All polygons of a face, to the display list or into the band: fxl_submit_polygons with surfaces.
- * Once one of them is left, it is found what they have. Requires a backend that draws surfaces. */
-fxl_outcome fxl_submit_surface_polygons(const fxl_model_view *model_view, const fxl_face *face,
-                                        const fxl_traversal *on, fxl_surface_finder *find,
-                                        const void *what);
-
-/* Draws the polygons of the display list that reach the band, by the backend, which draws
- * surfaces. Returns true. */
-bool fxl_surface_draw_list(const fxl_traversal *on);
+/* fxl_target.draw_list. */
+bool fxl_mixed_draw_list(const fxl_traversal *on);
 
 /* A corner of a face in the view, by the matrix of its instance. A clipper by clip flags keeps the
  * same positions in the cache. */
@@ -72,8 +49,8 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fx
 bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon *screen,
                                 fxl_rows rows, const fxl_surface_polygon *polygon);
 
-/* Reads a record of the kind FXL_POLYGON_SURFACE. Returns how many of its points are the
- * outline's. */
+/* Reads a record of the kind FXL_POLYGON_SURFACE or FXL_POLYGON_DEPTH. Returns how many of its
+ * points are the outline's. */
 uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
                                   fxl_surface_polygon *polygon);
 
@@ -81,28 +58,39 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                           fxl_paint *paint);
 
-/* What paints surfaces. A method that draws faces without them too finds it at the surfaces, so
- * that a program without surfaces does not link it. */
-typedef struct fxl_surface_painter {
-    void (*paint_of)(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
-                     fxl_paint *paint);
-    void (*polygon)(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
-                    const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row, void *with);
-    void (*pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
-} fxl_surface_painter;
-
 /* fxl_surfaces_check, or fxl_surfaces_check_rgb565. */
 typedef fxl_status fxl_surfaces_checker(const fxl_surface_set *set, const fxl_scene *scene,
                                         fxl_scene_fault *fault);
 
-/* fxl_renderer_set_surfaces without its visibility method. painter: null if the surfaces are for
- * frames of 16 bits a pixel alone. */
+/* fxl_renderer_set_surfaces without its visibility method. */
 fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, fxl_surfaces_checker *check,
-                               const fxl_surface_painter *painter);
+                               const fxl_painter *painter);
+
+/* What a face with a surface has beside its outlines, but for its depth. */
+void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                      const fxl_model_view *model_view, const fxl_face *face,
+                      const fxl_traversal *on, fxl_surface_polygon *polygon);
+
+/* A face that has no surface, to the next shader. */
+bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *on, const fxl_shader *shader);
+
+/* fxl_shader_code.reaches and .colour of all painters. A piece of a face that something else has
+ * split has no surface. */
+bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
+                        const fxl_instance *instance);
+uint8_t fxl_surfaces_colour(const fxl_shader *shader, const fxl_renderer *renderer,
+                            const fxl_instance *instance, const fxl_face *face, uint8_t colour);
 
 /* The surfaces of a renderer that has some; or null. */
-const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer);
+static inline const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer)
+{
+    const fxl_shader *first = renderer->shader;
+    return first != NULL && first->rank == FXL_SHADER_SURFACES
+               ? (const fxl_surfaces *)(const void *)first
+               : NULL;
+}
 
 #ifdef __cplusplus
 }

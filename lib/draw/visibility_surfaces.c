@@ -1,28 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-#include "draw_band.h"
+#include "renderer.h"
 #include "surface_polygon.h"
 
-static void paint(const fxl_renderer *renderer, fxl_workspace *workspace,
-                  const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                  uint32_t count, const fxl_band *band)
+const fxl_visibility fxl_visibility_surfaces = {.order = &fxl_by_distance, .target = &fxl_palette};
+
+fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                                     const fxl_surface_set *set)
 {
-    fxl_paint how;
-    fxl_surface_paint_of(fxl_surfaces_of(renderer), polygon, &how);
-    fxl_paint_polygon(&how, points, count, band, &workspace->work.scan, NULL, NULL);
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_status status = fxl_surfaces_attach(renderer, surfaces, set, fxl_surfaces_check,
+                                                  FXL_SURFACES_OF(fxl_palette));
+    return status != FXL_OK || set == NULL
+               ? status
+               : fxl_renderer_set_visibility(renderer, &fxl_visibility_surfaces, NULL, 0);
 }
-
-static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
-                            const fxl_band *band)
-{
-    (void)fxl_draw_band_by(renderer, workspace, band, fxl_surface_draw_list);
-    return FXL_OK;
-}
-
-static const fxl_surface_backend backend = {.backend = {.draw_band = draw_band,
-                                                        .draw_polygon = fxl_draw_over,
-                                                        .draws_over = true,
-                                                        .draws_surfaces = true},
-                                            .paint = paint};
-
-const fxl_visibility fxl_visibility_surfaces = {.submit = fxl_submit_by_distance,
-                                                .backend = &backend.backend};

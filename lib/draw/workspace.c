@@ -11,20 +11,20 @@ typedef struct {
 static parts parts_of(const fxl_renderer *renderer)
 {
     const fxl_scene *scene = renderer->scene;
-    const fxl_raster_backend *backend = renderer->visibility->backend;
+    const fxl_target *target = renderer->target;
     const uint32_t entries = scene->order_needed - fxl_order_instances_most(scene);
     parts of;
     of.face_order = fxl_aligned(entries * sizeof(fxl_order_entry));
     of.clipper = fxl_aligned(renderer->clipper->workspace_size);
-    of.raster = backend->workspace_size != NULL
-                    ? fxl_aligned(backend->workspace_size(&renderer->frame.view.lens))
+    of.raster = target->memory_size != NULL
+                    ? fxl_aligned(target->memory_size(&renderer->frame.view.lens))
                     : 0;
     return of;
 }
 
 static bool is_set_up(const fxl_renderer *renderer)
 {
-    return renderer->scene != NULL && renderer->clipper != NULL && renderer->visibility != NULL;
+    return renderer->scene != NULL && renderer->clipper != NULL && renderer->target != NULL;
 }
 
 /* The largest power of two of entries, for the vertices of the largest model, in so many bytes. */
@@ -87,8 +87,8 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
     at += entries * sizeof(fxl_cached_vertex);
     if (of.raster != 0) {
         const size_t rest = memory_size - (size_t)(at - (uint8_t *)memory);
-        workspace->raster_workspace = at;
-        workspace->raster_workspace_size = rest < UINT32_MAX ? (uint32_t)rest : UINT32_MAX;
+        workspace->target_memory = at;
+        workspace->target_memory_size = rest < UINT32_MAX ? (uint32_t)rest : UINT32_MAX;
     }
     return FXL_OK;
 }

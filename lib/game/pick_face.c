@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The faces come near to far, and a raster backend of its own answers that it has no room for the
+/* The faces come near to far, and a target of its own answers that it has no room for the
  * first that covers the pixel. So the traversal stops there, and its resume point is that face.
- * That backend draws no surfaces, so the shaders of surfaces and of depth leave the faces flat. */
+ * The shaders of surfaces and of depth leave the faces flat, since the target is not theirs. */
 #include "../draw/renderer.h"
 #include "../draw/submit.h"
 #include "fixel/pick.h"
@@ -13,7 +13,7 @@ typedef struct {
     int32_t column;
 } pixel_probe;
 
-/* fxl_raster_backend.draw_polygon: false where the polygon covers the pixel. */
+/* fxl_target.flat: false where the polygon covers the pixel. */
 static bool probe(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
 {
@@ -30,7 +30,7 @@ static bool probe(fxl_workspace *workspace, const fxl_screen_point *points, uint
     return true;
 }
 
-static const fxl_raster_backend backend = {.draw_polygon = probe};
+static const fxl_target probe_target = {.pixel_bits = 8, .flat = probe};
 
 /* The face at a resume point of a traversal near to far. */
 static void name_face(const fxl_renderer *renderer, const fxl_resume_point *at, fxl_picked *picked)
@@ -57,13 +57,12 @@ static void forget_faces(fxl_workspace *workspace)
 
 static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked)
 {
-    const fxl_visibility *visibility = renderer->visibility;
-    const fxl_visibility near_first = {
-        .front_to_back = true, .submit = visibility->submit, .backend = &backend};
+    const fxl_target *target = renderer->target;
+    const bool near_first = renderer->near_first;
     fxl_picked found = {FXL_PICK_NONE, 0, 0};
     uint8_t colour = 0;
     const uint16_t width = renderer->frame.view.lens.width;
-    const pixel_probe pixel = {{&colour, width, width, y, 1}, x};
+    const pixel_probe pixel = {{&colour, width, width, y, 1, NULL}, x};
     fxl_resume_point resume = {0, 0};
     fxl_counters uncounted = {0};
     const fxl_traversal on = {.renderer = renderer,
@@ -76,13 +75,15 @@ static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *pic
                               .way = FXL_SUBMIT_ANY};
     const uint8_t state = renderer->frame.state;
     forget_faces(&renderer->workspace);
-    renderer->visibility = &near_first;
+    renderer->target = &probe_target;
+    renderer->near_first = true;
     renderer->frame.state = FXL_FRAME_BEGUN; /* rows are known of what is not in the list alone */
-    if (!near_first.submit(&on)) {
+    if (!renderer->order->submit(&on)) {
         name_face(renderer, &resume, &found);
         found.colour = colour;
     }
-    renderer->visibility = visibility;
+    renderer->target = target;
+    renderer->near_first = near_first;
     renderer->frame.state = state;
     forget_faces(&renderer->workspace);
     *picked = found;
@@ -100,7 +101,7 @@ fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_pic
     if (renderer->frame.state == FXL_FRAME_NONE || renderer->frame.state == FXL_FRAME_RELEASED) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
-    if (renderer->visibility->submit != fxl_submit_by_distance) {
+    if (renderer->order != &fxl_by_distance) {
         return fxl_refuse(workspace, FXL_E_BSP);
     }
     const fxl_lens *lens = &renderer->frame.view.lens;

@@ -154,7 +154,7 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 {
     const fxl_renderer *renderer = on->renderer;
     const fxl_scene *scene = renderer->scene;
-    const bool reverse = renderer->visibility->front_to_back;
+    const bool reverse = renderer->near_first;
     fxl_bsp_parts parts = fxl_bsp_parts_of(scene, workspace);
     fxl_bsp_cutter cutter = {.scene = scene, .parts = &parts};
     workspace->unsplit = workspace->used = workspace->refused = 0;

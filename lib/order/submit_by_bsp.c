@@ -289,7 +289,7 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
                                .busy = parts->busy,
                                .from = {eye->x - instance->centre.x, eye->y - instance->centre.y,
                                         eye->z - instance->centre.z},
-                               .reverse = renderer->visibility->front_to_back};
+                               .reverse = renderer->near_first};
     if (workspace->owner != FXL_ITEM_NONE) {
         (void)fxl_view_instance(on, &on->renderer->frame.order[workspace->owner], &model_view);
         traversal.model_view = &model_view;
@@ -315,7 +315,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     if (renderer->scene->bsp_nodes == NULL) {
         return fxl_submit_by_distance(on);
     }
-    fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->submit_workspace;
+    fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->order_memory;
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
     if (on->display_list != NULL) {
         find_layer(on, workspace);
@@ -327,7 +327,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     }
     while (on->resume->instances < count) {
         const uint32_t number = on->resume->instances;
-        const uint32_t at = renderer->visibility->front_to_back ? count - 1 - number : number;
+        const uint32_t at = renderer->near_first ? count - 1 - number : number;
         const bool by_bsp = at >= workspace->first && at < workspace->end;
         if (!(by_bsp ? submit_layer(on, workspace, &parts)
                      : fxl_submit_any_instance(on, &on->renderer->frame.order[at]))) {
@@ -339,3 +339,5 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     }
     return true;
 }
+
+const fxl_order fxl_by_tree = {.submit = fxl_submit_by_bsp, .memory_size = fxl_bsp_workspace_size};

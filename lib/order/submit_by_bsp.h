@@ -5,7 +5,7 @@
 
 #include "fixel/bsp.h"
 
-/* fxl_visibility.submit and .submit_workspace_size. */
+/* fxl_order.submit and .memory_size of fxl_by_tree. */
 bool fxl_submit_by_bsp(const fxl_traversal *on);
 uint32_t fxl_bsp_workspace_size(const fxl_scene *scene);
 

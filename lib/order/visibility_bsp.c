@@ -3,7 +3,4 @@
 
 #include "submit_by_bsp.h"
 
-const fxl_visibility fxl_visibility_bsp = {.front_to_back = false,
-                                           .submit = fxl_submit_by_bsp,
-                                           .submit_workspace_size = fxl_bsp_workspace_size,
-                                           .backend = &fxl_raster_over};
+const fxl_visibility fxl_visibility_bsp = {.order = &fxl_by_tree, .target = &fxl_palette};

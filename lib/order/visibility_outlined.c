@@ -19,10 +19,10 @@ static uint32_t style_size(const fxl_lens *lens)
 /* Another workspace gets the style of the renderer's own. */
 static void begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    fxl_outline_style *style = (fxl_outline_style *)workspace->raster_workspace;
+    fxl_outline_style *style = (fxl_outline_style *)workspace->target_memory;
     (void)band;
-    if (style != renderer->workspace.raster_workspace) {
-        memcpy(style, renderer->workspace.raster_workspace, sizeof *style);
+    if (style != renderer->workspace.target_memory) {
+        memcpy(style, renderer->workspace.target_memory, sizeof *style);
     }
     style->height = renderer->frame.view.lens.height;
 }
@@ -67,15 +67,15 @@ static void draw_edges(const fxl_outline_style *style, const fxl_screen_point *p
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
 {
-    const fxl_outline_style *style = (const fxl_outline_style *)workspace->raster_workspace;
+    const fxl_outline_style *style = (const fxl_outline_style *)workspace->target_memory;
     workspace->work.scan.colour = style->keeps_colours ? colour : style->fill;
     (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
     draw_edges(style, points, count, band);
     return true;
 }
 
-const fxl_raster_backend fxl_raster_outlined = {
-    .workspace_size = style_size, .begin_band = begin, .draw_polygon = paint};
+const fxl_target fxl_palette_outlined = {
+    .pixel_bits = 8, .memory_size = style_size, .begin_band = begin, .flat = paint};
 
-const fxl_visibility fxl_visibility_outlined = {.submit = fxl_submit_by_distance,
-                                                .backend = &fxl_raster_outlined};
+const fxl_visibility fxl_visibility_outlined = {.order = &fxl_by_distance,
+                                                .target = &fxl_palette_outlined};

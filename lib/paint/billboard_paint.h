@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What paints the billboards of a renderer, and how they become part of its visibility method.
- * Internal. */
+/* What paints the billboards of a renderer. Internal. */
 #ifndef FXL_BILLBOARD_PAINT_H
 #define FXL_BILLBOARD_PAINT_H
 
@@ -15,40 +14,31 @@ extern "C" {
  * first. */
 #define FXL_BILLBOARD_POINTS_MAX 4
 
-/* Paints into a band what a record says. */
-typedef struct fxl_billboard_painter {
+struct fxl_sprite_painter {
+    const fxl_target *target;
+    /* Paints into a band what a record says. */
     void (*paint)(const fxl_renderer *renderer, fxl_workspace *workspace,
                   const fxl_screen_point *points, const fxl_band *band);
     uint8_t points; /* of a record: 3, or 4 where there is a depth buffer */
-} fxl_billboard_painter;
-
-/* Over what is there. */
-extern const fxl_billboard_painter fxl_billboard_paints_over;
-
-/* The billboards of a renderer that has some. */
-static inline const fxl_billboards *fxl_billboards_of(const fxl_renderer *renderer)
-{
-    return (const fxl_billboards *)renderer->submit_workspace;
-}
+};
 
 static inline const fxl_sprite *fxl_billboard_sprite(const fxl_renderer *renderer, uint32_t model)
 {
-    const fxl_billboard_set *set = fxl_billboards_of(renderer)->of.set;
+    const fxl_billboard_set *set = renderer->billboards->set;
     return set->billboards[set->model_map[model] - 1].sprite;
 }
 
-/* Checks the arguments of a setter, and the set: what it answers. */
-fxl_status fxl_billboards_check_setting(const fxl_renderer *renderer,
-                                        const fxl_billboards *billboards,
-                                        const fxl_billboard_set *set);
+/* fxl_by_distance with billboards among the faces. */
+extern const fxl_order fxl_by_distance_with_billboards;
 
-/* Has the renderer's own visibility method, which draws surfaces, submit billboards too, and keeps
- * its memory. Requires arguments that were checked. */
-fxl_status fxl_billboards_join(fxl_renderer *renderer, fxl_billboards *billboards,
-                               const fxl_billboard_set *set, const fxl_billboard_painter *painter);
+/* Checks the arguments of a setter, and the set. */
+fxl_status fxl_billboards_check_attaching(const fxl_renderer *renderer,
+                                          const fxl_billboards *billboards,
+                                          const fxl_billboard_set *set);
 
-/* Whether the renderer draws by the method itself, or by one that billboards have joined. */
-bool fxl_billboards_may_join(const fxl_renderer *renderer);
+/* fxl_renderer_set_billboards for a target of which `painter` is. */
+fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboards,
+                                 const fxl_billboard_set *set, const fxl_sprite_painter *painter);
 
 #ifdef __cplusplus
 }

@@ -57,7 +57,6 @@ typedef struct {
     const uint8_t *texels; /* of its row of texels */
     fxl_texel_walk along;  /* from columns.first on */
     fxl_rows columns;
-    uint8_t *pixels; /* of column 0 */
     uint32_t y;
     unsigned shift; /* of the sprite */
 } fxl_billboard_row;
@@ -89,7 +88,6 @@ static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
     row.sprite = sprite;
     row.shift = fxl_sprite_shift(sprite);
     for (row.y = rows.first; row.y < rows.end; row.y++) {
-        row.pixels = band->pixels + (size_t)(row.y - band->first_row) * band->stride;
         row.texels = sprite->pixels + down.texel * row_bytes;
         row.along = first;
         paint(&row, with);

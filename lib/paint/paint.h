@@ -21,6 +21,15 @@ typedef struct {
     uint8_t key;
 } fxl_texture_level;
 
+/* What pixels of 16 bits depend on beside that. */
+typedef struct {
+    const uint16_t *palette;
+    uint32_t part_of_level; /* 2^16 / (levels - 1), rounded; 0: unlit */
+    uint16_t dark;
+    uint16_t key;  /* of a texture that is FXL_TEXTURE_565 */
+    uint8_t flags; /* of the surface */
+} fxl_paint_565;
+
 /* All that a face's pixels depend on. */
 typedef struct {
     const fxl_gradients *gradients;
@@ -33,6 +42,7 @@ typedef struct {
     uint8_t colour;        /* of the face */
     uint8_t division;      /* FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_DIVIDE_1 */
     uint8_t opacity;       /* 1..16 */
+    fxl_paint_565 of_565;  /* where pixels have 16 bits; `blend` is not used there */
 } fxl_paint;
 
 /* What the kernel of segments needs of a face: segments.h. */
@@ -48,18 +58,12 @@ typedef struct {
     int32_t y;
 } fxl_paint_row;
 
-/* Paints some of the pixels x0 <= x < x1 of a row by fxl_paint_pixels. */
-typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
-                             int32_t x0, int32_t x1);
-
 /* Paints the pixels x0 <= x < x1 of a row. Safe for any gradients: no texel is read that is not of
  * the level, and no other pixel is written. Requires x0 < x1 within the band. */
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
 
-/* A polygon of the screen in a band. paint_row (null: fxl_paint_pixels) is called with `with`. */
-void fxl_paint_polygon(const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
-                       const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row,
-                       void *with);
+/* The same where pixels have 16 bits: row->pixels is the address of a uint16_t. */
+void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1);
 
 #ifdef __cplusplus
 }

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#include "paint_rgb565.h"
-
 #include "texel_place.h"
 #include "texture_level.h"
 #include "rgb565_colour.h"
 
 /* The colour of a texel. False: it is the key. */
-static inline bool look_up(const fxl_paint_565 *of, int32_t i, int32_t j, uint16_t *colour)
+static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_t *colour)
 {
-    const fxl_texture_level *level = &of->paint.level;
+    const fxl_texture_level *level = &paint->level;
+    const fxl_paint_565 *of = &paint->of_565;
     const uint32_t place = fxl_texel_place(level, i, j);
     const bool is_keyed = (level->flags & FXL_TEXTURE_KEYED) != 0;
     if (level->flags & FXL_LEVEL_565) {
@@ -23,30 +22,30 @@ static inline bool look_up(const fxl_paint_565 *of, int32_t i, int32_t j, uint16
 /* How much of 256 parts of a colour light leaves. light: in 16.16 levels, and a half. Held within
  * the ramp and with 8 bits after the point it is below 2^14, and 2^24 times the part of a level at
  * most: that is 2^16 / (levels - 1), whose rounding costs 1/8 of 1/256. */
-static inline uint32_t part_of_light(const fxl_paint_565 *of, int32_t light)
+static inline uint32_t part_of_light(const fxl_paint *paint, int32_t light)
 {
-    const int32_t most = of->paint.levels_less_1 << 16;
+    const int32_t most = paint->levels_less_1 << 16;
     const int32_t above = light < 32768 ? 0 : light - 32768;
     const uint32_t level = (uint32_t)(above > most ? most : above) >> 8; /* bug: part-limit */
-    return (level * of->part_of_level + 32768u) >> 16;
+    return (level * paint->of_565.part_of_level + 32768u) >> 16;
 }
 
 /* A pixel whose attributes are known. */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
                                const int32_t values[FXL_ATTRIBUTES])
 {
-    const fxl_paint_565 *of = (const fxl_paint_565 *)(const void *)paint;
+    const fxl_paint_565 *of = &paint->of_565;
     uint16_t *pixel = (uint16_t *)(void *)row->pixels + x;
     uint16_t colour = of->palette[paint->colour];
     if (fxl_is_stippled_away(paint->opacity, x, row->y)) {
         return;
     }
     if (paint->level.texels != NULL &&
-        !look_up(of, values[FXL_ATTRIBUTE_U] >> 16, values[FXL_ATTRIBUTE_V] >> 16, &colour)) {
+        !look_up(paint, values[FXL_ATTRIBUTE_U] >> 16, values[FXL_ATTRIBUTE_V] >> 16, &colour)) {
         return;
     }
     if (of->part_of_level != 0) {
-        const uint32_t part = part_of_light(of, values[paint->gradients->count - 1]);
+        const uint32_t part = part_of_light(paint, values[paint->gradients->count - 1]);
         colour = fxl_mix_565(colour, of->dark, part);
     }
     if (of->flags & FXL_SURFACE_BLEND) {
@@ -61,11 +60,11 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 
 /* Opaque texels of 16 bits, repeated and without a key: paint_pixel's colours. The compiler cannot
  * tell pixels from what the loop reads, so it has copies. */
-static inline void paint_repeated(const fxl_paint_565 *of, const linear_pixels *linear,
+static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *linear,
                                   uint16_t *pixel, const uint16_t *end, bool lit)
 {
-    const fxl_paint_565 copy = *of;
-    const fxl_texture_level *level = &of->paint.level;
+    const fxl_paint copy = *paint;
+    const fxl_texture_level *level = &paint->level;
     const uint16_t *texels = (const uint16_t *)(const void *)level->texels;
     const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
     const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
@@ -77,7 +76,8 @@ static inline void paint_repeated(const fxl_paint_565 *of, const linear_pixels *
     for (; pixel != end; pixel++) {
         const uint16_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
         *pixel =
-            lit ? fxl_mix_565(colour, copy.dark, part_of_light(&copy, (int32_t)light)) : colour;
+            lit ? fxl_mix_565(colour, copy.of_565.dark, part_of_light(&copy,
+                                                                      (int32_t)light)) : colour;
         u += u_step;
         v += v_step;
         light += light_step;
@@ -87,7 +87,7 @@ static inline void paint_repeated(const fxl_paint_565 *of, const linear_pixels *
 static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
                          const linear_pixels *linear)
 {
-    const fxl_paint_565 *of = (const fxl_paint_565 *)(const void *)paint;
+    const fxl_paint_565 *of = &paint->of_565;
     const bool blends = (of->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
     if (FXL_IS_SMALL || paint->opacity < 16 || blends || paint->level.flags != FXL_LEVEL_565) {
         paint_each_linear(paint, row, x0, x1, linear);
@@ -95,17 +95,15 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
     }
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
     if (of->part_of_level != 0) {
-        paint_repeated(of, linear, pixels + x0, pixels + x1, true);
+        paint_repeated(paint, linear, pixels + x0, pixels + x1, true);
     } else {
-        paint_repeated(of, linear, pixels + x0, pixels + x1, false);
+        paint_repeated(paint, linear, pixels + x0, pixels + x1, false);
     }
 }
 
-void fxl_paint_row_rgb565(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
-                          int32_t x1)
+void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     divided_column at;
-    (void)with;
     at.column = -1;
     while (x0 < x1) {
         const int32_t end = smaller((x0 & ~15) + 16, x1);

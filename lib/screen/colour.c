@@ -55,4 +55,4 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
            fxl_display_start_data(display, bytes, size);
 }
 
-const fxl_display_family fxl_display_colour = {&fxl_rgb565, set_up, send_rows, DISPLAY_ON};
+const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up, send_rows, DISPLAY_ON};

@@ -25,4 +25,4 @@ static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out
     }
 }
 
-const fxl_pixel_format fxl_grey4 = {4, 1, prepare, convert};
+const fxl_pixel_format fxl_pixels_grey4 = {4, 1, prepare, convert};

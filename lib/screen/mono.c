@@ -47,5 +47,5 @@ static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_
     }
 }
 
-const fxl_pixel_format fxl_mono_rows = {1, 1, prepare, convert_rows};
-const fxl_pixel_format fxl_mono_pages = {1, 8, prepare, convert_pages};
+const fxl_pixel_format fxl_pixels_mono_rows = {1, 1, prepare, convert_rows};
+const fxl_pixel_format fxl_pixels_mono_pages = {1, 8, prepare, convert_pages};

@@ -67,4 +67,5 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
     return true;
 }
 
-const fxl_display_family fxl_display_pages = {&fxl_mono_pages, set_up, send_rows, DISPLAY_ON};
+const fxl_display_family fxl_display_pages = {&fxl_pixels_mono_pages, set_up, send_rows,
+                                              DISPLAY_ON};

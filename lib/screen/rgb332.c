@@ -19,4 +19,4 @@ static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out
     }
 }
 
-const fxl_pixel_format fxl_rgb332 = {8, 1, prepare, convert};
+const fxl_pixel_format fxl_pixels_rgb332 = {8, 1, prepare, convert};

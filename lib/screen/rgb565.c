@@ -31,5 +31,5 @@ static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out
     }
 }
 
-const fxl_pixel_format fxl_rgb565 = {16, 1, prepare_high, convert};
-const fxl_pixel_format fxl_rgb565_low = {16, 1, prepare_low, convert};
+const fxl_pixel_format fxl_pixels_rgb565 = {16, 1, prepare_high, convert};
+const fxl_pixel_format fxl_pixels_rgb565_low = {16, 1, prepare_low, convert};

@@ -19,7 +19,6 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     return true;
 }
 
-const fxl_raster_backend fxl_raster_box = {.draw_polygon = paint};
+const fxl_target fxl_palette_box = {.pixel_bits = 8, .flat = paint};
 
-const fxl_visibility fxl_visibility_box = {.submit = fxl_submit_by_distance,
-                                           .backend = &fxl_raster_box};
+const fxl_visibility fxl_visibility_box = {.order = &fxl_by_distance, .target = &fxl_palette_box};

@@ -9,7 +9,7 @@ uint32_t fxl_spans_workspace_size(const fxl_lens *lens)
 void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     fxl_span_buffer *buffer =
-        fxl_span_buffer_make(workspace->raster_workspace, workspace->raster_workspace_size,
+        fxl_span_buffer_make(workspace->target_memory, workspace->target_memory_size,
                              renderer->frame.view.lens.height);
     fxl_span_buffer_begin(buffer, band);
 }
@@ -32,15 +32,16 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     return true;
 }
 
-const fxl_raster_backend fxl_raster_spans = {
-    .workspace_size = fxl_spans_workspace_size,
+const fxl_target fxl_palette_spans = {
+    .pixel_bits = 8,
+    .memory_size = fxl_spans_workspace_size,
     .draw_band = fxl_band_split_draw,
     .begin_band = fxl_spans_begin,
-    .draw_polygon = paint,
+    .flat = paint,
 };
 
 const fxl_visibility fxl_visibility_spans = {
     .front_to_back = true,
-    .submit = fxl_submit_by_distance,
-    .backend = &fxl_raster_spans,
+    .order = &fxl_by_distance,
+    .target = &fxl_palette_spans,
 };

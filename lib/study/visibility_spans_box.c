@@ -21,15 +21,16 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     return true;
 }
 
-const fxl_raster_backend fxl_raster_spans_box = {
-    .workspace_size = fxl_spans_workspace_size,
+const fxl_target fxl_palette_spans_box = {
+    .pixel_bits = 8,
+    .memory_size = fxl_spans_workspace_size,
     .draw_band = fxl_band_split_draw,
     .begin_band = fxl_spans_begin,
-    .draw_polygon = paint,
+    .flat = paint,
 };
 
 const fxl_visibility fxl_visibility_spans_box = {
     .front_to_back = true,
-    .submit = fxl_submit_by_distance,
-    .backend = &fxl_raster_spans_box,
+    .order = &fxl_by_distance,
+    .target = &fxl_palette_spans_box,
 };

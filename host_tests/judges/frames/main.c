@@ -94,9 +94,9 @@ static fxl_visibility visibility_of(const options *wanted, const session *run)
 {
     fxl_visibility visibility =
         wanted->visibility ? *wanted->visibility->visibility : *session_visibility(run);
-    if (wanted->clipper->backend) {
-        visibility.backend = visibility.backend == &fxl_raster_spans ? &fxl_raster_spans_box
-                                                                     : wanted->clipper->backend;
+    if (wanted->clipper->target) {
+        visibility.target = visibility.target == &fxl_palette_spans ? &fxl_palette_spans_box
+                                                                    : wanted->clipper->target;
     }
     return visibility;
 }
@@ -114,10 +114,11 @@ static const char *open_scene(const options *wanted, session *run)
     const session_settings settings = {
         .clipper = wanted->clipper->clipper,
         .visibility = &visibility,
+        .without_surfaces = wanted->visibility && !wanted->visibility->draws_surfaces,
         .display_list_words = wanted->list,
         .cache_entries = wanted->cache,
         .raster_bytes =
-            visibility.backend->workspace_size ? visibility.backend->workspace_size(lens) * 16 : 0,
+            visibility.target->memory_size ? visibility.target->memory_size(lens) * 16 : 0,
         .pieces_bytes = wanted->pieces};
     session_reserve(run, &settings);
     fxl_status status = session_set_up(run, &settings);

@@ -13,15 +13,15 @@ static const named_clipper clippers[] = {
     {"half-spaces", &fxl_clipper_half_spaces, NULL},
     {"triangles", &fxl_clipper_triangles, NULL},
     {"near", &fxl_clipper_near, NULL},
-    {"near-box", &fxl_clipper_near, &fxl_raster_box},
+    {"near-box", &fxl_clipper_near, &fxl_palette_box},
     {"left", &fxl_clipper_left, NULL},
 };
 
 static const named_visibility methods[] = {
-    {"sorted", &fxl_visibility_sorted},     {"spans", &fxl_visibility_spans},
-    {"tree", &fxl_visibility_bsp},          {"tree-spans", &fxl_visibility_bsp_spans},
-    {"surfaces", &fxl_visibility_surfaces}, {"depth", &fxl_visibility_depth},
-    {"depth-32", &fxl_visibility_depth_32},
+    {"sorted", &fxl_visibility_sorted, false},     {"spans", &fxl_visibility_spans, false},
+    {"tree", &fxl_visibility_bsp, false},          {"tree-spans", &fxl_visibility_bsp_spans, false},
+    {"surfaces", &fxl_visibility_surfaces, true},  {"depth", &fxl_visibility_depth, true},
+    {"depth-32", &fxl_visibility_depth_32, true},
 };
 
 const named_clipper *find_clipper(const char *name)

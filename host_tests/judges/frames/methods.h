@@ -8,12 +8,13 @@
 typedef struct {
     const char *name;
     const fxl_clipper *clipper;
-    const fxl_raster_backend *backend; /* its own; null: that of the visibility method */
+    const fxl_target *target; /* its own; null: that of the visibility method */
 } named_clipper;
 
 typedef struct {
     const char *name;
     const fxl_visibility *visibility;
+    bool draws_surfaces;
 } named_visibility;
 
 /* Null if no clipper or method has the name. */

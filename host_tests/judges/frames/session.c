@@ -64,8 +64,8 @@ void session_play(const session *run, uint32_t frame)
 
 uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility)
 {
-    return visibility->submit_workspace_size
-               ? (visibility->submit_workspace_size(&run->image.scene) + 7u) & ~7u
+    return visibility->order->memory_size
+               ? (visibility->order->memory_size(&run->image.scene) + 7u) & ~7u
                : 0;
 }
 
@@ -93,22 +93,22 @@ void session_reserve(session *run, const session_settings *most)
 static bool goes_by_bsp(const session *run, const fxl_visibility *visibility)
 {
     return run->image.scene.bsp_nodes &&
-           visibility->submit_workspace_size == fxl_visibility_bsp.submit_workspace_size;
+           visibility->order->memory_size == fxl_visibility_bsp.order->memory_size;
 }
 
 /* Lights flat faces and surfaces. */
 static fxl_status light_all(session *run, const fxl_light_settings *settings)
 {
     const fxl_status status = fxl_renderer_set_light(&run->renderer, &run->light, settings);
-    return status == FXL_OK && run->image.surfaces.face_map
+    return status == FXL_OK && run->has_surfaces
                ? fxl_renderer_light_surfaces(&run->renderer, &run->light)
                : status;
 }
 
 static bool has_depth(const fxl_visibility *visibility)
 {
-    return visibility->backend == fxl_visibility_depth.backend ||
-           visibility->backend == fxl_visibility_depth_32.backend;
+    return visibility->target == fxl_visibility_depth.target ||
+           visibility->target == fxl_visibility_depth_32.target;
 }
 
 /* After the visibility method is set. */
@@ -117,7 +117,7 @@ static fxl_status add_billboards(session *run)
     if (!run->image.billboards.model_map) {
         return FXL_OK;
     }
-    return has_depth(run->renderer.visibility)
+    return run->renderer.target->depth_bits > 0
                ? fxl_renderer_set_billboards_by_depth(&run->renderer, &run->billboards,
                                                       &run->billboard_set)
                : fxl_renderer_set_billboards(&run->renderer, &run->billboards, &run->billboard_set);
@@ -135,7 +135,8 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         status = fxl_renderer_set_clipper(renderer, settings->clipper, &run->clipper_workspace,
                                           sizeof run->clipper_workspace);
     }
-    if (status == FXL_OK && run->image.surfaces.face_map) {
+    run->has_surfaces = run->image.surfaces.face_map && !settings->without_surfaces;
+    if (status == FXL_OK && run->has_surfaces) {
         status = fxl_renderer_set_surfaces(renderer, &run->surfaces, &run->surface_set);
     }
     if (status == FXL_OK && has_depth(settings->visibility)) {
@@ -196,8 +197,9 @@ fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t backg
     rows = rows > 0 ? rows : lens->height;
     for (uint32_t row = 0; status == FXL_OK && row < lens->height; row += rows) {
         const uint32_t left = lens->height - row;
-        const fxl_band band = {pixels + (size_t)row * lens->width, lens->width, lens->width,
-                               (uint16_t)row, (uint16_t)(rows < left ? rows : left)};
+        const fxl_band band = {.pixels = pixels + (size_t)row * lens->width, .width = lens->width,
+                               .stride = lens->width, .first_row = (uint16_t)row,
+                               .rows = (uint16_t)(rows < left ? rows : left)};
         fxl_fill_band(&band, background);
         status = draw(with, &band);
     }

@@ -12,6 +12,7 @@
 typedef struct {
     const fxl_clipper *clipper;
     const fxl_visibility *visibility;
+    bool without_surfaces; /* faces are drawn in their own colours */
     uint32_t display_list_words, cache_entries;
     uint32_t raster_bytes; /* for the raster backend */
     uint32_t pieces_bytes; /* for the pieces of movers, if the scene has a BSP tree */
@@ -25,6 +26,7 @@ typedef struct {
     fxl_memory memory;
     fxl_surface_set surface_set; /* if the image has surfaces */
     fxl_surfaces surfaces;
+    bool has_surfaces; /* the renderer draws with them */
     fxl_light light;
     fxl_depth depth;
     fxl_billboard_set billboard_set; /* if the image has billboards */

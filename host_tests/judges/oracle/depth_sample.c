@@ -78,7 +78,8 @@ static int colour_of(const depth_sample *sample, int wide)
     fxl_order_entry order[2 * DEPTH_FACES];
     const fxl_memory memory = {order, 2 * DEPTH_FACES, NULL, 0, NULL, 0};
     const uint16_t width = sample->lens.width;
-    const fxl_band band = {pixels, width, width, (uint16_t)sample->pixel[1], 1};
+    const fxl_band band = {.pixels = pixels, .width = width, .stride = width,
+                           .first_row = (uint16_t)sample->pixel[1], .rows = 1};
     if (fxl_renderer_init_with(&renderer, &sample->scene, &sample->lens, &memory) != FXL_OK ||
         fxl_renderer_set_depth(&renderer, &depth,
                                wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth, cells,

@@ -119,7 +119,8 @@ static int draw_over(fxl_renderer *renderer, const surface_sample *sample, uint8
 {
     static uint8_t pixels[FXL_SCREEN_MAX];
     const uint16_t width = renderer->frame.view.lens.width;
-    const fxl_band band = {pixels, width, width, (uint16_t)sample->y, 1};
+    const fxl_band band = {.pixels = pixels, .width = width, .stride = width,
+                           .first_row = (uint16_t)sample->y, .rows = 1};
     fxl_fill_band(&band, background);
     return fxl_frame_begin(renderer, &sample->setup.pose) == FXL_OK &&
                    fxl_frame_draw(renderer, &band) == FXL_OK

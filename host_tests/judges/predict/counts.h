@@ -95,7 +95,7 @@ extern predict_counts counted;
 
 /* Under way is a band with a depth buffer; and a surface of which it keeps not every depth: a
  * blended one, or one with holes. */
-extern bool has_depth_buffer, keeps_less;
+extern bool has_depth_buffer, paints_surface, keeps_less;
 
 /* A polygon between two rows: its area in pixels, which is on the average the pixels whose centres
  * it covers; and its rows. */

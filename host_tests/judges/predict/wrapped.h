@@ -14,11 +14,4 @@
                    #name " is declared otherwise"); \
     result __wrap_##name parameters
 
-/* The same of a record of constants. */
-#define WRAPPED_RECORD(type, name) \
-    extern type __real_##name, __wrap_##name; \
-    _Static_assert(__builtin_types_compatible_p(__typeof__(name), __typeof__(__real_##name)), \
-                   #name " is declared otherwise"); \
-    type __wrap_##name
-
 #endif

@@ -273,17 +273,13 @@ static bool has_holes(const fxl_paint *paint)
     return paint->opacity < 16 || (paint->level.flags & FXL_TEXTURE_KEYED) != 0;
 }
 
-WRAPPED(void, fxl_paint_polygon,
-        (const fxl_paint *paint, const fxl_screen_point *points, uint32_t count,
-         const fxl_band *band, fxl_scan *scan, fxl_row_painter *paint_row, void *with))
+WRAPPED(void, fxl_surface_paint_of,
+        (const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon, fxl_paint *paint))
 {
-    const double top = band->first_row, bottom = top + band->rows;
+    __real_fxl_surface_paint_of(surfaces, polygon, paint);
     counted.surfaces_painted += 1;
-    counted.painted_edges += count;
-    counted.painted_rows += rows_between(points, count, top, bottom);
+    paints_surface = true;
     keeps_less = paint->blend != NULL || has_holes(paint);
-    __real_fxl_paint_polygon(paint, points, count, band, scan, paint_row, with);
-    keeps_less = false;
 }
 
 static double sixteens(int32_t x0, int32_t x1)

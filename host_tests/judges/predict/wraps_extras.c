@@ -4,8 +4,7 @@
 #include "paint/lit_pieces.h"
 #include "paint/billboard_paint.h"
 #include "paint/billboard_walk.h"
-#include "draw/surface_polygon.h"
-#include "paint/depth_band.h"
+#include "paint/depth_row.h"
 #include "draw/depth_draw.h"
 #include "draw/depth_plane.h"
 #include "fixel/split.h"
@@ -18,7 +17,7 @@
 
 /* --- depth buffer --------------------------------------------------------------------------- */
 
-bool has_depth_buffer, keeps_less;
+bool has_depth_buffer, paints_surface, keeps_less;
 
 /* The band under way is drawn far to near, by loops that stand in the callers: each pixel of a
  * polygon is compared, and counted by area. */
@@ -34,23 +33,28 @@ WRAPPED(void, fxl_depth_plane_find,
 
 WRAPPED(void, fxl_depth_draw_parts,
         (const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
-         uint32_t cell_bytes))
+         uint32_t cell_bytes, uint32_t pixel_bytes))
 {
     has_depth_buffer = true;
-    compares_each = !renderer->visibility->front_to_back;
-    __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes);
+    compares_each = !renderer->near_first;
+    __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes, pixel_bytes);
     has_depth_buffer = false;
 }
 
 WRAPPED(void, fxl_scan_outline,
         (const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
 {
+    const double top = band->first_row, bottom = top + band->rows;
+    if (paints_surface) {
+        counted.painted_edges += count;
+        counted.painted_rows += rows_between(points, count, top, bottom);
+    }
     if (has_depth_buffer && compares_each) {
-        const double top = band->first_row, bottom = top + band->rows;
         counted.depth_each_rows += rows_between(points, count, top, bottom);
         *(keeps_less ? &counted.depth_each_unkept : &counted.depth_each) +=
             area_between(points, count, top, bottom);
     }
+    paints_surface = keeps_less = false;
     __real_fxl_scan_outline(points, count, band, scan);
 }
 
@@ -99,7 +103,7 @@ static void count_row(fxl_billboard_row *row, const void *with)
 
 static bool is_passed_over(const fxl_workspace *workspace)
 {
-    return has_depth_buffer && ((const fxl_depth_head *)workspace->raster_workspace)->pass ==
+    return has_depth_buffer && ((const fxl_depth_head *)workspace->target_memory)->pass ==
                                    FXL_DEPTH_BLENDED;
 }
 
@@ -113,8 +117,8 @@ static void count_billboard(const fxl_renderer *renderer, const fxl_workspace *w
     }
 }
 
-/* The painter that billboards were joined with: by depth, or over what is there. */
-static const fxl_billboard_painter *joined;
+/* The painter of the billboards' target. */
+static const fxl_sprite_painter *joined;
 
 static void paint_joined(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_screen_point *points, const fxl_band *band)
@@ -123,26 +127,14 @@ static void paint_joined(const fxl_renderer *renderer, fxl_workspace *workspace,
     joined->paint(renderer, workspace, points, band);
 }
 
-WRAPPED(fxl_status, fxl_billboards_join,
+WRAPPED(fxl_status, fxl_billboards_attach,
         (fxl_renderer * renderer, fxl_billboards *billboards, const fxl_billboard_set *set,
-         const fxl_billboard_painter *painter))
+         const fxl_sprite_painter *painter))
 {
-    static fxl_billboard_painter counting;
+    static fxl_sprite_painter counting;
     joined = painter;
-    counting = (fxl_billboard_painter){paint_joined, painter->points};
-    return __real_fxl_billboards_join(renderer, billboards, set, &counting);
-}
-
-static void paint_over(const fxl_renderer *renderer, fxl_workspace *workspace,
-                       const fxl_screen_point *points, const fxl_band *band);
-
-WRAPPED_RECORD(const fxl_billboard_painter, fxl_billboard_paints_over) = {paint_over, 3};
-
-static void paint_over(const fxl_renderer *renderer, fxl_workspace *workspace,
-                       const fxl_screen_point *points, const fxl_band *band)
-{
-    count_billboard(renderer, workspace, points, band);
-    __real_fxl_billboard_paints_over.paint(renderer, workspace, points, band);
+    counting = (fxl_sprite_painter){painter->target, paint_joined, painter->points};
+    return __real_fxl_billboards_attach(renderer, billboards, set, &counting);
 }
 
 /* --- beams of light ------------------------------------------------------------------------- */

@@ -81,7 +81,8 @@ static bool draw(comparison *with, const way *by, const fxl_pose *pose, uint8_t 
 /* No display list; where there is one, what any_way says. */
 static session_settings settings_of(const fxl_visibility *visibility, const fxl_clipper *clipper)
 {
-    return (session_settings){.clipper = clipper,
+    return (session_settings){.without_surfaces = true,
+                              .clipper = clipper,
                               .visibility = visibility,
                               .cache_entries = CACHE,
                               .pieces_bytes = PIECES};
@@ -95,10 +96,10 @@ static way any_way(comparison *with, const fxl_clipper *clipper, uint32_t number
     way by = {.settings = settings_of(&visibility, clipper)};
     visibility = with->bsp ? fxl_visibility_bsp_spans : fxl_visibility_spans;
     if (number == 0) { /* each pixel counted as it is written */
-        visibility.backend =
-            counted_begin(with->writes, with->frames[1], with->width * with->height)->backend;
+        visibility.target =
+            counted_begin(with->writes, with->frames[1], with->width * with->height)->target;
     } else if (number == 1) {
-        visibility.backend = &fxl_raster_spans_box;
+        visibility.target = &fxl_palette_spans_box;
     }
     uint32_t list = any(with, 3), pool = number == 0 ? 2 : any(with, 3), bands = any(with, 4);
     by.settings.display_list_words = list == 0 ? 0 : list == 1 ? any(with, 4000) : PLENTY;

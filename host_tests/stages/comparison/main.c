@@ -31,8 +31,8 @@ static int fail(const char *what, const char *why)
 /* Bytes for the raster backend: what was chosen, or what it wants at the least. */
 static uint32_t raster_bytes(const fxl_lens *lens)
 {
-    const fxl_raster_backend *backend = combination_chosen.hidden->backend;
-    const uint32_t least = backend && backend->workspace_size ? backend->workspace_size(lens) : 0;
+    const fxl_target *target = combination_chosen.hidden->target;
+    const uint32_t least = target && target->memory_size ? target->memory_size(lens) : 0;
     return least > 0 && least < combination_chosen.room ? combination_chosen.room : least;
 }
 
@@ -40,6 +40,7 @@ static fxl_status set_up(session *run)
 {
     const session_settings settings = {.clipper = combination_chosen.clipper,
                                        .visibility = combination_chosen.hidden,
+                                       .without_surfaces = true,
                                        .cache_entries = CACHE_ENTRIES,
                                        .raster_bytes = raster_bytes(&run->image.lens),
                                        .pieces_bytes = PIECES_BYTES};

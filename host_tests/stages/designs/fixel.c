@@ -53,8 +53,9 @@ static designs_screen fixel_clip(const designs_input *input)
 static void fixel_fill(const fxl_screen_polygon *outline, const designs_bitmap *bitmap)
 {
     static fxl_scan scan;
-    fxl_band band = {bitmap->pixels, (uint16_t)bitmap->width, (uint16_t)bitmap->width, 0,
-                     (uint16_t)bitmap->height};
+    fxl_band band = {.pixels = bitmap->pixels, .width = (uint16_t)bitmap->width,
+                     .stride = (uint16_t)bitmap->width, .first_row = 0,
+                     .rows = (uint16_t)bitmap->height};
     fxl_span span;
     if (fxl_scan_begin(outline, &band, &scan) != FXL_OK) {
         return;

@@ -30,16 +30,20 @@ typedef struct {
                                   billboard, counted from 1 */
 } fxl_billboard_set;
 
+/* What paints billboards into a target: FXL_SPRITES_OF. Members are internal. */
+typedef struct fxl_sprite_painter fxl_sprite_painter;
+
+/* Those of each target. FXL_SPRITES_OF(fxl_palette) is the address of one. */
+extern const fxl_sprite_painter fxl_palette_sprites, fxl_palette_depth_16_sprites,
+    fxl_palette_depth_32_sprites, fxl_rgb565_sprites, fxl_rgb565_depth_16_sprites,
+    fxl_rgb565_depth_32_sprites;
+#define FXL_SPRITES_OF(target) (&target##_sprites)
+
 /* The billboards of a renderer, which the caller owns. Members are internal. */
-typedef union {
-    struct {
-        const fxl_billboard_set *set;
-        const struct fxl_billboard_painter *painter;
-        const fxl_visibility *without; /* the method that they have joined */
-        fxl_visibility method;         /* the same with billboards */
-    } of;
-    uint64_t aligned; /* a workspace is aligned to 8 bytes */
-} fxl_billboards;
+struct fxl_billboards {
+    const fxl_billboard_set *set;
+    const fxl_sprite_painter *painter;
+};
 
 /* Checks the billboards of a scene: that each has a sprite of 1, 4 or 8 bits with pixels and sides
  * of 1..65535; every number and range; and of a model with a billboard that it is convex, has one

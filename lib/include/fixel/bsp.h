@@ -19,8 +19,8 @@ typedef struct {
     uint16_t phase;
 } fxl_bsp_resume_point;
 
-/* The workspace of fxl_visibility_bsp begins with this record. The submit_workspace_size of the
- * method includes what follows it. The caller may set the first two members between two frames,
+/* The workspace of fxl_visibility_bsp begins with this record. The memory_size of its
+ * order includes what follows it. The caller may set the first two members between two frames,
  * after fxl_renderer_set_visibility, which clears them. The rest is for reading only. */
 typedef struct {
     void *pieces;         /* memory for pieces of instances that move; null: none */
@@ -41,6 +41,9 @@ typedef struct {
  * workspace is 36 bytes and a bit for each node. Where other instances are on the layer, it is
  * another bit and 4 bytes for each node, and 12 bytes for each of these instances, in addition. */
 extern const fxl_visibility fxl_visibility_bsp;
+
+/* Its order. */
+extern const fxl_order fxl_by_tree;
 
 #ifdef __cplusplus
 }

@@ -23,13 +23,14 @@ typedef struct {
     void (*convert)(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out);
 } fxl_pixel_format;
 
-extern const fxl_pixel_format fxl_rgb565;     /* the byte with red first: displays on SPI */
-extern const fxl_pixel_format fxl_rgb565_low; /* the byte with blue first: a framebuffer of a
+extern const fxl_pixel_format fxl_pixels_rgb565;     /* the byte with red first: displays on SPI */
+extern const fxl_pixel_format fxl_pixels_rgb565_low; /* the byte with blue first: a framebuffer of a
                                                  little-endian core */
-extern const fxl_pixel_format fxl_rgb332;     /* red in the upper three bits */
-extern const fxl_pixel_format fxl_grey4; /* 16 greys, dithered; the left pixel in the upper half */
-extern const fxl_pixel_format fxl_mono_rows;  /* dithered; the leftmost pixel in the highest bit */
-extern const fxl_pixel_format fxl_mono_pages; /* dithered; a byte is eight pixels of a column, the
+extern const fxl_pixel_format fxl_pixels_rgb332;     /* red in the upper three bits */
+extern const fxl_pixel_format fxl_pixels_grey4; /* 16 greys,
+    dithered; the left pixel in the upper half */
+extern const fxl_pixel_format fxl_pixels_mono_rows;  /* dithered; the leftmost pixel in the highest bit */
+extern const fxl_pixel_format fxl_pixels_mono_pages; /* dithered; a byte is eight pixels of a column, the
                                                  topmost in the lowest bit; a page is eight rows */
 
 /* A palette, prepared for one format. The caller owns it. Members are for reading only. */

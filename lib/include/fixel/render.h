@@ -80,8 +80,8 @@ typedef struct fxl_workspace {
     uint16_t sorted_count;       /* how many are in the order: fewer, where some were dropped */
     uint16_t settings_version;   /* of the renderer when this was set up */
     fxl_vertex_cache cache;
-    void *raster_workspace; /* the raster backend's, of the caller's memory; or null */
-    uint32_t raster_workspace_size;
+    void *target_memory; /* the target's, of the caller's memory; or null */
+    uint32_t target_memory_size;
     fxl_screen_polygon screen;
     bool face_rows_known; /* face_order has the rows that the faces reach */
     bool rest_counted;    /* faces that are not in the display list have been counted */
@@ -97,26 +97,33 @@ typedef struct fxl_workspace {
  * internal. */
 typedef struct fxl_shader fxl_shader;
 struct fxl_shader {
-    fxl_shader *next; /* of the renderer; null: it is the last */
+    const fxl_shader *next; /* of the renderer; null: it is the last */
     uint32_t rank;    /* FXL_SHADER_...: they come in rising order, at most one of each */
     const struct fxl_shader_code *code;
 };
 
-/* A renderer, which the caller owns. On a core of 32 bits it takes 488 bytes and
- * 64 for each vertex of FXL_POLYGON_CAPACITY: 2536 where that is 32, 1256 where
+typedef struct fxl_billboards fxl_billboards; /* fixel/billboards.h */
+
+/* A renderer, which the caller owns. On a core of 32 bits it takes 512 bytes and
+ * 64 for each vertex of FXL_POLYGON_CAPACITY: 2560 where that is 32, 1280 where
  * it is 12. Several may live at once; none knows of another. Members are for
  * reading only. A renderer may be moved: no pointer in it leads into it. Two copies share the
  * caller's memory, so that only one of them may be used. */
 struct fxl_renderer {
     const fxl_scene *scene;
-    const fxl_clipper *clipper;       /* fxl_clipper_view, or another */
-    const fxl_visibility *visibility; /* fxl_visibility_sorted, or another */
-    fxl_shader *shader;               /* the first; null: faces are drawn as they are */
-    void *submit_workspace;           /* the visibility method's, of the caller's memory; or null */
+    const fxl_clipper *clipper; /* fxl_clipper_view, or another */
+    const fxl_order *order;     /* fxl_by_distance, or another */
+    const fxl_target *target;   /* fxl_palette, or another */
+    const fxl_shader *shader;   /* the first; null: faces are drawn as they are */
+    fxl_billboards *billboards; /* null: instances show their faces */
+    const uint16_t *palette;    /* of frames of 16 bits a pixel */
+    void *order_memory;         /* the order's, of the caller's memory; or null */
+    bool (*draw_list)(const fxl_traversal *traversal); /* null: all its records are flat */
     union {
         uint32_t instance_capacity; /* instances that the order has room for */
         uint32_t memory_missing;    /* bytes, if fxl_renderer_init answers FXL_E_CAPACITY */
     };
+    bool near_first; /* faces are submitted near to far, the reverse of the order of drawing */
     fxl_frame frame;
     fxl_workspace workspace;
 };

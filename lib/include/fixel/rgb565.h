@@ -24,18 +24,10 @@ typedef struct {
     uint16_t rows; /* >= 1; first_row + rows <= screen height */
 } fxl_band_565;
 
-/* What one core draws with. Internal. */
-typedef struct {
-    const uint16_t *palette;
-    const void *opened; /* the band that may be drawn now */
-} fxl_rgb565_raster;
-
 /* The frames of a renderer that are of 16 bits a pixel, which the caller owns. Members are
  * internal. */
 typedef struct {
-    FXL_ALIGN_8 const uint16_t *palette;
     uint32_t dark;
-    FXL_ALIGN_8 fxl_rgb565_raster raster;
 } fxl_rgb565_frame;
 
 /* Has a renderer draw frames of 16 bits a pixel, far to near. palette has 256 entries: what a

@@ -108,13 +108,23 @@ typedef struct {
 /* Bytes of a blend table of so many colours. */
 #define FXL_BLEND_TABLE_BYTES(colours) (256u * (colours))
 
+/* What draws faces with surfaces into a target: FXL_SURFACES_OF. Members are internal. */
+typedef struct fxl_painter fxl_painter;
+
+/* Those of each target. FXL_SURFACES_OF(fxl_palette) is the address of one. */
+extern const fxl_painter fxl_palette_surfaces, fxl_palette_depth_16_surfaces,
+    fxl_palette_depth_32_surfaces, fxl_rgb565_surfaces, fxl_rgb565_depth_16_surfaces,
+    fxl_rgb565_depth_32_surfaces;
+#define FXL_SURFACES_OF(target) (&target##_surfaces)
+
 /* The surfaces of a renderer, which the caller owns. Members are internal. */
 typedef struct {
     fxl_shader shader;
     const fxl_surface_set *set;
     const fxl_light *light; /* null: faces are not lit */
     const struct fxl_surface_light_code *light_code;
-    const struct fxl_surface_painter *painter;
+    const fxl_painter *painter;
+    uint16_t dark; /* of frames of 16 bits a pixel: what the lowest level of light leaves */
 } fxl_surfaces;
 
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three

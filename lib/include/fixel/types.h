@@ -317,7 +317,8 @@ typedef struct {
 enum {
     FXL_POLYGON_FLAT = 0,    /* one colour */
     FXL_POLYGON_SURFACE = 1, /* a surface (fixel/surfaces.h) */
-    FXL_POLYGON_SPRITE = 2   /* a sprite (fixel/billboards.h) */
+    FXL_POLYGON_SPRITE = 2,  /* a sprite (fixel/billboards.h) */
+    FXL_POLYGON_DEPTH = 3    /* one colour, with a depth (fixel/depth.h) */
 };
 
 /* The rows first <= row < end. No rows if the two are equal. */
@@ -365,7 +366,8 @@ typedef struct {
     uint16_t width;  /* 1..FXL_SCREEN_MAX */
     uint16_t stride; /* >= width */
     uint16_t first_row;
-    uint16_t rows; /* >= 1; first_row + rows <= screen height */
+    uint16_t rows;           /* >= 1; first_row + rows <= screen height */
+    const uint16_t *palette; /* null; of 16 bits a pixel: 256 colours, and pixels are uint16_t */
 } fxl_band;
 
 /* What happened to the faces of a frame. Each face is counted once:

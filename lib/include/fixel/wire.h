@@ -89,7 +89,7 @@ typedef struct {
  * renderer's style.
  * fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) sets it;
  * the renderer keeps the pointer. */
-extern const fxl_raster_backend fxl_raster_outlined;
+extern const fxl_target fxl_palette_outlined;
 extern const fxl_visibility fxl_visibility_outlined;
 
 #ifdef __cplusplus

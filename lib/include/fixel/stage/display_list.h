@@ -21,7 +21,7 @@ typedef struct {
 } fxl_display_list;
 
 /* A polygon of a display list. Its points lie in the list itself. */
-typedef struct {
+typedef struct fxl_display_list_record {
     fxl_rows rows;
     uint8_t colour, count;
     uint8_t kind; /* FXL_POLYGON_FLAT */

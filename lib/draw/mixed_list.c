@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* The display list of a renderer whose polygons are not all flat. */
+#include "../paint/billboard_paint.h"
+#include "surface_polygon.h"
+
+bool fxl_mixed_draw_list(const fxl_traversal *on)
+{
+    const fxl_renderer *renderer = on->renderer;
+    const fxl_band *band = on->band;
+    const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
+    const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
+    fxl_display_list_record record;
+    uint32_t place = 0;
+    while (fxl_display_list_next(&renderer->frame.display_list, wanted, &place, &record)) {
+        if (record.kind == FXL_POLYGON_FLAT) {
+            if (!renderer->target->flat(on->workspace, record.points, record.count, record.colour,
+                                        band)) {
+                return false;
+            }
+        } else if (record.kind == FXL_POLYGON_SURFACE) {
+            surfaces->painter->draw(surfaces, on->workspace, &record, band);
+        } else if (record.kind == FXL_POLYGON_DEPTH) {
+            renderer->target->flat_with_depth(on->workspace, &record, band);
+        } else {
+            const fxl_billboards *billboards = renderer->billboards;
+            billboards->painter->paint(renderer, on->workspace, record.points, band);
+        }
+    }
+    return true;
+}

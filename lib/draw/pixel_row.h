@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The pixels of a target: where they are, and how some of them get one colour. The file that
+ * includes this one has defined FXL_TARGET_PIXEL_BITS. Internal. */
+#ifndef FXL_PIXEL_ROW_H
+#define FXL_PIXEL_ROW_H
+
+#include "../raster/fill_row.h"
+
+#if FXL_TARGET_PIXEL_BITS == 8
+
+typedef uint8_t fxl_pixel;
+typedef uint32_t fxl_filling; /* the colour in each byte */
+
+static inline fxl_filling fxl_filling_of(const fxl_band *band, uint8_t colour)
+{
+    (void)band;
+    return colour * 0x01010101u;
+}
+
+static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling filling)
+{
+    fxl_fill_row(pixel, end, filling);
+}
+
+static inline bool fxl_is_band_of_pixels(const fxl_band *band)
+{
+    (void)band;
+    return true;
+}
+
+#else
+
+#include "fixel/rgb565.h"
+#include "../paint/fill_row_rgb565.h"
+
+typedef uint16_t fxl_pixel;
+typedef uint16_t fxl_filling;
+
+static inline fxl_filling fxl_filling_of(const fxl_band *band, uint8_t colour)
+{
+    return band->palette[colour];
+}
+
+static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling filling)
+{
+    fxl_fill_row_rgb565(pixel, end, filling);
+}
+
+static inline bool fxl_is_band_of_pixels(const fxl_band *band)
+{
+    return band->palette != NULL;
+}
+
+#endif
+
+static inline fxl_pixel *fxl_pixels_of_row(const fxl_band *band, uint32_t row)
+{
+    return (fxl_pixel *)(void *)band->pixels + (size_t)(row - band->first_row) * band->stride;
+}
+
+#endif

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of all painters of billboards. The file that includes this one defines FXL_TARGET,
+ * FXL_TARGET_PIXEL_BITS and FXL_TARGET_DEPTH_BITS as for target_text.h, and
+ *
+ *   FXL_TARGET_SPRITES  the painter's name
+ *
+ * Internal. */
+#ifndef FXL_SPRITES_TEXT_H
+#define FXL_SPRITES_TEXT_H
+
+#include "../paint/billboard_paint.h"
+#include "../paint/billboard_walk.h"
+#include "pixel_row.h"
+
+#if FXL_TARGET_PIXEL_BITS == 8
+#define PIXEL_OF(band, colour) (colour)
+#else
+#define PIXEL_OF(band, colour) ((band)->palette[colour])
+#endif
+
+#if FXL_TARGET_DEPTH_BITS == 0
+
+/* Where a billboard is painted. */
+typedef struct {
+    const fxl_band *band;
+} sprite_place;
+
+static inline bool find_place(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                              const fxl_screen_point *points, const fxl_band *band,
+                              sprite_place *place)
+{
+    (void)renderer;
+    (void)workspace;
+    (void)points;
+    place->band = band;
+    return true;
+}
+
+static inline void *cells_of(const sprite_place *place, uint32_t row)
+{
+    (void)place;
+    (void)row;
+    return NULL;
+}
+
+static inline bool is_visible(const sprite_place *place, void *cells, int32_t x)
+{
+    (void)place;
+    (void)cells;
+    (void)x;
+    return true;
+}
+
+static inline void keep(const sprite_place *place, void *cells, int32_t x)
+{
+    (void)place;
+    (void)cells;
+    (void)x;
+}
+
+#else
+
+#include "../paint/depth_ratio.h"
+#include "../paint/depth_row.h"
+
+/* Where a billboard is painted, and how far away it is. */
+typedef struct {
+    const fxl_band *band;
+    uint8_t *cells; /* of the band's first pixel */
+    uint32_t code;  /* of the billboard */
+    fxl_depth_rule rule;
+} sprite_place;
+
+/* The plane at a distance, above 0, that is parallel to the screen. Its depth is off relatively by
+ * less than 2^-28. near_z has units of 2^-16 and the distance of 2^-46, so near_z / distance is the
+ * ratio of the mantissas times 2^(30 + the difference of the exponents). */
+static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
+{
+    const fxl_normalised near_z = fxl_normalise((uint32_t)lens->near_z);
+    const fxl_normalised divisor = fxl_normalise((uint64_t)distance);
+    plane->gradient.at = fxl_ratio_of(&near_z, &divisor);
+    plane->gradient.along = plane->gradient.down = 0;
+    plane->one = divisor.exponent - near_z.exponent + 1;
+}
+
+/* The code of a plane that is parallel to the screen: that of every pixel. The sum is modulo 2^32,
+ * as the bias of the farthest octave is below 0. */
+static uint32_t code_of(fxl_depth_scale scale, const fxl_depth_plane *plane)
+{
+    fxl_depth_octave octave;
+    fxl_depth_octave_of(scale, plane, plane->gradient.at, &octave);
+    return octave.is_constant ? octave.bias
+                              : octave.bias + fxl_depth_shifted(plane->gradient.at, octave.drop);
+}
+
+/* False where billboards are not painted: where what is blended is. */
+static bool find_place(const fxl_renderer *renderer, const fxl_workspace *workspace,
+                       const fxl_screen_point *points, const fxl_band *band, sprite_place *place)
+{
+    fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
+    if (head->pass == FXL_DEPTH_BLENDED) {
+        return false; /* bug: sprite-depth-pass */
+    }
+    const fxl_q18_46 distance =
+        (fxl_q18_46)((uint64_t)(uint32_t)points[3].x << 32 | (uint32_t)points[3].y);
+    fxl_depth_plane plane;
+    find_plane(&renderer->frame.view.lens, distance, &plane);
+    place->band = band;
+    place->cells = (uint8_t *)(head + 1);
+    place->code = code_of(head->scale, &plane);
+    place->rule.wide = FXL_TARGET_DEPTH_BITS == 32;
+    place->rule.or_equal = head->or_equal;
+    return true;
+}
+
+static inline void *cells_of(const sprite_place *place, uint32_t row)
+{
+    const fxl_band *band = place->band;
+    return place->cells +
+           (row - band->first_row) * ((size_t)band->width * (FXL_TARGET_DEPTH_BITS / 8u));
+}
+
+static inline bool is_visible(const sprite_place *place, const void *cells, int32_t x)
+{
+    const fxl_depth_rule rule = {FXL_TARGET_DEPTH_BITS == 32, place->rule.or_equal};
+    return fxl_depth_passes(cells, x, place->code, rule);
+}
+
+static inline void keep(const sprite_place *place, void *cells, int32_t x)
+{
+    /* bug: sprite-depth-kept */
+    fxl_depth_keep(cells, x, place->code, FXL_TARGET_DEPTH_BITS == 32);
+}
+
+#endif
+
+static inline void paint_row(fxl_billboard_row *row, const void *with)
+{
+    const sprite_place *place = (const sprite_place *)with;
+    fxl_pixel *pixels = fxl_pixels_of_row(place->band, row->y);
+    void *cells = cells_of(place, row->y);
+    for (int32_t x = row->columns.first; x < row->columns.end; x++) {
+        const uint32_t value =
+            fxl_sprite_value(row->sprite, row->texels, row->along.texel, row->shift);
+        if (value != row->sprite->key && is_visible(place, cells, x)) {
+            pixels[x] = PIXEL_OF(place->band, fxl_sprite_colour(row->sprite, value));
+            keep(place, cells, x);
+        }
+        fxl_take_step(&row->along);
+    }
+}
+
+static void paint(const fxl_renderer *renderer, fxl_workspace *workspace,
+                  const fxl_screen_point *points, const fxl_band *band)
+{
+    sprite_place place;
+    if (find_place(renderer, workspace, points, band, &place)) {
+        fxl_billboard_walk_rows(fxl_billboard_sprite(renderer, (uint32_t)points[2].x), &points[0],
+                                &points[1], band, paint_row, &place);
+    }
+}
+
+const fxl_sprite_painter FXL_TARGET_SPRITES = {&FXL_TARGET, paint,
+                                               FXL_TARGET_DEPTH_BITS != 0 ? 4 : 3};
+
+#endif

@@ -1,0 +1,6 @@
+/* SPDX-License-Identifier: MIT */
+#define FXL_TARGET            fxl_rgb565
+#define FXL_TARGET_SURFACES   fxl_rgb565_surfaces
+#define FXL_TARGET_PIXEL_BITS 16
+#define FXL_TARGET_DEPTH_BITS 0
+#include "surfaces_text.h"

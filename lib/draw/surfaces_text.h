@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of all painters of surfaces. The file that includes this one defines FXL_TARGET,
+ * FXL_TARGET_PIXEL_BITS and FXL_TARGET_DEPTH_BITS as for target_text.h, and
+ *
+ *   FXL_TARGET_SURFACES  the painter's name
+ *
+ * Internal. */
+#ifndef FXL_SURFACES_TEXT_H
+#define FXL_SURFACES_TEXT_H
+
+#include "../math/memory.h"
+#include "../paint/paint_polygon.h"
+#include "submit_polygons.h"
+#include "pixel_row.h"
+
+#if FXL_TARGET_PIXEL_BITS == 8
+#define PAINT_PIXELS fxl_paint_pixels
+#else
+#define PAINT_PIXELS fxl_paint_pixels_565
+#endif
+
+/* --- a polygon ------------------------------------------------------------------------------ */
+
+#if FXL_TARGET_PIXEL_BITS == 16
+
+static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
+                     const fxl_band *band, fxl_paint *paint)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    fxl_paint_565 *of = &paint->of_565;
+    fxl_surface_paint_of(surfaces, polygon, paint);
+    const uint32_t levels = paint->levels_less_1;
+    of->palette = band->palette;
+    of->part_of_level = paint->ramp != NULL ? (65536u + levels / 2) / levels : 0;
+    of->dark = surfaces->dark;
+    of->key = surface->texture != 0 ? surfaces->set->textures[surface->texture - 1].key_565 : 0;
+    of->flags = surface->flags;
+}
+
+static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_face *face)
+{
+    (void)paint;
+    (void)face;
+    return NULL; /* the kernel paints bytes */
+}
+
+#else
+
+static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
+                     const fxl_band *band, fxl_paint *paint)
+{
+    (void)band;
+    fxl_surface_paint_of(surfaces, polygon, paint);
+}
+
+static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_face *face)
+{
+    return fxl_segments_find(paint, face) ? face : NULL;
+}
+
+#endif
+
+#if FXL_TARGET_DEPTH_BITS == 0
+
+/* fxl_row_painter. */
+static inline __attribute__((always_inline)) void
+paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    if (FXL_TARGET_PIXEL_BITS == 8) {
+        fxl_paint_simply(with, paint, row, x0, x1);
+    } else {
+        PAINT_PIXELS(paint, row, x0, x1);
+    }
+}
+
+static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                          const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                          uint32_t count, const fxl_band *band)
+{
+    fxl_paint paint;
+    fxl_segment_face face;
+    paint_of(surfaces, polygon, band, &paint);
+    fxl_paint_polygon(&paint, segments_of(&paint, &face), points, count, band,
+                      FXL_TARGET_PIXEL_BITS / 8, &workspace->work.scan, paint_row, NULL);
+}
+
+static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on, fxl_surface_polygon *polygon)
+{
+    (void)model_view;
+    (void)face;
+    (void)on;
+    (void)polygon;
+}
+
+#else
+
+#include "depth_plane.h"
+#include "../paint/depth_row.h"
+
+#define SCRATCH 16 /* pixels */
+
+/* A row of a polygon. */
+typedef struct {
+    const fxl_depth_painting *depth;
+    const fxl_paint *paint;
+    const fxl_paint_row *row;
+} surface_row;
+
+/* Pixels of a surface that has holes, of one segment of 16 columns: their depth is kept where they
+ * are drawn. They are painted over two backgrounds: a pixel that is the same on both was drawn. */
+static void paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cells,
+                        fxl_depth_line line)
+{
+    fxl_pixel painted[2][SCRATCH];
+    fxl_pixel *pixels = (fxl_pixel *)(void *)of->row->pixels;
+    const int32_t first = x0 & -SCRATCH;
+    for (uint32_t i = 0; i < 2; i++) {
+        fxl_paint_row row = *of->row;
+        memset(painted[i], (int)i, sizeof painted[i]);
+        row.pixels = (uint8_t *)(painted[i] - first);
+        PAINT_PIXELS(of->paint, &row, x0, x1);
+    }
+    for (int32_t x = x0; x < x1; x++, line.code += line.step) {
+        const fxl_pixel colour = painted[0][x - first];
+        if (colour == painted[1][x - first]) {
+            pixels[x] = colour;
+            fxl_depth_keep(cells, x, line.code, FXL_TARGET_DEPTH_BITS == 32); /* bug: depth-hole */
+        }
+    }
+}
+
+/* fxl_run_painter. */
+static inline __attribute__((always_inline)) void
+paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
+{
+    const surface_row *of = (const surface_row *)with;
+    if (of->depth->keeps != FXL_DEPTH_KEEPS_DRAWN) {
+        PAINT_PIXELS(of->paint, of->row, x0, x1);
+        return;
+    }
+    while (x0 < x1) {
+        const int32_t next = (x0 & -SCRATCH) + SCRATCH;
+        const int32_t end = next < x1 ? next : x1;
+        paint_holes(of, x0, end, cells, line);
+        line.code += line.step * (uint32_t)(end - x0);
+        x0 = end;
+    }
+}
+
+/* fxl_row_painter. */
+static inline __attribute__((always_inline)) void
+paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    fxl_depth_painting *depth = (fxl_depth_painting *)with;
+    const surface_row of = {depth, paint, row};
+    fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &of);
+}
+
+static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                          const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                          uint32_t count, const fxl_band *band)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    const bool is_blended = (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
+    fxl_depth_painting depth;
+    fxl_paint paint;
+    fxl_segment_face face;
+    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
+    if (depth.head->pass == (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
+        return; /* bug: depth-pass */
+    }
+    paint_of(surfaces, polygon, band, &paint);
+    if (is_blended) {
+        depth.keeps = FXL_DEPTH_KEEPS_NONE;
+    } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
+        depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
+    }
+    fxl_paint_polygon(&paint, segments_of(&paint, &face), points, count, band,
+                      FXL_TARGET_PIXEL_BITS / 8, &workspace->work.scan, paint_row, &depth);
+}
+
+static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *on, fxl_surface_polygon *polygon)
+{
+    polygon->has_depth = true;
+    fxl_depth_plane_find(model_view, face, on, &polygon->depth);
+}
+
+#endif
+
+/* --- a face --------------------------------------------------------------------------------- */
+
+/* What a face with a surface is found and painted by. */
+typedef struct {
+    const fxl_surfaces *surfaces;
+    const fxl_mapped_face *mapped;
+} mapped_surface;
+
+/* fxl_polygon_finder. */
+static inline __attribute__((always_inline)) void
+find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
+     const fxl_traversal *on, fxl_surface_polygon *polygon)
+{
+    const mapped_surface *of = (const mapped_surface *)what;
+    fxl_surface_find(of->surfaces, of->mapped, model_view, face, on, polygon);
+    find_depth(model_view, face, on, polygon);
+}
+
+/* fxl_polygon_painter. */
+static inline __attribute__((always_inline)) void
+paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_polygon *polygon,
+              const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+{
+    paint_surface(((const mapped_surface *)what)->surfaces, workspace, polygon, points, count,
+                  band);
+}
+
+/* Picks, and targets of another painter, draw faces in their own colours. */
+static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+                   const fxl_shader *shader)
+{
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
+    const fxl_surface_set *set = surfaces->set;
+    const uint32_t number = set->face_map[face - on->renderer->scene->faces];
+    if (number == 0 || on->renderer->target != &FXL_TARGET) {
+        return fxl_surfaces_pass_on(model_view, face, on, shader);
+    }
+    const mapped_surface of = {surfaces, &set->faces[number - 1]};
+    const uint32_t used = on->renderer->frame.display_list.used;
+    return fxl_count_outcome(
+        on, fxl_submit_found_polygons(model_view, face, on, find, paint_polygon, &of), used);
+}
+
+static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                 const fxl_display_list_record *record, const fxl_band *band)
+{
+    fxl_surface_polygon polygon;
+    const uint32_t count = fxl_surface_polygon_read(record, &polygon);
+    paint_surface(surfaces, workspace, &polygon, record->points, count, band);
+}
+
+static const fxl_shader_code code = {fxl_surfaces_reach, submit, NULL, fxl_surfaces_colour, false};
+
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw};
+
+#endif

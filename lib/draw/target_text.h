@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of all targets: how a face of one colour is drawn. The file that includes this one
+ * defines:
+ *
+ *   FXL_TARGET             the target's name
+ *   FXL_TARGET_PIXEL_BITS  8 or 16
+ *   FXL_TARGET_DEPTH_BITS  0, 16 or 32
+ *
+ * So no target tests at run time what it is. Internal. */
+#ifndef FXL_TARGET_TEXT_H
+#define FXL_TARGET_TEXT_H
+
+#include "renderer.h"
+#include "submit.h"
+#include "../raster/draw_outline.h"
+#include "pixel_row.h"
+
+#if FXL_TARGET_DEPTH_BITS == 0 && FXL_TARGET_PIXEL_BITS == 8
+
+/* A face goes from the clipper straight to the scan where it can (render.c); others come here. */
+static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                 uint8_t colour, const fxl_band *band)
+{
+    workspace->work.scan.colour = colour;
+    (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
+    return true;
+}
+
+#else
+
+/* Paints the pixels x0 <= x < x1 of row y; with: the painter's own. */
+typedef void flat_row_painter(void *with, fxl_pixel *pixels, int32_t y, int32_t x0, int32_t x1);
+
+/* The rows of an outline. pixels: of column 0. */
+static inline __attribute__((always_inline)) void paint_rows(const fxl_screen_point *points,
+                                                             uint32_t count, const fxl_band *band,
+                                                             fxl_scan *scan,
+                                                             flat_row_painter *paint, void *with)
+{
+    const fxl_trapezoid *trapezoid;
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        fxl_pixel *pixels = fxl_pixels_of_row(band, (uint32_t)trapezoid->first_row);
+        for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
+            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
+            if (x0 < x1) {
+                paint(with, pixels, y, x0, x1);
+            }
+            fxl_edge_step(&a);
+            fxl_edge_step(&b);
+            pixels += band->stride;
+        }
+    }
+}
+
+#endif
+
+#if FXL_TARGET_DEPTH_BITS != 0
+
+#include "depth_draw.h"
+#include "../paint/depth_row.h"
+#include "depth_plane.h"
+#include "submit_polygons.h"
+#include "fixel/depth.h"
+
+/* A polygon of one colour, and its depth. */
+typedef struct {
+    fxl_depth_painting depth;
+    fxl_filling filling;
+} flat_painting;
+
+/* A run of visible pixels of a row. */
+typedef struct {
+    fxl_pixel *pixels;
+    fxl_filling filling;
+} flat_row;
+
+static inline __attribute__((always_inline)) void
+paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
+{
+    const flat_row *row = (const flat_row *)with;
+    (void)cells;
+    (void)line;
+    fxl_fill_pixels(row->pixels + x0, row->pixels + x1, row->filling);
+}
+
+static inline __attribute__((always_inline)) void
+paint_row(void *with, fxl_pixel *pixels, int32_t y, int32_t x0, int32_t x1)
+{
+    flat_painting *of = (flat_painting *)with;
+    const flat_row row = {pixels, of->filling};
+    fxl_depth_paint_row(&of->depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &row);
+}
+
+static void paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
+                       const fxl_screen_point *points, uint32_t count, uint8_t colour,
+                       const fxl_band *band)
+{
+    flat_painting of;
+    fxl_depth_begin(&of.depth, workspace->target_memory, plane, band);
+    if (of.depth.head->pass != FXL_DEPTH_BLENDED) {
+        of.filling = fxl_filling_of(band, colour);
+        paint_rows(points, count, band, &workspace->work.scan, paint_row, &of);
+    }
+}
+
+/* fxl_target.flat: what has no depth is at infinity. Front to back, the first of these to cover a
+ * pixel is seen, as in a span buffer; far to near, the last one. */
+static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                 uint8_t colour, const fxl_band *band)
+{
+    static const fxl_depth_plane infinity = {{0, 0, 0}, 0};
+    paint_flat(workspace, &infinity, points, count, colour, band);
+    return true;
+}
+
+static void flat_with_depth(fxl_workspace *workspace, const fxl_display_list_record *record,
+                            const fxl_band *band)
+{
+    fxl_surface_polygon polygon;
+    const uint32_t count = fxl_surface_polygon_read(record, &polygon);
+    paint_flat(workspace, &polygon.depth, record->points, count, polygon.colour, band);
+}
+
+/* --- faces and pieces ----------------------------------------------------------------------- */
+
+/* fxl_polygon_finder. */
+static inline __attribute__((always_inline)) void
+find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
+     const fxl_traversal *on, fxl_surface_polygon *polygon)
+{
+    (void)what;
+    polygon->surface = FXL_NO_SURFACE;
+    polygon->gradients.count = 0;
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
+        polygon->gradients.shifts[i] = 0;
+    }
+    polygon->level = 0;
+    polygon->colour = face->material;
+    polygon->has_depth = true;
+    fxl_depth_plane_find(model_view, face, on, &polygon->depth);
+}
+
+/* fxl_polygon_painter. */
+static inline __attribute__((always_inline)) void
+paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_polygon *polygon,
+              const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+{
+    (void)what;
+    paint_flat(workspace, &polygon->depth, points, count, polygon->colour, band);
+}
+
+static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
+                                   const fxl_traversal *on)
+{
+    return fxl_submit_found_polygons(model_view, face, on, find, paint_polygon, NULL);
+}
+
+/* Whether the renderer draws into this target. A pick looks for a face in one of its own. */
+static bool is_drawn_into(const fxl_traversal *on)
+{
+    return on->renderer->target == &FXL_TARGET;
+}
+
+static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+                   const fxl_shader *shader)
+{
+    (void)shader;
+    if (!is_drawn_into(on)) {
+        return fxl_submit_shaded_face(model_view, face, on);
+    }
+    const uint32_t used = on->renderer->frame.display_list.used;
+    return fxl_count_outcome(on, submit_polygons(model_view, face, on), used);
+}
+
+static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count)
+{
+    const fxl_traversal *on = pieces->on;
+    fxl_model_view model_view;
+    (void)shader;
+    if (!is_drawn_into(on)) {
+        return fxl_submit_piece(pieces, points, count, face->material);
+    }
+    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
+                              &on->workspace->cache);
+    model_view.planes = pieces->planes;
+    pieces->outcome |= submit_polygons(&model_view, face, on);
+    return pieces->outcome < FXL_OUTCOME_FULL;
+}
+
+static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
+{
+    (void)shader;
+    (void)scene;
+    (void)instance;
+    return true;
+}
+
+static const fxl_shader_code code = {reaches, submit, split, NULL, false};
+static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};
+
+/* --- bands ---------------------------------------------------------------------------------- */
+
+static uint32_t memory_size(const fxl_lens *lens)
+{
+    return FXL_DEPTH_BYTES(lens->width, 1, FXL_TARGET_DEPTH_BITS);
+}
+
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
+{
+    if (!fxl_is_band_of_pixels(band)) {
+        return fxl_refuse(workspace, FXL_E_ORDER);
+    }
+    fxl_depth_draw_parts(renderer, workspace, band, FXL_TARGET_DEPTH_BITS / 8,
+                         FXL_TARGET_PIXEL_BITS / 8);
+    return FXL_OK;
+}
+
+#elif FXL_TARGET_PIXEL_BITS == 16
+
+static inline __attribute__((always_inline)) void
+paint_row(void *with, fxl_pixel *pixels, int32_t y, int32_t x0, int32_t x1)
+{
+    (void)y;
+    fxl_fill_pixels(pixels + x0, pixels + x1, *(const fxl_filling *)with);
+}
+
+static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                 uint8_t colour, const fxl_band *band)
+{
+    fxl_filling filling = fxl_filling_of(band, colour);
+    paint_rows(points, count, band, &workspace->work.scan, paint_row, &filling);
+    return true;
+}
+
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
+{
+    if (!fxl_is_band_of_pixels(band)) { /* bug: band-of-bytes */
+        return fxl_refuse(workspace, FXL_E_ORDER);
+    }
+    (void)fxl_draw_band(renderer, workspace, band);
+    return FXL_OK;
+}
+
+#endif
+
+const fxl_target FXL_TARGET = {
+    .pixel_bits = FXL_TARGET_PIXEL_BITS,
+    .depth_bits = FXL_TARGET_DEPTH_BITS,
+    .draws_over = FXL_TARGET_PIXEL_BITS == 8 && FXL_TARGET_DEPTH_BITS == 0,
+    .flat = flat,
+#if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
+    .draw_band = draw_band,
+#endif
+#if FXL_TARGET_DEPTH_BITS != 0
+    .memory_size = memory_size,
+    .draw_list = fxl_mixed_draw_list,
+    .flat_with_depth = flat_with_depth,
+    .last = &last,
+#endif
+};
+
+#endif

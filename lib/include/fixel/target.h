@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: MIT */
+/* Targets: what a renderer draws into. A target is a pixel format, and a depth buffer or none. Each
+ * is one constant record in a file of its own, so a program links only those that it names. */
+#ifndef FXL_TARGET_H
+#define FXL_TARGET_H
+
+#include "fixel/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct fxl_renderer fxl_renderer;
+struct fxl_workspace;           /* fixel/render.h */
+struct fxl_display_list_record; /* fixel/stage/display_list.h */
+struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
+
+/* A target. Members are internal. By itself it draws faces of one colour. */
+typedef struct fxl_target {
+    uint8_t pixel_bits; /* 8: a palette index; 16: RGB565 */
+    uint8_t depth_bits; /* of a pixel in the depth buffer: 0, 16 or 32 */
+    /* Whether `flat` only scans and fills, over what is there, by fxl_draw_outline: then a face may
+     * go from the clipper straight to the scan. */
+    bool draws_over;
+    /* The least size of a workspace's memory for the target, in bytes. Null: it needs none. */
+    uint32_t (*memory_size)(const fxl_lens *lens);
+    /* Draws a band, in parts if the memory is too small for the whole. Returns FXL_OK, or a status
+     * that it has counted in refused_calls, with the band untouched. Null: the renderer draws the
+     * band at once. */
+    fxl_status (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                            const fxl_band *band);
+    /* Begins a band of which nothing was drawn. Null: there is nothing to begin. */
+    void (*begin_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
+                       const fxl_band *band);
+    /* Draws an outline of one colour that reaches rows of the screen; the band may hold none of
+     * them. Returns false if the memory is full: then some of the outline may have been drawn. */
+    bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                 uint8_t colour, const fxl_band *band);
+    /* Draws the polygons of the display list that reach the band, where records are not all flat.
+     * Null: they are, as long as nothing is attached that makes others. */
+    bool (*draw_list)(const struct fxl_traversal *traversal);
+    /* With a depth buffer: draws a record of the display list that has a depth and no surface. */
+    void (*flat_with_depth)(struct fxl_workspace *workspace,
+                            const struct fxl_display_list_record *record, const fxl_band *band);
+    /* With a depth buffer: the last shader of the renderer. It takes faces and pieces that no
+     * attachment has drawn. Null: they go to the display list, or to `flat`. */
+    const struct fxl_shader *last;
+} fxl_target;
+
+/* A palette index of 8 bits a pixel: fxl_render draws into bytes. */
+extern const fxl_target fxl_palette;          /* a later polygon covers an earlier one */
+extern const fxl_target fxl_palette_depth_16; /* at each pixel the nearest face: fixel/depth.h */
+extern const fxl_target fxl_palette_depth_32;
+
+/* RGB565, 16 bits a pixel: fixel/rgb565.h. */
+extern const fxl_target fxl_rgb565;
+extern const fxl_target fxl_rgb565_depth_16;
+extern const fxl_target fxl_rgb565_depth_32;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* A row of a band with a depth buffer: which of its pixels are visible. What paints those is given
+ * by the caller, and is inlined. `bits` is constant where these functions are called: 16 or 32 a
+ * cell. Internal. */
+#ifndef FXL_DEPTH_ROW_H
+#define FXL_DEPTH_ROW_H
+
+#include "depth_cells.h"
+#include "depth_code.h"
+
+#define FXL_INLINED static inline __attribute__((always_inline))
+
+/* Which polygons are painted. */
+enum {
+    FXL_DEPTH_ALL = 0,
+    FXL_DEPTH_OPAQUE = 1,
+    FXL_DEPTH_BLENDED = 2 /* those whose surface is FXL_SURFACE_BLEND or FXL_SURFACE_ADD */
+};
+
+/* The beginning of the target's memory; the cells follow. */
+typedef struct {
+    FXL_ALIGN_8 fxl_depth_scale scale;
+    uint8_t pass; /* FXL_DEPTH_ALL and so on */
+    bool or_equal;
+} fxl_depth_head;
+
+FXL_STATIC_ASSERT(sizeof(fxl_depth_head) == 8, "FXL_DEPTH_BYTES");
+
+/* Of which visible pixels the depth is kept. */
+enum {
+    FXL_DEPTH_KEEPS_ALL = 0,
+    FXL_DEPTH_KEEPS_DRAWN = 1, /* of a surface that has holes */
+    FXL_DEPTH_KEEPS_NONE = 2   /* of a blended one, so that what it covers can be seen through it */
+};
+
+/* A polygon that is painted. */
+typedef struct {
+    const fxl_depth_plane *plane;
+    const fxl_depth_head *head;
+    const fxl_band *band;
+    uint8_t keeps;           /* FXL_DEPTH_KEEPS_ALL and so on */
+    fxl_depth_octave octave; /* of the pixels painted last */
+} fxl_depth_painting;
+
+/* Paints the pixels x0 <= x < x1 of a row, which are visible; with: the painter's own. Where depths
+ * are kept of drawn pixels alone, it keeps them in the cells; line: the codes from x0 on. */
+typedef void fxl_run_painter(const void *with, int32_t x0, int32_t x1, void *cells,
+                             fxl_depth_line line);
+
+/* Pixels of one octave. cells: of column 0. */
+FXL_INLINED void fxl_depth_paint_line(const fxl_depth_painting *of, void *cells, int32_t x0,
+                                      int32_t x1, fxl_depth_line line, fxl_depth_rule rule,
+                                      fxl_run_painter *paint, const void *with)
+{
+    while (x0 < x1) {
+        const fxl_depth_line from = line;
+        const int32_t end = of->keeps == FXL_DEPTH_KEEPS_ALL
+                                ? fxl_depth_visible_end(cells, x0, x1, &line, true, rule)
+                                : fxl_depth_visible_end(cells, x0, x1, &line, false, rule);
+        if (x0 < end) {
+            paint(with, x0, end, cells, from);
+        }
+        x0 = end < x1 ? fxl_depth_hidden_end(cells, end, x1, &line, rule) : x1;
+    }
+}
+
+/* Sets the octave of column x0, where the gradient in column 0 is `depth`. Returns how far it goes:
+ * all of the columns x0 to the one before have it; x1 at most. It is found by halving, as depth is
+ * linear along a row. */
+static inline int32_t fxl_depth_octave_end(fxl_depth_painting *of, int64_t depth, int32_t x0,
+                                           int32_t x1)
+{
+    const int64_t along = of->plane->gradient.along;
+    const int64_t value = depth + along * x0;
+    if (!fxl_depth_octave_holds(&of->octave, value)) {
+        fxl_depth_octave_of(of->head->scale, of->plane, value, &of->octave);
+    }
+    int32_t inside = x0, outside = x1;
+    if (fxl_depth_octave_holds(&of->octave, depth + along * (x1 - 1))) {
+        return x1;
+    }
+    while (outside - inside > 1) {
+        const int32_t middle = (inside + outside) / 2;
+        if (fxl_depth_octave_holds(&of->octave, depth + along * middle)) {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    return outside;
+}
+
+/* The pixels x0 <= x < x1 of row y. */
+FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t x0, int32_t x1,
+                                     uint32_t bits, fxl_run_painter *paint, const void *with)
+{
+    const fxl_gradient *gradient = &of->plane->gradient;
+    const size_t row_bytes = (size_t)of->band->width * (bits / 8u);
+    void *cells =
+        (uint8_t *)(uintptr_t)(of->head + 1) + (size_t)(y - of->band->first_row) * row_bytes;
+    const int64_t depth = gradient->at + gradient->down * y;
+    while (x0 < x1) {
+        const int32_t end = fxl_depth_octave_end(of, depth, x0, x1);
+        const fxl_depth_octave *octave = &of->octave;
+        fxl_depth_line line = {octave->bias, octave->step};
+        if (!octave->is_constant) {
+            line.code += fxl_depth_shifted(depth, octave->drop) + line.step * (uint32_t)x0;
+        }
+        if (of->head->or_equal) {
+            const fxl_depth_rule rule = {bits == 32, true};
+            fxl_depth_paint_line(of, cells, x0, end, line, rule, paint, with);
+        } else {
+            const fxl_depth_rule rule = {bits == 32, false};
+            fxl_depth_paint_line(of, cells, x0, end, line, rule, paint, with);
+        }
+        x0 = end;
+    }
+}
+
+/* memory: the target's. */
+static inline void fxl_depth_begin(fxl_depth_painting *of, const void *memory,
+                                   const fxl_depth_plane *plane, const fxl_band *band)
+{
+    of->plane = plane;
+    of->head = (const fxl_depth_head *)memory;
+    of->band = band;
+    of->keeps = FXL_DEPTH_KEEPS_ALL;
+    fxl_depth_octave_of(of->head->scale, plane, 0, &of->octave);
+}
+
+#endif

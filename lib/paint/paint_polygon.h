@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* The rows of a polygon that has a surface. What paints a row is given by the caller, and is
+ * inlined. Internal. */
+#ifndef FXL_PAINT_POLYGON_H
+#define FXL_PAINT_POLYGON_H
+
+#include "../raster/fill_row.h"
+#include "segments.h"
+
+/* Paints some of the pixels x0 <= x < x1 of a row; with: the painter's own. */
+typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
+                             int32_t x0, int32_t x1);
+
+/* The row's gradients, y rows down. */
+static inline void fxl_begin_row(const fxl_gradients *gradients, int32_t y, fxl_paint_row *row)
+{
+    row->y = y;
+    row->weight = gradients->weight.at + gradients->weight.down * y;
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        row->attributes[i] = gradients->attributes[i].at + gradients->attributes[i].down * y;
+    }
+}
+
+/* The row below the last one may be beyond what is bounded: then a sum wraps. */
+static inline void fxl_step_down(int64_t *value, const fxl_gradient *gradient)
+{
+    *value = (int64_t)((uint64_t)*value + (uint64_t)gradient->down);
+}
+
+static inline void fxl_next_row(const fxl_gradients *gradients, fxl_paint_row *row)
+{
+    row->y++;
+    fxl_step_down(&row->weight, &gradients->weight);
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
+        fxl_step_down(&row->attributes[i], &gradients->attributes[i]);
+    }
+}
+
+/* A polygon of the screen in a band, whose pixels have so many bytes. segments: what the kernel of
+ * segments needs; or null. */
+static inline __attribute__((always_inline)) void
+fxl_paint_polygon(const fxl_paint *paint, const fxl_segment_face *segments,
+                  const fxl_screen_point *points, uint32_t count, const fxl_band *band,
+                  uint32_t pixel_bytes, fxl_scan *scan, fxl_row_painter *paint_row, void *with)
+{
+    const size_t stride = (size_t)band->stride * pixel_bytes;
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_trapezoid *trapezoid;
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        fxl_paint_row row;
+        row.pixels = band->pixels + (size_t)(trapezoid->first_row - band->first_row) * stride;
+        row.segments = segments;
+        fxl_begin_row(gradients, trapezoid->first_row, &row);
+        while (row.y < trapezoid->end_row) {
+            const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
+            if (x0 < x1) {
+                paint_row(with, paint, &row, x0, x1);
+            }
+            fxl_edge_step(&a);
+            fxl_edge_step(&b);
+            row.pixels += stride;
+            fxl_next_row(gradients, &row);
+        }
+    }
+}
+
+/* fxl_row_painter of bytes: a whole row mostly goes to the kernel without detours. */
+static inline __attribute__((always_inline)) void
+fxl_paint_simply(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                 int32_t x1)
+{
+    (void)with;
+    if (row->segments != NULL && fxl_segments_take(row->segments, row, x0, x1)) {
+        fxl_paint_segments(row->segments, row, x0, x1);
+    } else {
+        fxl_paint_pixels(paint, row, x0, x1);
+    }
+}
+
+#endif
