@@ -48,9 +48,9 @@ def tiny_scene(folder):
     return path
 
 
-def scene_bytes(size=400, version=2):
+def scene_bytes(size=400, version=8):
     """Bytes that the flash tool takes for a scene image; no loader would."""
-    body = struct.pack("<4sHHI", b"FXLS", version, 160, size)
+    body = struct.pack("<4sHHI", b"FXLS", version, 0, size)
     rest = bytes((7 * i) & 255 for i in range(size - 16))
     return body + struct.pack("<I", zlib.crc32(rest)) + rest
 

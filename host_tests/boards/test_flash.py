@@ -200,13 +200,14 @@ def test_a_program_that_reaches_into_the_scene(elf, scene, image, tmp_path):
 
 
 @pytest.mark.parametrize("spoil, words", [
-    (lambda data: data[:100], "is not a scene image"),
+    (lambda data: data[:91], "is not a scene image"),
+    (lambda data: data[:100], "says that it has 400"),
     (lambda data: b"FXLT" + data[4:], "is not a scene image"),
     (lambda data: b"", "is not a scene image"),
     (lambda data: data[:-4], "says that it has 400"),
     (lambda data: data + bytes(4), "says that it has 400"),
     (lambda data: data[:300] + bytes([data[300] ^ 4]) + data[301:], "checksum does not match"),
-    (lambda data: scene_bytes(version=1), "version 1"),
+    (lambda data: scene_bytes(version=7), "version 7; this tool knows version 8: build it again"),
     (lambda data: scene_bytes(3584 * 1024 + 4), "does not fit"),
 ])
 def test_a_scene_that_is_not_one(elf, scene, image, spoil, words):

@@ -8,15 +8,12 @@
 #include "../../lib/scene/crc.h"
 
 enum {
-    HEADER_SIZE = 160,
+    HEADER_SIZE = 92,
+    AT_SECTION_COUNT = 6,
     AT_SIZE = 8,
     AT_CRC = 12,
-    AT_TABLES = 80,
-    TABLES =
-        11, /* the last four, of keys, nodes, beams and clusters, stand behind the frame count */
-    AT_KEYS = 140,
-    AT_BEAMS = 160,   /* in the larger header alone: else what comes there is no table */
-    AT_CLUSTERS = 176 /* in the largest header alone */
+    ENTRY = 12, /* of the table of sections: kind, needed, offset, count */
+    PIECE = 16  /* bytes of a section that change at once */
 };
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
@@ -52,29 +49,28 @@ static size_t mend(uint8_t *data, size_t size, unsigned seed)
     return size;
 }
 
-/* Bytes of one entry or so, somewhere in a table. */
-static void mutate_table(uint8_t *data, size_t size, unsigned seed)
+/* The entry of a section in the table; null if the table is not there. */
+static uint8_t *entry_of(uint8_t *data, size_t size, unsigned seed)
 {
-    unsigned number = seed % TABLES;
-    const uint8_t *table =
-        data + (number >= 7 ? AT_KEYS + 8 * (number - 7) : AT_TABLES + 8 * number);
-    if (number >= TABLES - 2) {
-        table = data + (number == TABLES - 1 ? AT_CLUSTERS : AT_BEAMS);
-    }
-    if (size < AT_CLUSTERS + 8) {
+    const unsigned count = data[AT_SECTION_COUNT];
+    const size_t at = HEADER_SIZE + (size_t)ENTRY * (count == 0 ? 0 : seed % count);
+    return count == 0 || at + ENTRY > size ? NULL : data + at;
+}
+
+/* A few bytes, somewhere in a section. */
+static void mutate_section(uint8_t *data, size_t size, unsigned seed)
+{
+    const uint8_t *entry = entry_of(data, size, seed);
+    if (entry == NULL) {
         return;
     }
-    size_t offset = get32(table), count = get32(table + 4);
-    if (offset >= size || count == 0) {
+    const size_t offset = get32(entry + 4);
+    if (offset >= size) {
         return;
     }
-    static const uint8_t entry_sizes[TABLES] = {3, 12, 2, 20, 28, 16, 4, 20, 48, 176, 48};
-    size_t at = offset + (seed / TABLES % count) * entry_sizes[seed % TABLES];
-    size_t workspace = at < size ? size - at : 0;
-    size_t piece = entry_sizes[seed % TABLES] < workspace ? entry_sizes[seed % TABLES] : workspace;
-    if (piece > 0) {
-        LLVMFuzzerMutate(data + at, piece, piece);
-    }
+    const size_t at = offset + seed / 64 % (size - offset);
+    const size_t piece = size - at < PIECE ? size - at : PIECE;
+    LLVMFuzzerMutate(data + at, piece, piece);
 }
 
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed)
@@ -83,11 +79,16 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsi
     unsigned where = seed >> 3;
     if (size < HEADER_SIZE || kind < 2) {
         size = LLVMFuzzerMutate(data, size, max_size);
-    } else if (kind < 5) {
+    } else if (kind < 4) {
         size_t field = 4 * (where % (HEADER_SIZE / 4));
         LLVMFuzzerMutate(data + field, 4, 4);
+    } else if (kind < 5) {
+        uint8_t *entry = entry_of(data, size, where);
+        if (entry != NULL) {
+            LLVMFuzzerMutate(entry, ENTRY, ENTRY);
+        }
     } else {
-        mutate_table(data, size, where);
+        mutate_section(data, size, where);
     }
     return mend(data, size, seed * 2654435761u);
 }

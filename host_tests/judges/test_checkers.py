@@ -9,8 +9,9 @@ import zlib
 import pytest
 
 from conftest import CHECKOUT
+from scene_sections import bodies, entries, joined, replaced, sealed, section
 from fixel.scene import making
-from fixel.image import image
+from fixel.image import fields, image
 from fixel.base.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
@@ -19,25 +20,15 @@ SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("s
           ("host_tests/fuzz/scenes/turns", None), ("host_tests/fuzz/scenes/turns", "0"),
           ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None),
           ("host_tests/fuzz/scenes/billboards", None))
-TABLES = [*range(80, 136, 8), 140, 148, 160, 176, 184, 192, 200, 208, 216, 224, *range(232, 288, 8),
-          *range(296, 320, 8)]
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
                            "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
                            "face bounds", "bsp", "cluster", "turn"]))
-# Entry sizes of the tables, in the order of TABLES; of the path it is that of poses.
-ENTRIES = (3, 12, 2, 20, 28, 16, 24, 20, 48, 176, 48, 40, 76, 32, 28, 20, 256, 16, 1, 8, 36, 2, 12, 256, 32, 2, 1)
 
 
 # Of ranges of docs/formats.md: counts, coordinates, texels, parts of one; and the numbers just beyond.
 ENDS = sorted({end + step for end in (0, 4, 64, 8191 << 16, 16383 << 16, 1 << 30) for step in (0, 1)} |
               {-1, -(8191 << 16), -(8191 << 16) - 1, -(1 << 30), -(1 << 30) - 1})
-
-
-def sealed(blob):
-    """With a checksum that matches."""
-    blob[12:16] = struct.pack("<I", zlib.crc32(bytes(blob[16:])))
-    return bytes(blob)
 
 
 def put(blob, at, chance):
@@ -58,21 +49,22 @@ def mutant(blob, chance, changes=1):
     for _ in range(changes):
         where = chance.random()
         if where < 0.25:
-            put(blob, chance.randrange(16, 320), chance)
+            put(blob, chance.randrange(16, fields.HEAD.size), chance)
             continue
-        number = chance.randrange(len(TABLES))
-        offset, count = struct.unpack_from("<II", blob, TABLES[number])
-        if where < 0.3 or count == 0 or offset >= len(blob):
-            put(blob, TABLES[number] + chance.choice((0, 4)), chance)
+        kind, (at, offset, count) = chance.choice(list(entries(blob).items()))
+        known = 1 <= kind <= len(fields.SECTIONS)
+        if where < 0.4 or count == 0 or not known or offset >= len(blob):
+            put(blob, at + chance.choice((0, 2, 4, 8)), chance)
         else:
-            put(blob, min(offset + chance.randrange(min(count, 1 << 16) * ENTRIES[number]), len(blob) - 1), chance)
+            size = min(count, 1 << 16) * fields.SECTIONS[kind - 1].entry.size
+            put(blob, min(offset + chance.randrange(size), len(blob) - 1), chance)
     return sealed(blob)
 
 
 def at_the_ends(blob):
     """Images in which one field of a table's first entry has a number at the end of a range, or just beyond it."""
-    for at, size in zip(TABLES, ENTRIES):
-        offset, count = struct.unpack_from("<II", blob, at)
+    for kind, (_, offset, count) in entries(blob).items():
+        size = fields.SECTIONS[kind - 1].entry.size
         width = min(size, 4)
         for place in range(offset, offset + size - width + 1, width) if count and offset + size <= len(blob) else ():
             old = int.from_bytes(blob[place:place + width], "little")
@@ -82,7 +74,7 @@ def at_the_ends(blob):
 
 def with_overlaps(blob):
     """Images whose models share vertices or faces, leave some out, or come in another order."""
-    models, count = struct.unpack_from("<II", blob, 112)
+    models, count = section(blob, "models")
     made = []
     for number in range(min(count, 4)):
         for field in range(0, 16, 4):
@@ -169,8 +161,76 @@ def test_both_refuse_more_placed_vertices_than_four_million(build, tmp_path):
 
 def with_instances(blob, count):
     """An image with so many copies of its first instance."""
-    offset, = struct.unpack_from("<I", blob, 120)
-    new = bytearray(blob) + blob[offset:offset + 16] * count
-    struct.pack_into("<I", new, 8, len(new))
-    struct.pack_into("<II", new, 120, len(blob), count)
-    return sealed(new)
+    offset, _ = section(blob, "objects")
+    return replaced(blob, objects=blob[offset:offset + 16] * count)
+
+
+def readers_say(build, blobs, folder):
+    """Whether each image's header and sections are taken: by the loader, the reference, the ray-cast judge."""
+    file = folder / "images"
+    file.write_bytes(b"".join(struct.pack("<I", len(blob)) + blob for blob in blobs))
+    done = subprocess.run([build / "host" / "loader", "--three", file], capture_output=True, text=True, check=True)
+    return [tuple(word == "ok" for word in line.split()) for line in done.stdout.splitlines()]
+
+
+def with_another_section(blob, chance):
+    """An image with one section more or less, or one that no reader knows."""
+    parts = bodies(blob)
+    kind = chance.choice([*parts, *range(len(fields.SECTIONS) + 1, len(fields.SECTIONS) + 4)])
+    if kind in parts:
+        parts.pop(kind)
+    else:
+        parts[kind] = chance.random() < 0.3, chance.randrange(4), bytes(chance.randrange(40))
+    return joined(blob, parts)
+
+
+def section_mutant(blob, chance):
+    """An image whose header or table of sections has another number, whose padding is not 0, or that has other sections."""
+    new, kind = bytearray(blob), chance.randrange(6)
+    if kind == 0:
+        return with_another_section(blob, chance)
+    places = list(entries(blob).values())
+    if kind == 1:
+        put(new, chance.choice((4, 6, 37, 38, 84, 88)), chance)
+    elif kind == 2:
+        put(new, chance.choice(places)[1] - chance.randrange(1, 4), chance)
+    else:
+        put(new, chance.choice(places)[0] + chance.choice((0, 2, 3, 4, 8)), chance)
+    new[12:16] = struct.pack("<I", zlib.crc32(bytes(new[16:])))
+    return bytes(new)
+
+
+def test_three_readers_refuse_the_same_of_ten_thousand_images(build, tmp_path_factory):
+    """Readers that share no line: the library's, the reference's, the ray-cast judge's."""
+    chance, blobs = random.Random(SEED + 2), []
+    for name, layers in SCENES:
+        file = tmp_path_factory.mktemp("image") / "scene.fxls"
+        making.build(str(CHECKOUT / f"{name}.toml"), str(file), layers=layers)
+        blob = file.read_bytes()
+        blobs += [blob, *(section_mutant(blob, chance) for _ in range(10_000 // len(SCENES)))]
+    said = readers_say(build, blobs, tmp_path_factory.mktemp("images"))
+    assert len(said) == len(blobs) >= 10_000
+    different = [(i, one) for i, one in enumerate(said) if len(set(one)) > 1]
+    assert not different, f"{len(different)}: (image, (library, reference, rays)): {different[:8]}"
+    taken = sum(one[0] for one in said)
+    assert len(SCENES) < taken < 9_000
+
+
+def test_a_section_that_no_reader_knows(build, blob, tmp_path):
+    """One that is not needed is passed over and told, one that is needed is refused; the last one may have any length."""
+    parts = bodies(blob)
+    kind = len(fields.SECTIONS) + 1
+    blobs = [joined(blob, {**parts, kind: (needed, 7, b"abcd" * 3)}) for needed in (False, True)]
+    assert image.unpack(blobs[0]).unknown == [kind]
+    assert [python_says(one) for one in blobs] == loader_says(build, blobs, tmp_path) == ["ok", "version"]
+    assert readers_say(build, blobs, tmp_path) == [(True,) * 3, (False,) * 3]
+
+
+def test_an_older_image_is_to_be_built_again(build, blob, tmp_path):
+    for version in (1, 2, 7, 9):
+        old = bytearray(blob)
+        struct.pack_into("<H", old, 4, version)
+        old = sealed(old)
+        with pytest.raises(ToolError, match=f"version {version}; this tool knows version 8: build it again"):
+            image.unpack(old)
+        assert loader_says(build, [old], tmp_path) == ["version"]

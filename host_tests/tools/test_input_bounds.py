@@ -9,7 +9,6 @@ import os
 import random
 import re
 import resource
-import struct
 import subprocess
 import sys
 
@@ -17,7 +16,7 @@ import pytest
 
 from conftest import CHECKOUT, LAUNCHER, environment
 from model_files import TETRAHEDRON, glb, gltf, png, stl
-from test_checkers import sealed
+from scene_sections import replaced, section
 from test_model_files import big_png, grid
 from fixel.board import flash_memory
 from fixel.image import image
@@ -305,14 +304,10 @@ def test_an_image_of_65535_models_that_share_faces(tmp_path):
     model = image.Model(SQUARE, [image.Face((0, 1 << 30, 0), (0, 1, 2, 3), 1)] * 1000)
     made = image.SceneImage(320, 240, 1 << 30, 65536, 64 << 16, 0, 0, [(0, 0, 0)] * 256, [model],
                             [image.Object((0, 0, 0), 0)], image.POSES, [(0,) * 6])
-    blob = bytearray(image.pack(made))
-    offset, = struct.unpack_from("<I", blob, 112)
-    entry, start = blob[offset:offset + 28], len(blob)
-    blob += entry * 65_535
-    struct.pack_into("<I", blob, 8, len(blob))
-    struct.pack_into("<II", blob, 112, start, 65_535)
+    blob = image.pack(made)
+    offset, _ = section(blob, "models")
     file = tmp_path / "shared.fxls"
-    file.write_bytes(sealed(blob))
+    file.write_bytes(replaced(blob, models=blob[offset:offset + 28] * 65_535))
     code, said = run_bounded("info", file)
     assert code == 2 and "model 1 does not begin where the one before it ends" in said
 

@@ -10,44 +10,31 @@ from PIL import Image
 import pytest
 
 from conftest import CHECKOUT, run_cli, without_progress
-from test_checkers import sealed
+from scene_sections import replaced
 from test_input_bounds import LITTLE, assert_ended, run_bounded
 from test_input_work import noise, scene, textures
-from fixel.image import image, image_billboard, image_header, image_surface
+from fixel.image import image, image_billboard, image_surface
 from fixel.model import texture_image
 from fixel.scene import compiler
 
 RECORDS = 6000
 
 
-def with_table(blob, header, records, table):
-    """An image with another table of records and of bytes. header: where both tables' offsets and counts stand."""
-    blob += bytes(-len(blob) % 4)
-    places = [len(blob) + len(table), records[1], len(blob), len(table)]
-    blob += table + records[0]
-    for (at, number) in zip(header, places):
-        struct.pack_into("<I", blob, at, number)
-    struct.pack_into("<I", blob, 8, len(blob))
-    return sealed(blob)
-
-
 def overlapping(kind, folder):
     """An image of half a megabyte with records of 400 MB and more."""
     source = CHECKOUT / "scenes" / {"textures": "room.toml", "sprites": "grove.toml"}[kind]
     compiled, _ = compiler.compile_scene(str(source))
-    blob = bytearray(image.pack(compiled))
+    blob = image.pack(compiled)
     if kind == "textures":
-        at, table = image_header.LIGHT_HEADER_SIZE, bytes(87_384 + RECORDS)
-        records = b"".join(image_surface.TEXTURE.pack(i, 0, 8, 8, 0, 0, 0, 9, 0) for i in range(RECORDS))
-        header = [at, at + 4, at + 8, at + 12]
+        blob = replaced(blob, texels=bytes(87_384 + RECORDS), textures=b"".join(
+            image_surface.TEXTURE.pack(i, 0, 8, 8, 0, 0, 0, 9, 0) for i in range(RECORDS)))
     else:
-        at, table = image_header.SURFACE_HEADER_SIZE, bytes(65_536 + RECORDS)
         boards = compiled.billboards.boards
         sides = [(one.width, one.height, one.anchor_x, one.anchor_y) for one in boards] + [(1, 1, 0, 0)] * (RECORDS - len(boards))
-        records = b"".join(image_billboard.BOARD.pack(i, 0, 256, 256, 256, 8, 0, *sides[i]) for i in range(RECORDS))
-        header = [at, at + 4, at + 16, at + 20]
+        blob = replaced(blob, sprite_pixels=bytes(65_536 + RECORDS), billboards=b"".join(
+            image_billboard.BOARD.pack(i, 0, 256, 256, 256, 8, 0, *sides[i]) for i in range(RECORDS)))
     file = folder / "overlapping.fxls"
-    file.write_bytes(with_table(blob, header, (records, RECORDS), table))
+    file.write_bytes(blob)
     return file
 
 
@@ -77,12 +64,11 @@ def test_an_image_of_the_tools_is_exported(tmp_path, name):
 def test_many_small_textures_are_exported_in_time(tmp_path):
     """Their names were counted anew for each."""
     compiled, _ = compiler.compile_scene(str(CHECKOUT / "scenes/room.toml"))
-    blob = bytearray(image.pack(compiled))
-    count, at = 12_000, image_header.LIGHT_HEADER_SIZE
+    count = 12_000
     table = b"".join(struct.pack("<Q", number) for number in range(count))
     records = b"".join(image_surface.TEXTURE.pack(8 * i, 0, 3, 0, 0, 0, 0, 1, 0) for i in range(count))
     file = tmp_path / "small.fxls"
-    file.write_bytes(with_table(blob, [at, at + 4, at + 8, at + 12], (records, count), table))
+    file.write_bytes(replaced(image.pack(compiled), textures=records, texels=table))
     code, said = run_bounded("export", "--c", file, "--name", "a", "-o", tmp_path / "a.h")
     assert code == 0 and f"a_texels_{count - 1}[" in (tmp_path / "a.h").read_text(), said
 

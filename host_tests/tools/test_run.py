@@ -269,8 +269,8 @@ BAD_IMAGES = {
     "says 4 GB": lambda data: data[:8] + b"\xfc\xff\xff\xff" + data[12:],
     "wrong version": lambda data: with_version(data, 3),
     "version 0": lambda data: with_version(data, 0),
-    "offset outside": lambda data: with_checksum(data[:88] + b"\xf0\xff\xff\x7f" + data[92:]),
-    "no frames": lambda data: with_checksum(data[:136] + bytes(4) + data[140:]),
+    "offset outside": lambda data: with_checksum(data[:96] + b"\xf0\xff\xff\x7f" + data[100:]),
+    "no frames": lambda data: with_checksum(data[:80] + bytes(4) + data[84:]),
     "near behind the eye": lambda data: with_checksum(data[:24] + b"\0\0\xff\xff" + data[28:]),
     "screen of no pixels": lambda data: with_checksum(data[:16] + bytes(2) + data[18:]),
 }

@@ -13,6 +13,7 @@ from conftest import CHECKOUT, run_make
 from fixel.image import image, image_beam
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
+from scene_sections import entry_at, replaced, section
 from test_scene_image import patched
 
 ROOM = """
@@ -29,7 +30,6 @@ position = [0, 2, 0]
 [path]
 keys = [{ position = [0, 1, -3] }]
 """
-AT_BEAMS, AT_LIT = 160, 168
 
 
 def build(tmp_path, text):
@@ -84,8 +84,10 @@ def test_what_is_lit_is_lighter(tmp_path):
 def test_without_beams_an_image_is_as_it_was(tmp_path):
     scene = build(tmp_path, ROOM)
     dark = image.pack(replace(scene, beams=[]))
-    assert dark[4:8] == b"\2\0\xa0\0"
-    assert image.pack(scene)[4:8] == b"\3\0\xb0\0"
+    assert section(dark, "beams") == section(dark, "lit") == (0, 0)
+    lit = image.pack(scene)
+    assert section(lit, "beams")[1] == len(scene.beams) and section(lit, "lit")[1] == 1
+    assert dark == replaced(lit, beams=b"", lit=b"")
 
 
 @pytest.mark.parametrize("old, new, parts", [
@@ -110,11 +112,12 @@ def test_what_makes_no_beam(tmp_path, old, new, parts):
 
 def test_damaged_beams_are_refused(tmp_path):
     blob = image.pack(build(tmp_path, ROOM))
-    beams = int.from_bytes(blob[AT_BEAMS:AT_BEAMS + 4], "little")
+    beams, _ = section(blob, "beams")
+    at_beams, at_lit = entry_at(blob, "beams"), entry_at(blob, "lit")
     for offset, data, status in [
-            (4, b"\2", "size"), (AT_BEAMS + 4, b"\0", "count"), (AT_BEAMS + 4, b"\5", "count"),
-            (AT_BEAMS, b"\xfc\xff\xff\x7f", "offset"), (AT_LIT, b"\xfc\xff\xff\x7f", "offset"),
-            (AT_LIT + 4, b"\1", "reserved"), (beams + 12, b"\2", "reserved"),
+            (at_beams + 8, b"\0", "count"), (at_beams + 8, b"\5", "count"), (at_lit + 8, b"\2", "count"),
+            (at_beams + 4, b"\xfc\xff\xff\x7f", "offset"), (at_lit + 4, b"\xfc\xff\xff\x7f", "offset"),
+            (at_lit + 3, b"\1", "reserved"), (beams + 12, b"\2", "reserved"),
             (beams + 13, b"\0", "count"), (beams + 13, b"\4", "reserved"), (beams, b"\0\0\0\0", "normal"),
             (beams + 19, b"\x20", "normal"), (beams + 35, b"\x40", "range")]:
         with pytest.raises(ToolError, match=f"^{status}:"):

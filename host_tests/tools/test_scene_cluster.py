@@ -17,6 +17,7 @@ from fixel.model import clusters
 from fixel.scene import making, toml_scene
 from fixel.base.errors import ToolError
 from fixel.board.programs import run_program
+from scene_sections import entry_at, replaced, section
 from test_scene_image import patched
 
 GLOBE = """
@@ -43,7 +44,6 @@ clusters = true
 [path]
 keys = [{ position = [0, 1, -3] }]
 """
-AT_MODELS, AT_CLUSTERS = 112, 176
 F32 = CHECKOUT / "scenes" / "f32.toml"
 
 
@@ -146,10 +146,10 @@ def test_places_at_one_point_go_by_number():
 def test_images_hold_clusters_beside_beams(tmp_path):
     scene = made_of(tmp_path, GLOBE)
     blob = image.pack(scene)
-    assert struct.unpack_from("<HH", blob, 4) == (4, 184)
+    assert section(blob, "clusters")[1] > 0
     assert image.unpack(blob) == scene
     plain = image.pack(made_of(tmp_path, GLOBE.replace("clusters = true\n", "")))
-    assert struct.unpack_from("<HH", plain, 4) == (2, 160)
+    assert section(plain, "clusters") == (0, 0)
     lit = made_of(tmp_path, GLOBE + '[[beams]]\ndirection = [0, -1, 0]\nwindow = [[0, 5, 0], [1, 5, 0], [0, 5, 1]]\n')
     assert image.unpack(image.pack(lit)) == lit and lit.beams
 
@@ -157,12 +157,12 @@ def test_images_hold_clusters_beside_beams(tmp_path):
 def test_damaged_clusters_are_refused(tmp_path):
     scene = made_of(tmp_path, GLOBE)
     blob = image.pack(scene)
-    offset, count = struct.unpack_from("<II", blob, AT_CLUSTERS)
-    models, = struct.unpack_from("<I", blob, AT_MODELS)
+    (offset, count), at = section(blob, "clusters"), entry_at(blob, "clusters")
+    models, _ = section(blob, "models")
     cluster = scene.models[0].clusters[0]
-    refused(patched(blob, AT_CLUSTERS + 4, struct.pack("<I", 0)), "count")
-    refused(patched(blob, AT_CLUSTERS + 4, struct.pack("<I", count - 1)), "index")
-    refused(patched(blob, AT_CLUSTERS, struct.pack("<I", len(blob))), "offset")
+    refused(patched(blob, at + 8, struct.pack("<I", 0)), "count")
+    refused(replaced(blob, clusters=blob[offset:offset + 48 * (count - 1)]), "index")
+    refused(patched(blob, at + 4, struct.pack("<I", len(blob))), "offset")
     refused(patched(blob, models + 18, b"\2\0"), "index")
     refused(patched(blob, models + 18, b"\0\0"), "count")
     refused(patched(blob, offset + 46, b"\1"), "reserved")

@@ -7,22 +7,23 @@ import zlib
 from hypothesis import given, settings, strategies as st
 import pytest
 
-from fixel.image import image, image_keys, image_lens
+from fixel.image import fields, image, image_keys, image_lens
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
+from scene_sections import entry_at, replaced, section
 
 UP = (0, 1 << 30, 0)
 SQUARE = [(-65536, 0, -65536), (-65536, 0, 65536), (65536, 0, 65536), (65536, 0, -65536)]
 
 
 def scene(**changes):
-    fields = dict(width=320, height=240, fov=1 << 30, near=65536, far=64 << 16, inset=4,
+    made = dict(width=320, height=240, fov=1 << 30, near=65536, far=64 << 16, inset=4,
                   background=0, palette=[(i, i, 255 - i) for i in range(256)],
                   models=[Model(list(SQUARE), [Face(UP, (0, 1, 2, 3), 7)])],
                   objects=[Object((0, -65536, 0), 0, 1), Object((1 << 20, 0, 0), 0)],
                   path_kind=image.POSES, path=[(0, 0, 0, 1, 2, 3), (5, 6, 7, 8, 9, 10)])
-    fields.update(changes)
-    return SceneImage(**fields)
+    made.update(changes)
+    return SceneImage(**made)
 
 
 def patched(blob, offset, data):
@@ -39,7 +40,8 @@ def refused(blob, status):
 
 
 def table(blob, number):
-    return struct.unpack_from("<II", blob, 80 + 8 * number)
+    """Offset and count of the section whose entry is the one with this number."""
+    return struct.unpack_from("<II", blob, fields.HEAD.size + fields.ENTRY.size * number + 4)
 
 
 def test_round_trip_of_poses_and_strides():
@@ -54,20 +56,21 @@ def test_round_trip_of_poses_and_strides():
 
 def test_header_is_laid_out_as_the_chapter_says():
     blob = image.pack(scene())
-    assert struct.unpack_from("<HHI", blob, 4) == (2, 160, len(blob))
+    assert struct.unpack_from("<HHI", blob, 4) == (8, 7, len(blob))
     assert struct.unpack_from("<I", blob, 12)[0] == zlib.crc32(blob[16:])
     assert struct.unpack_from("<HHIiii", blob, 16) == (320, 240, 1 << 30, 65536, 64 << 16, 4)
     assert [table(blob, i)[1] for i in range(7)] == [256, 4, 4, 1, 1, 2, 2]
     assert all(table(blob, i)[0] % 4 == 0 for i in range(7))
-    assert struct.unpack_from("<I", blob, 136) == (2,)
+    assert struct.unpack_from("<I", blob, 80) == (2,)
+    assert table(blob, 0)[0] == 92 + 7 * 12
 
 
-def test_the_centre_of_a_lens_follows_the_header():
+def test_the_centre_of_a_lens_is_a_section_of_its_own():
     made = scene(inset=0, centre=(-65536, 480 << 15))
     blob = image.pack(made)
     assert image.unpack(blob) == made
-    assert blob[38:40] == b"\1\0" and struct.unpack_from("<ii", blob, 160) == made.centre
-    assert table(blob, 0)[0] == 168 and len(blob) == 8 + len(image.pack(scene()))
+    assert struct.unpack_from("<ii", blob, section(blob, "centre of the lens")[0]) == made.centre
+    assert len(blob) == 12 + 8 + len(image.pack(scene()))
 
 
 @pytest.mark.parametrize("changes, status", [
@@ -85,11 +88,13 @@ def test_damaged_images_are_refused_with_the_status():
     refused(blob[:-4], "size")
     refused(b"FXLD" + blob[4:], "magic")
     refused(patched(blob, 4, b"\1\0"), "version")
-    refused(patched(blob, 4, b"\10\0"), "version")
-    refused(patched(blob, 6, b"\0\1"), "size")
+    refused(patched(blob, 4, b"\7\0"), "version")
+    refused(patched(blob, 4, b"\11\0"), "version")
+    refused(patched(blob, 6, b"\0\4"), "size")
     refused(patched(blob, 8, struct.pack("<I", image.IMAGE_MAX + 4)), "size")
     refused(patched(blob, 38, b"\2"), "reserved")
-    refused(patched(blob, 159, b"\1"), "reserved")
+    refused(patched(blob, 84, b"\1"), "reserved")
+    refused(patched(blob, 88, b"\1"), "reserved")
     refused(patched(blob, 37, b"\2"), "reserved")
 
 
@@ -109,10 +114,12 @@ def test_any_flipped_bit_breaks_the_checksum(offset, bit):
     (28, struct.pack("<i", image_lens.FAR_MAX + 1), "range"), (32, struct.pack("<i", -1), "range"),
     (40, struct.pack("<i", image.COORDINATE_MAX + 1), "range"),
     (64, struct.pack("<i", -1), "range"), (76, struct.pack("<I", (1 << 30) + 1), "range"),
-    (84, struct.pack("<I", 255), "count"), (92, struct.pack("<I", 2), "count"),
-    (92, struct.pack("<I", 1_000_001), "count"), (92, struct.pack("<I", 1_000_000), "offset"),
-    (88, struct.pack("<I", 162), "alignment"), (88, struct.pack("<I", 0xFFFFFFFC), "offset"),
-    (136, struct.pack("<I", 3), "count"),
+    # of the palette's entry at 92 and the vertices' at 104
+    (92, b"\0", "offset"), (92, b"\2", "offset"), (94, b"\0", "reserved"), (94, b"\2", "reserved"), (95, b"\1", "reserved"),
+    (104, b"\1", "offset"), (112, struct.pack("<I", 0), "count"),
+    (112, struct.pack("<I", 1_000_001), "count"), (112, struct.pack("<I", 1_000_000), "offset"),
+    (108, struct.pack("<I", 162), "alignment"), (108, struct.pack("<I", 0xFFFFFFFC), "offset"),
+    (80, struct.pack("<I", 3), "count"),
 ])
 def test_header_fields_out_of_range(offset, data, status):
     refused(patched(image.pack(scene()), offset, data), status)
@@ -165,17 +172,20 @@ def test_sorted_models_have_face_bounds():
                                        image.SORTED)]
     blob = image.pack(made)
     assert image.unpack(blob) == made
-    offset, count = struct.unpack_from("<II", blob, 140)
+    offset, count = section(blob, "keys")
     assert count == 2 and offset + 40 == len(blob)
+    assert blob[entry_at(blob, "keys") + 2] == 0     # a reader may pass over them
     # Heights over the origin and the doubled middles of the boxes: the square is in y = 0.
     assert struct.unpack_from("<q3i", blob, offset) == (0, 0, 0, 0)
-    for data, at, status in ((b"\1", offset, "face bounds"), (b"\1", offset + 39, "face bounds"), (b"\1", 144, "index"),
-                             (b"\3", 144, "offset"), (b"\1", table(blob, 4)[0] + 24, "reserved"),
+    for data, at, status in ((b"\1", offset, "face bounds"), (b"\1", offset + 39, "face bounds"),
+                             (b"\3", entry_at(blob, "keys") + 8, "offset"), (b"\1", table(blob, 4)[0] + 24, "reserved"),
                              (b"\1", table(blob, 4)[0] + 28 + 24, "index"),
-                             (b"\0", table(blob, 4)[0] + 28 + 16, "count"), (b"\0", 144, "count")):
+                             (b"\0", table(blob, 4)[0] + 28 + 16, "count"),
+                             (b"\0", entry_at(blob, "keys") + 8, "count")):
         refused(patched(blob, at, data), status)
+    refused(replaced(blob, keys=blob[offset:offset + 20]), "index")
     # They may be left out.
-    assert image.unpack(patched(blob, 140, bytes(8))) == made
+    assert image.unpack(replaced(blob, keys=b"")) == made
 
 
 @given(st.lists(st.tuples(*[st.integers(-2 * image.COORDINATE_MAX, 2 * image.COORDINATE_MAX)] * 3),

@@ -12,6 +12,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.image import image, image_surface
 from fixel.scene import light_palette, surfaces, texture, toml_scene
 from fixel.base.errors import ToolError
+from scene_sections import section
 from scene_text import build
 
 TEXTURE = '[[textures]]\nname = "t"\npattern = "checker"\nsize = [16, 8]\n'
@@ -53,8 +54,8 @@ def everywhere(model, face):
 def test_textures_make_an_image_with_surfaces(tmp_path):
     plain = build(tmp_path, BOX.replace('texture = "t"\n', ""))
     made = build(tmp_path, TEXTURE + BOX)
-    assert plain.surfaces is None and struct.unpack_from("<HH", image.pack(plain), 4) == (2, 160)
-    assert struct.unpack_from("<HH", image.pack(made), 4) == (6, 296)
+    assert plain.surfaces is None and section(image.pack(plain), "surfaces") == (0, 0)
+    assert section(image.pack(made), "surfaces")[1] == len(made.surfaces.surfaces)
     assert all(face.mapped for face in faces_of(made))
     assert {(one.log_width, one.log_height, one.format, one.levels) for one in made.surfaces.textures} == {(4, 3, 0, 1)}
 

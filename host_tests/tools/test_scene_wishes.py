@@ -89,8 +89,8 @@ def test_the_image_has_the_wish_in_one_byte(tmp_path):
     blobs = [image.pack(toml_scene.compile_file(str(scene_of(tmp_path, SOLIDS % text)))[0])
              for text in ("", 'visibility = "default"', 'visibility = "depth"')]
     assert blobs[0] == blobs[1]
-    assert [at for at in range(16, len(blobs[0])) if blobs[0][at] != blobs[2][at]] == [39]
-    assert image.unpack(blobs[2]).visibility == image_header.BY_DEPTH and blobs[2][39] == 1
+    assert [at for at in range(16, len(blobs[0])) if blobs[0][at] != blobs[2][at]] == [37]
+    assert image.unpack(blobs[2]).visibility == image_header.BY_DEPTH and blobs[2][37] == 1
 
 
 def test_an_unknown_wish_is_refused(tmp_path):

@@ -344,24 +344,19 @@ void test_a_sphere_is_of_its_own_faces_alone(void)
 void test_a_tree_in_an_image(void)
 {
     tiny_image *image = tiny_image_make(false);
-    const uint32_t at = image->size, bytes = sizeof made->nodes;
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_NULL(opened.scene.bsp_nodes);
-    TEST_ASSERT_TRUE(at + bytes <= sizeof image->words);
-    memcpy(tiny_at(image, at), bsp_make()->nodes, bytes);
-    tiny_put16(tiny_at(image, AT_VERSION), 3);
-    tiny_put32(tiny_at(image, AT_RESERVED), at);
-    tiny_put32(tiny_at(image, AT_RESERVED + 4), BSP_NODES);
-    tiny_put32(tiny_at(image, AT_RESERVED + 8), 1);
-    tiny_put32(tiny_at(image, AT_SIZE), at + bytes);
+    tiny_set_section(image, SECTION_BSP_NODES, bsp_make()->nodes, BSP_NODES,
+                     sizeof made->nodes[0]);
+    tiny_put32(tiny_at(image, AT_BSP_INSTANCE), 1);
     tiny_seal(image);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, at + bytes, &opened, &fault));
-    TEST_ASSERT_EQUAL_PTR(tiny_at(image, at), opened.scene.bsp_nodes);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_MORE)), opened.scene.bsp_nodes);
     TEST_ASSERT_EQUAL_UINT32(BSP_NODES, opened.scene.bsp_node_count);
     TEST_ASSERT_EQUAL_UINT32(1, opened.scene.bsp_instance);
-    tiny_put32(tiny_at(image, AT_RESERVED + 4), BSP_NODES + 1); /* past the end of the image */
+    tiny_put32(tiny_at(image, AT_MORE + 4), BSP_NODES + 1); /* past the end of the image */
     tiny_seal(image);
-    TEST_ASSERT_EQUAL(FXL_E_OFFSET, fxl_scene_open(image->words, at + bytes, &opened, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_OFFSET, fxl_scene_open(image->words, image->size, &opened, &fault));
     TEST_ASSERT_EQUAL_STRING("BSP node table", fault.what);
 }

@@ -30,13 +30,13 @@ void test_sound_clusters(void)
     expect(FXL_OK, NULL, 0);
 }
 
-/* Of six faces, which have no cone. An image names it by a larger header, of version 4. */
+/* Of six faces, which have no cone. */
 void test_the_only_cluster_of_an_image_is_used_in_place(void)
 {
     const fxl_cluster only = {.radius = 113512, .face_count = 6};
-    tiny_image *image = tiny_image_widen(4, HEADER_SIZE + 24);
+    tiny_image *image = tiny_image_make(false);
     fxl_scene_image opened;
-    tiny_add_table(image, HEADER_SIZE + 16, &only, 1, sizeof only);
+    tiny_set_section(image, SECTION_CLUSTERS, &only, 1, sizeof only);
     tiny_put16(tiny_entry(image, AT_MODELS, 1, sizeof(fxl_model)) + 18, 1);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));

@@ -120,10 +120,14 @@ void test_head(void)
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0x4C584653u);
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0xFFFFFFFFu);
     expect_half(FXL_E_VERSION, AT_VERSION, 0);
-    expect_half(FXL_E_VERSION, AT_VERSION, 1);
-    expect_half(FXL_E_VERSION, AT_VERSION, 3);
-    expect_half(FXL_E_SIZE, AT_HEADER_SIZE, 156);
-    expect_half(FXL_E_SIZE, AT_HEADER_SIZE, 164);
+    for (uint16_t older = 1; older < IMAGE_VERSION; older++) {
+        expect_half(FXL_E_VERSION, AT_VERSION, older);
+    }
+    expect_half(FXL_E_VERSION, AT_VERSION, IMAGE_VERSION + 1);
+    expect_half(FXL_E_OFFSET, AT_SECTION_COUNT, TINY_SECTIONS + 1);
+    expect_half(FXL_E_OFFSET, AT_SECTION_COUNT, TINY_SECTIONS - 1);
+    expect_half(FXL_E_SIZE, AT_SECTION_COUNT, 0);
+    expect_half(FXL_E_SIZE, AT_SECTION_COUNT, 0xFFFF);
 }
 
 void test_size_of_the_image(void)
@@ -133,7 +137,8 @@ void test_size_of_the_image(void)
     expect_word(FXL_E_SIZE, AT_SIZE, size + 4);
     expect_word(FXL_E_SIZE, AT_SIZE, 0);
     expect_word(FXL_E_SIZE, AT_SIZE, HEADER_SIZE - 4);
-    expect_word(FXL_E_OFFSET, AT_SIZE, HEADER_SIZE); /* it has no tables */
+    expect_word(FXL_E_SIZE, AT_SIZE, AT_MORE - 8); /* it ends within the table of sections */
+    expect_word(FXL_E_OFFSET, AT_SIZE, AT_MORE - 4); /* it has no sections */
     expect_word(FXL_E_SIZE, AT_SIZE, 16 * 1024 * 1024 + 4);
     expect_word(FXL_E_SIZE, AT_SIZE, 0xFFFFFFFCu);
     expect_word(FXL_E_SIZE, AT_SIZE, size - 1);
@@ -150,13 +155,10 @@ void test_the_checksum_comes_before_the_contents(void)
 
 void test_reserved_fields_and_kinds(void)
 {
-    expect_half(FXL_E_RESERVED, AT_HAS_CENTRE, 2);
-    for (uint32_t at = 0; at < 12; at += 4) {
-        expect_word(FXL_E_RESERVED, AT_RESERVED + at, 0x01000000u);
-    }
-    tiny_image *image = tiny_image_make(false);
-    *tiny_at(image, AT_PATH_KIND) = 2;
-    expect_opening(FXL_E_RESERVED, image);
+    expect_half(FXL_E_RESERVED, AT_RESERVED, 1);
+    expect_half(FXL_E_RESERVED, AT_RESERVED, 0x100);
+    expect_word(FXL_E_RESERVED, AT_BSP_INSTANCE, 1); /* there is no tree */
+    expect_word(FXL_E_RESERVED, AT_BLEND_FIRST, 1);  /* nor a blend table */
     expect_entry_byte(FXL_E_RESERVED, AT_FACES, 3, FACE, 18, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_FACES, 3, FACE, 19, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 16, 2);
@@ -165,14 +167,12 @@ void test_reserved_fields_and_kinds(void)
     expect_entry_byte(FXL_E_RESERVED, AT_INSTANCES, 2, INSTANCE, 15, 1);
 }
 
-/* The image with the centre behind its header, over the first bytes of the palette. */
-static tiny_image *image_with_centre(uint16_t has_centre, fxl_q16_16 x, fxl_q16_16 y)
+static tiny_image *image_with_centre(fxl_q16_16 x, fxl_q16_16 y)
 {
+    const fxl_image_centre centre = {x, y};
     tiny_image *image = tiny_image_make(false);
-    tiny_put16(tiny_at(image, AT_HAS_CENTRE), has_centre);
     tiny_put32(tiny_at(image, AT_INSET), 0);
-    tiny_put32(tiny_at(image, HEADER_SIZE), (uint32_t)x);
-    tiny_put32(tiny_at(image, HEADER_SIZE + 4), (uint32_t)y);
+    tiny_set_section(image, SECTION_LENS_CENTRE, &centre, 1, sizeof centre);
     tiny_seal(image);
     return image;
 }
@@ -193,14 +193,14 @@ void test_the_visibility_method_that_an_image_asks_for(void)
 
 void test_a_lens_with_a_moved_centre(void)
 {
-    tiny_image *image = image_with_centre(1, Q16(-10), Q16(40));
+    tiny_image *image = image_with_centre(Q16(-10), Q16(40));
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_INT32(Q16(-10), opened.lens.centre_x);
     TEST_ASSERT_EQUAL_INT32(Q16(40), opened.lens.centre_y);
     TEST_ASSERT_TRUE(fxl_lens_is_valid(&opened.lens));
     TEST_ASSERT_NOT_NULL(opened.lens.off_centre);
-    image = image_with_centre(0, Q16(-10), Q16(40));
+    image = tiny_image_make(false);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_INT32(Q16(24), opened.lens.centre_x);
     TEST_ASSERT_NULL(opened.lens.off_centre);
@@ -208,19 +208,19 @@ void test_a_lens_with_a_moved_centre(void)
 
 void test_a_wrong_centre_is_refused(void)
 {
-    expect_opening(FXL_E_RANGE, image_with_centre(1, Q16(24 + 72) + 1, 0));
-    expect_opening(FXL_E_RANGE, image_with_centre(1, 0, Q16(16 - 48) - 1));
-    expect_opening(FXL_E_RESERVED, image_with_centre(1, Q16(24), Q16(16)));
-    expect_opening(FXL_E_RESERVED, image_with_centre(2, 0, 0));
-    tiny_image *image = image_with_centre(1, 0, 0);
+    expect_opening(FXL_E_RANGE, image_with_centre(Q16(24 + 72) + 1, 0));
+    expect_opening(FXL_E_RANGE, image_with_centre(0, Q16(16 - 48) - 1));
+    expect_opening(FXL_E_RESERVED, image_with_centre(Q16(24), Q16(16)));
+    tiny_image *image = image_with_centre(0, 0);
     tiny_put32(tiny_at(image, AT_INSET), 1);
     tiny_seal(image);
     expect_opening(FXL_E_RANGE, image);
-    image = image_with_centre(1, 0, 0);
-    tiny_put32(tiny_at(image, AT_SIZE), HEADER_SIZE + 4); /* it ends within the centre */
-    image->size = HEADER_SIZE + 4;
-    tiny_seal(image);
-    expect_opening(FXL_E_SIZE, image);
+    image = image_with_centre(0, 0);
+    tiny_put32(tiny_at(image, AT_SIZE), image->size - 4); /* it ends within the centre */
+    expect_opening(FXL_E_OFFSET, image);
+    image = image_with_centre(0, 0);
+    tiny_put32(tiny_at(image, AT_MORE + 4), 2);
+    expect_opening(FXL_E_COUNT, image);
 }
 
 void test_lens(void)
@@ -250,13 +250,14 @@ void test_start_and_gait(void)
 void test_offsets_of_every_table(void)
 {
     uint32_t size = tiny_image_make(false)->size;
-    for (uint32_t table = AT_PALETTE; table <= AT_KEYS; table += table == AT_PATH ? 12 : 8) {
+    for (uint32_t table = AT_PALETTE; table <= AT_KEYS; table += SECTION_BYTES) {
         uint32_t offset = tiny_get(tiny_image_make(false), table);
         expect_word(FXL_E_OFFSET, table, size);
         expect_word(FXL_E_OFFSET, table, 0xFFFFFFFCu);
         expect_word(FXL_E_OFFSET, table, 0x80000000u);
         expect_word(FXL_E_OFFSET, table, 0);
-        expect_word(FXL_E_OFFSET, table, HEADER_SIZE - 4);
+        expect_word(FXL_E_OFFSET, table, offset - 4);
+        expect_word(FXL_E_OFFSET, table, offset + 4);
         expect_word(FXL_E_ALIGNMENT, table, offset + 1);
         expect_word(FXL_E_ALIGNMENT, table, offset + 2);
     }
@@ -265,22 +266,103 @@ void test_offsets_of_every_table(void)
 void test_counts_of_every_table(void)
 {
     static const struct {
-        uint32_t table, least, most;
-    } tables[] = {{AT_PALETTE, 256, 256}, {AT_VERTICES, 3, 1000000}, {AT_CORNERS, 3, 4000000},
-                  {AT_FACES, 1, 1000000}, {AT_MODELS, 1, 65535},     {AT_INSTANCES, 1, 65535},
-                  {AT_PATH, 1, 1000000},  {AT_KEYS, 0, 1000000}};
+        uint32_t table, most;
+    } tables[] = {{AT_PALETTE, 256},   {AT_VERTICES, 1000000}, {AT_CORNERS, 4000000},
+                  {AT_FACES, 1000000}, {AT_MODELS, 65535},     {AT_INSTANCES, 65535},
+                  {AT_PATH, 1000000},  {AT_KEYS, 1000000}};
     for (uint32_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
-        expect_word(FXL_E_COUNT, tables[i].table + 4, tables[i].least - 1);
+        expect_word(FXL_E_COUNT, tables[i].table + 4, 0);
         expect_word(FXL_E_COUNT, tables[i].table + 4, tables[i].most + 1);
         expect_word(FXL_E_COUNT, tables[i].table + 4, 0xFFFFFFFFu);
         if (tables[i].table != AT_PALETTE) {
             expect_word(FXL_E_OFFSET, tables[i].table + 4, tables[i].most);
         }
     }
+    static const uint8_t palette[255][3];
+    tiny_image *image = tiny_image_make(false);
+    tiny_set_section(image, SECTION_PALETTE, palette, 255, sizeof palette[0]);
+    expect_opening(FXL_E_COUNT, image);
 }
 
 /* The last table ends where the image does: one entry more reaches outside. */
 void test_one_entry_too_many_reaches_outside(void)
 {
     expect_word(FXL_E_OFFSET, AT_KEYS + 4, 7);
+}
+
+/* Of the sections' entries: kinds rise, none comes twice, and each says whether it is needed. */
+void test_entries_of_the_table_of_sections(void)
+{
+    for (uint32_t i = 0; i < TINY_SECTIONS; i++) {
+        const uint32_t at = HEADER_SIZE + SECTION_BYTES * i;
+        const uint32_t kind = tiny_get(tiny_image_make(false), at);
+        expect_word(FXL_E_OFFSET, at, kind & ~0xFFFFu); /* kind 0 */
+        expect_word(FXL_E_RESERVED, at, kind ^ 0x10000u);
+        expect_word(FXL_E_RESERVED, at, (kind & 0xFFFFu) | 0x20000u);
+        expect_word(FXL_E_RESERVED, at, kind | 0x01000000u);
+        if (i > 0) {
+            expect_word(FXL_E_OFFSET, at, tiny_get(tiny_image_make(false), at - SECTION_BYTES));
+        }
+    }
+}
+
+/* A path is poses or segments, and not both. */
+void test_an_image_has_one_path(void)
+{
+    const fxl_path_segment stride = {FXL_KEY_FORWARD, 2};
+    tiny_image *image = tiny_image_make(false);
+    tiny_set_section(image, SECTION_SEGMENTS, &stride, 1, sizeof stride);
+    expect_opening(FXL_E_COUNT, image);
+    tiny_set_section(image, SECTION_POSES, NULL, 0, 0);
+    expect_opening(FXL_OK, image);
+    tiny_set_section(image, SECTION_SEGMENTS, NULL, 0, 0);
+    expect_opening(FXL_E_COUNT, image);
+}
+
+/* The bytes that rounding adds behind a section are 0. */
+void test_padding_is_zero(void)
+{
+    tiny_image *image = tiny_image_make(false);
+    uint16_t corners[49];
+    memcpy(corners, tiny_entry(image, AT_CORNERS, 0, CORNER), 48 * CORNER);
+    corners[48] = 0; /* of no face */
+    tiny_set_section(image, SECTION_INDICES, corners, 49, sizeof corners[0]);
+    expect_opening(FXL_OK, image);
+    for (uint32_t byte = 0; byte < 2; byte++) {
+        tiny_set_section(image, SECTION_INDICES, corners, 49, sizeof corners[0]);
+        tiny_entry(image, AT_CORNERS, 49, CORNER)[byte] = 1;
+        expect_opening(FXL_E_RESERVED, image);
+    }
+}
+
+/* A section of a later version: passed over if it is not needed, whatever its length. */
+void test_a_section_that_is_not_known(void)
+{
+    static const uint32_t bytes[3] = {1, 2, 3};
+    for (uint32_t count = 1; count <= 3; count++) {
+        tiny_image *image = tiny_image_make(false);
+        fxl_scene_image opened;
+        fxl_scene_fault fault = {"nothing", 99};
+        tiny_set_section(image, SECTION_KINDS, bytes, count, sizeof bytes[0]);
+        tiny_put16(tiny_at(image, AT_MORE - 2), 0); /* not needed */
+        expect_opening(FXL_OK, image);
+        tiny_set_section(image, SECTION_KINDS + 1, bytes, count, sizeof bytes[0]);
+        tiny_put16(tiny_at(image, AT_MORE - 2), 0);
+        tiny_seal(image);
+        TEST_ASSERT_EQUAL(FXL_E_VERSION,
+                          fxl_scene_open(image->words, image->size, &opened, &fault));
+        TEST_ASSERT_EQUAL_STRING("section", fault.what);
+        TEST_ASSERT_EQUAL_UINT32(TINY_SECTIONS + 1, fault.index);
+        tiny_put16(tiny_at(image, AT_MORE + SECTION_BYTES - 2), 0);
+        expect_opening(FXL_OK, image);
+        /* It may begin later than where the section before it does, and not earlier. */
+        tiny_put32(tiny_at(image, AT_MORE + SECTION_BYTES), image->size);
+        expect_opening(FXL_OK, image);
+        tiny_put32(tiny_at(image, AT_MORE + SECTION_BYTES), image->size + 4);
+        expect_opening(FXL_E_OFFSET, image);
+        tiny_put32(tiny_at(image, AT_MORE + SECTION_BYTES), tiny_get(image, AT_MORE) - 4);
+        expect_opening(FXL_E_OFFSET, image);
+        tiny_put32(tiny_at(image, AT_MORE + SECTION_BYTES), tiny_get(image, AT_MORE) + 2);
+        expect_opening(FXL_E_ALIGNMENT, image);
+    }
 }

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Beams in a scene image: a larger header, a table of beams, 256 lit colours. */
+/* Beams in a scene image: a section of beams, and one of 256 lit colours. */
 #include "expect_scene.h"
 
 enum {
-    LIT_HEADER = 16,
-    AT_BEAMS = HEADER_SIZE,
-    AT_BEAM_COUNT = HEADER_SIZE + 4,
-    AT_LIT = HEADER_SIZE + 8,
-    AT_LIT_RESERVED = HEADER_SIZE + 12,
+    AT_BEAMS = AT_MORE,
+    AT_LIT = AT_MORE + SECTION_BYTES,
     BEAM = 176
 };
 
@@ -26,11 +23,9 @@ static tiny_image *make(void)
     for (uint32_t i = 0; i < sizeof lit; i++) {
         lit[i] = (uint8_t)(255 - i);
     }
-    tiny_image *image = tiny_image_widen(3, HEADER_SIZE + LIT_HEADER);
-    tiny_add_table(image, AT_LIT, lit, 0, sizeof lit); /* an offset without a count */
-    memcpy(tiny_at(image, image->size), lit, sizeof lit);
-    image->size += sizeof lit;
-    tiny_add_table(image, AT_BEAMS, &beam, 1, BEAM);
+    tiny_image *image = tiny_image_make(false);
+    tiny_set_section(image, SECTION_BEAMS, &beam, 1, BEAM);
+    tiny_set_section(image, SECTION_LIT_COLOURS, lit, 1, sizeof lit);
     tiny_seal(image);
     return image;
 }
@@ -61,20 +56,32 @@ static void beam_half(fxl_status status, uint32_t offset, uint16_t value)
     expect_image_half(status, make(), offset, value);
 }
 
-void test_the_larger_header(void)
+void test_the_sections_of_beams(void)
 {
-    beam_half(FXL_E_SIZE, AT_VERSION, 2);
-    beam_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE + 8);
-    beam_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE + 32);
-    beam_word(FXL_E_RESERVED, AT_LIT_RESERVED, 1);
-    beam_word(FXL_E_COUNT, AT_BEAM_COUNT, 0);
-    beam_word(FXL_E_COUNT, AT_BEAM_COUNT, FXL_BEAMS_MAX + 1);
+    beam_word(FXL_E_COUNT, AT_BEAMS + 4, 0);
+    beam_word(FXL_E_COUNT, AT_BEAMS + 4, FXL_BEAMS_MAX + 1);
     beam_word(FXL_E_OFFSET, AT_BEAMS, HEADER_SIZE);
     beam_word(FXL_E_OFFSET, AT_BEAMS, 0xFFFFFFFCu);
     beam_word(FXL_E_ALIGNMENT, AT_BEAMS, 2001);
+    beam_word(FXL_E_COUNT, AT_LIT + 4, 2);
     beam_word(FXL_E_OFFSET, AT_LIT, 0);
     beam_word(FXL_E_OFFSET, AT_LIT, 0xFFFFFF00u);
-    beam_word(FXL_E_OFFSET, AT_PALETTE, HEADER_SIZE);
+}
+
+void test_beams_and_lit_colours_go_together(void)
+{
+    static const uint16_t kinds[] = {SECTION_BEAMS, SECTION_LIT_COLOURS};
+    static const char *const names[] = {"beam table", "lit table"};
+    for (int i = 0; i < 2; i++) {
+        tiny_image *image = make();
+        fxl_scene_image opened;
+        fxl_scene_fault fault = {"nothing", 99};
+        tiny_set_section(image, kinds[i], NULL, 0, 0);
+        tiny_seal(image);
+        TEST_ASSERT_EQUAL(FXL_E_COUNT,
+                          fxl_scene_open(image->words, image->size, &opened, &fault));
+        TEST_ASSERT_EQUAL_STRING(names[i], fault.what);
+    }
 }
 
 void test_what_a_beam_holds(void)

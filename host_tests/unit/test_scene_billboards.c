@@ -1,16 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Billboards in a scene image: version 7, a header of 320 bytes. */
+/* Billboards in a scene image: sections of billboards, of the map and of the sprites' pixels. */
 #include "expect_scene.h"
 #include "fixel/billboards.h"
 
 enum {
-    BOARD_HEADER = 320,
-    AT_TEXTURES = 232,
-    AT_MAP_OF_FACES = 264,
-    AT_BLEND_FIRST = 288,
-    AT_BOARDS = 296,
-    AT_MAP = 304,
-    AT_PIXELS = 312,
+    AT_BOARDS = AT_KEYS, /* the image has no face bounds */
+    AT_MAP = AT_BOARDS + SECTION_BYTES,
+    AT_PIXELS = AT_MAP + SECTION_BYTES,
     BOARDS = 3,
     PIXELS = 64
 };
@@ -50,19 +46,18 @@ static tiny_image *make(void)
 {
     static const uint16_t map[2] = {0, 2};
     uint8_t pixels[PIXELS];
-    tiny_image *image = tiny_image_widen(7, BOARD_HEADER);
-    uint8_t *model = tiny_entry(image, AT_MODELS, 1, MODEL);
+    tiny_image *image = tiny_image_make(false);
     for (uint32_t i = 0; i < sizeof pixels; i++) {
         pixels[i] = (uint8_t)(5 * i);
     }
+    tiny_set_section(image, SECTION_FACES, tiny_make()->faces, 7, FACE);
+    tiny_set_section(image, SECTION_FACE_BOUNDS, NULL, 0, 0);
+    tiny_set_section(image, SECTION_BILLBOARDS, records, BOARDS, sizeof records[0]);
+    tiny_set_section(image, SECTION_BILLBOARD_MAP, map, 2, sizeof map[0]);
+    tiny_set_section(image, SECTION_SPRITE_PIXELS, pixels, PIXELS, 1);
+    uint8_t *model = tiny_entry(image, AT_MODELS, 1, MODEL);
     tiny_put32(model + 12, 1);
     model[16] = FXL_MODEL_CONVEX;
-    tiny_put32(tiny_at(image, AT_FACES + 4), 7);
-    tiny_put32(tiny_at(image, AT_KEYS), 0);
-    tiny_put32(tiny_at(image, AT_KEYS + 4), 0);
-    tiny_add_table(image, AT_BOARDS, records, BOARDS, sizeof records[0]);
-    tiny_add_table(image, AT_MAP, map, 2, sizeof map[0]);
-    tiny_add_table(image, AT_PIXELS, pixels, PIXELS, 1);
     tiny_seal(image);
     return image;
 }
@@ -165,24 +160,29 @@ void test_null_pointers_and_too_few_records(void)
                       fxl_billboards_open(&opened, sprites, odd_boards, BOARDS - 1, &set, NULL));
 }
 
-void test_the_header(void)
+void test_the_sections_of_billboards(void)
 {
+    static const uint16_t kinds[] = {SECTION_BILLBOARDS, SECTION_BILLBOARD_MAP,
+                                     SECTION_SPRITE_PIXELS};
+    static const uint16_t map[3] = {0, 2, 0};
     header_word(FXL_OK, AT_INSET, 0);
     header_word(FXL_E_COUNT, AT_BOARDS + 4, 0);
     header_word(FXL_E_COUNT, AT_BOARDS + 4, 65536);
     header_word(FXL_E_OFFSET, AT_BOARDS, 316);
-    header_word(FXL_E_ALIGNMENT, AT_BOARDS, BOARD_HEADER + 2);
+    header_word(FXL_E_ALIGNMENT, AT_BOARDS, 322);
     header_word(FXL_E_COUNT, AT_MAP + 4, 0);
-    header_word(FXL_E_COUNT, AT_MAP + 4, 1);
     header_word(FXL_E_COUNT, AT_PIXELS + 4, 0);
     header_word(FXL_E_OFFSET, AT_PIXELS + 4, PIXELS + 4);
-    header_word(FXL_E_VERSION, AT_VERSION, BOARD_HEADER << 16 | 8);
-    header_word(FXL_E_SIZE, AT_VERSION, BOARD_HEADER << 16 | 6);
-    header_word(FXL_E_SIZE, AT_VERSION, 296u << 16 | 7);
-    /* No table of surfaces without the others. */
-    header_word(FXL_E_COUNT, AT_TEXTURES, BOARD_HEADER);
-    header_word(FXL_E_COUNT, AT_MAP_OF_FACES + 4, 7);
-    header_word(FXL_E_RESERVED, AT_BLEND_FIRST, 1);
+    for (int i = 0; i < 3; i++) {
+        tiny_image *image = make();
+        tiny_set_section(image, kinds[i], NULL, 0, 0);
+        expect_opening(FXL_E_COUNT, image);
+    }
+    for (uint32_t count = 1; count <= 3; count++) { /* an entry for each model */
+        tiny_image *image = make();
+        tiny_set_section(image, SECTION_BILLBOARD_MAP, map, count, sizeof map[0]);
+        expect_opening(count == 2 ? FXL_OK : FXL_E_COUNT, image);
+    }
 }
 
 void test_a_billboard_out_of_range(void)

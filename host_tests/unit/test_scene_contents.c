@@ -119,19 +119,18 @@ void test_keys(void)
     expect_entry_word(FXL_E_RESERVED, AT_MODELS, 0, MODEL, 24, 1);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 24, 1);
     expect_entry_word(FXL_E_INDEX, AT_MODELS, 1, MODEL, 24, 0xFFFFFFFFu);
-    expect_word(FXL_E_INDEX, AT_KEYS + 4, 5);
+    tiny_image *image = tiny_image_make(false);
+    tiny_set_section(image, SECTION_FACE_BOUNDS, tiny_make()->keys, 5, KEY);
+    expect_opening(FXL_E_INDEX, image);
     expect_entry_byte(FXL_E_COUNT, AT_MODELS, 1, MODEL, 16, FXL_MODEL_CONVEX);
     expect_entry_byte(FXL_E_INDEX, AT_MODELS, 0, MODEL, 16, FXL_MODEL_SORTED);
 }
 
-/* A scene need not have keys; then no model says where they are, and the header
- * no place. */
+/* A scene need not have keys; then no model says where they are. */
 void test_no_keys(void)
 {
     tiny_image *image = tiny_image_make(false);
-    tiny_put32(tiny_at(image, AT_KEYS + 4), 0);
-    expect_opening(FXL_E_COUNT, image);
-    tiny_put32(tiny_at(image, AT_KEYS), 0);
+    tiny_set_section(image, SECTION_FACE_BOUNDS, NULL, 0, 0);
     expect_opening(FXL_OK, image);
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));

@@ -30,15 +30,29 @@ static void expect_name(fxl_status status, const char *what, uint32_t index, uin
     TEST_ASSERT_EQUAL_UINT32(index, fault.index);
 }
 
+/* The same for an image of so many vertices. */
+static void expect_vertices(fxl_status status, const char *what, uint32_t index, uint32_t count)
+{
+    fxl_point vertices[17] = {{0, 0, 0}};
+    tiny_image *image = tiny_image_make(false);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    memcpy(vertices, tiny_make()->vertices, 16 * sizeof vertices[0]);
+    tiny_set_section(image, SECTION_VERTICES, vertices, count, sizeof vertices[0]);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(status, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
+}
+
 void test_the_fault_names_the_part(void)
 {
     tiny_image *image = tiny_image_make(false);
-    expect_name(FXL_E_SIZE, "header", 0, AT_VERSION, 2 | (HEADER_SIZE + 16) << 16);
+    expect_name(FXL_E_SIZE, "image", 0, AT_VERSION, IMAGE_VERSION | 1000u << 16);
     expect_name(FXL_E_SIZE, "image", 0, AT_SIZE, image->size + 4);
     expect_name(FXL_E_COUNT, "face bounds table", 0, AT_KEYS + 4, 0);
-    expect_name(FXL_E_COUNT, "vertex table", 0, AT_VERTICES + 4,
-                17); /* more than the models take */
-    expect_name(FXL_E_INDEX, "model", 1, AT_VERTICES + 4, 15);
+    expect_vertices(FXL_E_COUNT, "vertex table", 0, 17); /* more than the models take */
+    expect_vertices(FXL_E_INDEX, "model", 1, 15);
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"nothing", 99};
     tiny->scene.face_bounds_count = 7; /* one more than the models take */
@@ -95,8 +109,12 @@ void test_an_image_as_a_whole(void)
     TEST_ASSERT_EQUAL_STRING("image", fault.what);
     TEST_ASSERT_EQUAL_UINT32(0, fault.index);
     expect_name(FXL_E_MAGIC, "image", 0, AT_MAGIC, 0);
-    expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, HEADER_SIZE << 16 | 8);
-    expect_name(FXL_E_SIZE, "header", 0, AT_VERSION, HEADER_SIZE << 16 | 4);
+    expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, TINY_SECTIONS << 16 | (IMAGE_VERSION - 1));
+    expect_name(FXL_E_RESERVED, "image", 0, AT_BACKGROUND, 0x10000);
+    expect_name(FXL_E_OFFSET, "section", 0, HEADER_SIZE, 0x10000); /* of kind 0 */
+    expect_name(FXL_E_OFFSET, "palette table", 0, HEADER_SIZE + SECTION_BYTES, 0x10001);
+    expect_name(FXL_E_VERSION, "section", 0, HEADER_SIZE, 0x10000 | SECTION_KINDS);
+    expect_name(FXL_E_RESERVED, "section", 7, AT_KEYS - 4, 0x1000000 | SECTION_KINDS);
 }
 
 void test_a_setting(void)
@@ -117,29 +135,16 @@ void test_a_table(void)
     } tables[] = {{AT_PALETTE, "palette table"},  {AT_VERTICES, "vertex table"},
                   {AT_CORNERS, "index table"},    {AT_FACES, "face table"},
                   {AT_MODELS, "model table"},     {AT_INSTANCES, "instance table"},
-                  {AT_PATH, "path table"},        {AT_KEYS, "face bounds table"},
-                  {AT_RESERVED, "BSP node table"}};
+                  {AT_PATH, "path table"},        {AT_KEYS, "face bounds table"}};
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         tiny_image *image = tiny_image_make(false);
         const uint32_t offset = tiny_get(image, tables[i].at);
-        if (tables[i].at != AT_RESERVED) {
-            expect_name(FXL_E_COUNT, tables[i].name, 0, tables[i].at + 4, 0);
-            expect_name(FXL_E_COUNT, tables[i].name, 0, tables[i].at + 4, 0xFFFFFFFFu);
-            expect_name(FXL_E_ALIGNMENT, tables[i].name, 0, tables[i].at, offset + 1);
-            expect_name(FXL_E_ALIGNMENT, tables[i].name, 0, tables[i].at, offset + 2);
-            expect_name(FXL_E_OFFSET, tables[i].name, 0, tables[i].at, 0);
-            expect_name(FXL_E_OFFSET, tables[i].name, 0, tables[i].at, image->size);
-        } else { /* an image with a tree has a version of its own */
-            fxl_scene_image opened;
-            fxl_scene_fault fault = {"nothing", 99};
-            tiny_put16(tiny_at(image, AT_VERSION), 3);
-            tiny_put32(tiny_at(image, AT_RESERVED), HEADER_SIZE);
-            tiny_seal(image);
-            TEST_ASSERT_EQUAL(FXL_E_COUNT,
-                              fxl_scene_open(image->words, image->size, &opened, &fault));
-            TEST_ASSERT_EQUAL_STRING(tables[i].name, fault.what);
-            TEST_ASSERT_EQUAL_UINT32(0, fault.index);
-        }
+        expect_name(FXL_E_COUNT, tables[i].name, 0, tables[i].at + 4, 0);
+        expect_name(FXL_E_COUNT, tables[i].name, 0, tables[i].at + 4, 0xFFFFFFFFu);
+        expect_name(FXL_E_ALIGNMENT, tables[i].name, 0, tables[i].at, offset + 1);
+        expect_name(FXL_E_ALIGNMENT, tables[i].name, 0, tables[i].at, offset + 2);
+        expect_name(FXL_E_OFFSET, tables[i].name, 0, tables[i].at, 0);
+        expect_name(FXL_E_OFFSET, tables[i].name, 0, tables[i].at, image->size);
     }
     expect_name(FXL_E_COUNT, "path table", 0, AT_FRAMES, TINY_POSES + 1);
 }
@@ -150,8 +155,7 @@ void test_an_image_without_a_path(void)
     tiny_image *image = tiny_image_make(false);
     fxl_scene_image opened;
     fxl_scene_fault fault = {"nothing", 99};
-    tiny_put32(tiny_at(image, AT_PATH), 0);
-    tiny_put32(tiny_at(image, AT_PATH + 4), 0);
+    tiny_set_section(image, SECTION_POSES, NULL, 0, 0);
     tiny_put32(tiny_at(image, AT_FRAMES), 0);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, &fault));

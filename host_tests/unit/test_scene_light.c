@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Light in a scene image: version 6, a header of 232 bytes. */
+/* Light in a scene image: sections of light, of point lights and of the ramp. */
 #include "expect_scene.h"
 
 enum {
-    LIGHT_HEADER = 232,
-    AT_TURNS = 184,
-    AT_LIGHT = 208,
-    AT_POINTS = 216,
-    AT_RAMP = 224,
+    AT_LIGHT = AT_MORE,
+    AT_POINTS = AT_LIGHT + SECTION_BYTES,
+    AT_RAMP = AT_POINTS + SECTION_BYTES,
     LIGHT = 28,
     POINT = 20,
     LEVEL = 256,
@@ -21,12 +19,11 @@ static tiny_image *make(void)
         FXL_Q2_30_ONE / 4, FXL_Q2_30_ONE / 2, {0, -FXL_Q2_30_ONE, 0}, Q16(5), Q16(20)};
     static const fxl_point_light points[2] = {{{0, Q16(3), 0}, Q16(9), FXL_Q2_30_ONE},
                                               {{Q16(7), 0, Q16(-8)}, 1, 0}};
-    tiny_image *image = tiny_image_widen(6, LIGHT_HEADER);
-    tiny_add_table(image, AT_LIGHT, &base, 1, LIGHT);
-    tiny_add_table(image, AT_POINTS, points, 2, POINT);
-    /* Any bytes are a ramp: those of the palette. */
-    tiny_put32(tiny_at(image, AT_RAMP), tiny_get(image, AT_PALETTE));
-    tiny_put32(tiny_at(image, AT_RAMP + 4), LEVELS);
+    static const uint8_t ramp[LEVELS][LEVEL] = {{1}, {2}}; /* any bytes are a ramp */
+    tiny_image *image = tiny_image_make(false);
+    tiny_set_section(image, SECTION_LIGHT, &base, 1, LIGHT);
+    tiny_set_section(image, SECTION_POINT_LIGHTS, points, 2, POINT);
+    tiny_set_section(image, SECTION_RAMP, ramp, LEVELS, LEVEL);
     tiny_seal(image);
     return image;
 }
@@ -74,7 +71,8 @@ void test_an_image_with_one_point_light(void)
 {
     tiny_image *image = make();
     fxl_scene_image opened;
-    tiny_put32(tiny_at(image, AT_POINTS + 4), 1);
+    static const fxl_point_light one = {{0, Q16(3), 0}, Q16(9), FXL_Q2_30_ONE};
+    tiny_set_section(image, SECTION_POINT_LIGHTS, &one, 1, POINT);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_POINTS)), opened.light.points);
@@ -85,21 +83,28 @@ void test_an_image_may_have_no_point_lights(void)
 {
     tiny_image *image = make();
     fxl_scene_image opened;
-    memset(tiny_at(image, AT_POINTS), 0, 8);
+    tiny_set_section(image, SECTION_POINT_LIGHTS, NULL, 0, 0);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_NULL(opened.light.points);
     TEST_ASSERT_EQUAL_UINT32(0, opened.light.point_count);
 }
 
-void test_the_header_of_light_has_its_size(void)
+static void without(uint16_t kind, const char *what)
 {
     tiny_image *image = make();
-    tiny_put16(tiny_at(image, AT_HEADER_SIZE), LIGHT_HEADER - 24);
-    expect_opening(FXL_E_SIZE, image);
-    image = make();
-    tiny_put16(tiny_at(image, AT_VERSION), 5);
-    expect_opening(FXL_E_SIZE, image);
+    fxl_scene_image opened;
+    fxl_scene_fault fault = {"nothing", 99};
+    tiny_set_section(image, kind, NULL, 0, 0);
+    tiny_seal(image);
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_scene_open(image->words, image->size, &opened, &fault));
+    TEST_ASSERT_EQUAL_STRING(what, fault.what);
+}
+
+void test_light_and_ramp_go_together(void)
+{
+    without(SECTION_LIGHT, "light table");
+    without(SECTION_RAMP, "ramp");
 }
 
 void test_tables_of_light_are_checked(void)
@@ -111,10 +116,9 @@ void test_tables_of_light_are_checked(void)
     light_word(FXL_E_COUNT, AT_POINTS + 4, FXL_LIGHT_POINTS_MAX + 1);
     light_word(FXL_E_ALIGNMENT, AT_POINTS, 250);
     light_word(FXL_E_COUNT, AT_RAMP + 4, 0);
-    light_word(FXL_E_COUNT, AT_RAMP + 4, 1);
+    light_word(FXL_E_SIZE, AT_RAMP + 4, 1); /* the image does not end with it */
     light_word(FXL_E_COUNT, AT_RAMP + 4, FXL_LIGHT_LEVELS_MAX + 1);
     light_word(FXL_E_OFFSET, AT_RAMP, 0x7FFFFFF0u);
-    light_word(FXL_E_COUNT, AT_TURNS, LIGHT_HEADER);
 }
 
 void test_numbers_of_light_are_checked(void)

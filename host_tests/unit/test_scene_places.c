@@ -11,34 +11,23 @@ static fxl_status open(tiny_image *image, fxl_scene_fault *fault)
     return fxl_scene_open(image->words, image->size, &opened, fault);
 }
 
-/* Each table may end where the image ends, and no byte later. Its contents are then another
- * table's, which some check may refuse; but not for its place. */
-void test_a_table_may_end_with_the_image(void)
+/* Each section begins where the one before it ends, and the last ends with the image. */
+void test_sections_lie_behind_each_other(void)
 {
-    static const struct {
-        uint32_t at, bytes;
-        const char *name;
-    } tables[] = {{AT_PALETTE, 768, "palette table"},
-                  {AT_VERTICES, 16 * VERTEX, "vertex table"},
-                  {AT_CORNERS, 48 * CORNER, "index table"},
-                  {AT_FACES, 12 * FACE, "face table"},
-                  {AT_MODELS, 2 * MODEL, "model table"},
-                  {AT_INSTANCES, TINY_INSTANCES * INSTANCE, "instance table"},
-                  {AT_PATH, TINY_POSES * POSE, "path table"},
-                  {AT_KEYS, 6 * KEY, "face bounds table"}};
-    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
-        fxl_scene_fault fault = {"", 0};
-        tiny_image *image = tiny_image_make(false);
-        const uint32_t last = image->size - tables[i].bytes;
-        tiny_put32(tiny_at(image, tables[i].at), last);
-        const fxl_status status = open(image, &fault);
-        TEST_ASSERT_TRUE(status != FXL_E_OFFSET);
-        tiny_put32(tiny_at(image, tables[i].at), last + 4);
-        TEST_ASSERT_EQUAL(FXL_E_OFFSET, open(image, &fault));
-        TEST_ASSERT_EQUAL_STRING(tables[i].name, fault.what);
-        tiny_put32(tiny_at(image, tables[i].at), HEADER_SIZE);
-        TEST_ASSERT_TRUE(open(image, &fault) != FXL_E_OFFSET);
+    for (uint32_t at = AT_PALETTE; at <= AT_KEYS; at += SECTION_BYTES) {
+        for (int step = -4; step <= 4; step += 8) {
+            fxl_scene_fault fault = {"", 0};
+            tiny_image *image = tiny_image_make(false);
+            tiny_put32(tiny_at(image, at), tiny_get(image, at) + (uint32_t)step);
+            TEST_ASSERT_EQUAL(FXL_E_OFFSET, open(image, &fault));
+        }
     }
+    fxl_scene_fault fault = {"", 0};
+    tiny_image *image = tiny_image_make(false);
+    image->size += 4;
+    tiny_put32(tiny_at(image, AT_SIZE), image->size);
+    TEST_ASSERT_EQUAL(FXL_E_SIZE, open(image, &fault));
+    TEST_ASSERT_EQUAL_STRING("image", fault.what);
 }
 
 /* Who begins to walk stands still, and was not held anywhere. */
@@ -148,8 +137,8 @@ void test_tables_of_too_few_and_too_many(void)
 static tiny_image *with_a_single_face(void)
 {
     tiny_image *image = tiny_image_make(false);
-    tiny_put32(tiny_at(image, AT_FACES + 4), 7);
-    tiny_put32(tiny_at(image, AT_KEYS + 4), 1);
+    tiny_set_section(image, SECTION_FACES, tiny_make()->faces, 7, FACE);
+    tiny_set_section(image, SECTION_FACE_BOUNDS, tiny_make()->keys, 1, KEY);
     ((fxl_model *)(void *)tiny_entry(image, AT_MODELS, 1, MODEL))->face_count = 1;
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
         ((fxl_instance *)(void *)tiny_entry(image, AT_INSTANCES, i, INSTANCE))->layer = 0;
@@ -171,9 +160,8 @@ void test_tables_of_one_entry(void)
     TEST_ASSERT_EQUAL(FXL_OK, open(image, &fault));
     TEST_ASSERT_EQUAL_UINT32(1, opened.scene.face_bounds_count);
     TEST_ASSERT_EQUAL_MEMORY(tiny_entry(image, AT_KEYS, 0, KEY), opened.scene.face_bounds, KEY);
-    tiny_add_table(image, AT_RESERVED, &node, 1, sizeof node); /* where a tree has its place */
-    tiny_put32(tiny_at(image, AT_RESERVED + 8), 1);
-    tiny_put16(tiny_at(image, AT_VERSION), 3);
+    tiny_set_section(image, SECTION_BSP_NODES, &node, 1, sizeof node);
+    tiny_put32(tiny_at(image, AT_BSP_INSTANCE), 1);
     TEST_ASSERT_EQUAL(FXL_OK, open(image, &fault));
     TEST_ASSERT_EQUAL_UINT32(1, opened.scene.bsp_node_count);
     TEST_ASSERT_EQUAL_MEMORY(&node, opened.scene.bsp_nodes, sizeof node);

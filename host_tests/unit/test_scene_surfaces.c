@@ -1,20 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Surfaces in a scene image: version 6, a header of 296 bytes. */
+/* Surfaces in a scene image: seven sections. */
 #include "expect_scene.h"
 #include "fixel/surfaces.h"
 
 enum {
-    SURFACE_HEADER = 296,
-    AT_LIGHT = 208,
-    AT_RAMP = 224,
-    AT_TEXTURES = 232,
-    AT_TEXELS = 240,
-    AT_SURFACES = 248,
-    AT_MAPPED = 256,
-    AT_MAP = 264,
-    AT_NORMALS = 272,
-    AT_BLEND = 280,
-    AT_BLEND_FIRST = 288,
+    AT_TEXTURES = AT_MORE,
+    AT_TEXELS = AT_TEXTURES + SECTION_BYTES,
+    AT_SURFACES = AT_TEXELS + SECTION_BYTES,
+    AT_MAPPED = AT_SURFACES + SECTION_BYTES,
+    AT_MAP = AT_MAPPED + SECTION_BYTES,
+    AT_NORMALS = AT_MAP + SECTION_BYTES,
+    AT_BLEND = AT_NORMALS + SECTION_BYTES,
     TEXTURES = 2,
     TEXELS = 40, /* 4 x 2 and 2 x 1 of 8 bits; 2 x 4, 2 x 2 and 2 x 1 of 4 bits; 16 colours */
     FACES = 12
@@ -45,19 +41,18 @@ static tiny_image *make(void)
     static const uint16_t map[FACES] = {1, 2};
     static const fxl_direction normal = {0, FXL_Q2_30_ONE, 0};
     uint8_t texels[TEXELS];
-    tiny_image *image = tiny_image_widen(6, SURFACE_HEADER);
+    static const uint8_t blend[2][256] = {{5}, {6}}; /* any bytes are a blend table */
+    tiny_image *image = tiny_image_make(false);
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(3 * i);
     }
-    tiny_add_table(image, AT_TEXTURES, records, TEXTURES, sizeof records[0]);
-    tiny_add_table(image, AT_TEXELS, texels, TEXELS, 1);
-    tiny_add_table(image, AT_SURFACES, surfaces, 2, sizeof surfaces[0]);
-    tiny_add_table(image, AT_MAPPED, faces, 2, sizeof faces[0]);
-    tiny_add_table(image, AT_MAP, map, FACES, sizeof map[0]);
-    tiny_add_table(image, AT_NORMALS, &normal, 1, sizeof normal);
-    /* Any bytes are a blend table: those of the palette. */
-    tiny_put32(tiny_at(image, AT_BLEND), tiny_get(image, AT_PALETTE));
-    tiny_put32(tiny_at(image, AT_BLEND + 4), 2);
+    tiny_set_section(image, SECTION_TEXTURES, records, TEXTURES, sizeof records[0]);
+    tiny_set_section(image, SECTION_TEXELS, texels, TEXELS, 1);
+    tiny_set_section(image, SECTION_SURFACES, surfaces, 2, sizeof surfaces[0]);
+    tiny_set_section(image, SECTION_MAPPED_FACES, faces, 2, sizeof faces[0]);
+    tiny_set_section(image, SECTION_FACE_MAP, map, FACES, sizeof map[0]);
+    tiny_set_section(image, SECTION_NORMALS_OF_CORNERS, &normal, 1, sizeof normal);
+    tiny_set_section(image, SECTION_BLEND_TABLE, blend, 2, sizeof blend[0]);
     tiny_put32(tiny_at(image, AT_BLEND_FIRST), 3);
     tiny_seal(image);
     return image;
@@ -126,7 +121,7 @@ void test_surfaces_are_used_in_place(void)
     TEST_ASSERT_EQUAL_UINT16(2, set.face_map[1]);
     TEST_ASSERT_EQUAL_UINT32(1, set.normal_count);
     TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE, set.normals[0].y);
-    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_PALETTE)), set.blend);
+    TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_BLEND)), set.blend);
     TEST_ASSERT_EQUAL_UINT32(3, set.blend_first);
     TEST_ASSERT_EQUAL_UINT32(2, set.blend_count);
 }
@@ -134,7 +129,8 @@ void test_surfaces_are_used_in_place(void)
 void test_one_colour_may_be_blended(void)
 {
     tiny_image *image = make();
-    tiny_put32(tiny_at(image, AT_BLEND + 4), 1);
+    static const uint8_t blend[256] = {7};
+    tiny_set_section(image, SECTION_BLEND_TABLE, blend, 1, sizeof blend);
     expect_surfaces(FXL_OK, "nothing", image);
     TEST_ASSERT_EQUAL_PTR(tiny_at(image, tiny_get(image, AT_BLEND)), set.blend);
     TEST_ASSERT_EQUAL_UINT32(1, set.blend_count);
@@ -157,11 +153,6 @@ void test_an_image_with_surfaces_may_have_no_light_turns_or_beams(void)
     TEST_ASSERT_NULL(opened.light.base);
     TEST_ASSERT_NULL(opened.scene.turns);
     TEST_ASSERT_NULL(opened.scene.beams);
-    header_word(FXL_E_COUNT, AT_LIGHT, SURFACE_HEADER);
-    image = make();
-    tiny_put32(tiny_at(image, AT_RAMP), tiny_get(image, AT_PALETTE));
-    tiny_put32(tiny_at(image, AT_RAMP + 4), 2);
-    expect_opening(FXL_E_COUNT, image);
 }
 
 void test_memory_for_textures_is_checked(void)
@@ -195,13 +186,45 @@ void test_tables_of_surfaces_are_checked(void)
     header_word(FXL_E_COUNT, AT_SURFACES + 4, 0);
     header_word(FXL_E_COUNT, AT_SURFACES + 4, 65536);
     header_word(FXL_E_COUNT, AT_MAPPED + 4, 0);
-    header_word(FXL_E_COUNT, AT_MAP + 4, FACES - 1);
     header_word(FXL_E_OFFSET, AT_TEXTURES, 4);
-    header_word(FXL_E_ALIGNMENT, AT_TEXELS, SURFACE_HEADER + 2);
+    header_word(FXL_E_ALIGNMENT, AT_TEXELS, 2);
     header_word(FXL_E_OFFSET, AT_NORMALS, 0x7FFFFFF0u);
     header_word(FXL_E_COUNT, AT_BLEND + 4, 257);
-    header_word(FXL_E_RESERVED, AT_BLEND_FIRST + 4, 1);
-    header_word(FXL_E_RESERVED, AT_BLEND + 4, 0);
+    tiny_image *image = make();
+    static const uint16_t map[FACES] = {1};
+    tiny_set_section(image, SECTION_FACE_MAP, map, FACES - 1, sizeof map[0]);
+    expect_opening(FXL_E_COUNT, image);
+    image = make();
+    tiny_set_section(image, SECTION_BLEND_TABLE, NULL, 0, 0); /* it has a first colour */
+    expect_opening(FXL_E_RESERVED, image);
+}
+
+/* One section of surfaces asks for three of them. */
+void test_sections_of_surfaces_go_together(void)
+{
+    static const uint16_t needed[] = {SECTION_SURFACES, SECTION_MAPPED_FACES, SECTION_FACE_MAP};
+    for (int i = 0; i < 3; i++) {
+        tiny_image *image = make();
+        tiny_set_section(image, needed[i], NULL, 0, 0);
+        expect_opening(FXL_E_COUNT, image);
+    }
+    for (uint16_t kind = SECTION_TEXTURES; kind <= SECTION_BLEND_TABLE; kind++) {
+        static const uint32_t bytes[64];
+        tiny_image *image = tiny_image_make(false);
+        const uint32_t size = kind == SECTION_BLEND_TABLE   ? 256
+                              : kind == SECTION_MAPPED_FACES ? 36
+                                                             : 48;
+        tiny_set_section(image, kind, bytes, 1, size);
+        if (size == 48) { /* whole entries of any of the others */
+            tiny_put32(tiny_at(image, AT_MORE + 4),
+                       kind == SECTION_TEXTURES              ? 3
+                       : kind == SECTION_TEXELS              ? 48
+                       : kind == SECTION_SURFACES            ? 6
+                       : kind == SECTION_FACE_MAP            ? 24
+                                                             : 4);
+        }
+        expect_opening(FXL_E_COUNT, image);
+    }
 }
 
 void test_textures_lie_within_their_texels(void)
@@ -254,8 +277,7 @@ void test_the_rest_is_checked(void)
     tiny_put32(tiny_at(image, AT_BLEND_FIRST), 255);
     expect_surfaces(FXL_E_COUNT, "surfaces", image);
     image = make();
-    tiny_put32(tiny_at(image, AT_BLEND), 0);
-    tiny_put32(tiny_at(image, AT_BLEND + 4), 0);
+    tiny_set_section(image, SECTION_BLEND_TABLE, NULL, 0, 0);
     tiny_put32(tiny_at(image, AT_BLEND_FIRST), 0);
     expect_surfaces(FXL_E_ARGUMENT, "surface", image);
 }

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Turned instances and motions in a scene image: version 5, a header of 208 bytes. */
+/* Turned instances and motions in a scene image: sections of turns, of motions and of their keys. */
 #include "expect_scene.h"
 
 enum {
-    MORE = 48, /* what the header is longer */
-    AT_BEAMS = HEADER_SIZE,
-    AT_CLUSTERS = HEADER_SIZE + 16,
-    AT_TURNS = HEADER_SIZE + 24,
-    AT_MOTIONS = HEADER_SIZE + 32,
-    AT_MOTION_KEYS = HEADER_SIZE + 40,
+    AT_TURNS = AT_MORE,
+    AT_MOTIONS = AT_TURNS + SECTION_BYTES,
+    AT_MOTION_KEYS = AT_MOTIONS + SECTION_BYTES,
     TURN = 40,
     MOTION = 76,
     MOTION_KEY = 32
@@ -21,10 +18,10 @@ static tiny_image *make(void)
     static const fxl_motion motion = {
         .yaw_step = 7, .scale_low = 65536, .scale_high = 65536, .key_count = 1};
     static const fxl_motion_key key = {.scale = 65536};
-    tiny_image *image = tiny_image_widen(5, HEADER_SIZE + MORE);
-    tiny_add_table(image, AT_TURNS, turns, 2, TURN);
-    tiny_add_table(image, AT_MOTIONS, &motion, 1, MOTION);
-    tiny_add_table(image, AT_MOTION_KEYS, &key, 1, MOTION_KEY);
+    tiny_image *image = tiny_image_make(false);
+    tiny_set_section(image, SECTION_TURNS, turns, 2, TURN);
+    tiny_set_section(image, SECTION_MOTIONS, &motion, 1, MOTION);
+    tiny_set_section(image, SECTION_KEYS_OF_MOTIONS, &key, 1, MOTION_KEY);
     tiny_seal(image);
     return image;
 }
@@ -32,11 +29,6 @@ static tiny_image *make(void)
 static void turn_word(fxl_status status, uint32_t offset, uint32_t value)
 {
     expect_image_word(status, make(), offset, value);
-}
-
-static void turn_half(fxl_status status, uint32_t offset, uint16_t value)
-{
-    expect_image_half(status, make(), offset, value);
 }
 
 static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t value)
@@ -66,11 +58,13 @@ void test_turns_are_used_in_place(void)
 void test_a_scene_may_have_turns_alone(void)
 {
     tiny_image *image = make();
-    memset(tiny_at(image, AT_MOTIONS), 0, 16);
+    static const fxl_turn one = {FXL_ORIENTATION_NONE, FXL_UNITS(2)};
+    tiny_set_section(image, SECTION_MOTIONS, NULL, 0, 0);
+    tiny_set_section(image, SECTION_KEYS_OF_MOTIONS, NULL, 0, 0);
     expect_opening(FXL_OK, image);
     /* One is that of the last instance. */
     fxl_scene_image opened;
-    tiny_put32(tiny_at(image, AT_TURNS + 4), 1);
+    tiny_set_section(image, SECTION_TURNS, &one, 1, TURN);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES - 1, opened.scene.first_turned);
@@ -80,27 +74,28 @@ void test_a_scene_may_have_turns_alone(void)
 void test_every_instance_may_be_turned(void)
 {
     static const fxl_turn turns[TINY_INSTANCES] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
-    tiny_image *image = tiny_image_widen(5, HEADER_SIZE + MORE);
+    tiny_image *image = tiny_image_make(false);
     fxl_scene_image opened;
-    tiny_add_table(image, AT_TURNS, turns, TINY_INSTANCES, TURN);
+    tiny_set_section(image, SECTION_TURNS, turns, TINY_INSTANCES, TURN);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(0, opened.scene.first_turned);
 }
 
-void test_the_header_of_turns_has_its_size(void)
+void test_motions_their_keys_and_turns_go_together(void)
 {
-    turn_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE);
-    turn_half(FXL_E_SIZE, AT_HEADER_SIZE, HEADER_SIZE + 24);
-    turn_half(FXL_E_SIZE, AT_VERSION, 4);
-    turn_half(FXL_E_SIZE, AT_VERSION, 6);
-    turn_half(FXL_E_VERSION, AT_VERSION, 8);
+    static const uint16_t kinds[] = {SECTION_TURNS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS};
+    for (int i = 0; i < 3; i++) {
+        tiny_image *image = make();
+        tiny_set_section(image, kinds[i], NULL, 0, 0);
+        expect_opening(FXL_E_COUNT, image);
+    }
 }
 
 void test_tables_of_turns_are_checked(void)
 {
     turn_word(FXL_E_COUNT, AT_TURNS + 4, 0);
-    turn_word(FXL_E_COUNT, AT_TURNS + 4, 4);
+    turn_word(FXL_E_OFFSET, AT_TURNS + 4, 4);
     turn_word(FXL_E_COUNT, AT_TURNS + 4, 65536);
     turn_word(FXL_E_ALIGNMENT, AT_TURNS, 2);
     turn_word(FXL_E_OFFSET, AT_TURNS, 0);
@@ -108,15 +103,17 @@ void test_tables_of_turns_are_checked(void)
     turn_word(FXL_E_OFFSET, AT_MOTIONS, 4);
     turn_word(FXL_E_OFFSET, AT_MOTION_KEYS, 4);
     turn_word(FXL_E_COUNT, AT_MOTION_KEYS + 4, 1000001);
-    turn_word(FXL_E_COUNT, AT_BEAMS, 208);
-    turn_word(FXL_E_COUNT, AT_CLUSTERS, 208);
 }
 
 void test_there_are_no_more_motions_than_turns(void)
 {
     tiny_image *image = make();
-    tiny_put32(tiny_at(image, AT_MOTIONS), tiny_get(image, AT_PALETTE));
-    tiny_put32(tiny_at(image, AT_MOTIONS + 4), 3);
+    static const fxl_motion motions[3];
+    tiny_set_section(image, SECTION_MOTIONS, motions, 3, MOTION);
+    expect_opening(FXL_E_COUNT, image);
+    image = make();
+    static const fxl_turn turns[TINY_INSTANCES + 1];
+    tiny_set_section(image, SECTION_TURNS, turns, TINY_INSTANCES + 1, TURN); /* nor more turns */
     expect_opening(FXL_E_COUNT, image);
 }
 

@@ -113,21 +113,70 @@ void tiny_seal(tiny_image *of)
     tiny_put32(tiny_at(of, AT_CRC), unit_crc32(tiny_at(of, 16), size - 16));
 }
 
-/* Appends a table, padded to four bytes, and names it in the header. */
-static void add_table(uint32_t field, const void *table, uint32_t bytes, uint32_t count)
+/* Of an entry of the table of sections: where its section lies, and where the next one does. */
+static uint32_t section_begin(tiny_image *of, uint32_t number)
 {
-    TEST_ASSERT_TRUE(image.size + bytes + 4 <= sizeof image.words);
-    memcpy(tiny_at(&image, image.size), table, bytes);
-    tiny_put32(tiny_at(&image, field), image.size);
-    tiny_put32(tiny_at(&image, field + 4), count);
-    image.size += (bytes + 3) / 4 * 4;
+    return tiny_get(of, AT_PALETTE + SECTION_BYTES * number);
+}
+
+static uint32_t section_end(tiny_image *of, uint32_t number, uint32_t count)
+{
+    return number + 1 < count ? section_begin(of, number + 1) : of->size;
+}
+
+/* Puts the entry of a section, and its bytes, padded to four, at the end of the image. */
+static void put_section(tiny_image *of, uint32_t number, uint32_t kind, const void *bytes,
+                        uint32_t size, uint32_t count)
+{
+    const uint32_t entry = HEADER_SIZE + SECTION_BYTES * number, padded = (size + 3) / 4 * 4;
+    TEST_ASSERT_TRUE(of->size + padded <= sizeof of->words);
+    tiny_put16(tiny_at(of, entry), (uint16_t)kind);
+    tiny_put16(tiny_at(of, entry + 2), kind != SECTION_FACE_BOUNDS);
+    tiny_put32(tiny_at(of, entry + 4), of->size);
+    tiny_put32(tiny_at(of, entry + 8), count);
+    memset(tiny_at(of, of->size), 0, padded);
+    memcpy(tiny_at(of, of->size), bytes, size);
+    of->size += padded;
+}
+
+static uint32_t kind_at(tiny_image *of, uint32_t number)
+{
+    return tiny_get(of, HEADER_SIZE + SECTION_BYTES * number) & 0xFFFFu;
+}
+
+void tiny_set_section(tiny_image *of, uint16_t kind, const void *entries, uint32_t count,
+                      uint32_t entry_size)
+{
+    static tiny_image from;
+    from = *of;
+    const uint32_t before = tiny_get(&from, AT_VERSION) >> 16;
+    uint32_t total = count != 0, number = 0;
+    bool is_put = count == 0;
+    for (uint32_t i = 0; i < before; i++) {
+        total += kind_at(&from, i) != kind;
+    }
+    of->size = HEADER_SIZE + SECTION_BYTES * total;
+    for (uint32_t i = 0; i <= before; i++) {
+        const uint32_t old = i < before ? kind_at(&from, i) : UINT32_MAX;
+        if (!is_put && old >= kind) {
+            put_section(of, number++, kind, entries, count * entry_size, count);
+            is_put = true;
+        }
+        if (i < before && old != kind) {
+            const uint32_t begin = section_begin(&from, i);
+            put_section(of, number++, old, tiny_at(&from, begin),
+                        section_end(&from, i, before) - begin,
+                        tiny_get(&from, AT_PALETTE + SECTION_BYTES * i + 4));
+        }
+    }
+    tiny_put16(tiny_at(of, AT_SECTION_COUNT), (uint16_t)total);
+    tiny_put32(tiny_at(of, AT_SIZE), of->size);
 }
 
 static void put_header(bool strides)
 {
     memcpy(tiny_at(&image, AT_MAGIC), "FXLS", 4);
-    tiny_put16(tiny_at(&image, AT_VERSION), 2);
-    tiny_put16(tiny_at(&image, AT_HEADER_SIZE), HEADER_SIZE);
+    tiny_put16(tiny_at(&image, AT_VERSION), IMAGE_VERSION);
     tiny_put16(tiny_at(&image, AT_WIDTH), 48);
     tiny_put16(tiny_at(&image, AT_HEIGHT), 32);
     tiny_put32(tiny_at(&image, AT_FOV), FXL_ANGLE_QUARTER);
@@ -135,7 +184,6 @@ static void put_header(bool strides)
     tiny_put32(tiny_at(&image, AT_FAR), (uint32_t)Q16(1000));
     tiny_put32(tiny_at(&image, AT_INSET), 4);
     *tiny_at(&image, AT_BACKGROUND) = 200;
-    *tiny_at(&image, AT_PATH_KIND) = strides;
     tiny_put32(tiny_at(&image, AT_START + 8), (uint32_t)Q16(-5));
     tiny_put32(tiny_at(&image, AT_MOTION_LIMITS), (uint32_t)Q16(0.5));
     tiny_put32(tiny_at(&image, AT_MOTION_LIMITS + 4), (uint32_t)Q16(0.25));
@@ -158,49 +206,19 @@ tiny_image *tiny_image_make(bool strides)
     memset(&image, 0, sizeof image);
     image.size = HEADER_SIZE;
     put_header(strides);
-    add_table(AT_PALETTE, palette, sizeof palette, 256);
-    add_table(AT_VERTICES, from->vertices, sizeof from->vertices, 16);
-    add_table(AT_CORNERS, from->corners, sizeof from->corners, 48);
-    add_table(AT_FACES, from->faces, sizeof from->faces, 12);
-    add_table(AT_MODELS, from->models, sizeof from->models, 2);
-    add_table(AT_INSTANCES, from->instances, sizeof from->instances, TINY_INSTANCES);
+    tiny_set_section(&image, SECTION_PALETTE, palette, 256, 3);
+    tiny_set_section(&image, SECTION_VERTICES, from->vertices, 16, sizeof from->vertices[0]);
+    tiny_set_section(&image, SECTION_INDICES, from->corners, 48, sizeof from->corners[0]);
+    tiny_set_section(&image, SECTION_FACES, from->faces, 12, sizeof from->faces[0]);
+    tiny_set_section(&image, SECTION_MODELS, from->models, 2, sizeof from->models[0]);
+    tiny_set_section(&image, SECTION_INSTANCES, from->instances, TINY_INSTANCES,
+                     sizeof from->instances[0]);
     if (strides) {
-        add_table(AT_PATH, walk, sizeof walk, TINY_STRIDES);
+        tiny_set_section(&image, SECTION_SEGMENTS, walk, TINY_STRIDES, sizeof walk[0]);
     } else {
-        add_table(AT_PATH, poses, sizeof poses, TINY_POSES);
+        tiny_set_section(&image, SECTION_POSES, poses, TINY_POSES, sizeof poses[0]);
     }
-    add_table(AT_KEYS, from->keys, sizeof from->keys, 6);
-    tiny_put32(tiny_at(&image, AT_SIZE), image.size);
+    tiny_set_section(&image, SECTION_FACE_BOUNDS, from->keys, 6, sizeof from->keys[0]);
     tiny_seal(&image);
     return &image;
-}
-
-tiny_image *tiny_image_widen(uint16_t version, uint32_t header_size)
-{
-    static const uint32_t tables[] = {AT_PALETTE, AT_VERTICES,  AT_CORNERS, AT_FACES,
-                                      AT_MODELS,  AT_INSTANCES, AT_PATH,    AT_KEYS};
-    const uint32_t more = header_size - HEADER_SIZE;
-    tiny_image *of = tiny_image_make(false);
-    TEST_ASSERT_TRUE(of->size + more <= sizeof of->words);
-    memmove(tiny_at(of, header_size), tiny_at(of, HEADER_SIZE), of->size - HEADER_SIZE);
-    memset(tiny_at(of, HEADER_SIZE), 0, more);
-    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
-        tiny_put32(tiny_at(of, tables[i]), tiny_get(of, tables[i]) + more);
-    }
-    of->size += more;
-    tiny_put32(tiny_at(of, AT_SIZE), of->size);
-    tiny_put16(tiny_at(of, AT_VERSION), version);
-    tiny_put16(tiny_at(of, AT_HEADER_SIZE), (uint16_t)header_size);
-    return of;
-}
-
-void tiny_add_table(tiny_image *of, uint32_t field, const void *entries, uint32_t count,
-                    uint32_t entry_size)
-{
-    TEST_ASSERT_TRUE(of->size + count * entry_size <= sizeof of->words);
-    tiny_put32(tiny_at(of, field), of->size);
-    tiny_put32(tiny_at(of, field + 4), count);
-    memcpy(tiny_at(of, of->size), entries, (size_t)count * entry_size);
-    of->size += count * entry_size;
-    tiny_put32(tiny_at(of, AT_SIZE), of->size);
 }

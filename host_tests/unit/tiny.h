@@ -4,6 +4,7 @@
 #ifndef TINY_H
 #define TINY_H
 
+#include "scene/scene_sections.h"
 #include "unit.h"
 
 enum {
@@ -31,11 +32,11 @@ typedef struct {
  * 2 (model 0) at (5, 1, 12). Not checked yet. */
 tiny_scene *tiny_make(void);
 
-/* Byte offsets of a scene image's header (docs/formats.md, section 1). */
+/* Byte offsets of a scene image's header (docs/formats.md, section 1.1). */
 enum {
     AT_MAGIC = 0,
     AT_VERSION = 4,
-    AT_HEADER_SIZE = 6,
+    AT_SECTION_COUNT = 6,
     AT_SIZE = 8,
     AT_CRC = 12,
     AT_WIDTH = 16,
@@ -45,22 +46,27 @@ enum {
     AT_FAR = 28,
     AT_INSET = 32,
     AT_BACKGROUND = 36,
-    AT_PATH_KIND = 37,
-    AT_HAS_CENTRE = 38,
-    AT_VISIBILITY = 39,
+    AT_VISIBILITY = 37,
+    AT_RESERVED = 38,
     AT_START = 40,
     AT_MOTION_LIMITS = 64,
-    AT_PALETTE = 80,
-    AT_VERTICES = 88,
-    AT_CORNERS = 96,
-    AT_FACES = 104,
-    AT_MODELS = 112,
-    AT_INSTANCES = 120,
-    AT_PATH = 128,
-    AT_FRAMES = 136,
-    AT_KEYS = 140,
-    AT_RESERVED = 148,
-    HEADER_SIZE = 160,
+    AT_FRAMES = 80,
+    AT_BSP_INSTANCE = 84,
+    AT_BLEND_FIRST = 88,
+    HEADER_SIZE = 92,
+    /* The offsets of tiny's sections in the table of sections. 4 bytes on is the count, 4 bytes
+     * before are kind, whether it is needed, and a reserved byte. */
+    SECTION_BYTES = 12,
+    AT_PALETTE = HEADER_SIZE + 4,
+    AT_VERTICES = AT_PALETTE + SECTION_BYTES,
+    AT_CORNERS = AT_VERTICES + SECTION_BYTES,
+    AT_FACES = AT_CORNERS + SECTION_BYTES,
+    AT_MODELS = AT_FACES + SECTION_BYTES,
+    AT_INSTANCES = AT_MODELS + SECTION_BYTES,
+    AT_PATH = AT_INSTANCES + SECTION_BYTES,
+    AT_KEYS = AT_PATH + SECTION_BYTES,
+    AT_MORE = AT_KEYS + SECTION_BYTES, /* of the first section that a test adds */
+    TINY_SECTIONS = 8,
     TINY_WORDS = 640
 };
 
@@ -73,13 +79,10 @@ typedef struct {
  * two strides of 3 and 4 frames), sealed. */
 tiny_image *tiny_image_make(bool strides);
 
-/* Tiny's image of poses with another version and a header that is longer: every table moves. Not
- * sealed. */
-tiny_image *tiny_image_widen(uint16_t version, uint32_t header_size);
-
-/* A table at the end of the image, named at a field of the header. Not sealed. */
-void tiny_add_table(tiny_image *image, uint32_t field, const void *entries, uint32_t count,
-                    uint32_t entry_size);
+/* Puts a section into an image, in place of that of its kind, and in the order of the kinds; or takes
+ * that out if count is 0. Each is as needed as the format says. Not sealed. */
+void tiny_set_section(tiny_image *image, uint16_t kind, const void *entries, uint32_t count,
+                      uint32_t entry_size);
 
 /* Bytes of the image, and of an entry of a table. */
 uint8_t *tiny_at(tiny_image *image, uint32_t offset);

@@ -3,11 +3,8 @@
 #include "../math/aligned.h"
 #include "../math/memory.h"
 #include "../scene/fault.h"
-#include "../scene/scene_header.h"
-#include "fixel/surfaces.h"
+#include "surface_sections.h"
 
-FXL_STATIC_ASSERT(sizeof(fxl_surface) == SURFACE_SIZE, "docs/formats.md, section 1");
-FXL_STATIC_ASSERT(sizeof(fxl_mapped_face) == MAPPED_FACE_SIZE, "docs/formats.md, section 1");
 FXL_STATIC_ASSERT(FXL_TEXTURES_MAX == FXL_SCENE_TABLE_MAX, "docs/formats.md, section 1");
 
 #define COLOURS_4 16u /* of a texture of 4 bits */

@@ -2,99 +2,30 @@
 /* Opens a scene image (docs/formats.md, section 1) in place. */
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "crc.h"
 #include "fault.h"
 #include "fixel/scene.h"
 #include "fixel/stage/lens.h"
 #include "motion_limits.h"
-#include "scene_header.h"
-
-static bool header_size_is_known(const header *head)
-{
-    if (head->version == VERSION_BOARDS) {
-        return head->header_size == BOARD_HEADER_SIZE;
-    }
-    if (head->version == VERSION_LIGHT) {
-        return head->header_size == LIGHT_HEADER_SIZE || head->header_size == SURFACE_HEADER_SIZE;
-    }
-    if (head->version == VERSION_TURNS) {
-        return head->header_size == TURN_HEADER_SIZE;
-    }
-    if (head->version == VERSION_CLUSTERS) {
-        return head->header_size == CLUSTER_HEADER_SIZE;
-    }
-    return head->header_size == sizeof *head ||
-           (head->version == VERSION_MORE && head->header_size == BEAM_HEADER_SIZE);
-}
-
-/* *what is "image", and becomes "header" if only the header's own size is wrong. */
-static fxl_status check_envelope(const header *head, size_t size, const char **what)
-{
-    if (size < sizeof *head) {
-        return FXL_E_SIZE;
-    }
-    if (head->magic != MAGIC) {
-        return FXL_E_MAGIC;
-    }
-    if (head->version < VERSION || head->version > VERSION_BOARDS) {
-        return FXL_E_VERSION;
-    }
-    if (!header_size_is_known(head)) {
-        *what = "header";
-        return FXL_E_SIZE;
-    }
-    if (head->image_size < head->header_size || head->image_size > FXL_SCENE_IMAGE_MAX ||
-        head->image_size % 4 != 0 || head->image_size > size) {
-        return FXL_E_SIZE;
-    }
-    const uint8_t *bytes = (const uint8_t *)head;
-    if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
-        return FXL_E_CRC;
-    }
-    if (head->has_centre > 1 || head->visibility > FXL_SCENE_BY_DEPTH || /* bug: wish-known */
-        head->path_kind > PATH_SEGMENTS) {
-        return FXL_E_RESERVED;
-    }
-    if (head->image_size - head->header_size < head->has_centre * sizeof(lens_centre)) {
-        *what = "header"; /* bug: centre-behind */
-        return FXL_E_SIZE;
-    }
-    if (beam_header_of(head) != NULL && beam_header_of(head)->reserved != 0) {
-        return FXL_E_RESERVED;
-    }
-    bool has_bsp = (head->bsp_nodes.offset | head->bsp_nodes.count | head->bsp_instance) != 0;
-    if (has_bsp && head->version == VERSION) {
-        return FXL_E_RESERVED;
-    }
-    const surface_header *surfaces = surface_header_of(head);
-    if (surfaces != NULL &&
-        (surfaces->reserved != 0 || (surfaces->blend.count == 0 && surfaces->blend_first != 0))) {
-        return FXL_E_RESERVED;
-    }
-    /* An image has VERSION_MORE only if it has a tree or beams, so a scene has one image. */
-    return head->version == VERSION || has_bsp || beam_header_of(head) != NULL ? FXL_OK
-                                                                               : FXL_E_VERSION;
-}
+#include "scene_sections.h"
 
 /* An image says where the centre is only if that is not the middle, so a scene has one image. */
-static fxl_status check_lens(const header *head, fxl_lens *lens)
+static fxl_status check_lens(const fxl_image_header *head, const fxl_image_table *found, fxl_lens *lens)
 {
+    const fxl_image_centre *centre = (const fxl_image_centre *)found[SECTION_LENS_CENTRE].first;
     fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
                                           head->far_z, head->inset, lens);
-    if (status != FXL_OK || head->has_centre == 0) {
+    if (status != FXL_OK || centre == NULL) {
         return status;
     }
-    const lens_centre *centre =
-        (const lens_centre *)(const void *)((const uint8_t *)head + head->header_size);
     status = fxl_lens_set_centre(lens, centre->x, centre->y);
     return status == FXL_OK && lens->off_centre == NULL ? FXL_E_RESERVED : status;
 }
 
 /* Lens, start pose and motion limits. */
-static fxl_status check_settings(const header *head, fxl_scene_image *opened,
+static fxl_status check_settings(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_image *opened,
                                  fxl_scene_fault *fault)
 {
-    fxl_status status = check_lens(head, &opened->lens);
+    fxl_status status = check_lens(head, found, &opened->lens);
     if (status != FXL_OK) {
         return fxl_fault_at(fault, "lens", 0, status);
     }
@@ -152,6 +83,78 @@ static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fau
     return FXL_OK;
 }
 
+static void open_geometry(const fxl_image_header *head, const fxl_image_table *found, fxl_scene *scene)
+{
+    scene->vertices = (const fxl_point *)found[SECTION_VERTICES].first;
+    scene->vertex_count = found[SECTION_VERTICES].count;
+    scene->indices = (const uint16_t *)found[SECTION_INDICES].first;
+    scene->index_count = found[SECTION_INDICES].count;
+    scene->faces = (const fxl_face *)found[SECTION_FACES].first;
+    scene->face_count = found[SECTION_FACES].count;
+    scene->models = (const fxl_model *)found[SECTION_MODELS].first;
+    scene->model_count = found[SECTION_MODELS].count;
+    scene->instances = (const fxl_instance *)found[SECTION_INSTANCES].first;
+    scene->instance_count = found[SECTION_INSTANCES].count;
+    scene->face_bounds = (const fxl_face_bounds *)found[SECTION_FACE_BOUNDS].first;
+    scene->face_bounds_count = found[SECTION_FACE_BOUNDS].count;
+    scene->bsp_nodes = (const fxl_bsp_node *)found[SECTION_BSP_NODES].first;
+    scene->bsp_node_count = found[SECTION_BSP_NODES].count;
+    scene->bsp_instance = head->bsp_instance;
+    scene->clusters = (const fxl_cluster *)found[SECTION_CLUSTERS].first;
+    scene->cluster_count = found[SECTION_CLUSTERS].count;
+    scene->beams = (const fxl_beam *)found[SECTION_BEAMS].first;
+    scene->beam_count = found[SECTION_BEAMS].count;
+    scene->lit = (const uint8_t *)found[SECTION_LIT_COLOURS].first;
+    scene->turns = (const fxl_turn *)found[SECTION_TURNS].first;
+    if (scene->turns != NULL) {
+        scene->first_turned = scene->instance_count - found[SECTION_TURNS].count;
+    }
+}
+
+static void open_surfaces(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_surfaces *to)
+{
+    to->textures = (const fxl_scene_texture *)found[SECTION_TEXTURES].first;
+    to->texture_count = found[SECTION_TEXTURES].count;
+    to->texels = (const uint8_t *)found[SECTION_TEXELS].first;
+    to->texel_bytes = found[SECTION_TEXELS].count;
+    to->surfaces = (const fxl_surface *)found[SECTION_SURFACES].first;
+    to->surface_count = found[SECTION_SURFACES].count;
+    to->faces = (const fxl_mapped_face *)found[SECTION_MAPPED_FACES].first;
+    to->face_count = found[SECTION_MAPPED_FACES].count;
+    to->face_map = (const uint16_t *)found[SECTION_FACE_MAP].first;
+    to->normals = (const fxl_direction *)found[SECTION_NORMALS_OF_CORNERS].first;
+    to->normal_count = found[SECTION_NORMALS_OF_CORNERS].count;
+    to->blend = (const uint8_t *)found[SECTION_BLEND_TABLE].first;
+    to->blend_count = found[SECTION_BLEND_TABLE].count;
+    to->blend_first = head->blend_first;
+}
+
+/* Has what is opened point to the sections. */
+static void open_sections(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_image *opened)
+{
+    open_geometry(head, found, &opened->scene);
+    open_surfaces(head, found, &opened->surfaces);
+    opened->palette = (const uint8_t *)found[SECTION_PALETTE].first;
+    opened->poses = (const fxl_pose *)found[SECTION_POSES].first;
+    opened->segments = (const fxl_path_segment *)found[SECTION_SEGMENTS].first;
+    opened->path_count = found[SECTION_POSES].count + found[SECTION_SEGMENTS].count;
+    opened->frame_count = head->frame_count;
+    opened->motion.motions = (const fxl_motion *)found[SECTION_MOTIONS].first;
+    opened->motion.motion_count = found[SECTION_MOTIONS].count;
+    opened->motion.keys = (const fxl_motion_key *)found[SECTION_KEYS_OF_MOTIONS].first;
+    opened->motion.key_count = found[SECTION_KEYS_OF_MOTIONS].count;
+    opened->light.base = (const fxl_light_base *)found[SECTION_LIGHT].first;
+    opened->light.points = (const fxl_point_light *)found[SECTION_POINT_LIGHTS].first;
+    opened->light.point_count = found[SECTION_POINT_LIGHTS].count;
+    opened->light.ramp = (const uint8_t *)found[SECTION_RAMP].first;
+    opened->light.levels = found[SECTION_RAMP].count; /* bug: light-ramp-of-image */
+    opened->billboards.billboards = (const fxl_scene_billboard *)found[SECTION_BILLBOARDS].first;
+    opened->billboards.count = found[SECTION_BILLBOARDS].count;
+    opened->billboards.model_map = (const uint16_t *)found[SECTION_BILLBOARD_MAP].first;
+    opened->billboards.pixels = (const uint8_t *)found[SECTION_SPRITE_PIXELS].first;
+    opened->billboards.pixel_bytes = found[SECTION_SPRITE_PIXELS].count;
+}
+
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault)
 {
@@ -161,28 +164,21 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
     if ((uintptr_t)image % 4 != 0) {
         return fxl_fault_at(fault, "image", 0, FXL_E_ALIGNMENT);
     }
-    const header *head = (const header *)image;
-    const char *what = "image";
-    fxl_status status = check_envelope(head, size, &what);
-    if (status != FXL_OK) {
-        return fxl_fault_at(fault, what, 0, status);
-    }
+    const fxl_image_header *head = (const fxl_image_header *)image;
+    fxl_image_table sections[SECTION_KINDS];
     fxl_scene_image found;
+    memset(sections, 0, sizeof sections);
     memset(&found, 0, sizeof found);
-    status = check_settings(head, &found, fault);
+    fxl_status status = fxl_scene_sections_find(head, size, sections, fault);
+    if (status == FXL_OK) {
+        status = check_settings(head, sections, &found, fault);
+    }
     if (status != FXL_OK) {
         return status;
     }
-    status = fxl_scene_tables_check(head, fault);
-    if (status != FXL_OK) {
-        return status;
-    }
-    fxl_scene_tables_open(head, &found);
+    open_sections(head, sections, &found);
     status = fxl_scene_check_all(&found.scene, fault);
-    if (status != FXL_OK) {
-        return status;
-    }
-    if (turn_header_of(head) != NULL) {
+    if (status == FXL_OK && found.motion.motions != NULL) {
         status = fxl_motion_check(&found.motion, &found.scene, fault);
     }
     if (status == FXL_OK) {

@@ -16,6 +16,7 @@ ROOMS = {
         "info": (SCENE, "say what is in a scene image"),
         "texture": (SCENE, "write an image as a texture in C"),
         "font": ("fixel.image.font", "write a font as a C header"),
+        "formats": ("fixel.image.formats", "write what C and documents say of an image's fields"),
     },
     "Boards": {
         "run": ("fixel.board.run", "draw a scene's path on a board, and compare it with double"),

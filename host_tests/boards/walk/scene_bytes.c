@@ -3,8 +3,22 @@
 
 #include <string.h>
 
-#define HEADER 160u
-#define UNIT   65536
+#define HEADER   92u
+#define ENTRY    12u /* of the table of sections */
+#define SECTIONS 7u
+#define UNIT     65536
+
+/* Kinds of sections. The path is poses or segments. */
+enum {
+    PALETTE = 1,
+    VERTICES,
+    INDICES,
+    FACES,
+    MODELS,
+    INSTANCES,
+    POSES,
+    SEGMENTS
+};
 
 static uint8_t *bytes(scene_bytes *scene)
 {
@@ -30,13 +44,15 @@ static void put_point(scene_bytes *scene, uint32_t at, int32_t x, int32_t y, int
     put32(scene, at + 8, (uint32_t)z);
 }
 
-/* A table at the end of what is there; its place and count go into the header. */
-static uint32_t add_table(scene_bytes *scene, uint32_t field, uint32_t count, uint32_t entry)
+/* A section at the end of what is there, and its entry. Requires the kinds in turn. */
+static uint32_t add_table(scene_bytes *scene, uint32_t kind, uint32_t count, uint32_t entry)
 {
     const uint32_t at = scene->size;
+    const uint32_t number = kind == SEGMENTS ? POSES - 1u : kind - 1u;
 
-    put32(scene, field, at);
-    put32(scene, field + 4, count);
+    put32(scene, HEADER + ENTRY * number, kind | 1u << 16); /* it is needed */
+    put32(scene, HEADER + ENTRY * number + 4, at);
+    put32(scene, HEADER + ENTRY * number + 8, count);
     scene->size += (count * entry + 3u) & ~3u;
     return at;
 }
@@ -70,23 +86,23 @@ static void put_model(scene_bytes *scene)
         {-UNIT, UNIT}, {UNIT, UNIT}, {UNIT, -UNIT}, {-UNIT, -UNIT}};
     uint32_t at, i;
 
-    at = add_table(scene, 80, 256, 3);
+    at = add_table(scene, PALETTE, 256, 3);
     for (i = 0; i < 768; i++) {
         bytes(scene)[at + i] = (uint8_t)i;
     }
-    at = add_table(scene, 88, 4, 12);
+    at = add_table(scene, VERTICES, 4, 12);
     for (i = 0; i < 4; i++) {
         put_point(scene, at + 12 * i, corners[i][0], corners[i][1], 0);
     }
-    at = add_table(scene, 96, 4, 2);
+    at = add_table(scene, INDICES, 4, 2);
     for (i = 0; i < 4; i++) {
         put16(scene, at + 2 * i, i);
     }
-    at = add_table(scene, 104, 1, 20);
+    at = add_table(scene, FACES, 1, 20);
     put_point(scene, at, 0, 0, -FXL_Q2_30_ONE);
     bytes(scene)[at + 16] = 4;
     bytes(scene)[at + 17] = SCENE_COLOUR;
-    at = add_table(scene, 112, 1, 28);
+    at = add_table(scene, MODELS, 1, 28);
     put32(scene, at + 4, 4);
     put32(scene, at + 12, 1);
     put32(scene, at + 20, 2 * UNIT);
@@ -99,21 +115,20 @@ static void put_path(scene_bytes *scene, const fxl_pose *poses, const fxl_path_s
     uint32_t at, i;
 
     if (poses != NULL) {
-        at = add_table(scene, 128, count, 24);
+        at = add_table(scene, POSES, count, 24);
         for (i = 0; i < count; i++) {
             put_pose(scene, at + 24 * i, &poses[i]);
         }
     } else {
         frames = 0;
-        at = add_table(scene, 128, count, 4);
+        at = add_table(scene, SEGMENTS, count, 4);
         for (i = 0; i < count; i++) {
             put16(scene, at + 4 * i, strides[i].keys);
             put16(scene, at + 4 * i + 2, strides[i].frames);
             frames += strides[i].frames;
         }
-        bytes(scene)[37] = 1;
     }
-    put32(scene, 136, frames);
+    put32(scene, 80, frames);
 }
 
 void scene_bytes_make(scene_bytes *scene, uint32_t instances, const fxl_pose *poses,
@@ -122,10 +137,10 @@ void scene_bytes_make(scene_bytes *scene, uint32_t instances, const fxl_pose *po
     uint32_t at, i;
 
     memset(scene, 0, sizeof *scene);
-    scene->size = HEADER;
+    scene->size = HEADER + ENTRY * SECTIONS;
     memcpy(scene->words, "FXLS", 4);
-    put16(scene, 4, 2);
-    put16(scene, 6, HEADER);
+    put16(scene, 4, 8);
+    put16(scene, 6, SECTIONS);
     put16(scene, 16, SCENE_WIDTH);
     put16(scene, 18, SCENE_HEIGHT);
     put32(scene, 20, FXL_ANGLE_QUARTER);
@@ -135,7 +150,7 @@ void scene_bytes_make(scene_bytes *scene, uint32_t instances, const fxl_pose *po
     put_point(scene, 64, UNIT / 4, UNIT / 16, UNIT);
     put32(scene, 76, FXL_ANGLE_QUARTER / 16);
     put_model(scene);
-    at = add_table(scene, 120, instances, 16);
+    at = add_table(scene, INSTANCES, instances, 16);
     for (i = 0; i < instances; i++) {
         put_point(scene, at + 16 * i, 0, 0, (4 + (int32_t)i) * UNIT);
     }

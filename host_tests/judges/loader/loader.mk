@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # build/host/loader: what the loader says of many images, for the test of the checker in Python.
 
-LOADER_OBJECTS := $(BUILD)/host/objects/judges/loader/main.o $(BUILD)/host/objects/judges/frames/read_file.o
+LOADER_OBJECTS := $(addprefix $(BUILD)/host/objects/judges/,loader/main.o loader/rays.o frames/read_file.o raycast/scene_sections.o \
+    raycast/file.o)
 HOST_TOOLS += $(BUILD)/host/loader
 
 $(BUILD)/host/objects/judges/loader/%.o: host_tests/judges/loader/%.c
@@ -9,6 +10,6 @@ $(BUILD)/host/objects/judges/loader/%.o: host_tests/judges/loader/%.c
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -Ihost_tests -Ihost_tests/judges -Ihost_tests/stages -Ilib/include -Ilib -MMD -MP -c $< -o $@
 
-$(BUILD)/host/loader: $(LOADER_OBJECTS) $(BUILD)/host/libfixel.a
+$(BUILD)/host/loader: $(LOADER_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(SAY)
-	$(HOSTCC) $^ -o $@
+	$(HOSTCC) $^ -lm -o $@

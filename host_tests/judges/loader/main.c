@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the loader says of many images: reads a file of images, each a u32 size and then so many
- * bytes, and prints a line for each: the status's number, what is at fault, its index. */
+ * bytes, and prints a line for each: the status's number, its index, what is at fault. With --three:
+ * "ok" or "no" by header and sections, of the loader, the reference and the ray-cast judge. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,9 @@
 #include "fixel/surfaces.h"
 #include "fixel/scene.h"
 #include "frames/read_file.h"
+#include "loader/rays.h"
+#include "reference/sections.h"
+#include "scene/scene_sections.h"
 
 /* Opens the surfaces of an image, if it has some. */
 static fxl_status open_surfaces(const fxl_scene_image *opened, fxl_scene_fault *fault)
@@ -43,24 +47,40 @@ static fxl_status open_billboards(const fxl_scene_image *opened, fxl_scene_fault
     return status;
 }
 
-/* Copies an image to memory of its own, aligned and no longer than it, and opens it there. */
-static int judge(const uint8_t *bytes, uint32_t size)
+/* The status of an image that lies in memory of its own, aligned and no longer than it. */
+static fxl_status open_all(const uint8_t *image, uint32_t size, fxl_scene_fault *fault)
+{
+    fxl_scene_image opened;
+    fxl_status status = fxl_scene_open(image, size, &opened, fault);
+    if (status == FXL_OK) {
+        status = open_surfaces(&opened, fault);
+    }
+    return status == FXL_OK ? open_billboards(&opened, fault) : status;
+}
+
+static bool library_takes(const uint8_t *image, uint32_t size)
+{
+    fxl_image_table sections[SECTION_KINDS] = {{NULL, 0}};
+    return fxl_scene_sections_find((const fxl_image_header *)(const void *)image, size, sections, NULL) ==
+           FXL_OK;
+}
+
+static int judge(const uint8_t *bytes, uint32_t size, bool by_three)
 {
     uint8_t *image = malloc(size > 0 ? size : 1);
-    fxl_scene_image opened;
     fxl_scene_fault fault = {"-", 0};
     if (!image) {
         return 1;
     }
     memcpy(image, bytes, size);
-    fxl_status status = fxl_scene_open(image, size, &opened, &fault);
-    if (status == FXL_OK) {
-        status = open_surfaces(&opened, &fault);
+    const fxl_status status = open_all(image, size, &fault);
+    if (by_three) {
+        printf("%s %s %s\n", library_takes(image, size) ? "ok" : "no",
+               ref_sections_check(image, size) == NULL ? "ok" : "no",
+               rays_take(image, size) ? "ok" : "no");
+    } else {
+        printf("%d %u %s\n", (int)status, (unsigned)fault.index, fault.what);
     }
-    if (status == FXL_OK) {
-        status = open_billboards(&opened, &fault);
-    }
-    printf("%d %u %s\n", (int)status, (unsigned)fault.index, fault.what);
     free(image);
     return 0;
 }
@@ -68,19 +88,22 @@ static int judge(const uint8_t *bytes, uint32_t size)
 int main(int count, char **arguments)
 {
     size_t size = 0, at = 0;
-    uint8_t *bytes = count == 2 ? read_file(arguments[1], &size) : NULL;
+    const bool by_three = count == 3 && strcmp(arguments[1], "--three") == 0;
+    const char *path = arguments[count - 1];
+    uint8_t *bytes = count == 2 || by_three ? read_file(path, &size) : NULL;
     if (!bytes) {
-        fprintf(stderr, "error: usage: loader FILE of images\n");
+        fprintf(stderr, "error: usage: loader [--three] FILE of images\n");
         return 2;
     }
+    setvbuf(stdout, NULL, _IOLBF, 0); /* a child process has no lines of its parent's */
     while (at < size) {
         uint32_t length = 0;
         if (size - at >= sizeof length) {
             memcpy(&length, bytes + at, sizeof length);
             at += sizeof length;
         }
-        if (length == 0 || length > size - at || judge(bytes + at, length)) {
-            fprintf(stderr, "error: %s: not a file of images at byte %zu\n", arguments[1], at);
+        if (length == 0 || length > size - at || judge(bytes + at, length, by_three)) {
+            fprintf(stderr, "error: %s: not a file of images at byte %zu\n", path, at);
             return 2;
         }
         at += length;

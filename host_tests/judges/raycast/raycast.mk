@@ -9,4 +9,10 @@ $(BUILD)/host/raycast: $(RAYCAST_SOURCES) $(wildcard host_tests/judges/raycast/*
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -O2 -ffp-contract=off $(RAYCAST_SOURCES) -o $@ -lm
 
+# What the test of the three readers links.
+$(BUILD)/host/objects/judges/raycast/%.o: host_tests/judges/raycast/%.c
+	$(MAKE_FOLDER)
+	$(SAY)
+	$(HOSTCC) $(WARNINGS) -O2 -MMD -MP -c $< -o $@
+
 HOST_TOOLS += $(BUILD)/host/raycast

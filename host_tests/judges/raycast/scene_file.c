@@ -6,36 +6,19 @@
 #include <string.h>
 
 #include "file.h"
+#include "scene_sections.h"
 
 enum {
-    HEADER = 160,
-    BEAM_HEADER = 176,
-    CLUSTER_HEADER = 184,
-    TURN_HEADER = 208,
-    LIGHT_HEADER = 232,
-    SURFACE_HEADER = 296,
-    BEAM_COUNT = 164,
     VERTEX = 12,
     CORNER = 2,
     FACE = 20,
     MODEL = 28,
     INSTANCE = 16,
-    TURN = 40,
-    MOTION = 76,
-    KEY = 32,
-    LIGHT = 28,
-    POINT_LIGHT = 20,
-    LEVEL = 256,
     TEXTURE = 16,
     SURFACE = 8,
     MAPPED_FACE = 36,
     OPAQUE = 16
 };
-
-typedef struct {
-    const uint8_t *at;
-    uint32_t count;
-} table;
 
 typedef struct reader {
     const char *path;
@@ -45,6 +28,7 @@ typedef struct reader {
     light_tables light;
     scene_names names;
     table textures, surfaces, mapped, map; /* where faces that let through are left out */
+    const uint8_t *centre;                 /* of the lens; null: in the middle */
 } reader;
 
 static double q16(const uint8_t *at)
@@ -57,15 +41,6 @@ static vector point_at(const uint8_t *at)
     return (vector){q16(at), q16(at + 4), q16(at + 8)};
 }
 
-static table table_at(const reader *r, uint32_t field, uint32_t entry, const char *what)
-{
-    uint32_t offset = get_u32(r->image.bytes + field);
-    uint32_t count = get_u32(r->image.bytes + field + 4);
-    if ((uint64_t)offset + (uint64_t)count * entry > r->image.size || count == 0)
-        unusable("%s: its %s do not lie inside the file", r->path, what);
-    return (table){r->image.bytes + offset, count};
-}
-
 static const uint8_t *entry_of(const reader *r, table t, uint64_t index, uint32_t size,
                                const char *what)
 {
@@ -74,48 +49,25 @@ static const uint8_t *entry_of(const reader *r, table t, uint64_t index, uint32_
     return t.at + index * size;
 }
 
-/* Of an image of version 5: its turns, and its motions if it has some. */
-static void open_turns(reader *r)
+static void open_turns(reader *r, const table *sections)
 {
-    const table turns = table_at(r, CLUSTER_HEADER, TURN, "turns");
-    r->play.turns = turns.at;
-    r->play.turn_count = turns.count;
-    if (get_u32(r->image.bytes + CLUSTER_HEADER + 12) > 0) {
-        const table motions = table_at(r, CLUSTER_HEADER + 8, MOTION, "motions");
-        const table keys = table_at(r, CLUSTER_HEADER + 16, KEY, "keys");
-        r->play.motions = motions.at;
-        r->play.motion_count = motions.count;
-        r->play.keys = keys.at;
-        r->play.key_count = keys.count;
-    }
-    if (turns.count > r->instances.count || r->play.motion_count > turns.count)
-        unusable("%s: more turns than instances, or more motions than turns", r->path);
+    r->play.turns = sections[KIND_TURNS].at;
+    r->play.turn_count = sections[KIND_TURNS].count;
+    r->play.motions = sections[KIND_MOTIONS].at;
+    r->play.motion_count = sections[KIND_MOTIONS].count;
+    r->play.keys = sections[KIND_MOTION_KEYS].at;
+    r->play.key_count = sections[KIND_MOTION_KEYS].count;
 }
 
-/* Of an image of version 6: its light. */
-static void open_light(reader *r)
+static void open_light(reader *r, const table *sections)
 {
-    const table ramp = table_at(r, TURN_HEADER + 16, LEVEL, "levels");
-    r->light.base = table_at(r, TURN_HEADER, LIGHT, "light").at;
-    r->light.ramp = ramp.at;
-    r->light.levels = ramp.count;
-    if (get_u32(r->image.bytes + TURN_HEADER + 12) > 0) {
-        const table points = table_at(r, TURN_HEADER + 8, POINT_LIGHT, "point lights");
-        r->light.points = points.at;
-        r->light.point_count = points.count;
-    }
-    if (ramp.count < 2)
+    r->light.base = sections[KIND_LIGHT].at;
+    r->light.ramp = sections[KIND_RAMP].at;
+    r->light.levels = sections[KIND_RAMP].count;
+    r->light.points = sections[KIND_POINT_LIGHTS].at;
+    r->light.point_count = sections[KIND_POINT_LIGHTS].count;
+    if (r->light.base && r->light.levels < 2)
         unusable("%s: a ramp of one level", r->path);
-}
-
-/* Of an image with surfaces: what says which faces let through. */
-static void open_surfaces(reader *r)
-{
-    if (get_u32(r->image.bytes + 236) > 0)
-        r->textures = table_at(r, 232, TEXTURE, "textures");
-    r->surfaces = table_at(r, 248, SURFACE, "surfaces");
-    r->mapped = table_at(r, 256, MAPPED_FACE, "mapped faces");
-    r->map = table_at(r, 264, 2, "face map");
 }
 
 /* Whether what is behind a face may be seen through it. */
@@ -132,50 +84,35 @@ static bool lets_through(const reader *r, uint64_t face)
            (texture > 0 && entry_of(r, r->textures, texture - 1, TEXTURE, "texture")[11] & 2);
 }
 
-/* Whether the image's header is one that can be read. Only names can be told where there are beams
- * or surfaces, whose colours no ray knows. */
-static bool is_known(const reader *r, uint16_t version, uint16_t header)
-{
-    const uint8_t *bytes = r->image.bytes;
-    if (r->image.size < header)
-        return false;
-    if (r->names == SCENE_COLOURS && header > HEADER && get_u32(bytes + BEAM_COUNT) != 0)
-        return false;
-    return ((version == 2 || version == 3) && header == HEADER) ||
-           (version == 3 && header == BEAM_HEADER) || (version == 4 && header == CLUSTER_HEADER) ||
-           (version == 5 && header == TURN_HEADER) || (version == 6 && header == LIGHT_HEADER) ||
-           (version == 6 && header == SURFACE_HEADER && r->names != SCENE_COLOURS);
-}
-
 static void open_image(reader *r, const char *path)
 {
     r->path = path;
     r->image = file_read(path);
-    const uint8_t *bytes = r->image.bytes;
-    if (r->image.size < HEADER || memcmp(bytes, "FXLS", 4) != 0)
-        unusable("%s: not a scene image", path);
-    uint16_t version = get_u16(bytes + 4), header = get_u16(bytes + 6);
-    if (!is_known(r, version, header))
-        unusable("%s: this version of the scene image is not known", path);
-    uint32_t size = get_u32(bytes + 8);
-    if (size < HEADER || size > r->image.size)
-        unusable("%s: %zu bytes of a scene image of %u", path, r->image.size, size);
-    if (crc32_of(bytes + 16, size - 16) != get_u32(bytes + 12))
-        unusable("%s: the checksum does not match", path);
-    r->image.size = size;
-    r->vertices = table_at(r, 88, VERTEX, "vertices");
-    r->corners = table_at(r, 96, CORNER, "indices");
-    r->faces = table_at(r, 104, FACE, "faces");
-    r->models = table_at(r, 112, MODEL, "models");
-    r->instances = table_at(r, 120, INSTANCE, "instances");
+    table sections[KINDS];
+    sections_read(path, &r->image, sections);
+    /* No ray knows the colours of beams or surfaces: only names can be told. */
+    if (r->names == SCENE_COLOURS &&
+        (sections[KIND_BEAMS].count || sections[KIND_FACE_MAP].count))
+        unusable("%s: a ray knows no colours of beams and surfaces", path);
+    if (sections[KIND_BILLBOARDS].count)
+        unusable("%s: a ray knows no billboards", path);
+    r->vertices = sections[KIND_VERTICES];
+    r->corners = sections[KIND_INDICES];
+    r->faces = sections[KIND_FACES];
+    r->models = sections[KIND_MODELS];
+    r->instances = sections[KIND_INSTANCES];
     r->play.instances = r->instances.at;
     r->play.instance_count = r->instances.count;
-    if (version == 5 || (version == 6 && get_u32(bytes + CLUSTER_HEADER + 4) > 0))
-        open_turns(r);
-    if (version == 6 && r->names == SCENE_COLOURS)
-        open_light(r);
-    if (header == SURFACE_HEADER && r->names == SCENE_NAMES_OPAQUE)
-        open_surfaces(r);
+    open_turns(r, sections);
+    if (r->names == SCENE_COLOURS)
+        open_light(r, sections);
+    if (r->names == SCENE_NAMES_OPAQUE) { /* what says which faces let through */
+        r->textures = sections[KIND_TEXTURES];
+        r->surfaces = sections[KIND_SURFACES];
+        r->mapped = sections[KIND_MAPPED_FACES];
+        r->map = sections[KIND_FACE_MAP];
+    }
+    r->centre = sections[KIND_LENS_CENTRE].at;
 }
 
 static const uint8_t *model_of(const reader *r, const uint8_t *instance)
@@ -287,12 +224,9 @@ scene scene_read(const char *path, scene_names names)
     s.focal = s.width / 2.0 / tan(turn * acos(-1.0));
     s.centre_x = s.width / 2.0;
     s.centre_y = s.height / 2.0;
-    if (bytes[38] != 0) {
-        const uint8_t *centre = bytes + get_u16(bytes + 6);
-        if (centre + 8 > bytes + r->image.size)
-            unusable("%s: it ends before the centre of its lens", path);
-        s.centre_x = q16(centre);
-        s.centre_y = q16(centre + 4);
+    if (r->centre) {
+        s.centre_x = q16(r->centre);
+        s.centre_y = q16(r->centre + 4);
     }
     if (s.width == 0 || s.height == 0 || !(s.focal > 0) || !(s.near > 0) || !(s.far > s.near))
         unusable("%s: its screen or its depths make no sense", path);

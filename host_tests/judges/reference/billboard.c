@@ -5,13 +5,11 @@
 #include <stdlib.h>
 
 #include "reference/project.h"
+#include "reference/sections.h"
 #include "reference/transform.h"
 #include "reference/turn.h"
 
 enum {
-    BOARDS_AT = 296, /* in the header */
-    MAP_AT = 304,
-    PIXELS_AT = 312,
     BOARD_BYTES = 32,
     SCREEN_MAX = 4095,
     OPAQUE = 256
@@ -90,10 +88,13 @@ static bool read_board(const uint8_t *p, const uint8_t *pixels, uint32_t bytes,
            read_sprite(&from, &board->texture);
 }
 
-bool ref_billboards_read(const uint8_t *bytes, size_t size, ref_scene *scene)
+bool ref_billboards_read(const uint8_t *bytes, ref_scene *scene)
 {
-    uint32_t maps, pixel_bytes;
-    if (ref_u16(bytes + 6) <= BOARDS_AT) {
+    uint32_t count, maps, pixel_bytes;
+    const uint8_t *p = ref_section(bytes, REF_BILLBOARDS, &count);
+    const uint8_t *map = ref_section(bytes, REF_BILLBOARD_MAP, &maps);
+    const uint8_t *pixels = ref_section(bytes, REF_SPRITE_PIXELS, &pixel_bytes);
+    if (!p) {
         return true;
     }
     ref_billboards *made = calloc(1, sizeof *made);
@@ -101,12 +102,10 @@ bool ref_billboards_read(const uint8_t *bytes, size_t size, ref_scene *scene)
     if (!made) {
         return false;
     }
-    const uint8_t *p = ref_image_table(bytes, size, BOARDS_AT, BOARD_BYTES, 65535, &made->count);
-    const uint8_t *map = ref_image_table(bytes, size, MAP_AT, 2, 65535, &maps);
-    const uint8_t *pixels = ref_image_table(bytes, size, PIXELS_AT, 1, 16u << 20, &pixel_bytes);
+    made->count = count;
     made->boards = calloc(made->count + 1u, sizeof *made->boards);
     made->model_map = calloc(scene->model_count, sizeof *made->model_map);
-    if (!p || !map || !pixels || maps != scene->model_count || !made->boards || !made->model_map) {
+    if (!made->boards || !made->model_map) {
         return false;
     }
     for (uint32_t i = 0; i < made->count; i++) {

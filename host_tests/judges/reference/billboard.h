@@ -18,7 +18,7 @@ struct ref_billboards {
 };
 
 /* Reads the billboards of an image into its scene. Returns true also where there are none. */
-bool ref_billboards_read(const uint8_t *bytes, size_t size, ref_scene *scene);
+bool ref_billboards_read(const uint8_t *bytes, ref_scene *scene);
 void ref_billboards_close(ref_billboards *billboards);
 
 /* The billboard of an instance; null: it shows its faces. */

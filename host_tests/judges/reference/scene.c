@@ -2,6 +2,7 @@
 #include "reference/scene.h"
 
 #include "reference/scene_parts.h"
+#include "reference/sections.h"
 #include "reference/billboard.h"
 #include "reference/surface.h"
 #include "reference/turn.h"
@@ -76,21 +77,6 @@ ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *in
                                instance->centre.z + vertex.z};
 }
 
-/* Returns the first entry of a table of the image; null, and *count 0, where it is not usable. */
-const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
-                               uint32_t maximum, uint32_t *count)
-{
-    uint64_t offset = ref_u32(bytes + field);
-    *count = ref_u32(bytes + field + 4);
-    bool usable = *count >= 1 && *count <= maximum && offset % 4 == 0 &&
-                  offset + (uint64_t)*count * entry_size <= size;
-    if (!usable) {
-        *count = 0;
-        return NULL;
-    }
-    return bytes + offset;
-}
-
 static bool coordinate_is_sound(int64_t c)
 {
     return llabs(c) <= (int64_t)REF_COORDINATE_MAX * 65536;
@@ -101,16 +87,13 @@ static bool inside_world(const ref_lattice_point *p)
     return coordinate_is_sound(p->x) && coordinate_is_sound(p->y) && coordinate_is_sound(p->z);
 }
 
-static bool read_geometry(const uint8_t *bytes, size_t size, ref_scene *scene)
+static bool read_geometry(const uint8_t *bytes, ref_scene *scene)
 {
-    const uint8_t *vertices = ref_image_table(bytes, size, 88, 12, 1000000, &scene->vertex_count);
-    const uint8_t *indices = ref_image_table(bytes, size, 96, 2, 4000000, &scene->index_count);
-    const uint8_t *faces = ref_image_table(bytes, size, 104, 20, 1000000, &scene->face_count);
-    const uint8_t *models = ref_image_table(bytes, size, 112, 28, 65535, &scene->model_count);
-    const uint8_t *instances = ref_image_table(bytes, size, 120, 16, 65535, &scene->instance_count);
-    if (!vertices || !indices || !faces || !models || !instances) {
-        return false;
-    }
+    const uint8_t *vertices = ref_section(bytes, REF_VERTICES, &scene->vertex_count);
+    const uint8_t *indices = ref_section(bytes, REF_INDICES, &scene->index_count);
+    const uint8_t *faces = ref_section(bytes, REF_FACES, &scene->face_count);
+    const uint8_t *models = ref_section(bytes, REF_MODELS, &scene->model_count);
+    const uint8_t *instances = ref_section(bytes, REF_INSTANCES, &scene->instance_count);
     scene->vertices = calloc(scene->vertex_count, sizeof *scene->vertices);
     scene->indices = calloc(scene->index_count, sizeof *scene->indices);
     scene->faces = calloc(scene->face_count, sizeof *scene->faces);
@@ -204,13 +187,12 @@ static bool geometry_is_sound(const ref_scene *scene)
     return true;
 }
 
-static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
+static bool read_path(const uint8_t *bytes, ref_scene_image *image)
 {
-    bool segments = bytes[37] == 1;
-    const uint8_t *path =
-        ref_image_table(bytes, size, 128, segments ? 4 : 24, 1000000, &image->path_count);
-    if (!path || bytes[37] > 1) {
-        return false;
+    const uint8_t *path = ref_section(bytes, REF_SEGMENTS, &image->path_count);
+    const bool segments = path != NULL;
+    if (!segments) {
+        path = ref_section(bytes, REF_POSES, &image->path_count);
     }
     uint64_t frames = 0;
     if (segments) {
@@ -228,28 +210,29 @@ static bool read_path(const uint8_t *bytes, size_t size, ref_scene_image *image)
             frames += inside_world(&image->poses[i].position);
         }
     }
-    image->frame_count = ref_u32(bytes + 136);
+    image->frame_count = ref_u32(bytes + 80);
     return frames >= 1 && frames == image->frame_count;
 }
 
-/* Moves the centre of the lens, if the image has one behind its header. */
-static bool read_centre(const uint8_t *bytes, size_t size, ref_lens *lens)
+/* Moves the centre of the lens, if the image has one. */
+static bool read_centre(const uint8_t *bytes, ref_lens *lens)
 {
-    const size_t at = ref_u16(bytes + 6);
-    if (bytes[38] == 0) {
+    uint32_t count;
+    const uint8_t *centre = ref_section(bytes, REF_LENS_CENTRE, &count);
+    if (!centre) {
         return true;
     }
-    if (bytes[38] != 1 || at + 8 > size || lens->inset != 0) {
+    if (lens->inset != 0) {
         return false;
     }
-    lens->centre_x = ref_i32(bytes + at) / REF_ONE;
-    lens->centre_y = ref_i32(bytes + at + 4) / REF_ONE;
+    lens->centre_x = ref_i32(centre) / REF_ONE;
+    lens->centre_y = ref_i32(centre + 4) / REF_ONE;
     const double x = fabs(lens->centre_x - lens->width / 2.0);
     const double y = fabs(lens->centre_y - lens->height / 2.0);
     return x <= 1.5 * lens->width && y <= 1.5 * lens->height && fmax(x, y) <= 4 * lens->focal;
 }
 
-static bool read_lens(const uint8_t *bytes, size_t size, ref_lens *lens)
+static bool read_lens(const uint8_t *bytes, ref_lens *lens)
 {
     int width = ref_u16(bytes + 16), height = ref_u16(bytes + 18);
     ref_angle fov = ref_u32(bytes + 20);
@@ -258,72 +241,51 @@ static bool read_lens(const uint8_t *bytes, size_t size, ref_lens *lens)
     *lens = ref_lens_from_fov(width, height, fov, near_z, far_z, inset);
     return width >= 1 && width <= REF_SCREEN_MAX && height >= 1 && height <= REF_SCREEN_MAX &&
            fov >= 119304648u && fov <= 1789569706u && near_z >= 1.0 / 256 && far_z <= 32767 &&
-           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, size, lens);
+           inset >= 0 && inset <= 1 && near_z + 2 * inset < far_z && read_centre(bytes, lens);
 }
 
 static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image *image)
 {
-    if (size < 160 || memcmp(bytes, "FXLS", 4) != 0) {
-        return "it is not a scene image (no FXLS at its start)";
+    const char *wrong = ref_sections_check(bytes, size);
+    if (wrong) {
+        return wrong;
     }
-    uint16_t version = ref_u16(bytes + 4), header = ref_u16(bytes + 6);
-    if (version < 2 || version > 7 ||
-        !(header == 320                    ? version == 7
-          : header == 232 || header == 296 ? version == 6
-          : header == 208                  ? version == 5
-          : version > 4                    ? false
-                                           : header == 160 || header == 176 || header == 184)) {
-        return "this version of the scene image is not known";
-    }
-    uint32_t stated = ref_u32(bytes + 8);
-    if (stated < ref_u16(bytes + 6) || stated > size || stated > 16u << 20) {
-        return "the scene image is shorter than its header says";
-    }
-    if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
-        return "the scene image's checksum does not match";
-    }
-    if (!read_lens(bytes, stated, &image->lens)) {
+    if (!read_lens(bytes, &image->lens)) {
         return "the scene image's lens is out of range";
     }
-    if (bytes[39] > 1) {
-        return "the scene image asks for an unknown visibility method";
-    }
-    image->by_depth = bytes[39] == 1;
+    image->by_depth = bytes[37] == 1;
     image->background = bytes[36];
     image->start = ref_pose_read(bytes + 40);
     image->motion_limits =
         (ref_motion_limits){ref_i32(bytes + 64) / REF_ONE, ref_i32(bytes + 68) / REF_ONE,
                             ref_i32(bytes + 72) / REF_ONE, ref_u32(bytes + 76)};
     uint32_t colours;
-    const uint8_t *palette = ref_image_table(bytes, stated, 80, 3, 256, &colours);
-    if (!palette || colours != 256) {
-        return "the scene image's palette is not usable";
-    }
+    const uint8_t *palette = ref_section(bytes, REF_PALETTE, &colours);
     memcpy(image->palette, palette, sizeof image->palette);
-    if (!read_geometry(bytes, stated, &image->scene) || !ref_turns_read(bytes, stated, image) ||
+    if (!read_geometry(bytes, &image->scene) || !ref_turns_read(bytes, image) ||
         !geometry_is_sound(&image->scene)) {
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";
     }
-    if (!ref_bsp_read(bytes, stated, &image->scene)) {
+    if (!ref_bsp_read(bytes, &image->scene)) {
         return "the scene image's BSP tree is not usable";
     }
-    if (!ref_clusters_read(bytes, stated, &image->scene)) {
+    if (!ref_clusters_read(bytes, &image->scene)) {
         return "the scene image's clusters are not usable";
     }
-    if (!ref_beams_read(bytes, stated, &image->scene)) {
+    if (!ref_beams_read(bytes, &image->scene)) {
         return "the scene image's beams are not usable";
     }
-    if (!ref_light_part_read(bytes, stated, image)) {
+    if (!ref_light_part_read(bytes, image)) {
         return "the scene image's light is not usable";
     }
-    if (!ref_surfaces_read(bytes, stated, &image->scene)) {
+    if (!ref_surfaces_read(bytes, &image->scene)) {
         return "the scene image's surfaces are not usable";
     }
-    if (!ref_billboards_read(bytes, stated, &image->scene)) {
+    if (!ref_billboards_read(bytes, &image->scene)) {
         return "the scene image's billboards are not usable";
     }
-    if (!inside_world(&image->start.position) || !read_path(bytes, stated, image)) {
+    if (!inside_world(&image->start.position) || !read_path(bytes, image)) {
         return "the scene image's path is not usable";
     }
     return NULL;

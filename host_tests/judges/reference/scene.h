@@ -124,11 +124,6 @@ uint16_t ref_u16(const uint8_t *bytes);
 uint32_t ref_u32(const uint8_t *bytes);
 int32_t ref_i32(const uint8_t *bytes);
 
-/* Returns the first entry of the table whose offset and count stand at field of the header; null,
- * and *count 0, where it is not usable. */
-const uint8_t *ref_image_table(const uint8_t *bytes, size_t size, size_t field, size_t entry_size,
-                               uint32_t maximum, uint32_t *count);
-
 /* Reads a point of 12 bytes, and a pose of 24 (position, yaw, pitch, roll), as here and in the
  * frame dump. */
 ref_pose ref_pose_read(const uint8_t *bytes);

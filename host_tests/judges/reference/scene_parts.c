@@ -2,23 +2,24 @@
 #include "reference/scene_parts.h"
 
 #include "reference/light.h"
+#include "reference/sections.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Reads the light of an image of version 6. Returns true also where there is none. */
-bool ref_light_part_read(const uint8_t *bytes, size_t size, ref_scene_image *image)
+/* Reads the light. Returns true also where there is none. */
+bool ref_light_part_read(const uint8_t *bytes, ref_scene_image *image)
 {
-    uint32_t lights, points = 0, levels;
-    if (ref_u16(bytes + 4) < 6 || (ref_u16(bytes + 6) > 232 && ref_u32(bytes + 212) == 0)) {
+    uint32_t lights, points, levels;
+    const uint8_t *base = ref_section(bytes, REF_LIGHT, &lights);
+    const uint8_t *at = ref_section(bytes, REF_POINT_LIGHTS, &points);
+    const uint8_t *ramp = ref_section(bytes, REF_RAMP, &levels);
+    if (!base) {
         return true;
     }
-    const uint8_t *base = ref_image_table(bytes, size, 208, 28, 1, &lights);
-    const uint8_t *at = ref_image_table(bytes, size, 216, 20, REF_LIGHT_POINTS_MAX, &points);
-    const uint8_t *ramp = ref_image_table(bytes, size, 224, 256, REF_LIGHT_LEVELS_MAX, &levels);
-    image->light = base && ramp && levels >= 2 ? calloc(1, sizeof *image->light) : NULL;
-    if (!image->light || (!at && ref_u32(bytes + 220) != 0)) {
+    image->light = levels >= 2 ? calloc(1, sizeof *image->light) : NULL;
+    if (!image->light) {
         return false;
     }
     ref_light_read(image->light, base, at, (int)points, ramp, (int)levels);
@@ -26,18 +27,18 @@ bool ref_light_part_read(const uint8_t *bytes, size_t size, ref_scene_image *ima
     return true;
 }
 
-/* Reads the turns of an image of version 5 or later. Returns true also where there are none. */
-bool ref_turns_read(const uint8_t *bytes, size_t size, ref_scene_image *image)
+/* Reads the turns. Returns true also where there are none. */
+bool ref_turns_read(const uint8_t *bytes, ref_scene_image *image)
 {
     ref_scene *scene = &image->scene;
     uint32_t count;
-    if (ref_u16(bytes + 4) < 5 || (ref_u16(bytes + 4) > 5 && ref_u32(bytes + 188) == 0)) {
+    const uint8_t *turns = ref_section(bytes, REF_TURNS, &count);
+    (void)ref_section(bytes, REF_MOTIONS, &image->motion_count);
+    if (!turns) {
         return true;
     }
-    const uint8_t *turns = ref_image_table(bytes, size, 184, 40, scene->instance_count, &count);
-    image->motion_count = ref_u32(bytes + 196);
-    scene->turns = turns ? calloc(count, sizeof *scene->turns) : NULL;
-    if (!scene->turns || image->motion_count > count) {
+    scene->turns = calloc(count, sizeof *scene->turns);
+    if (!scene->turns) {
         return false;
     }
     scene->first_turned = scene->instance_count - count;
@@ -54,17 +55,14 @@ bool ref_turns_read(const uint8_t *bytes, size_t size, ref_scene_image *image)
 /* Reads the BSP. Returns true also where there is none. A child's number must be greater than
  * its parent's, because nodes are stored in the order root, front, back. So every path downward
  * ends. */
-bool ref_bsp_read(const uint8_t *bytes, size_t size, ref_scene *scene)
+bool ref_bsp_read(const uint8_t *bytes, ref_scene *scene)
 {
-    if (ref_u16(bytes + 4) == 2) {
-        return ref_u32(bytes + 148) == 0 && ref_u32(bytes + 152) == 0 && ref_u32(bytes + 156) == 0;
+    scene->bsp_instance = ref_u32(bytes + 84);
+    const uint8_t *bsp_nodes = ref_section(bytes, REF_BSP_NODES, &scene->bsp_node_count);
+    if (!bsp_nodes) {
+        return true;
     }
-    scene->bsp_instance = ref_u32(bytes + 156);
-    if (ref_u32(bytes + 152) == 0) {
-        return ref_u32(bytes + 148) == 0 && scene->bsp_instance == 0;
-    }
-    const uint8_t *bsp_nodes = ref_image_table(bytes, size, 148, 48, 65535, &scene->bsp_node_count);
-    scene->bsp_nodes = bsp_nodes ? calloc(scene->bsp_node_count, sizeof *scene->bsp_nodes) : NULL;
+    scene->bsp_nodes = calloc(scene->bsp_node_count, sizeof *scene->bsp_nodes);
     if (!scene->bsp_nodes || scene->bsp_instance >= scene->instance_count) {
         return false;
     }
@@ -106,18 +104,17 @@ static bool clusters_are_sound(const ref_scene *scene, const ref_model *model)
 }
 
 /* Reads the clusters. Returns true also where there are none. */
-bool ref_clusters_read(const uint8_t *bytes, size_t size, ref_scene *scene)
+bool ref_clusters_read(const uint8_t *bytes, ref_scene *scene)
 {
-    if (ref_u16(bytes + 6) >= 184 && (ref_u16(bytes + 4) == 4 || ref_u32(bytes + 180) > 0)) {
-        const uint8_t *clusters =
-            ref_image_table(bytes, size, 176, 48, 65535, &scene->cluster_count);
-        scene->clusters = clusters ? calloc(scene->cluster_count, sizeof *scene->clusters) : NULL;
-        for (uint32_t i = 0; scene->clusters && i < scene->cluster_count; i++) {
-            const uint8_t *p = clusters + 48 * (size_t)i;
-            scene->clusters[i] = (ref_cluster){ref_point_read(p), ref_i32(p + 12), ref_u16(p + 44)};
-        }
+    const uint8_t *clusters = ref_section(bytes, REF_CLUSTERS, &scene->cluster_count);
+    if (clusters) {
+        scene->clusters = calloc(scene->cluster_count, sizeof *scene->clusters);
         if (!scene->clusters) {
             return false;
+        }
+        for (uint32_t i = 0; i < scene->cluster_count; i++) {
+            const uint8_t *p = clusters + 48 * (size_t)i;
+            scene->clusters[i] = (ref_cluster){ref_point_read(p), ref_i32(p + 12), ref_u16(p + 44)};
         }
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -149,18 +146,15 @@ static void beam_read(const uint8_t *bytes, ref_beam *beam)
     }
 }
 
-bool ref_beams_read(const uint8_t *bytes, size_t size, ref_scene *scene)
+bool ref_beams_read(const uint8_t *bytes, ref_scene *scene)
 {
-    /* With clusters or turns the header has the fields of beams also where there are none. */
-    if (ref_u16(bytes + 6) == 160 || (ref_u16(bytes + 6) >= 184 && ref_u32(bytes + 164) == 0)) {
+    uint32_t lit_count;
+    const uint8_t *beams = ref_section(bytes, REF_BEAMS, &scene->beam_count);
+    const uint8_t *lit = ref_section(bytes, REF_LIT_COLOURS, &lit_count);
+    if (!beams) {
         return true;
     }
-    const uint8_t *beams = ref_image_table(bytes, size, 160, 176, 4, &scene->beam_count);
-    uint64_t lit = ref_u32(bytes + 168);
-    if (!beams || lit + 256 > size) {
-        return false;
-    }
-    memcpy(scene->lit, bytes + lit, 256);
+    memcpy(scene->lit, lit, 256);
     scene->beams = calloc(scene->beam_count, sizeof *scene->beams);
     for (uint32_t i = 0; scene->beams && i < scene->beam_count; i++) {
         beam_read(beams + 176 * (size_t)i, &scene->beams[i]);

@@ -7,10 +7,10 @@
 
 #include "reference/scene.h"
 
-bool ref_light_part_read(const uint8_t *bytes, size_t size, ref_scene_image *image);
-bool ref_turns_read(const uint8_t *bytes, size_t size, ref_scene_image *image);
-bool ref_bsp_read(const uint8_t *bytes, size_t size, ref_scene *scene);
-bool ref_clusters_read(const uint8_t *bytes, size_t size, ref_scene *scene);
-bool ref_beams_read(const uint8_t *bytes, size_t size, ref_scene *scene);
+bool ref_light_part_read(const uint8_t *bytes, ref_scene_image *image);
+bool ref_turns_read(const uint8_t *bytes, ref_scene_image *image);
+bool ref_bsp_read(const uint8_t *bytes, ref_scene *scene);
+bool ref_clusters_read(const uint8_t *bytes, ref_scene *scene);
+bool ref_beams_read(const uint8_t *bytes, ref_scene *scene);
 
 #endif

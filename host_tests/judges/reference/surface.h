@@ -59,7 +59,7 @@ struct ref_surfaces {
 };
 
 /* Reads the surfaces of an image into its scene. Returns true also where there are none. */
-bool ref_surfaces_read(const uint8_t *bytes, size_t size, ref_scene *scene);
+bool ref_surfaces_read(const uint8_t *bytes, ref_scene *scene);
 void ref_surfaces_close(ref_surfaces *surfaces);
 
 /* How a face looks in a frame. Null surface: it has none. */

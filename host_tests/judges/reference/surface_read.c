@@ -3,18 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "reference/sections.h"
 #include "reference/surface.h"
-
-enum {
-    TEXTURES_AT = 232, /* in the header */
-    TEXELS_AT = 240,
-    SURFACES_AT = 248,
-    MAPPED_AT = 256,
-    MAP_AT = 264,
-    NORMALS_AT = 272,
-    BLEND_AT = 280,
-    BLEND_FIRST_AT = 288
-};
 
 /* Where the texels of a texture are. */
 typedef struct {
@@ -64,12 +54,12 @@ static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes
     return true;
 }
 
-static bool read_textures(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+static bool read_textures(const uint8_t *bytes, ref_surfaces *surfaces)
 {
     uint32_t texel_bytes;
     const uint8_t *textures =
-        ref_image_table(bytes, size, TEXTURES_AT, 16, 65535, &surfaces->texture_count);
-    const uint8_t *texels = ref_image_table(bytes, size, TEXELS_AT, 1, 16u << 20, &texel_bytes);
+        ref_section(bytes, REF_TEXTURES, &surfaces->texture_count);
+    const uint8_t *texels = ref_section(bytes, REF_TEXELS, &texel_bytes);
     surfaces->textures = calloc(surfaces->texture_count + 1u, sizeof *surfaces->textures);
     if (!surfaces->textures || (textures && !texels)) {
         return false;
@@ -82,10 +72,10 @@ static bool read_textures(const uint8_t *bytes, size_t size, ref_surfaces *surfa
     return true;
 }
 
-static bool read_surfaces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
 {
     const uint8_t *p =
-        ref_image_table(bytes, size, SURFACES_AT, 8, 65535, &surfaces->surface_count);
+        ref_section(bytes, REF_SURFACES, &surfaces->surface_count);
     surfaces->surfaces = calloc(surfaces->surface_count + 1u, sizeof *surfaces->surfaces);
     if (!p || !surfaces->surfaces) {
         return false;
@@ -99,9 +89,9 @@ static bool read_surfaces(const uint8_t *bytes, size_t size, ref_surfaces *surfa
     return true;
 }
 
-static bool read_faces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+static bool read_faces(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p = ref_image_table(bytes, size, MAPPED_AT, 36, 65535, &surfaces->face_count);
+    const uint8_t *p = ref_section(bytes, REF_MAPPED_FACES, &surfaces->face_count);
     surfaces->faces = calloc(surfaces->face_count + 1u, sizeof *surfaces->faces);
     if (!p || !surfaces->faces) {
         return false;
@@ -123,9 +113,9 @@ static bool read_faces(const uint8_t *bytes, size_t size, ref_surfaces *surfaces
 }
 
 /* The normals of corners, and that those exist which lit faces have. */
-static bool read_normals(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+static bool read_normals(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p = ref_image_table(bytes, size, NORMALS_AT, 12, 65535, &surfaces->normal_count);
+    const uint8_t *p = ref_section(bytes, REF_CORNER_NORMALS, &surfaces->normal_count);
     surfaces->normals = calloc(surfaces->normal_count + 1u, sizeof *surfaces->normals);
     for (uint32_t i = 0; p && surfaces->normals && i < surfaces->normal_count; i++) {
         for (int k = 0; k < 3; k++) {
@@ -143,10 +133,10 @@ static bool read_normals(const uint8_t *bytes, size_t size, ref_surfaces *surfac
     return surfaces->normals != NULL;
 }
 
-static bool read_blend(const uint8_t *bytes, size_t size, ref_surfaces *surfaces)
+static bool read_blend(const uint8_t *bytes, ref_surfaces *surfaces)
 {
-    const uint8_t *p = ref_image_table(bytes, size, BLEND_AT, 256, 256, &surfaces->blend_count);
-    surfaces->blend_first = ref_u32(bytes + BLEND_FIRST_AT);
+    const uint8_t *p = ref_section(bytes, REF_BLEND_TABLE, &surfaces->blend_count);
+    surfaces->blend_first = ref_u32(bytes + 88);
     surfaces->blend = calloc(surfaces->blend_count + 1u, 256);
     if (p && surfaces->blend) {
         memcpy(surfaces->blend, p, 256 * (size_t)surfaces->blend_count);
@@ -154,11 +144,11 @@ static bool read_blend(const uint8_t *bytes, size_t size, ref_surfaces *surfaces
     return surfaces->blend != NULL;
 }
 
-static bool read_map(const uint8_t *bytes, size_t size, const ref_scene *scene,
+static bool read_map(const uint8_t *bytes, const ref_scene *scene,
                      ref_surfaces *surfaces)
 {
     uint32_t count;
-    const uint8_t *p = ref_image_table(bytes, size, MAP_AT, 2, 1000000, &count);
+    const uint8_t *p = ref_section(bytes, REF_FACE_MAP, &count);
     surfaces->face_map = calloc(scene->face_count, sizeof *surfaces->face_map);
     if (!p || count != scene->face_count || !surfaces->face_map) {
         return false;
@@ -178,18 +168,18 @@ static bool read_map(const uint8_t *bytes, size_t size, const ref_scene *scene,
     return true;
 }
 
-bool ref_surfaces_read(const uint8_t *bytes, size_t size, ref_scene *scene)
+bool ref_surfaces_read(const uint8_t *bytes, ref_scene *scene)
 {
-    if (ref_u16(bytes + 6) <= MAP_AT ||
-        (ref_u16(bytes + 4) > 6 && ref_u32(bytes + MAP_AT + 4) == 0)) {
+    uint32_t count;
+    if (!ref_section(bytes, REF_FACE_MAP, &count)) {
         return true;
     }
     ref_surfaces *surfaces = calloc(1, sizeof *surfaces);
     scene->surfaces = surfaces;
-    return surfaces && read_textures(bytes, size, surfaces) &&
-           read_surfaces(bytes, size, surfaces) && read_faces(bytes, size, surfaces) &&
-           read_normals(bytes, size, surfaces) && read_blend(bytes, size, surfaces) &&
-           read_map(bytes, size, scene, surfaces);
+    return surfaces && read_textures(bytes, surfaces) &&
+           read_surfaces(bytes, surfaces) && read_faces(bytes, surfaces) &&
+           read_normals(bytes, surfaces) && read_blend(bytes, surfaces) &&
+           read_map(bytes, scene, surfaces);
 }
 
 void ref_surfaces_close(ref_surfaces *surfaces)

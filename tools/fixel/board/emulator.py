@@ -16,7 +16,7 @@ from fixel.board import dump_file, firmware, qemu, qmp, wires
 from fixel.board.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
 from fixel.base.errors import ToolError
 from fixel.board.execute import OUTPUT_MAX, execute
-from fixel.image.image_header import IMAGE_MAX
+from fixel.image.fields import IMAGE_MAX
 from fixel.board.qemu import find_qemu
 from fixel.board.symbols import Symbols
 

@@ -9,20 +9,13 @@ back correctly. The host board has no flash: its image is the scene itself.
 import dataclasses
 import itertools
 import pathlib
-import struct
 import zlib
 
 from fixel.base import output, reading
 from fixel.board import firmware, qemu
 from fixel.base.errors import ToolError
 from fixel.board.flash_image import ERASED, read_old, replace
-from fixel.image.image_header import IMAGE_MAX
-
-SCENE_HEAD = struct.Struct("<4sHHII")  # magic, version, header size, image size, CRC-32
-SCENE_VERSIONS = (2, 3, 4, 5, 6, 7)
-SCENE_HEADER_SIZE = 160
-# The larger ones are of scenes with beams, clusters, turns, light, surfaces, billboards.
-SCENE_HEADER_SIZES = (160, 176, 184, 208, 232, 296, 320)
+from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
 
 
 @dataclasses.dataclass(frozen=True)
@@ -54,13 +47,12 @@ def read_scene(path):
     if found:
         raise ToolError(f"cannot read {path}: it is {found}; name a scene image")
     data = reading.read_whole(path, IMAGE_MAX, "make it with tools/scene.py")
-    if len(data) < SCENE_HEADER_SIZE or data[:4] != b"FXLS":
+    if len(data) < HEAD.size or data[:4] != MAGIC:
         raise ToolError(f"{path} is not a scene image: make one with tools/scene.py")
-    _, version, header_size, size, crc = SCENE_HEAD.unpack_from(data)
-    if version not in SCENE_VERSIONS or header_size not in SCENE_HEADER_SIZES:
-        raise ToolError(f"{path} is a scene image of version {version} with a header of {header_size} "
-                        f"bytes; this tool knows versions {SCENE_VERSIONS[0]} to {SCENE_VERSIONS[-1]} with {SCENE_HEADER_SIZE} to {SCENE_HEADER_SIZES[-1]}: "
-                        "make it again with tools/scene.py")
+    _, version, _, size, crc, *_ = HEAD.unpack_from(data)
+    if version != VERSION:
+        raise ToolError(f"{path} is a scene image of version {version}; this tool knows version {VERSION}: build it again "
+                        "with tools/scene.py")
     if size != len(data):
         raise ToolError(f"{path} has {len(data)} bytes but says that it has {size}: "
                         "it is cut off or overgrown, make it again")

@@ -8,7 +8,8 @@ from fixel.base import reading
 from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_keys, image_lens,
                          image_light, image_models, image_surface, image_tables, image_turn)
 from fixel.base.errors import ToolError
-from fixel.image.image_header import HEADER_SIZE, IMAGE_MAX, POSES, STRIDES
+from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
+from fixel.image.image_header import POSES, STRIDES
 from fixel.image.image_models import (CONVEX, FACE_VERTICES_MAX, PLACED_MAX, PLANARITY_MAX, Face, Model, Object,
                                 check_coordinates, check_plane, check_planes, radius_of)
 from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, Node, Tree, check_tree, fail
@@ -56,64 +57,40 @@ class SceneImage:
     reserved: int = field(default=0, compare=False)     # last entries of the palette, which no face has
     size: int = field(default=0, compare=False)
     crc: int = field(default=0, compare=False)
+    unknown: list = field(default_factory=list, compare=False)  # kinds of sections that these tools do not know
 
     @property
     def frames(self):
         return len(self.path) if self.path_kind == POSES else sum(n for _, n in self.path)
 
 
-def _aligned(blob):
-    return blob + b"\0" * (-len(blob) % 4)
-
-
 def pack(image):
     """The bytes of an image. Checks the result, so that nothing is written
     that a loader would refuse."""
-    path_entry = image_tables.POSE if image.path_kind == POSES else image_tables.STRIDE
-    model_tables, keys, clusters = image_models.tables(image.models)
-    nodes = [node.pack() for node in image.tree.nodes] if image.tree else []
-    beams = [beam.pack() for beam in image.beams]
-    turns, motions, motion_keys = image_turn.tables(image.turns, image.motions)
-    light = image.light.tables() if image.light else [[], [], []]
-    surfaces = image_surface.tables(image.surfaces, image.models)
-    version, header_size = image_header.kind_of(nodes, beams, clusters, turns, light[0], image.surfaces,
-                                                image.billboards)
-    body, where = image_lens.CENTRE.pack(*image.centre) if image.centre else b"", []
-
-    def place(table, size=1):
-        """Puts a table at the end of the body: packed entries, or all of them in one, each of this size. Answers its offset
-        and count, both 0 for none."""
-        nonlocal body
-        offset = header_size + len(body) if table else 0
-        body += _aligned(table if isinstance(table, bytes) else b"".join(table))
-        return [offset, len(table) // size]
-
-    for table in [[image_tables.PALETTE.pack(*entry) for entry in image.palette], *model_tables,
-                  [image_models.OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects],
-                  [path_entry.pack(*entry) for entry in image.path]]:
-        where += place(table, image_models.CORNER.size if isinstance(table, bytes) else 1)
-    where_more = place(keys) + place(nodes)
-    more = image_beam.LIT_HEADER.pack(*place(beams), place([bytes(image.lit)] if beams else [])[0], 0)
-    more += image_cluster.HEADER.pack(*place(clusters))
-    more += image_turn.HEADER.pack(*place(turns), *place(motions), *place(motion_keys))
-    more += image_light.HEADER.pack(*(number for table in light for number in place(table)))
-    more += image_surface.HEADER.pack(*(number for table in surfaces for number in place(table)),
-                                      image.surfaces.blend_first if image.surfaces else 0, 0)
-    more += image_billboard.HEADER.pack(*(number for table in image_billboard.tables(image.billboards)
-                                          for number in place(table)))
-    more = more[:header_size - HEADER_SIZE]
-    size = header_size + len(body)
+    tables = {"palette": [image_tables.PALETTE.pack(*entry) for entry in image.palette],
+              "objects": [image_models.OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects]}
+    kind, entry = ("poses", image_tables.POSE) if image.path_kind == POSES else ("strides", image_tables.STRIDE)
+    tables[kind] = [entry.pack(*one) for one in image.path]
+    tables |= image_models.tables(image.models) | image_turn.tables(image.turns, image.motions)
+    tables |= image_surface.tables(image.surfaces, image.models) | image_billboard.tables(image.billboards)
+    tables["nodes"] = [node.pack() for node in image.tree.nodes] if image.tree else []
+    tables["beams"] = [beam.pack() for beam in image.beams]
+    tables["lit"] = bytes(image.lit) if image.beams else b""
+    tables |= image.light.tables() if image.light else {}
+    tables["centre of the lens"] = [image_lens.CENTRE.pack(*image.centre)] if image.centre else []
+    count, body = image_tables.pack(tables)
+    size = HEAD.size + len(body)
     if size > IMAGE_MAX:
         fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
              "use fewer or smaller models or a shorter path")
-
-    def head(crc):
-        return image_header.HEAD.pack(image_header.MAGIC, version, header_size, size, crc, image.width, image.height,
-                          image.fov, image.near, image.far, image.inset, image.background,
-                          image.path_kind, int(image.centre is not None) | image.visibility << 8, *image.start, *image.gait, *where, image.frames,
-                          *where_more, image.tree.object if nodes else 0)
-
-    blob = head(zlib.crc32(head(0)[16:] + more + body)) + more + body
+    values = {"magic": MAGIC, "version": VERSION, "section_count": count, "image_size": size, "crc": 0, "width": image.width,
+              "height": image.height, "fov": image.fov, "near_z": image.near, "far_z": image.far, "inset": image.inset,
+              "background": image.background, "visibility": image.visibility, "reserved": 0, "start": image.start[:3],
+              "start.yaw": image.start[3:], "acceleration": image.gait[:3], "turn": image.gait[3], "frame_count": image.frames,
+              "bsp_instance": image.tree.object if image.tree else 0,
+              "blend_first": image.surfaces.blend_first if image.surfaces and image.surfaces.blend else 0}
+    crc = zlib.crc32(image_header.pack(values)[16:] + body)
+    blob = image_header.pack({**values, "crc": crc}) + body
     unpack(blob)
     return blob
 
@@ -136,58 +113,63 @@ def _check_path(kind, path, frames):
         fail("count", f"the path has {total} frames, the header says {frames}")
 
 
-def _centre(blob, fields):
-    """The centre of a lens that is off-centre, behind the header; else None."""
-    if not image_header.has_centre(fields):
+def _centre(head, tables):
+    """The centre of a lens that is off-centre; else None."""
+    if not tables["centre of the lens"]:
         return None
-    width, height, fov, inset = fields[5], fields[6], fields[7], fields[10]
-    centre = image_lens.CENTRE.unpack_from(blob, fields[2])
-    image_lens.check_centre(width, height, fov, inset, centre)
-    if centre == image_lens.middle(width, height):
+    (centre,) = tables["centre of the lens"]
+    image_lens.check_centre(head.width, head.height, head.fov, head.inset, centre)
+    if centre == image_lens.middle(head.width, head.height):
         fail("reserved", "the image gives the middle of the screen as the centre of its lens")
     return centre
 
 
+def _tree(head, nodes, models, objects, unturned):
+    """The BSP tree; None where there is none."""
+    if not nodes:
+        return None
+    tree = Tree([Node.unpack(node) for node in nodes], head.bsp_instance)
+    check_tree(tree, models, objects, unturned)
+    return tree
+
+
 def unpack(blob):
     """The scene of an image; ToolError names what is wrong, as the loader would."""
-    fields = image_header.read(blob)
-    width, height, fov, near, far, inset, background, kind = *fields[5:11], *fields[11:13]
-    image_lens.check(width, height, fov, near, far, inset)
-    centre = _centre(blob, fields)
-    start, gait = fields[14:20], fields[20:24]
-    check_coordinates(start[:3], "the start")
+    head = image_header.read(blob)
+    tables, unknown = image_tables.read(blob, head)
+    image_lens.check(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset)
+    centre = _centre(head, tables)
+    check_coordinates(head.start, "the start")
+    gait = (*head.acceleration, head.turn)
     _check_gait(gait)
-    palette, vertices, corners, faces, models, objects, path, keys, nodes, beams, lit, clusters, turns, motions, \
-        motion_keys, light, points, ramp, *looks = image_tables.read(blob, fields)
-    image_models.check_faces(faces, corners)
-    models, extras = image_models.read_models(models, vertices, corners, faces)
-    objects = image_models.read_objects(objects, models)
-    image_models.check_extents(objects[:len(objects) - len(turns)], models)
+    image_models.check_faces(tables["faces"], tables["corners"])
+    models, extras = image_models.read_models(tables["models"], tables["vertices"], tables["corners"], tables["faces"])
+    objects = image_models.read_objects(tables["objects"], models)
+    unturned = len(objects) - len(tables["turns"])
+    image_models.check_extents(objects[:unturned], models)
     image_models.check_vertices(models)
     image_models.check_radii(models, extras)
     for i, model in enumerate(models):
         check_planes(model, i)
-    image_keys.check(models, [first for _, first, _ in extras], keys)
+    image_keys.check(models, [first for _, first, _ in extras], tables["keys"])
     radii = [extras[item.model][0] for item in objects]
-    turns = image_turn.read_turns(turns, objects, radii)
-    image_cluster.read(models, [first for *_, first in extras], clusters)
-    tree = None
-    if nodes:
-        tree = Tree([Node.unpack(node) for node in nodes], fields[43])
-        check_tree(tree, models, objects, len(objects) - len(turns))
-    elif fields[43]:
-        fail("count", "the header names a BSP instance, but there is no BSP tree")
-    beams = [image_beam.unpack(beam, i) for i, beam in enumerate(beams)]
-    lit = bytes(lit[0]) if lit else bytes(range(256))
+    turns = image_turn.read_turns(tables["turns"], objects, radii)
+    image_cluster.read(models, [first for *_, first in extras], tables["clusters"])
+    tree = _tree(head, tables["nodes"], models, objects, unturned)
+    beams = [image_beam.unpack(beam, i) for i, beam in enumerate(tables["beams"])]
+    lit = bytes(tables["lit"][0]) if tables["lit"] else bytes(range(256))
     image_beam.check(beams, models)
-    motions = image_turn.read_motions(motions, motion_keys, radii)
-    light = image_light.read(light, points, ramp)
-    _check_path(kind, path, fields[38])
-    surfaces = image_surface.read(looks[:len(image_surface.TABLES)], image_header.blend_first(blob, fields), models)
-    billboards = image_billboard.read(looks[len(image_surface.TABLES):], models, [radius for radius, *_ in extras])
-    return SceneImage(width, height, fov, near, far, inset, background, palette, models, objects,
-                      kind, path, start, gait, tree, beams, lit, centre, turns, motions, light, surfaces, billboards,
-                      image_header.visibility(fields), size=fields[3], crc=fields[4])
+    motions = image_turn.read_motions(tables["motions"], tables["motion keys"], radii)
+    light = image_light.read(tables["light"], tables["point lights"], tables["levels"])
+    kind = POSES if tables["poses"] else STRIDES
+    path = tables["poses"] or tables["strides"]
+    _check_path(kind, path, head.frame_count)
+    surfaces = image_surface.read(tables, head.blend_first, models)
+    billboards = image_billboard.read(tables, models, [radius for radius, *_ in extras])
+    return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
+                      tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
+                      centre, turns, motions, light, surfaces, billboards, head.visibility, size=head.image_size,
+                      crc=head.crc, unknown=unknown)
 
 
 def load(path):

@@ -4,18 +4,16 @@
 
 from dataclasses import dataclass
 from math import isqrt
-import struct
 
 from fixel.base.errors import ToolError
+from fixel.image.fields import entry
 
 BEAMS_MAX, PLANES_MAX = 4, 8
 FACE_VERTICES_MAX = 24
 COORDINATE_MAX = 8191 << 16
 NORMAL_SQUARE_MAX_ERROR = 1 << 32
 POINT, DIRECTION = 0, 1
-BEAM = struct.Struct("<3iBBH" + "3iq" * PLANES_MAX)
-LIT_HEADER = struct.Struct("<4I")       # beams: offset, count; lit: offset; reserved
-LIT = struct.Struct("<256B")
+BEAM = entry("beams")
 assert BEAM.size == 176
 
 

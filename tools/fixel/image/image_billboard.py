@@ -2,8 +2,8 @@
 """The billboards of a scene image: what the loader asks of them (docs/formats.md, section 1.13)."""
 
 from dataclasses import dataclass, field
-import struct
 
+from fixel.image.fields import entry
 from fixel.image.image_ranges import Ranges
 from fixel.image.image_tree import COORDINATE_MAX, SORTED, fail
 
@@ -12,12 +12,8 @@ PIXELS_MAX = 16 << 20       # bytes of all sprites
 OPAQUE = 256                # the key of a sprite all of whose pixels are drawn
 BITS = (1, 4, 8)
 
-BOARD = struct.Struct("<2I3H2B4i")
-MAP = struct.Struct("<H")
-PIXEL = struct.Struct("<B")
-HEADER = struct.Struct("<6I")       # billboards, map, pixels: offset, count
-TABLES = [("billboards", BOARD, 1, BOARDS_MAX), ("billboard map", MAP, 1, 65_535), ("sprite pixels", PIXEL, 1, PIXELS_MAX)]
-assert (BOARD.size, HEADER.size) == (32, 24)
+BOARD, MAP = map(entry, ("billboards", "billboard map"))
+TABLES = ("billboards", "billboard map", "sprite pixels")
 
 
 @dataclass(frozen=True)
@@ -43,9 +39,9 @@ class Billboards:
 
 
 def tables(billboards):
-    """Billboards, map and pixels as packed bytes; empty without billboards."""
+    """Billboards, map and pixels as packed bytes, by name; nothing without billboards."""
     if billboards is None:
-        return [[] for _ in TABLES]
+        return {}
     blob, placed = bytearray(), {}
 
     def place(table):
@@ -58,7 +54,7 @@ def tables(billboards):
     boards = [BOARD.pack(place(one.pixels), place(one.colours) if one.colours else 0, one.pixel_width, one.pixel_height,
                          one.key, one.bits, 0, one.width, one.height, one.anchor_x, one.anchor_y)
               for one in billboards.boards]
-    return [boards, [MAP.pack(number) for number in billboards.model_map], bytes(blob)]
+    return dict(zip(TABLES, [boards, [MAP.pack(number) for number in billboards.model_map], bytes(blob)]))
 
 
 # --- reading -------------------------------------------------------------------------------------
@@ -92,9 +88,9 @@ def _reach(board):
 
 
 def read(found, models, radii):
-    """The billboards of the tables of an image, None where there are none. found: as in TABLES; radii: of the models, as
+    """The billboards of the tables of an image, None where there are none. found: {name of a table: its entries}; radii: of the models, as
     the image states them."""
-    boards, model_map, pixels = found
+    boards, model_map, pixels = (found[name] for name in TABLES)
     if not model_map:
         return None
     ranges = Ranges(pixels)

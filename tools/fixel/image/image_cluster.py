@@ -2,16 +2,15 @@
 """The clusters of a scene image: what the loader asks of them (docs/formats.md, section 1.8)."""
 
 from dataclasses import dataclass
-import struct
 
+from fixel.image.fields import entry
 from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
 
 CLUSTERS_MAX = 65535
 APEX_MAX = 2 * (8191 << 16)     # of a coordinate, in 16.16
 CUTOFF_MAX = (1 << 32) - 1
 NO_CONE = (0, 0, 0)
-CLUSTER = struct.Struct("<3ii3iI3iHH")
-HEADER = struct.Struct("<2I")   # clusters: offset, count
+CLUSTER = entry("clusters")
 assert CLUSTER.size == 48
 
 

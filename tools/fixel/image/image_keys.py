@@ -2,14 +2,14 @@
 """The keys of a scene image: what ordering asks of a sorted model's faces (docs/formats.md, section 1)."""
 
 import itertools
-import struct
 
 import numpy as np
 
+from fixel.image.fields import entry
 from fixel.image.image_tree import SORTED, fail
 
 AT_ONCE = 64        # faces: of fewer, one after the other is faster
-KEY = struct.Struct("<q3i")
+KEY = entry("keys")
 
 
 def points_of(model):

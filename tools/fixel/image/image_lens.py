@@ -2,14 +2,14 @@
 """The lens of a scene image: the ranges that the loader asks for (SPEC.md, section 3.1)."""
 
 import math
-import struct
 
+from fixel.image.fields import entry
 from fixel.image.image_tree import fail
 
 SCREEN_MAX = 1024
 FOV_MIN, FOV_MAX = 119304648, 1789569706
 NEAR_MIN, FAR_MAX, INSET_MAX = 256, 32767 << 16, 1 << 16
-CENTRE = struct.Struct("<2i")       # behind the header of an image whose lens is off-centre
+CENTRE = entry("centre of the lens")
 
 
 def focal_pixels(width, fov):

@@ -2,18 +2,16 @@
 """The light of a scene image, at run time: what the loader asks of it (docs/formats.md, section 1.11)."""
 
 from dataclasses import dataclass, field
-import struct
 
+from fixel.image.fields import entry
 from fixel.image.image_lens import FAR_MAX
 from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, fail
 
 POINTS_MAX = 4
 LEVELS_MIN, LEVELS_MAX = 2, 64
 ONE = 1 << 30
-BASE = struct.Struct("<2i3i2i")     # ambient, strength, direction, fog near and far
-POINT = struct.Struct("<3iii")
-LEVEL = struct.Struct("<256B")      # of the ramp
-HEADER = struct.Struct("<6I")       # light, point lights, ramp: offset, count
+BASE = entry("light")
+POINT = entry("point lights")
 assert (BASE.size, POINT.size) == (28, 20)
 
 
@@ -28,9 +26,9 @@ class Light:
     fog: tuple = (0, 0)             # near, far in 16.16; zeros: none
 
     def tables(self):
-        """Light, point lights and ramp as packed bytes."""
-        return [[BASE.pack(self.ambient, self.strength, *self.direction, *self.fog)],
-                [POINT.pack(*point) for point in self.points], [bytes(level) for level in self.ramp]]
+        """Light, point lights and ramp as packed bytes, by name."""
+        return {"light": [BASE.pack(self.ambient, self.strength, *self.direction, *self.fog)],
+                "point lights": [POINT.pack(*point) for point in self.points], "levels": [bytes(level) for level in self.ramp]}
 
 
 def _check(light):

@@ -8,6 +8,7 @@ import struct
 import numpy as np
 
 from fixel.image import image_keys, image_surface
+from fixel.image.fields import entry
 from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, fail
 
 CONVEX = 0
@@ -15,11 +16,7 @@ FACE_VERTICES_MAX = 24
 PLANARITY_MAX = 4
 PLACED_MAX = 4_000_000          # vertices of the models of all instances
 
-VERTEX = struct.Struct("<3i")
-CORNER = struct.Struct("<H")
-FACE = struct.Struct("<3iIBBH")
-MODEL = struct.Struct("<4IBBHiI")
-OBJECT = struct.Struct("<3iHBB")
+VERTEX, FACE, MODEL, OBJECT = map(entry, ("vertices", "faces", "models", "objects"))
 
 
 @dataclass(slots=True)
@@ -52,7 +49,7 @@ def radius_of(vertices):
 
 
 def tables(models_of_scene):
-    """Vertices, corners, faces and models as packed bytes, the keys of sorted models' faces, and the clusters."""
+    """Vertices, corners, faces and models as packed bytes, the keys of sorted models' faces, and the clusters, by name."""
     vertices, corners, faces, models, keys, clusters = [], [], [], [], [], []
     for model in models_of_scene:
         models.append(MODEL.pack(len(vertices), len(model.vertices), len(faces),
@@ -66,7 +63,8 @@ def tables(models_of_scene):
         if model.kind == SORTED:
             keys += [image_keys.KEY.pack(*key) for key in image_keys.keys_of(model)]
         clusters += [cluster.pack() for cluster in model.clusters]
-    return [vertices, struct.pack(f"<{len(corners)}H", *corners), faces, models], keys, clusters
+    return {"vertices": vertices, "corners": struct.pack(f"<{len(corners)}H", *corners), "faces": faces, "models": models,
+            "keys": keys, "clusters": clusters}
 
 
 def check_coordinates(point, what):

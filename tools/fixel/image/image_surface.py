@@ -2,8 +2,8 @@
 """The surfaces of a scene image: what the loader asks of them (docs/formats.md, section 1.12)."""
 
 from dataclasses import dataclass, field
-import struct
 
+from fixel.image.fields import entry
 from fixel.image.image_ranges import Ranges
 from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, fail
 
@@ -17,20 +17,10 @@ DIVIDE_16, DIVIDE_8, DIVIDE_1, AFFINE = range(4)
 LIT, BLENDED = 1, 2             # flags of a surface
 OPAQUE = 16
 
-TEXTURE = struct.Struct("<2I6BH")
-TEXEL = struct.Struct("<B")
-SURFACE = struct.Struct("<H3B3B")
-MAPPED = struct.Struct("<4H3BB6i")
-MAP = struct.Struct("<H")
-NORMAL = struct.Struct("<3i")
-BLEND = struct.Struct("<256B")      # of the blend table: what a colour shows over each other one
-# Textures, texels, surfaces, mapped faces, face map, normals, blend table: offset, count; its first colour; reserved.
-HEADER = struct.Struct("<16I")
-TABLES = [("textures", TEXTURE, 1, TABLE_MAX), ("texels", TEXEL, 1, TEXELS_MAX), ("surfaces", SURFACE, 1, TABLE_MAX),
-          ("mapped faces", MAPPED, 1, TABLE_MAX), ("face map", MAP, 1, 1_000_000),
-          ("normals of corners", NORMAL, 1, TABLE_MAX), ("blend table", BLEND, 1, 256)]
-NEEDED = {"surfaces", "mapped faces", "face map"}       # of a scene that has surfaces
-assert (TEXTURE.size, SURFACE.size, MAPPED.size, HEADER.size) == (16, 8, 36, 64)
+TEXTURE, SURFACE, MAPPED, MAP, NORMAL = map(entry, ("textures", "surfaces", "mapped faces", "face map",
+                                                           "normals of corners"))
+# Of a scene that has surfaces.
+TABLES = ("textures", "texels", "surfaces", "mapped faces", "face map", "normals of corners", "blend table")
 
 
 @dataclass(frozen=True)
@@ -88,9 +78,9 @@ def texel_bytes(texture):
 
 
 def tables(surfaces, models):
-    """Textures, texels, surfaces, mapped faces, face map and normals as packed bytes; empty without surfaces."""
+    """Textures, texels, surfaces, mapped faces, face map, normals and blend table as packed bytes, by name; nothing without surfaces."""
     if surfaces is None:
-        return [[] for _ in TABLES]
+        return {}
     blob, placed, textures, numbers, face_map = bytearray(), {}, [], {}, []
 
     def place(table):
@@ -110,10 +100,10 @@ def tables(surfaces, models):
     if len(mapped) > TABLE_MAX:
         fail("count", f"{len(mapped):,} faces with surfaces that lie differently are more than {TABLE_MAX:,}; use smaller "
              "models")
-    return [textures, bytes(blob),
-            [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, 0, 0, 0) for one in surfaces.surfaces],
-            mapped, face_map, [NORMAL.pack(*normal) for normal in surfaces.normals],
-            [bytes(row) for row in surfaces.blend]]
+    return dict(zip(TABLES, [
+        textures, bytes(blob),
+        [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, 0, 0, 0) for one in surfaces.surfaces],
+        mapped, face_map, [NORMAL.pack(*normal) for normal in surfaces.normals], [bytes(row) for row in surfaces.blend]]))
 
 
 # --- reading -------------------------------------------------------------------------------------
@@ -180,8 +170,8 @@ def _read_mapped(fields, number, surfaces, model, face):
 
 
 def read(found, blend_first, models):
-    """The surfaces of the tables of an image, None where there are none; gives the faces theirs. found: as in TABLES."""
-    textures, texels, surfaces, mapped, face_map, normals, blend = found
+    """The surfaces of the tables of an image, None where there are none; gives the faces theirs. found: {name of a table: its entries}."""
+    textures, texels, surfaces, mapped, face_map, normals, blend = (found[name] for name in TABLES)
     if not face_map:
         return None
     ranges = Ranges(texels)

@@ -1,109 +1,127 @@
 # SPDX-License-Identifier: MIT
-"""The tables of a scene image, found by its header: where they lie, and how long they are."""
+"""The sections of a scene image: where they lie, and how long they are (docs/formats.md, section 1.2)."""
 
 import struct
 
-from fixel.image import (image_beam, image_billboard, image_cluster, image_keys, image_light, image_models,
-                         image_surface, image_turn)
-from fixel.image.image_header import (BOARD_HEADER_SIZE, CLUSTER_HEADER_SIZE, HEADER_SIZE, LIGHT_HEADER_SIZE, LIT_HEADER_SIZE, POSES,
-                                SURFACE_HEADER_SIZE, TURN_HEADER_SIZE)
-from fixel.image.image_tree import NODE, NODES_MAX, fail
+from fixel.image.fields import ALWAYS, ENTRY, HEAD, KINDS, SECTIONS, TOGETHER, entry
+from fixel.image.image_tree import fail
 
-PALETTE = struct.Struct("<3B")
-POSE = struct.Struct("<3i3I")
-STRIDE = struct.Struct("<HH")
+PALETTE, POSE, STRIDE = map(entry, ("palette", "poses", "strides"))
 
 
-def _limits(kind):
-    """A table's name, its entry, and the least and the most of them; in the order of the header."""
-    return [("palette", PALETTE, 256, 256), ("vertices", image_models.VERTEX, 1, 1_000_000),
-            ("corners", image_models.CORNER, 1, 4_000_000), ("faces", image_models.FACE, 1, 1_000_000),
-            ("models", image_models.MODEL, 1, 65_535), ("objects", image_models.OBJECT, 1, 65_535),
-            ("path", POSE if kind == POSES else STRIDE, 1, 1_000_000),
-            ("keys", image_keys.KEY, 1, 1_000_000), ("nodes", NODE, 1, NODES_MAX),
-            ("beams", image_beam.BEAM, 1, image_beam.BEAMS_MAX), ("lit", image_beam.LIT, 1, 1),
-            ("clusters", image_cluster.CLUSTER, 1, image_cluster.CLUSTERS_MAX),
-            ("turns", image_turn.TURN, 1, 65_535), ("motions", image_turn.MOTION, 1, 65_535),
-            ("motion keys", image_turn.KEY, 1, image_turn.KEYS_MAX), ("light", image_light.BASE, 1, 1),
-            ("point lights", image_light.POINT, 1, image_light.POINTS_MAX),
-            ("levels", image_light.LEVEL, 1, image_light.LEVELS_MAX), *image_surface.TABLES, *image_billboard.TABLES]
+def aligned(size):
+    """The next multiple of four."""
+    return size + -size % 4
 
 
-def _places(blob, fields):
-    """The offset and count of each table, and the names of those that may be missing."""
-    optional = {"keys", "nodes", "beams", "lit", "clusters", "turns", "motions", "motion keys", "light", "point lights",
-                "levels", *(name for name, *_ in image_surface.TABLES + image_billboard.TABLES)}
-    beams, lit, clusters, turns, light, surfaces = (0, 0), (0, 0), (0, 0), (0,) * 6, (0,) * 6, (0,) * 14
-    boards = (0,) * 6
-    if fields[2] != HEADER_SIZE:
-        *beams, lit, reserved = image_beam.LIT_HEADER.unpack_from(blob, HEADER_SIZE)
-        if reserved:
-            fail("reserved", "a reserved field of the header is not zero")
-        lit = lit, min(beams[1], 1)
-        optional -= {"beams", "lit"}
-    if fields[2] >= CLUSTER_HEADER_SIZE:
-        clusters = image_cluster.HEADER.unpack_from(blob, LIT_HEADER_SIZE)
-        optional = optional - {"clusters"} | {"beams", "lit"}
-    if fields[2] >= TURN_HEADER_SIZE:
-        turns = image_turn.HEADER.unpack_from(blob, CLUSTER_HEADER_SIZE)
-        optional = optional - {"turns"} | {"clusters"}
-    if fields[2] >= LIGHT_HEADER_SIZE:
-        light = image_light.HEADER.unpack_from(blob, TURN_HEADER_SIZE)
-        optional = optional - {"light", "levels"} | {"turns"}
-    if fields[2] >= SURFACE_HEADER_SIZE:
-        *surfaces, _, _ = image_surface.HEADER.unpack_from(blob, LIGHT_HEADER_SIZE)
-        if fields[2] == SURFACE_HEADER_SIZE or surfaces[9]:     # with billboards there may be no face map
-            optional = optional - image_surface.NEEDED
-        optional = optional | {"light"} | ({"levels"} if not light[1] else set())
-    if fields[2] >= BOARD_HEADER_SIZE:
-        boards = image_billboard.HEADER.unpack_from(blob, SURFACE_HEADER_SIZE)
-        optional -= {name for name, *_ in image_billboard.TABLES}
-    places = [*(fields[i:i + 2] for i in range(24, 38, 2)), fields[39:41], fields[41:43], beams, lit, clusters,
-              turns[:2], turns[2:4], turns[4:], light[:2], light[2:4], light[4:], *zip(surfaces[::2], surfaces[1::2]),
-              *zip(boards[::2], boards[1::2])]
-    return places, optional
+def pack(tables):
+    """The table of sections and the sections: of {name: packed entries, or all of them in one}. What has none is left out."""
+    bodies = {}
+    for section in SECTIONS:
+        table = tables.get(section.name) or b""
+        if table:
+            bodies[section] = table if isinstance(table, bytes) else b"".join(table)
+    place, entries = HEAD.size + ENTRY.size * len(bodies), b""
+    for section, body in bodies.items():
+        entries += ENTRY.pack(KINDS[section.name], int(section.needed), 0, place, len(body) // section.entry.size)
+        place += aligned(len(body))
+    return len(bodies), entries + b"".join(body.ljust(aligned(len(body)), b"\0") for body in bodies.values())
+
+
+def _check_entry(number, kind, needed, reserved, last):
+    """A section's kind, and what stands beside it; whether the kind is known."""
+    if kind <= last:
+        fail("offset", f"section {number} has kind {kind}, which does not rise")
+    known = kind <= len(SECTIONS)
+    if reserved or needed > 1 or (known and needed != SECTIONS[kind - 1].needed):
+        fail("reserved", f"section {number} has a reserved field that is not zero, or says wrongly whether it is needed")
+    if not known and needed:
+        fail("version", f"section {number} has kind {kind}, which this tool does not know and the scene needs: "
+             "a newer Fixel made the image")
+    return known
+
+
+def _check_place(what, offset, place, exact):
+    """Where a section begins: at a place, or not before it."""
+    if offset % 4:
+        fail("alignment", f"{what} begins at {offset}, not a multiple of four")
+    if offset != place if exact else offset < place:
+        fail("offset", f"{what} does not begin where the section before it ends")
+
+
+def _sections(blob, head):
+    """{name: (offset, count)} of the known sections, and the kinds of the others."""
+    size, found, unknown, last = head.image_size, {}, [], 0
+    place, exact = HEAD.size + ENTRY.size * head.section_count, True    # the length of an unknown section is not known
+    for number in range(head.section_count):
+        kind, needed, reserved, offset, count = ENTRY.unpack_from(blob, HEAD.size + ENTRY.size * number)
+        known, last = _check_entry(number, kind, needed, reserved, last), kind
+        if known:
+            section = SECTIONS[kind - 1]
+            what, end = f"the table of {section.name}", offset + count * section.entry.size
+            if not 1 <= count <= section.most:
+                fail("count", f"{count} {section.name} are outside 1..{section.most}")
+            found[section.name] = offset, count
+        else:
+            what, end = f"section {number}", offset
+            unknown.append(kind)
+        _check_place(what, offset, place, exact)
+        if end > size:
+            fail("offset", f"{what} reaches outside the image")
+        place, exact = aligned(end), known
+        if any(blob[end:place]):
+            fail("reserved", f"bytes behind {what} are not zero")
+    if exact and place != size:
+        fail("size", f"the sections end at {place}, and the image at {size}")
+    return found, unknown
+
+
+def _check_presence(head, found):
+    """Sections that must be there, and those that go together."""
+    for name in ALWAYS:
+        if name not in found:
+            fail("count", f"the image has no {name}")
+    if ("poses" in found) == ("strides" in found):
+        fail("count", "the image must have one path, of poses or of segments")
+    for some, needed in TOGETHER:
+        present = [name for name in some if name in found]
+        missing = [name for name in needed if name not in found]
+        if present and missing:
+            fail("count", f"the image has {present[0]}, but no {missing[0]}")
+    if head.bsp_instance and "nodes" not in found:
+        fail("reserved", "the header names a BSP instance, but there is no BSP tree")
+    if head.blend_first and "blend table" not in found:
+        fail("reserved", "the header names a first colour of the blend table, but there is none")
 
 
 def _check_counts(tables):
-    """Counts that go with others."""
-    for name, held in (("vertices", tables["vertices"]), ("corners", tables["corners"])):
-        if len(held) < 3:
-            fail("count", f"{len(held)} {name} are fewer than 3")
+    """Counts that are too small, or go with others."""
+    for section in SECTIONS:
+        if tables[section.name] and len(tables[section.name]) < section.least:
+            fail("count", f"{len(tables[section.name])} {section.name} are fewer than {section.least}")
     objects, turns, motions = len(tables["objects"]), len(tables["turns"]), len(tables["motions"])
     if turns > objects or motions > turns:
         fail("count", f"{objects} objects, {turns} turns and {motions} motions do not go together")
-    if not tables["light"] and (tables["point lights"] or tables["levels"]):
-        fail("count", "there are point lights or levels, but no light")
     if tables["face map"] and len(tables["face map"]) != len(tables["faces"]):
         fail("count", f"{len(tables['face map'])} entries of the face map for {len(tables['faces'])} faces")
     if tables["billboard map"] and len(tables["billboard map"]) != len(tables["models"]):
         fail("count", f"{len(tables['billboard map'])} entries of the billboard map for {len(tables['models'])} models")
 
 
-def _unpacked(entry, table, count):
+def _unpacked(one, table, count):
     """A list of tuples; of single numbers a tuple or bytes, which take a tenth of the memory."""
-    if entry.format == "<B":
+    if one.format == "<B":
         return bytes(table)
-    return struct.unpack(f"<{count}H", table) if entry.format == "<H" else list(entry.iter_unpack(table))
+    return struct.unpack(f"<{count}H", table) if one.format == "<H" else list(one.iter_unpack(table))
 
 
-def read(blob, fields):
-    """The tables (_unpacked), after their offsets and counts; empty where there are none."""
-    size, tables = fields[3], {}
-    places, optional = _places(blob, fields)
-    for (offset, count), (name, entry, low, high) in zip(places, _limits(fields[12])):
-        if name in optional and not count:
-            if offset:
-                fail("count", f"the header gives an offset of {name}, but a count of 0")
-            tables[name] = []
-            continue
-        if not low <= count <= high:
-            fail("count", f"{count} {name} are outside {low}..{high}")
-        if offset % 4:
-            fail("alignment", f"the table of {name} begins at {offset}, not a multiple of four")
-        if offset < fields[2] or offset + count * entry.size > size:
-            fail("offset", f"the table of {name} reaches outside the image")
-        table = blob[offset:offset + count * entry.size]
-        tables[name] = _unpacked(entry, table, count)
+def read(blob, head):
+    """{name: its entries (_unpacked); empty where there are none}, and the kinds of unknown sections that are not needed."""
+    found, unknown = _sections(blob, head)
+    _check_presence(head, found)
+    tables = {section.name: [] for section in SECTIONS}
+    for name, (offset, count) in found.items():
+        one = entry(name)
+        tables[name] = _unpacked(one, blob[offset:offset + count * one.size], count)
     _check_counts(tables)
-    return list(tables.values())
+    return tables, unknown

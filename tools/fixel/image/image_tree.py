@@ -2,15 +2,15 @@
 """The tree of a scene image: its nodes, and what the loader asks of them (docs/formats.md, section 1)."""
 
 from dataclasses import dataclass
-import struct
 
 from fixel.base.errors import ToolError
+from fixel.image.fields import entry
 
 PLANARITY_MAX, DEPTH_MAX, NODES_MAX = 8, 1023, 65535
 NORMAL_SQUARE_MAX_ERROR = 1 << 32
 SORTED = 1
 NONE = 0xFFFF                   # no node
-NODE = struct.Struct("<3iq6H4i")
+NODE = entry("nodes")
 COORDINATE_MAX = 8191 << 16
 RADIUS_MAX = 28375 << 16
 

@@ -4,8 +4,8 @@
 
 from dataclasses import dataclass
 from math import isqrt
-import struct
 
+from fixel.image.fields import entry
 from fixel.image.image_tree import COORDINATE_MAX, fail
 
 SCALE_MIN, SCALE_MAX = 256, 256 << 16
@@ -14,10 +14,7 @@ DEPTH_MAX = 8
 PLACE_MAX = (1 << 30) - 1       # of a coordinate of a place, and of an axis
 SLACK = 32                      # FXL_TURN_SLACK
 TOLERANCE = 1 << 32             # 2^-28 in units of 2^-60
-TURN = struct.Struct("<9ii")
-MOTION = struct.Struct("<3I3i2Ii2I3i2i2IHBB")
-KEY = struct.Struct("<I3i3Ii")
-HEADER = struct.Struct("<6I")   # turns, motions, keys: offset, count
+TURN, MOTION, KEY = map(entry, ("turns", "motions", "motion keys"))
 assert (TURN.size, MOTION.size, KEY.size) == (40, 76, 32)
 
 
@@ -73,12 +70,12 @@ class Motion:
 
 
 def tables(turns, motions):
-    """Turns, motions and keys as packed bytes."""
+    """Turns, motions and their keys as packed bytes, by name."""
     packed, keys = [], []
     for motion in motions:
         packed.append(motion.pack(len(keys)))
         keys += [key.pack() for key in motion.keys]
-    return [turn.pack() for turn in turns], packed, keys
+    return {"turns": [turn.pack() for turn in turns], "motions": packed, "motion keys": keys}
 
 
 def _dot(a, b):

@@ -40,7 +40,7 @@ def summary(scene):
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
         "visibility": toml_scene.VISIBILITIES[scene.visibility],
         "path": "poses" if scene.path_kind == image.POSES else "strides",
-        "start": path.describe(scene.start),
+        "start": path.describe(scene.start), "unknown_sections": scene.unknown,
     }
 
 
@@ -76,4 +76,7 @@ def info(file, as_json):
         print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
     if data["visibility"] != toml_scene.VISIBILITIES[image_header.BY_DEFAULT]:
         print(f"  drawn    by visibility method {data['visibility']}")
+    if data["unknown_sections"]:
+        print(f"  unknown  sections of kind {', '.join(map(str, data['unknown_sections']))}: a newer Fixel made the image; it is "
+              "drawn without them")
     print(f"  path     {data['frames']} frames as {data['path']}, from {data['start']}")

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference/sections.h"
+
+#include "reference/scene.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+enum {
+    HEADER_BYTES = 92,
+    ENTRY_BYTES = 12,
+    BSP_INSTANCE_AT = 84, /* in the header */
+    BLEND_FIRST_AT = 88
+};
+
+/* Bytes of an entry and the most entries of each kind. */
+static const struct {
+    uint32_t bytes, most;
+} kinds[REF_LAST_KIND + 1] = {
+    [REF_PALETTE] = {3, 256},          [REF_VERTICES] = {12, 1000000},
+    [REF_INDICES] = {2, 4000000},      [REF_FACES] = {20, 1000000},
+    [REF_MODELS] = {28, 65535},        [REF_INSTANCES] = {16, 65535},
+    [REF_POSES] = {24, 1000000},       [REF_SEGMENTS] = {4, 1000000},
+    [REF_FACE_BOUNDS] = {20, 1000000}, [REF_BSP_NODES] = {48, 65535},
+    [REF_BEAMS] = {176, 4},            [REF_LIT_COLOURS] = {256, 1},
+    [REF_CLUSTERS] = {48, 65535},      [REF_TURNS] = {40, 65535},
+    [REF_MOTIONS] = {76, 65535},       [REF_MOTION_KEYS] = {32, 1000000},
+    [REF_LIGHT] = {28, 1},             [REF_POINT_LIGHTS] = {20, 4},
+    [REF_RAMP] = {256, 64},            [REF_TEXTURES] = {16, 65535},
+    [REF_TEXELS] = {1, 16u << 20},     [REF_SURFACES] = {8, 65535},
+    [REF_MAPPED_FACES] = {36, 65535},  [REF_FACE_MAP] = {2, 1000000},
+    [REF_CORNER_NORMALS] = {12, 65535}, [REF_BLEND_TABLE] = {256, 256},
+    [REF_BILLBOARDS] = {32, 65535},    [REF_BILLBOARD_MAP] = {2, 65535},
+    [REF_SPRITE_PIXELS] = {1, 16u << 20}, [REF_LENS_CENTRE] = {8, 1}};
+
+static const uint8_t *entry_at(const uint8_t *bytes, uint32_t number)
+{
+    return bytes + HEADER_BYTES + ENTRY_BYTES * number;
+}
+
+const uint8_t *ref_section(const uint8_t *bytes, int kind, uint32_t *count)
+{
+    for (uint32_t i = 0; i < ref_u16(bytes + 6); i++) {
+        const uint8_t *entry = entry_at(bytes, i);
+        if (ref_u16(entry) == kind) {
+            *count = ref_u32(entry + 8);
+            return bytes + ref_u32(entry + 4);
+        }
+    }
+    *count = 0;
+    return NULL;
+}
+
+/* Where a section ends before rounding; 0 where its entry is wrong. */
+static uint64_t end_of(const uint8_t *entry)
+{
+    const uint32_t kind = ref_u16(entry), count = ref_u32(entry + 8);
+    if (kind == 0 || entry[3] != 0 || entry[2] > 1) {
+        return 0;
+    }
+    if (kind > REF_LAST_KIND) {
+        return entry[2] == 1 ? 0 : ref_u32(entry + 4);
+    }
+    if (entry[2] != (kind != REF_FACE_BOUNDS) || count == 0 || count > kinds[kind].most) {
+        return 0;
+    }
+    return ref_u32(entry + 4) + (uint64_t)count * kinds[kind].bytes;
+}
+
+/* The entries in turn: kinds rise, and each section begins behind the one before it. */
+static bool places_are_sound(const uint8_t *bytes, size_t size)
+{
+    const uint32_t count = ref_u16(bytes + 6);
+    uint64_t next = HEADER_BYTES + (uint64_t)ENTRY_BYTES * count;
+    bool is_known = true;
+    for (uint32_t i = 0; i < count; i++) {
+        const uint8_t *entry = entry_at(bytes, i);
+        const uint64_t begin = ref_u32(entry + 4), end = end_of(entry);
+        if (end == 0 || end > size || begin % 4 != 0 || begin < next ||
+            (is_known && begin > next) ||
+            (i > 0 && ref_u16(entry) <= ref_u16(entry - ENTRY_BYTES))) {
+            return false;
+        }
+        next = end;
+        while (next % 4 != 0) {
+            if (bytes[next++] != 0) {
+                return false;
+            }
+        }
+        is_known = ref_u16(entry) <= REF_LAST_KIND;
+    }
+    return next == size || !is_known;
+}
+
+static bool has(const uint8_t *bytes, int kind)
+{
+    uint32_t count;
+    return ref_section(bytes, kind, &count) != NULL;
+}
+
+static bool has_any(const uint8_t *bytes, int first, int last)
+{
+    for (int kind = first; kind <= last; kind++) {
+        if (has(bytes, kind)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static uint32_t count_of(const uint8_t *bytes, int kind)
+{
+    uint32_t count;
+    ref_section(bytes, kind, &count);
+    return count;
+}
+
+/* Which sections are there, and which counts go together. */
+static bool set_is_sound(const uint8_t *bytes)
+{
+    const bool surfaces = has(bytes, REF_SURFACES) && has(bytes, REF_MAPPED_FACES) &&
+                          count_of(bytes, REF_FACE_MAP) == count_of(bytes, REF_FACES);
+    const bool billboards = has(bytes, REF_BILLBOARDS) && has(bytes, REF_SPRITE_PIXELS) &&
+                            count_of(bytes, REF_BILLBOARD_MAP) == count_of(bytes, REF_MODELS);
+    for (int kind = REF_PALETTE; kind <= REF_INSTANCES; kind++) {
+        if (!has(bytes, kind)) {
+            return false;
+        }
+    }
+    return count_of(bytes, REF_PALETTE) == 256 &&
+           has(bytes, REF_POSES) != has(bytes, REF_SEGMENTS) &&
+           has(bytes, REF_BEAMS) == has(bytes, REF_LIT_COLOURS) &&
+           has(bytes, REF_MOTIONS) == has(bytes, REF_MOTION_KEYS) &&
+           count_of(bytes, REF_MOTIONS) <= count_of(bytes, REF_TURNS) &&
+           count_of(bytes, REF_TURNS) <= count_of(bytes, REF_INSTANCES) &&
+           has(bytes, REF_LIGHT) == has(bytes, REF_RAMP) &&
+           (has(bytes, REF_LIGHT) || !has(bytes, REF_POINT_LIGHTS)) &&
+           (surfaces || !has_any(bytes, REF_TEXTURES, REF_BLEND_TABLE)) &&
+           (billboards || !has_any(bytes, REF_BILLBOARDS, REF_SPRITE_PIXELS)) &&
+           (has(bytes, REF_BSP_NODES) || ref_u32(bytes + BSP_INSTANCE_AT) == 0) &&
+           (has(bytes, REF_BLEND_TABLE) || ref_u32(bytes + BLEND_FIRST_AT) == 0);
+}
+
+const char *ref_sections_check(const uint8_t *bytes, size_t size)
+{
+    if (size < HEADER_BYTES || memcmp(bytes, "FXLS", 4) != 0) {
+        return "it is not a scene image (no FXLS at its start)";
+    }
+    if (ref_u16(bytes + 4) != 8) {
+        return "this version of the scene image is not known";
+    }
+    const uint32_t stated = ref_u32(bytes + 8);
+    if (stated < HEADER_BYTES + (uint64_t)ENTRY_BYTES * ref_u16(bytes + 6) || stated > size ||
+        stated > 16u << 20 || stated % 4 != 0) {
+        return "the scene image is shorter than its header says";
+    }
+    if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
+        return "the scene image's checksum does not match";
+    }
+    if (bytes[37] > 1 || ref_u16(bytes + 38) != 0) {
+        return "the scene image asks for an unknown visibility method, or has a reserved field";
+    }
+    return places_are_sound(bytes, stated) && set_is_sound(bytes)
+               ? NULL
+               : "the scene image's sections are not those that it must have, or not where they "
+                 "must be";
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* The sections of a scene image, as docs/formats.md, section 1.2, lists them. */
+#ifndef REF_SECTIONS_H
+#define REF_SECTIONS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Their kinds. */
+enum {
+    REF_PALETTE = 1,
+    REF_VERTICES,
+    REF_INDICES,
+    REF_FACES,
+    REF_MODELS,
+    REF_INSTANCES,
+    REF_POSES,
+    REF_SEGMENTS,
+    REF_FACE_BOUNDS,
+    REF_BSP_NODES,
+    REF_BEAMS,
+    REF_LIT_COLOURS,
+    REF_CLUSTERS,
+    REF_TURNS,
+    REF_MOTIONS,
+    REF_MOTION_KEYS,
+    REF_LIGHT,
+    REF_POINT_LIGHTS,
+    REF_RAMP,
+    REF_TEXTURES,
+    REF_TEXELS,
+    REF_SURFACES,
+    REF_MAPPED_FACES,
+    REF_FACE_MAP,
+    REF_CORNER_NORMALS,
+    REF_BLEND_TABLE,
+    REF_BILLBOARDS,
+    REF_BILLBOARD_MAP,
+    REF_SPRITE_PIXELS,
+    REF_LENS_CENTRE,
+    REF_LAST_KIND = REF_LENS_CENTRE
+};
+
+/* Tells what is wrong with the header of an image, with the table of sections, with where they lie, or
+ * with which there are; null if nothing is. */
+const char *ref_sections_check(const uint8_t *bytes, size_t size);
+
+/* Returns the first entry of a section, and writes how many there are; null and 0 where there is no
+ * such section. Requires sections that are sound. */
+const uint8_t *ref_section(const uint8_t *bytes, int kind, uint32_t *count);
+
+#endif

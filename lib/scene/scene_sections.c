@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT */
+/* The sections of a scene image: where they lie, and which there are (docs/formats.md, section 1.2). */
+#include "scene_sections.h"
+
+#include "crc.h"
+#include "fault.h"
+
+#define MAGIC 0x534C5846u /* "FXLS" */
+
+static fxl_status check_envelope(const fxl_image_header *head, size_t size)
+{
+    if (size < sizeof *head) {
+        return FXL_E_SIZE;
+    }
+    if (head->magic != MAGIC) {
+        return FXL_E_MAGIC;
+    }
+    if (head->version != IMAGE_VERSION) {
+        return FXL_E_VERSION;
+    }
+    /* At most 65,535 sections of 12 bytes. */
+    if (head->image_size < sizeof *head + head->section_count * sizeof(fxl_image_section) ||
+        head->image_size > FXL_SCENE_IMAGE_MAX || head->image_size % 4 != 0 ||
+        head->image_size > size) {
+        return FXL_E_SIZE;
+    }
+    const uint8_t *bytes = (const uint8_t *)head;
+    if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
+        return FXL_E_CRC;
+    }
+    return head->reserved == 0 && head->visibility <= FXL_SCENE_BY_DEPTH /* bug: wish-known */
+               ? FXL_OK
+               : FXL_E_RESERVED;
+}
+
+/* What is known of the sections, by their kinds. */
+static const struct {
+    uint16_t entry_size;
+    uint16_t is_needed;
+    uint32_t count_max;
+    const char *what;
+} known[] = {SECTION_TABLE};
+
+FXL_STATIC_ASSERT(sizeof known / sizeof known[0] == SECTION_KINDS - 1, "one for each");
+
+/* Where the next section begins; or at the earliest, behind one that is not known. */
+typedef struct {
+    uint32_t at;
+    uint32_t kind; /* of the section before */
+    bool is_exact;
+} place;
+
+static fxl_status check_entry(const fxl_image_section *one, const place *next)
+{
+    if (one->kind <= next->kind) {
+        return FXL_E_OFFSET; /* bug: section-order */
+    }
+    const bool is_known = one->kind < SECTION_KINDS;
+    if (one->reserved != 0 || one->is_needed > 1 ||
+        (is_known && one->is_needed != known[one->kind - 1].is_needed)) {
+        return FXL_E_RESERVED;
+    }
+    return is_known || !one->is_needed ? FXL_OK : FXL_E_VERSION; /* bug: section-needed */
+}
+
+/* The bytes that rounding added behind a section are 0. */
+static bool is_padded(const fxl_image_header *head, uint32_t end, uint32_t rounded)
+{
+    for (uint32_t i = end; i < rounded; i++) {
+        if (((const uint8_t *)head)[i] != 0) {
+            return false; /* bug: section-padding */
+        }
+    }
+    return true;
+}
+
+/* The section's place and length, after which *next is that of the one behind it. A count of at most
+ * 2^24 times the size of an entry, at most 256 bytes, is below 2^33. The image's size and each place
+ * are multiples of four, so that an end that lies within the image also does so rounded. */
+static fxl_status check_place(const fxl_image_header *head, const fxl_image_section *one, place *next)
+{
+    const bool is_known = one->kind < SECTION_KINDS;
+    uint64_t bytes = 0;
+    if (is_known) {
+        if (one->count == 0 || one->count > known[one->kind - 1].count_max) {
+            return FXL_E_COUNT;
+        }
+        bytes = (uint64_t)one->count * known[one->kind - 1].entry_size;
+    }
+    if (one->offset % 4 != 0) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (next->is_exact ? one->offset != next->at : one->offset < next->at) { /* bug: section-place */
+        return FXL_E_OFFSET;
+    }
+    if (one->offset > head->image_size || bytes > head->image_size - one->offset) {
+        return FXL_E_OFFSET;
+    }
+    const uint32_t end = one->offset + (uint32_t)bytes;
+    next->at = (end + 3u) & ~3u;
+    next->kind = one->kind;
+    next->is_exact = is_known;
+    return is_padded(head, end, next->at) ? FXL_OK : FXL_E_RESERVED;
+}
+
+/* A fault of a known section names it; of another, its entry. */
+static fxl_status fault_of(const fxl_image_section *list, uint32_t number, fxl_status status,
+                           fxl_scene_fault *fault)
+{
+    const uint32_t kind = list[number].kind;
+    return status == FXL_E_VERSION || kind == 0 || kind >= SECTION_KINDS
+               ? fxl_fault_at(fault, "section", number, status)
+               : fxl_fault_at(fault, known[kind - 1].what, 0, status);
+}
+
+static fxl_status missing(uint32_t kind, fxl_scene_fault *fault)
+{
+    return fxl_fault_at(fault, known[kind - 1].what, 0, FXL_E_COUNT);
+}
+
+/* Where there is a section of the kinds `some`, to the last of them, there is each of `needed`, a
+ * bit a kind. */
+static fxl_status check_together(const fxl_image_table *found, uint32_t some, uint32_t last, uint32_t needed,
+                                 fxl_scene_fault *fault)
+{
+    bool is_any = false;
+    for (uint32_t kind = some; kind <= last; kind++) {
+        is_any |= found[kind].count != 0;
+    }
+    for (uint32_t kind = 1; is_any && kind < SECTION_KINDS; kind++) {
+        if ((needed >> kind & 1) != 0 && found[kind].count == 0) {
+            return missing(kind, fault);
+        }
+    }
+    return FXL_OK;
+}
+
+FXL_STATIC_ASSERT(SECTION_KINDS <= 32, "a bit a kind");
+#define BIT(kind) ((uint32_t)1 << (kind))
+
+/* Which sections there must be, and which go together. */
+static fxl_status check_presence(const fxl_image_table *found, fxl_scene_fault *fault)
+{
+    static const struct {
+        uint8_t some, last;
+        uint32_t needed;
+    } sets[] = {
+        {SECTION_BEAMS, SECTION_LIT_COLOURS, BIT(SECTION_BEAMS) | BIT(SECTION_LIT_COLOURS)},
+        {SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS,
+         BIT(SECTION_TURNS) | BIT(SECTION_MOTIONS) | BIT(SECTION_KEYS_OF_MOTIONS)},
+        {SECTION_LIGHT, SECTION_RAMP, BIT(SECTION_LIGHT) | BIT(SECTION_RAMP)},
+        {SECTION_TEXTURES, SECTION_BLEND_TABLE,
+         BIT(SECTION_SURFACES) | BIT(SECTION_MAPPED_FACES) | BIT(SECTION_FACE_MAP)},
+        {SECTION_BILLBOARDS, SECTION_SPRITE_PIXELS,
+         BIT(SECTION_BILLBOARDS) | BIT(SECTION_BILLBOARD_MAP) | BIT(SECTION_SPRITE_PIXELS)},
+    };
+    for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
+        if (found[kind].count == 0) {
+            return missing(kind, fault);
+        }
+    }
+    if ((found[SECTION_POSES].count == 0) == (found[SECTION_SEGMENTS].count == 0)) {
+        return missing(SECTION_POSES, fault);
+    }
+    for (size_t i = 0; i < sizeof sets / sizeof sets[0]; i++) {
+        const fxl_status status =
+            check_together(found, sets[i].some, sets[i].last, sets[i].needed, fault);
+        if (status != FXL_OK) {
+            return status; /* bug: section-together */
+        }
+    }
+    return FXL_OK;
+}
+
+/* Counts that go with others, and numbers of the header that go with a section. */
+static fxl_status check_counts(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_fault *fault)
+{
+    if (found[SECTION_PALETTE].count != 256) {
+        return missing(SECTION_PALETTE, fault);
+    }
+    if (found[SECTION_TURNS].count > found[SECTION_INSTANCES].count) {
+        return missing(SECTION_TURNS, fault);
+    }
+    if (found[SECTION_MOTIONS].count > found[SECTION_TURNS].count) {
+        return missing(SECTION_MOTIONS, fault);
+    }
+    /* bug: face-map-count */
+    if (found[SECTION_FACE_MAP].count != 0 &&
+        found[SECTION_FACE_MAP].count != found[SECTION_FACES].count) {
+        return missing(SECTION_FACE_MAP, fault);
+    }
+    /* bug: billboard-map-count */
+    if (found[SECTION_BILLBOARD_MAP].count != 0 &&
+        found[SECTION_BILLBOARD_MAP].count != found[SECTION_MODELS].count) {
+        return missing(SECTION_BILLBOARD_MAP, fault);
+    }
+    if (found[SECTION_BSP_NODES].count == 0 && head->bsp_instance != 0) {
+        return fxl_fault_at(fault, "BSP node table", 0, FXL_E_RESERVED);
+    }
+    return found[SECTION_BLEND_TABLE].count != 0 || head->blend_first == 0
+               ? FXL_OK
+               : fxl_fault_at(fault, "blend table", 0, FXL_E_RESERVED);
+}
+
+static fxl_status find_all(const fxl_image_header *head, fxl_image_table *found, fxl_scene_fault *fault)
+{
+    const fxl_image_section *list = (const fxl_image_section *)(const void *)(head + 1);
+    place next = {(uint32_t)(sizeof *head + head->section_count * sizeof *list), 0, true};
+    for (uint32_t i = 0; i < head->section_count; i++) {
+        fxl_status status = check_entry(&list[i], &next);
+        if (status == FXL_OK) {
+            status = check_place(head, &list[i], &next);
+        }
+        if (status != FXL_OK) {
+            return fault_of(list, i, status, fault);
+        }
+        if (list[i].kind < SECTION_KINDS) {
+            found[list[i].kind].first = (const uint8_t *)head + list[i].offset;
+            found[list[i].kind].count = list[i].count;
+        }
+    }
+    return next.is_exact && next.at != head->image_size
+               ? fxl_fault_at(fault, "image", 0, FXL_E_SIZE)
+               : FXL_OK;
+}
+
+fxl_status fxl_scene_sections_find(const fxl_image_header *head, size_t size, fxl_image_table *found,
+                                   fxl_scene_fault *fault)
+{
+    fxl_status status = check_envelope(head, size);
+    if (status != FXL_OK) {
+        return fxl_fault_at(fault, "image", 0, status);
+    }
+    status = find_all(head, found, fault);
+    if (status == FXL_OK) {
+        status = check_presence(found, fault);
+    }
+    return status == FXL_OK ? check_counts(head, found, fault) : status;
+}

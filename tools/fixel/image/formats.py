@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""Writes what the fields of a scene image are in C and in docs/formats.md, of their table in tools/fixel/image/fields.py."""
+
+import argparse
+import pathlib
+import re
+
+from fixel.base import output
+from fixel.image.fields import ENTRY, HEADER, HEAD, SECTIONS, VERSION
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+DOCUMENT = "docs/formats.md"
+WRITTEN = """/* SPDX-License-Identifier: MIT */
+/* {}
+ * Written by `fixel formats` of tools/fixel/image/fields.py: change that. Internal. */
+#ifndef {guard}
+#define {guard}
+
+#include "{include}"
+
+"""
+
+
+def parser():
+    """The command's arguments."""
+    return argparse.ArgumentParser(description=__doc__)
+
+
+def _asserted(record, fields, size):
+    """The assertions that a record of C has its fields where an image has them."""
+    lines, place = [f"FXL_STATIC_ASSERT(sizeof({record}) == {size}, FXL_AS_DOCUMENTED);"], 0
+    for field in fields:
+        if field.member:
+            lines.append(f"FXL_STATIC_ASSERT(offsetof({record}, {field.member}) == {place}, FXL_AS_DOCUMENTED);")
+        place += field.size
+    return lines
+
+
+def _records(room):
+    """The assertions of a room's records."""
+    lines = []
+    for section in SECTIONS:
+        if section.record and section.room == room:
+            lines += _asserted(section.record, section.fields, section.entry.size)
+    return lines
+
+
+def _table():
+    """What the library knows of each section."""
+    rows = [f"    {{{section.entry.size}, {int(section.needed)}, {section.limit or section.most}, \"{section.what}\"}}, \\"
+            for section in SECTIONS]
+    width = max(map(len, rows))
+    return ["/* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most",
+            " * entries, and its name in a fault. */",
+            "#define SECTION_TABLE ".ljust(width - 1) + "\\", *(row[:-1].ljust(width - 1) + "\\" for row in rows)]
+
+
+def scene_header():
+    """lib/scene/scene_sections.h."""
+    lines = [f"#define IMAGE_VERSION {VERSION}u", "", "/* The kinds of sections. */", "enum {",
+             *(f"    {section.enum} = {number}," for number, section in enumerate(SECTIONS, 1)),
+             f"    SECTION_KINDS = {len(SECTIONS) + 1} /* one more than the greatest */", "};", "", *_table(), ""]
+    lines += [f"FXL_STATIC_ASSERT({section.limit} == {section.most}, FXL_AS_DOCUMENTED);"
+              for section in SECTIONS if section.limit]
+    lines += _asserted("fxl_image_header", HEADER, HEAD.size) + [f"FXL_STATIC_ASSERT(sizeof(fxl_image_section) == {ENTRY.size}, FXL_AS_DOCUMENTED);"]
+    return WRITTEN.format("The sections of a scene image, and where its records have their fields (docs/formats.md).",
+                          guard="FXL_SCENE_SECTIONS_H", include="scene_header.h") + \
+        "\n".join([*lines, *_records("scene"), "", "#endif", ""])
+
+
+def surface_header():
+    """lib/paint/surface_sections.h."""
+    return WRITTEN.format("Where the records of surfaces have their fields in a scene image (docs/formats.md).",
+                          guard="FXL_SURFACE_SECTIONS_H", include="../scene/scene_header.h").replace(
+        '.h"\n\n', '.h"\n#include "fixel/surfaces.h"\n\n', 1) + "\n".join([*_records("paint"), "", "#endif", ""])
+
+
+def _range(section):
+    return f"{section.least:,}" if section.least == section.most else f"{section.least:,}..{section.most:,}"
+
+
+def header_page():
+    """The table of the header's fields in docs/formats.md."""
+    lines, place = ["| offset | type | field |", "| --- | --- | --- |"], 0
+    for field in HEADER:
+        lines.append(f"| {place} | {field.type} | {field.words} |")
+        place += field.size
+    return lines
+
+
+def sections_page():
+    """The table of the sections."""
+    lines = ["| kind | section | needed | entries | an entry | bytes |", "| --- | --- | --- | --- | --- | --- |"]
+    for number, section in enumerate(SECTIONS, 1):
+        entry = "; ".join(f"{field.type} {field.words}" for field in section.fields) + (f" ({section.note})" if section.note else "")
+        lines.append(f"| {number} | {section.title} | {'yes' if section.needed else 'no'} | {_range(section)} | {entry} | "
+                     f"{section.entry.size} |")
+    return lines
+
+
+def page(text):
+    """docs/formats.md with its tables of fields renewed."""
+    for name, lines in (("header", header_page()), ("sections", sections_page())):
+        text, found = re.subn(f"(<!-- fields: {name} -->\n).*?(<!-- end -->)", lambda match, lines=lines:
+                              match[1] + "\n".join(lines) + "\n" + match[2], text, flags=re.DOTALL)
+        assert found == 1, name
+    return text
+
+
+def texts():
+    """{file: what it must hold}."""
+    return {"lib/scene/scene_sections.h": scene_header(), "lib/paint/surface_sections.h": surface_header(),
+            DOCUMENT: page((ROOT / DOCUMENT).read_text(encoding="utf-8"))}
+
+
+def main(argv):
+    """The command."""
+    parser().parse_args(argv)
+    for file, text in texts().items():
+        if not (ROOT / file).exists() or (ROOT / file).read_text(encoding="utf-8") != text:
+            output.write_file(ROOT / file, text.encode())
+            print(f"renewed {file}")
+    return 0
