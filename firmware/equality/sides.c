@@ -2,12 +2,9 @@
 /* The inline kernels as functions; SIDE is core_ or portable_. */
 #include "sides.h"
 
-#include "math/divide.h"
+#include "math/core.h"
 #include "raster/edge_divide.h"
 #include "view/estimate.h"
-#include "math/leading_zeros.h"
-#include "math/multiply.h"
-#include "math/multiply_high.h"
 
 #define JOIN(side, name)   side##name
 #define EXPAND(side, name) JOIN(side, name)

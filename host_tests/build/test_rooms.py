@@ -4,6 +4,7 @@
 import os
 import pathlib
 import re
+import subprocess
 
 import pytest
 
@@ -117,3 +118,31 @@ def test_an_include_that_points_back_is_seen(monkeypatch, tmp_path, room, line, 
     monkeypatch.setattr(f"{__name__}.LIB", lib)
     monkeypatch.setattr(f"{__name__}.PUBLIC", lib / "include")
     assert bool(strange([lib / room / "new.h"])[0]) == wrong
+
+
+# Texts that a file for each target includes after it defines these names: those of one target.
+TARGET = ["-DFXL_TARGET=fxl_rgb565_depth_16", "-DFXL_TARGET_PIXEL_BITS=16", "-DFXL_TARGET_DEPTH_BITS=16",
+          "-DFXL_TARGET_SURFACES=fxl_rgb565_depth_16_surfaces", "-DFXL_TARGET_SPRITES=fxl_rgb565_depth_16_sprites"]
+TEMPLATES = {f"draw/{name}_text.h": TARGET for name in ("target", "surfaces", "sprites")}
+OTHER_CORES = re.compile(r"_armv[67]m\.h$")
+
+
+def words_alone(header, options=()):
+    """What the compiler says of a header that nothing was included before, if it refuses it."""
+    command = ["gcc", "-std=c11", "-ffreestanding", f"-I{LIB / 'include'}", "-fsyntax-only", *options, "-x", "c", header]
+    done = subprocess.run(command, check=False, text=True, capture_output=True)
+    return done.stderr if done.returncode else ""
+
+
+def test_a_header_includes_what_it_needs():
+    """Otherwise a room could use a later one, if each of its users includes that before."""
+    headers_of_rooms = [file for file in sources() if file.suffix == ".h" and not OTHER_CORES.search(file.name)]
+    assert len(headers_of_rooms) > 80
+    said = {name: words for name, words in ((str(file.relative_to(LIB)), words_alone(file, TEMPLATES.get(str(file.relative_to(LIB)), ())))
+                                            for file in headers_of_rooms) if words}
+    assert said == {}
+
+
+def test_a_header_that_needs_another_before_it_is_seen(tmp_path):
+    (tmp_path / "new.h").write_text("fxl_lens of(const fxl_renderer *renderer);\n", encoding="utf-8")
+    assert "unknown type name" in words_alone(tmp_path / "new.h")

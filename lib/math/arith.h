@@ -4,12 +4,9 @@
 #ifndef FXL_ARITH_H
 #define FXL_ARITH_H
 
-#include "divide.h"
+#include "core.h"
 #include "divide_wide.h"
 #include "fixel/types.h"
-#include "leading_zeros.h"
-#include "multiply.h"
-#include "multiply_high.h"
 
 /* An assertion, for bugs of the library itself. A test build aborts on it, a proof takes
  * it as a goal, and a build without FXL_ASSERT_HOOK omits it. */

@@ -2,7 +2,7 @@
 #include "divide_wide.h"
 
 #include "arith.h"
-#include "divide.h"
+#include "core.h"
 
 /* A digit of 16 bits: floor((2^16 rest + half) / whole), where half is the numerator's
  * next 16 bits; *rest becomes the remainder (Knuth, algorithm D).

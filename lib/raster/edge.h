@@ -10,7 +10,7 @@
 #include "edge_dividend.h"
 #include "edge_divide.h"
 #include "edge_near.h"
-#include "../math/multiply.h"
+#include "../math/core.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -6,8 +6,7 @@
 
 #include <stdint.h>
 
-#include "../math/divide.h"
-#include "../math/leading_zeros.h"
+#include "../math/core.h"
 
 #define FXL_EDGE_HEIGHT_MAX   ((1 << 26) - 1)
 #define FXL_EDGE_DIVIDEND_MAX ((1 << 27) + (1 << 17))

@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* The upper half of a product of 64 by 64 bits. Internal. */
-#ifndef FXL_MULTIPLY_HIGH_H
-#define FXL_MULTIPLY_HIGH_H
+/* The arithmetic of this core's family, inline; and what every family makes of it. Internal. */
+#ifndef FXL_CORE_H
+#define FXL_CORE_H
 
-#include "multiply.h"
+#include "family.h"
+#if FXL_CORE_ARMV6M
+#include "core_armv6m.h"
+#else
+#include "core_portable.h"
+#endif
 
 /* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at
  * most (2^32 - 1)^2 + 2 (2^32 - 1) = 2^64 - 1. */
