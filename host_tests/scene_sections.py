@@ -9,12 +9,19 @@ from fixel.image import fields, image_tables
 ENTRY = fields.ENTRY
 
 
+def summed(blob):
+    """With a checksum that matches the size that the image states."""
+    blob = bytearray(blob)
+    size, = struct.unpack_from("<I", blob, 8)
+    struct.pack_into("<I", blob, 12, zlib.crc32(bytes(blob[16:size])))
+    return bytes(blob)
+
+
 def sealed(blob):
     """With a size and a checksum that match."""
     blob = bytearray(blob)
     struct.pack_into("<I", blob, 8, len(blob))
-    blob[12:16] = struct.pack("<I", zlib.crc32(bytes(blob[16:])))
-    return bytes(blob)
+    return summed(blob)
 
 
 def entries(blob):
@@ -46,8 +53,13 @@ def bodies(blob):
 
 def joined(blob, parts):
     """An image with the header of another and these sections, as bodies gives them."""
+    return laid(blob, sorted(parts.items()))
+
+
+def laid(blob, parts):
+    """An image with the header of another and these sections in this order: (kind, (whether it is needed, count, bytes))."""
     place, table, behind = fields.HEAD.size + ENTRY.size * len(parts), b"", b""
-    for kind, (needed, count, body) in sorted(parts.items()):
+    for kind, (needed, count, body) in parts:
         table += ENTRY.pack(kind, int(needed), 0, place, count)
         padded = body.ljust(image_tables.aligned(len(body)), b"\0")
         behind += padded

@@ -4,12 +4,13 @@
 import random
 import struct
 import subprocess
-import zlib
 
 import pytest
 
+import section_mutants
 from conftest import CHECKOUT
 from scene_sections import bodies, entries, joined, replaced, sealed, section
+from section_mutants import put
 from fixel.scene import making
 from fixel.image import fields, image
 from fixel.base.errors import ToolError
@@ -29,18 +30,6 @@ STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", 
 # Of ranges of docs/formats.md: counts, coordinates, texels, parts of one; and the numbers just beyond.
 ENDS = sorted({end + step for end in (0, 4, 64, 8191 << 16, 16383 << 16, 1 << 30) for step in (0, 1)} |
               {-1, -(8191 << 16), -(8191 << 16) - 1, -(1 << 30), -(1 << 30) - 1})
-
-
-def put(blob, at, chance):
-    """Another number at a place: near the old one, an end of a range, or any."""
-    size = chance.choice((1, 2, 4, 4))
-    at -= at % size
-    if at + size > len(blob):
-        return
-    old = int.from_bytes(blob[at:at + size], "little")
-    new = chance.choice((old + chance.choice((-4, -1, 1, 4)), 0, 1, 255, 65535, 1 << 31, (1 << 32) - 1,
-                         old ^ 1 << chance.randrange(8 * size), chance.getrandbits(8 * size)))
-    blob[at:at + size] = (new % (1 << 8 * size)).to_bytes(size, "little")
 
 
 def mutant(blob, chance, changes=1):
@@ -173,33 +162,6 @@ def readers_say(build, blobs, folder):
     return [tuple(word == "ok" for word in line.split()) for line in done.stdout.splitlines()]
 
 
-def with_another_section(blob, chance):
-    """An image with one section more or less, or one that no reader knows."""
-    parts = bodies(blob)
-    kind = chance.choice([*parts, *range(len(fields.SECTIONS) + 1, len(fields.SECTIONS) + 4)])
-    if kind in parts:
-        parts.pop(kind)
-    else:
-        parts[kind] = chance.random() < 0.3, chance.randrange(4), bytes(chance.randrange(40))
-    return joined(blob, parts)
-
-
-def section_mutant(blob, chance):
-    """An image whose header or table of sections has another number, whose padding is not 0, or that has other sections."""
-    new, kind = bytearray(blob), chance.randrange(6)
-    if kind == 0:
-        return with_another_section(blob, chance)
-    places = list(entries(blob).values())
-    if kind == 1:
-        put(new, chance.choice((4, 6, 37, 38, 84, 88)), chance)
-    elif kind == 2:
-        put(new, chance.choice(places)[1] - chance.randrange(1, 4), chance)
-    else:
-        put(new, chance.choice(places)[0] + chance.choice((0, 2, 3, 4, 8)), chance)
-    new[12:16] = struct.pack("<I", zlib.crc32(bytes(new[16:])))
-    return bytes(new)
-
-
 def test_three_readers_refuse_the_same_of_ten_thousand_images(build, tmp_path_factory):
     """Readers that share no line: the library's, the reference's, the ray-cast judge's."""
     chance, blobs = random.Random(SEED + 2), []
@@ -207,7 +169,7 @@ def test_three_readers_refuse_the_same_of_ten_thousand_images(build, tmp_path_fa
         file = tmp_path_factory.mktemp("image") / "scene.fxls"
         making.build(str(CHECKOUT / f"{name}.toml"), str(file), layers=layers)
         blob = file.read_bytes()
-        blobs += [blob, *(section_mutant(blob, chance) for _ in range(10_000 // len(SCENES)))]
+        blobs += [blob, *(chance.choice(section_mutants.KINDS)(blob, chance) for _ in range(10_000 // len(SCENES)))]
     said = readers_say(build, blobs, tmp_path_factory.mktemp("images"))
     assert len(said) == len(blobs) >= 10_000
     different = [(i, one) for i, one in enumerate(said) if len(set(one)) > 1]

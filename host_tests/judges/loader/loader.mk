@@ -12,4 +12,4 @@ $(BUILD)/host/objects/judges/loader/%.o: host_tests/judges/loader/%.c
 
 $(BUILD)/host/loader: $(LOADER_OBJECTS) $(BUILD)/host/libfixel.a $(BUILD)/host/libreference.a
 	$(SAY)
-	$(HOSTCC) $^ -lm -o $@
+	$(HOSTCC) $^ -Wl,--wrap=unusable -lm -o $@
