@@ -124,6 +124,9 @@ void test_head(void)
         expect_half(FXL_E_VERSION, AT_VERSION, older);
     }
     expect_half(FXL_E_VERSION, AT_VERSION, IMAGE_VERSION + 1);
+    TEST_ASSERT_EQUAL_STRING("the scene image is of another version, or needs a section of another "
+                             "version: build it again",
+                             fxl_status_text(FXL_E_VERSION));
     expect_half(FXL_E_OFFSET, AT_SECTION_COUNT, TINY_SECTIONS + 1);
     expect_half(FXL_E_OFFSET, AT_SECTION_COUNT, TINY_SECTIONS - 1);
     expect_half(FXL_E_SIZE, AT_SECTION_COUNT, 0);

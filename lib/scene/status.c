@@ -19,15 +19,16 @@ const char *fxl_status_text(fxl_status status)
     case FXL_E_ALIGNMENT:
         return "an address or an offset is not a multiple of four";
     case FXL_E_SIZE:
-        return "the size of the image or of its header is not one that its version allows";
+        return "the image is cut off, or its size is not that of its sections";
     case FXL_E_MAGIC:
         return "this is not a scene image";
     case FXL_E_VERSION:
-        return "this version of the scene image is not known";
+        return "the scene image is of another version, or needs a section of another version: "
+               "build it again";
     case FXL_E_CRC:
         return "the checksum does not match";
     case FXL_E_OFFSET:
-        return "a table reaches outside the image";
+        return "a table does not begin where it must, or reaches outside the image";
     case FXL_E_COUNT:
         return "a count is outside its stated range";
     case FXL_E_INDEX:

@@ -99,7 +99,7 @@ void sections_read(const char *path, file_block *image, table sections[KINDS])
     if (image->size < SECTIONS_AT || memcmp(bytes, "FXLS", 4) != 0)
         unusable("%s: not a scene image", path);
     if (get_u16(bytes + 4) != 8)
-        unusable("%s: this version of the scene image is not known", path);
+        unusable("%s: the scene image is of another version: build it again", path);
     const uint32_t size = get_u32(bytes + 8);
     if (size < SECTIONS_AT || size % 4 != 0 || size > image->size || size > 16u << 20)
         unusable("%s: %zu bytes of a scene image of %u", path, image->size, size);

@@ -147,7 +147,7 @@ const char *ref_sections_check(const uint8_t *bytes, size_t size)
         return "it is not a scene image (no FXLS at its start)";
     }
     if (ref_u16(bytes + 4) != 8) {
-        return "this version of the scene image is not known";
+        return "the scene image is of another version: build it again";
     }
     const uint32_t stated = ref_u32(bytes + 8);
     if (stated < HEADER_BYTES + (uint64_t)ENTRY_BYTES * ref_u16(bytes + 6) || stated > size ||

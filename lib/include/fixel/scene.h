@@ -437,11 +437,11 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
  * Requires memory aligned to four bytes and a little-endian machine; fault may be null.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: a pointer is not aligned.
- * FXL_E_SIZE: the image or its header has a size that this version does not allow.
+ * FXL_E_SIZE: the image is cut off, or its size is not that of its sections.
  * FXL_E_MAGIC: not a scene image.
- * FXL_E_VERSION: a scene image of another version.
+ * FXL_E_VERSION: the image is of another version, or needs a section that is not known.
  * FXL_E_CRC: the checksum does not match.
- * FXL_E_OFFSET: a table reaches outside the image.
+ * FXL_E_OFFSET: a table does not begin where the one before it ends, or reaches outside the image.
  * The statuses of fxl_scene_check_all.
  * With each of these statuses: *opened untouched, *fault written.
  * On FXL_OK *fault is untouched. */

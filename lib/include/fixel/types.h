@@ -134,11 +134,11 @@ typedef enum {
     FXL_E_DEGENERATE,  /* fewer than three vertices */
     FXL_E_ORDER,       /* a call out of order: draw before begin */
     FXL_E_ALIGNMENT,   /* memory, an image or an offset that is not aligned as it must be */
-    FXL_E_SIZE,        /* the image or its header has no size that this version allows */
+    FXL_E_SIZE,        /* an image that is cut off, or not as long as its sections */
     FXL_E_MAGIC,       /* not a scene image */
-    FXL_E_VERSION,     /* a scene image of another version */
+    FXL_E_VERSION,     /* a scene image, or a section that it needs, of another version */
     FXL_E_CRC,         /* the checksum does not match */
-    FXL_E_OFFSET,      /* a table that reaches outside the image */
+    FXL_E_OFFSET,      /* a table of an image in no place for it, or too long */
     FXL_E_COUNT,       /* a count outside its stated range */
     FXL_E_INDEX,       /* past the end of a table, or not the entry that must follow */
     FXL_E_NORMAL,      /* a normal that is not of unit length */
