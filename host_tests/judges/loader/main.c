@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the loader says of many images: reads a file of images, each a u32 size and then so many
- * bytes, and prints a line for each: the status's number, its index, what is at fault. With --three:
- * "ok" or "no" by header and sections, of the loader, the reference and the ray-cast judge. */
+ * bytes, and prints a line for each: the status's number, its index, what is at fault. With
+ * --three: "ok" or "no" by header and sections, of the loader, the reference and the ray-cast judge. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,8 +61,8 @@ static fxl_status open_all(const uint8_t *image, uint32_t size, fxl_scene_fault 
 static bool library_takes(const uint8_t *image, uint32_t size)
 {
     fxl_image_table sections[SECTION_KINDS] = {{NULL, 0}};
-    return fxl_scene_sections_find((const fxl_image_header *)(const void *)image, size, sections, NULL) ==
-           FXL_OK;
+    const fxl_image_header *head = (const fxl_image_header *)(const void *)image;
+    return fxl_scene_sections_find(head, size, sections, NULL) == FXL_OK;
 }
 
 static int judge(const uint8_t *bytes, uint32_t size, bool by_three)

@@ -5,8 +5,8 @@
 
 #include "raycast/scene_sections.h"
 
-/* The ray-cast judge refuses by `unusable`, which ends a program. The linker puts __wrap_unusable in its
- * place: it ends the reading of one image. */
+/* The ray-cast judge refuses by `unusable`, which ends a program. The linker puts
+ * __wrap_unusable in its place: it ends the reading of one image. */
 static jmp_buf refused;
 
 _Noreturn void __wrap_unusable(const char *format, ...);
