@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What the loader says of many images: reads a file of images, each a u32 size and then so many
  * bytes, and prints a line for each: the status's number, its index, what is at fault. With
- * --three: "ok" or "no" by header and sections, of the loader, the reference and the ray-cast judge. */
+ * --three: "ok" or "no" by header and sections, of the loader, the reference and the ray-cast
+ * judge. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
