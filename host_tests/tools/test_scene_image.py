@@ -6,11 +6,12 @@ import zlib
 
 from hypothesis import given, settings, strategies as st
 import pytest
+from conftest import run_cli
 
 from fixel.image import fields, image, image_keys, image_lens
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
-from scene_sections import entry_at, replaced, section
+from scene_sections import bodies, entry_at, joined, replaced, section
 
 UP = (0, 1 << 30, 0)
 SQUARE = [(-65536, 0, -65536), (-65536, 0, 65536), (65536, 0, 65536), (65536, 0, -65536)]
@@ -202,3 +203,26 @@ def test_pack_refuses_what_a_loader_would():
         image.pack(scene(objects=[Object((image.COORDINATE_MAX, 0, 0), 0)]))
     with pytest.raises(ToolError, match="^size:.*at most"):
         image.pack(scene(path=[(0,) * 6] * 700_000))
+
+
+def test_sections_take_no_more_than_stated():
+    """Beside its tables an image has a header of 92 bytes and 12 for each section; the smallest has seven."""
+    blob = image.pack(scene())
+    used = sum(-(-table(blob, number)[1] * fields.SECTIONS[number].entry.size // 4) * 4 for number in range(6))
+    assert len(blob) == 92 + 7 * 12 + used + 2 * 24 and 92 + 7 * 12 <= 160 + 200
+    assert 92 + 12 * len(fields.SECTIONS) <= 320 + 200      # with all that there is
+
+
+def saved(folder, blob):
+    """A file with an image."""
+    (folder / "this.fxls").write_bytes(blob)
+    return folder / "this.fxls"
+
+
+def test_info_names_a_section_that_it_does_not_know(tmp_path):
+    file = tmp_path / "later.fxls"
+    blob = image.pack(scene())
+    file.write_bytes(joined(blob, {**bodies(blob), len(fields.SECTIONS) + 3: (False, 1, b"news")}))
+    done = run_cli("info", file)
+    assert done.returncode == 0 and f"sections of kind {len(fields.SECTIONS) + 3}" in done.stdout, done.stdout + done.stderr
+    assert "unknown" not in run_cli("info", saved(tmp_path, blob)).stdout
