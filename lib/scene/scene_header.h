@@ -36,22 +36,18 @@ typedef struct {
     fxl_q16_16 x, y;
 } fxl_image_centre;
 
-/* A section that was found: its first entry, and how many there are. Null and 0: there is none. */
-typedef struct {
-    const void *first;
-    uint32_t count;
-} fxl_image_table;
-
 #define FXL_AS_DOCUMENTED "docs/formats.md, section 1"
 
 FXL_STATIC_ASSERT(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "images are used in place");
 
-/* Checks the header of an image in a block of size bytes, and finds its sections by their kinds: each
- * lies where it must, and is as long as others want it. Requires a block that is aligned to four
- * bytes, and SECTION_KINDS tables of zeros.
+/* Checks the header of an image in a block of size bytes, and its sections: each lies where it must,
+ * and is as long as others want it. Requires a block that is aligned to four bytes.
  * FXL_E_SIZE, FXL_E_MAGIC, FXL_E_CRC, FXL_E_RESERVED, FXL_E_OFFSET, FXL_E_COUNT, FXL_E_ALIGNMENT,
  * FXL_E_VERSION (also where a section that is needed is unknown): *fault written. */
-fxl_status fxl_scene_sections_find(const fxl_image_header *head, size_t size, fxl_image_table *found,
-                                   fxl_scene_fault *fault);
+fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
+                                    fxl_scene_fault *fault);
+
+/* The entry of a section in the table of an image whose header was checked; null: there is none. */
+const fxl_image_section *fxl_scene_section(const fxl_image_header *head, uint32_t kind);
 
 #endif

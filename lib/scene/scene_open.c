@@ -8,10 +8,23 @@
 #include "motion_limits.h"
 #include "scene_sections.h"
 
-/* An image says where the centre is only if that is not the middle, so a scene has one image. */
-static fxl_status check_lens(const fxl_image_header *head, const fxl_image_table *found, fxl_lens *lens)
+/* Of a section, which need not be there: its first entry, else null; and how many there are. */
+static const void *first_of(const fxl_image_header *head, uint32_t kind)
 {
-    const fxl_image_centre *centre = (const fxl_image_centre *)found[SECTION_LENS_CENTRE].first;
+    const fxl_image_section *one = fxl_scene_section(head, kind);
+    return one != NULL ? (const uint8_t *)head + one->offset : NULL;
+}
+
+static uint32_t count_of(const fxl_image_header *head, uint32_t kind)
+{
+    const fxl_image_section *one = fxl_scene_section(head, kind);
+    return one != NULL ? one->count : 0;
+}
+
+/* An image says where the centre is only if that is not the middle, so a scene has one image. */
+static fxl_status check_lens(const fxl_image_header *head, fxl_lens *lens)
+{
+    const fxl_image_centre *centre = (const fxl_image_centre *)first_of(head, SECTION_LENS_CENTRE);
     fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
                                           head->far_z, head->inset, lens);
     if (status != FXL_OK || centre == NULL) {
@@ -22,10 +35,10 @@ static fxl_status check_lens(const fxl_image_header *head, const fxl_image_table
 }
 
 /* Lens, start pose and motion limits. */
-static fxl_status check_settings(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_image *opened,
+static fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *opened,
                                  fxl_scene_fault *fault)
 {
-    fxl_status status = check_lens(head, found, &opened->lens);
+    fxl_status status = check_lens(head, &opened->lens);
     if (status != FXL_OK) {
         return fxl_fault_at(fault, "lens", 0, status);
     }
@@ -83,76 +96,76 @@ static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fau
     return FXL_OK;
 }
 
-static void open_geometry(const fxl_image_header *head, const fxl_image_table *found, fxl_scene *scene)
+static void open_geometry(const fxl_image_header *head, fxl_scene *scene)
 {
-    scene->vertices = (const fxl_point *)found[SECTION_VERTICES].first;
-    scene->vertex_count = found[SECTION_VERTICES].count;
-    scene->indices = (const uint16_t *)found[SECTION_INDICES].first;
-    scene->index_count = found[SECTION_INDICES].count;
-    scene->faces = (const fxl_face *)found[SECTION_FACES].first;
-    scene->face_count = found[SECTION_FACES].count;
-    scene->models = (const fxl_model *)found[SECTION_MODELS].first;
-    scene->model_count = found[SECTION_MODELS].count;
-    scene->instances = (const fxl_instance *)found[SECTION_INSTANCES].first;
-    scene->instance_count = found[SECTION_INSTANCES].count;
-    scene->face_bounds = (const fxl_face_bounds *)found[SECTION_FACE_BOUNDS].first;
-    scene->face_bounds_count = found[SECTION_FACE_BOUNDS].count;
-    scene->bsp_nodes = (const fxl_bsp_node *)found[SECTION_BSP_NODES].first;
-    scene->bsp_node_count = found[SECTION_BSP_NODES].count;
+    scene->vertices = (const fxl_point *)first_of(head, SECTION_VERTICES);
+    scene->vertex_count = count_of(head, SECTION_VERTICES);
+    scene->indices = (const uint16_t *)first_of(head, SECTION_INDICES);
+    scene->index_count = count_of(head, SECTION_INDICES);
+    scene->faces = (const fxl_face *)first_of(head, SECTION_FACES);
+    scene->face_count = count_of(head, SECTION_FACES);
+    scene->models = (const fxl_model *)first_of(head, SECTION_MODELS);
+    scene->model_count = count_of(head, SECTION_MODELS);
+    scene->instances = (const fxl_instance *)first_of(head, SECTION_INSTANCES);
+    scene->instance_count = count_of(head, SECTION_INSTANCES);
+    scene->face_bounds = (const fxl_face_bounds *)first_of(head, SECTION_FACE_BOUNDS);
+    scene->face_bounds_count = count_of(head, SECTION_FACE_BOUNDS);
+    scene->bsp_nodes = (const fxl_bsp_node *)first_of(head, SECTION_BSP_NODES);
+    scene->bsp_node_count = count_of(head, SECTION_BSP_NODES);
     scene->bsp_instance = head->bsp_instance;
-    scene->clusters = (const fxl_cluster *)found[SECTION_CLUSTERS].first;
-    scene->cluster_count = found[SECTION_CLUSTERS].count;
-    scene->beams = (const fxl_beam *)found[SECTION_BEAMS].first;
-    scene->beam_count = found[SECTION_BEAMS].count;
-    scene->lit = (const uint8_t *)found[SECTION_LIT_COLOURS].first;
-    scene->turns = (const fxl_turn *)found[SECTION_TURNS].first;
+    scene->clusters = (const fxl_cluster *)first_of(head, SECTION_CLUSTERS);
+    scene->cluster_count = count_of(head, SECTION_CLUSTERS);
+    scene->beams = (const fxl_beam *)first_of(head, SECTION_BEAMS);
+    scene->beam_count = count_of(head, SECTION_BEAMS);
+    scene->lit = (const uint8_t *)first_of(head, SECTION_LIT_COLOURS);
+    scene->turns = (const fxl_turn *)first_of(head, SECTION_TURNS);
     if (scene->turns != NULL) {
-        scene->first_turned = scene->instance_count - found[SECTION_TURNS].count;
+        scene->first_turned = scene->instance_count - count_of(head, SECTION_TURNS);
     }
 }
 
-static void open_surfaces(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_surfaces *to)
+static void open_surfaces(const fxl_image_header *head, fxl_scene_surfaces *to)
 {
-    to->textures = (const fxl_scene_texture *)found[SECTION_TEXTURES].first;
-    to->texture_count = found[SECTION_TEXTURES].count;
-    to->texels = (const uint8_t *)found[SECTION_TEXELS].first;
-    to->texel_bytes = found[SECTION_TEXELS].count;
-    to->surfaces = (const fxl_surface *)found[SECTION_SURFACES].first;
-    to->surface_count = found[SECTION_SURFACES].count;
-    to->faces = (const fxl_mapped_face *)found[SECTION_MAPPED_FACES].first;
-    to->face_count = found[SECTION_MAPPED_FACES].count;
-    to->face_map = (const uint16_t *)found[SECTION_FACE_MAP].first;
-    to->normals = (const fxl_direction *)found[SECTION_NORMALS_OF_CORNERS].first;
-    to->normal_count = found[SECTION_NORMALS_OF_CORNERS].count;
-    to->blend = (const uint8_t *)found[SECTION_BLEND_TABLE].first;
-    to->blend_count = found[SECTION_BLEND_TABLE].count;
+    to->textures = (const fxl_scene_texture *)first_of(head, SECTION_TEXTURES);
+    to->texture_count = count_of(head, SECTION_TEXTURES);
+    to->texels = (const uint8_t *)first_of(head, SECTION_TEXELS);
+    to->texel_bytes = count_of(head, SECTION_TEXELS);
+    to->surfaces = (const fxl_surface *)first_of(head, SECTION_SURFACES);
+    to->surface_count = count_of(head, SECTION_SURFACES);
+    to->faces = (const fxl_mapped_face *)first_of(head, SECTION_MAPPED_FACES);
+    to->face_count = count_of(head, SECTION_MAPPED_FACES);
+    to->face_map = (const uint16_t *)first_of(head, SECTION_FACE_MAP);
+    to->normals = (const fxl_direction *)first_of(head, SECTION_NORMALS_OF_CORNERS);
+    to->normal_count = count_of(head, SECTION_NORMALS_OF_CORNERS);
+    to->blend = (const uint8_t *)first_of(head, SECTION_BLEND_TABLE);
+    to->blend_count = count_of(head, SECTION_BLEND_TABLE);
     to->blend_first = head->blend_first;
 }
 
 /* Has what is opened point to the sections. */
-static void open_sections(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_image *opened)
+static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
 {
-    open_geometry(head, found, &opened->scene);
-    open_surfaces(head, found, &opened->surfaces);
-    opened->palette = (const uint8_t *)found[SECTION_PALETTE].first;
-    opened->poses = (const fxl_pose *)found[SECTION_POSES].first;
-    opened->segments = (const fxl_path_segment *)found[SECTION_SEGMENTS].first;
-    opened->path_count = found[SECTION_POSES].count + found[SECTION_SEGMENTS].count;
+    open_geometry(head, &opened->scene);
+    open_surfaces(head, &opened->surfaces);
+    opened->palette = (const uint8_t *)first_of(head, SECTION_PALETTE);
+    opened->poses = (const fxl_pose *)first_of(head, SECTION_POSES);
+    opened->segments = (const fxl_path_segment *)first_of(head, SECTION_SEGMENTS);
+    opened->path_count = count_of(head, SECTION_POSES) + count_of(head, SECTION_SEGMENTS);
     opened->frame_count = head->frame_count;
-    opened->motion.motions = (const fxl_motion *)found[SECTION_MOTIONS].first;
-    opened->motion.motion_count = found[SECTION_MOTIONS].count;
-    opened->motion.keys = (const fxl_motion_key *)found[SECTION_KEYS_OF_MOTIONS].first;
-    opened->motion.key_count = found[SECTION_KEYS_OF_MOTIONS].count;
-    opened->light.base = (const fxl_light_base *)found[SECTION_LIGHT].first;
-    opened->light.points = (const fxl_point_light *)found[SECTION_POINT_LIGHTS].first;
-    opened->light.point_count = found[SECTION_POINT_LIGHTS].count;
-    opened->light.ramp = (const uint8_t *)found[SECTION_RAMP].first;
-    opened->light.levels = found[SECTION_RAMP].count; /* bug: light-ramp-of-image */
-    opened->billboards.billboards = (const fxl_scene_billboard *)found[SECTION_BILLBOARDS].first;
-    opened->billboards.count = found[SECTION_BILLBOARDS].count;
-    opened->billboards.model_map = (const uint16_t *)found[SECTION_BILLBOARD_MAP].first;
-    opened->billboards.pixels = (const uint8_t *)found[SECTION_SPRITE_PIXELS].first;
-    opened->billboards.pixel_bytes = found[SECTION_SPRITE_PIXELS].count;
+    opened->motion.motions = (const fxl_motion *)first_of(head, SECTION_MOTIONS);
+    opened->motion.motion_count = count_of(head, SECTION_MOTIONS);
+    opened->motion.keys = (const fxl_motion_key *)first_of(head, SECTION_KEYS_OF_MOTIONS);
+    opened->motion.key_count = count_of(head, SECTION_KEYS_OF_MOTIONS);
+    opened->light.base = (const fxl_light_base *)first_of(head, SECTION_LIGHT);
+    opened->light.points = (const fxl_point_light *)first_of(head, SECTION_POINT_LIGHTS);
+    opened->light.point_count = count_of(head, SECTION_POINT_LIGHTS);
+    opened->light.ramp = (const uint8_t *)first_of(head, SECTION_RAMP);
+    opened->light.levels = count_of(head, SECTION_RAMP); /* bug: light-ramp-of-image */
+    opened->billboards.billboards = (const fxl_scene_billboard *)first_of(head, SECTION_BILLBOARDS);
+    opened->billboards.count = count_of(head, SECTION_BILLBOARDS);
+    opened->billboards.model_map = (const uint16_t *)first_of(head, SECTION_BILLBOARD_MAP);
+    opened->billboards.pixels = (const uint8_t *)first_of(head, SECTION_SPRITE_PIXELS);
+    opened->billboards.pixel_bytes = count_of(head, SECTION_SPRITE_PIXELS);
 }
 
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
@@ -165,18 +178,16 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
         return fxl_fault_at(fault, "image", 0, FXL_E_ALIGNMENT);
     }
     const fxl_image_header *head = (const fxl_image_header *)image;
-    fxl_image_table sections[SECTION_KINDS];
     fxl_scene_image found;
-    memset(sections, 0, sizeof sections);
     memset(&found, 0, sizeof found);
-    fxl_status status = fxl_scene_sections_find(head, size, sections, fault);
+    fxl_status status = fxl_scene_sections_check(head, size, fault);
     if (status == FXL_OK) {
-        status = check_settings(head, sections, &found, fault);
+        status = check_settings(head, &found, fault);
     }
     if (status != FXL_OK) {
         return status;
     }
-    open_sections(head, sections, &found);
+    open_sections(head, &found);
     status = fxl_scene_check_all(&found.scene, fault);
     if (status == FXL_OK && found.motion.motions != NULL) {
         status = fxl_motion_check(&found.motion, &found.scene, fault);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sections of a scene image: where they lie, and which there are (docs/formats.md, section 1.2). */
+/* The sections of a scene image: where they lie, and which there are (docs/formats.md, section 1.2).
+ */
 #include "scene_sections.h"
 
 #include "crc.h"
@@ -118,28 +119,28 @@ static fxl_status missing(uint32_t kind, fxl_scene_fault *fault)
     return fxl_fault_at(fault, known[kind - 1].what, 0, FXL_E_COUNT);
 }
 
-/* Where there is a section of the kinds `some`, to the last of them, there is each of `needed`, a
- * bit a kind. */
-static fxl_status check_together(const fxl_image_table *found, uint32_t some, uint32_t last, uint32_t needed,
-                                 fxl_scene_fault *fault)
+const fxl_image_section *fxl_scene_section(const fxl_image_header *head, uint32_t kind)
 {
-    bool is_any = false;
-    for (uint32_t kind = some; kind <= last; kind++) {
-        is_any |= found[kind].count != 0;
-    }
-    for (uint32_t kind = 1; is_any && kind < SECTION_KINDS; kind++) {
-        if ((needed >> kind & 1) != 0 && found[kind].count == 0) {
-            return missing(kind, fault);
+    const fxl_image_section *list = (const fxl_image_section *)(const void *)(head + 1);
+    for (uint32_t i = 0; i < head->section_count; i++) {
+        if (list[i].kind == kind) {
+            return &list[i];
         }
     }
-    return FXL_OK;
+    return NULL;
+}
+
+static uint32_t count_of(const fxl_image_header *head, uint32_t kind)
+{
+    const fxl_image_section *one = fxl_scene_section(head, kind);
+    return one != NULL ? one->count : 0;
 }
 
 FXL_STATIC_ASSERT(SECTION_KINDS <= 32, "a bit a kind");
 #define BIT(kind) ((uint32_t)1 << (kind))
 
 /* Which sections there must be, and which go together. */
-static fxl_status check_presence(const fxl_image_table *found, fxl_scene_fault *fault)
+static fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     static const struct {
         uint8_t some, last;
@@ -154,55 +155,60 @@ static fxl_status check_presence(const fxl_image_table *found, fxl_scene_fault *
         {SECTION_BILLBOARDS, SECTION_SPRITE_PIXELS,
          BIT(SECTION_BILLBOARDS) | BIT(SECTION_BILLBOARD_MAP) | BIT(SECTION_SPRITE_PIXELS)},
     };
+    uint32_t present = 0;
+    for (uint32_t kind = 1; kind < SECTION_KINDS; kind++) {
+        present |= count_of(head, kind) != 0 ? BIT(kind) : 0;
+    }
     for (uint32_t kind = SECTION_PALETTE; kind <= SECTION_INSTANCES; kind++) {
-        if (found[kind].count == 0) {
+        if ((present & BIT(kind)) == 0) {
             return missing(kind, fault);
         }
     }
-    if ((found[SECTION_POSES].count == 0) == (found[SECTION_SEGMENTS].count == 0)) {
+    if ((present >> SECTION_POSES & 1) == (present >> SECTION_SEGMENTS & 1)) {
         return missing(SECTION_POSES, fault);
     }
     for (size_t i = 0; i < sizeof sets / sizeof sets[0]; i++) {
-        const fxl_status status =
-            check_together(found, sets[i].some, sets[i].last, sets[i].needed, fault);
-        if (status != FXL_OK) {
-            return status; /* bug: section-together */
+        const bool is_any = (present & (BIT(sets[i].last + 1) - BIT(sets[i].some))) != 0;
+        for (uint32_t kind = 1; is_any && kind < SECTION_KINDS; kind++) {
+            if ((sets[i].needed & ~present & BIT(kind)) != 0) {
+                return missing(kind, fault); /* bug: section-together */
+            }
         }
     }
     return FXL_OK;
 }
 
 /* Counts that go with others, and numbers of the header that go with a section. */
-static fxl_status check_counts(const fxl_image_header *head, const fxl_image_table *found, fxl_scene_fault *fault)
+static fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fault)
 {
-    if (found[SECTION_PALETTE].count != 256) {
+    if (count_of(head, SECTION_PALETTE) != 256) {
         return missing(SECTION_PALETTE, fault);
     }
-    if (found[SECTION_TURNS].count > found[SECTION_INSTANCES].count) {
+    if (count_of(head, SECTION_TURNS) > count_of(head, SECTION_INSTANCES)) {
         return missing(SECTION_TURNS, fault);
     }
-    if (found[SECTION_MOTIONS].count > found[SECTION_TURNS].count) {
+    if (count_of(head, SECTION_MOTIONS) > count_of(head, SECTION_TURNS)) {
         return missing(SECTION_MOTIONS, fault);
     }
     /* bug: face-map-count */
-    if (found[SECTION_FACE_MAP].count != 0 &&
-        found[SECTION_FACE_MAP].count != found[SECTION_FACES].count) {
+    if (count_of(head, SECTION_FACE_MAP) != 0 &&
+        count_of(head, SECTION_FACE_MAP) != count_of(head, SECTION_FACES)) {
         return missing(SECTION_FACE_MAP, fault);
     }
     /* bug: billboard-map-count */
-    if (found[SECTION_BILLBOARD_MAP].count != 0 &&
-        found[SECTION_BILLBOARD_MAP].count != found[SECTION_MODELS].count) {
+    if (count_of(head, SECTION_BILLBOARD_MAP) != 0 &&
+        count_of(head, SECTION_BILLBOARD_MAP) != count_of(head, SECTION_MODELS)) {
         return missing(SECTION_BILLBOARD_MAP, fault);
     }
-    if (found[SECTION_BSP_NODES].count == 0 && head->bsp_instance != 0) {
+    if (count_of(head, SECTION_BSP_NODES) == 0 && head->bsp_instance != 0) {
         return fxl_fault_at(fault, "BSP node table", 0, FXL_E_RESERVED);
     }
-    return found[SECTION_BLEND_TABLE].count != 0 || head->blend_first == 0
+    return count_of(head, SECTION_BLEND_TABLE) != 0 || head->blend_first == 0
                ? FXL_OK
                : fxl_fault_at(fault, "blend table", 0, FXL_E_RESERVED);
 }
 
-static fxl_status find_all(const fxl_image_header *head, fxl_image_table *found, fxl_scene_fault *fault)
+static fxl_status check_list(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     const fxl_image_section *list = (const fxl_image_section *)(const void *)(head + 1);
     place next = {(uint32_t)(sizeof *head + head->section_count * sizeof *list), 0, true};
@@ -214,26 +220,22 @@ static fxl_status find_all(const fxl_image_header *head, fxl_image_table *found,
         if (status != FXL_OK) {
             return fault_of(list, i, status, fault);
         }
-        if (list[i].kind < SECTION_KINDS) {
-            found[list[i].kind].first = (const uint8_t *)head + list[i].offset;
-            found[list[i].kind].count = list[i].count;
-        }
     }
     return next.is_exact && next.at != head->image_size
                ? fxl_fault_at(fault, "image", 0, FXL_E_SIZE)
                : FXL_OK;
 }
 
-fxl_status fxl_scene_sections_find(const fxl_image_header *head, size_t size, fxl_image_table *found,
-                                   fxl_scene_fault *fault)
+fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
+                                    fxl_scene_fault *fault)
 {
     fxl_status status = check_envelope(head, size);
     if (status != FXL_OK) {
         return fxl_fault_at(fault, "image", 0, status);
     }
-    status = find_all(head, found, fault);
+    status = check_list(head, fault);
     if (status == FXL_OK) {
-        status = check_presence(found, fault);
+        status = check_presence(head, fault);
     }
-    return status == FXL_OK ? check_counts(head, found, fault) : status;
+    return status == FXL_OK ? check_counts(head, fault) : status;
 }

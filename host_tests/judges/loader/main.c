@@ -61,9 +61,8 @@ static fxl_status open_all(const uint8_t *image, uint32_t size, fxl_scene_fault 
 
 static bool library_takes(const uint8_t *image, uint32_t size)
 {
-    fxl_image_table sections[SECTION_KINDS] = {{NULL, 0}};
     const fxl_image_header *head = (const fxl_image_header *)(const void *)image;
-    return fxl_scene_sections_find(head, size, sections, NULL) == FXL_OK;
+    return fxl_scene_sections_check(head, size, NULL) == FXL_OK;
 }
 
 static int judge(const uint8_t *bytes, uint32_t size, bool by_three)
