@@ -9,13 +9,13 @@
 #include "scene_sections.h"
 
 /* Of a section, which need not be there: its first entry, else null; and how many there are. */
-static const void *first_of(const fxl_image_header *head, uint32_t kind)
+static __attribute__((noinline)) const void *first_of(const fxl_image_header *head, uint32_t kind)
 {
     const fxl_image_section *one = fxl_scene_section(head, kind);
     return one != NULL ? (const uint8_t *)head + one->offset : NULL;
 }
 
-static uint32_t count_of(const fxl_image_header *head, uint32_t kind)
+static __attribute__((noinline)) uint32_t count_of(const fxl_image_header *head, uint32_t kind)
 {
     const fxl_image_section *one = fxl_scene_section(head, kind);
     return one != NULL ? one->count : 0;

@@ -130,7 +130,7 @@ const fxl_image_section *fxl_scene_section(const fxl_image_header *head, uint32_
     return NULL;
 }
 
-static uint32_t count_of(const fxl_image_header *head, uint32_t kind)
+static __attribute__((noinline)) uint32_t count_of(const fxl_image_header *head, uint32_t kind)
 {
     const fxl_image_section *one = fxl_scene_section(head, kind);
     return one != NULL ? one->count : 0;
