@@ -7,7 +7,7 @@ from conftest import CHECKOUT
 
 LIST = CHECKOUT / "host_tests" / "fuzz" / "wraps.txt"
 # A definition begins a line with its type, whose name may stand on the next one, and is followed by a body.
-DEFINITION = r"^(?!return|else)[A-Za-z][\w ]*[ *\n]{name}\((?:[^()]|\([^()]*\))*\)\n?\s*\{{"
+DEFINITION = r"^(?!return|else)[A-Za-z][\w ()]*[ *\n]{name}\((?:[^()]|\([^()]*\))*\)\n?\s*\{{"
 
 
 def entries(kind):
