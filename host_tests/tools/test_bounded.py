@@ -124,7 +124,7 @@ def test_a_scene_beyond_a_limit_leaves_nothing(tmp_path, command, option, words)
     triangles["corners"] = np.random.default_rng(5).random((65_000, 3, 3))
     (tmp_path / "m.stl").write_bytes(head + triangles.tobytes())
     (tmp_path / "out").write_text("old")
-    done = run_cli("scene", *command, tmp_path / "m.stl", "-o", tmp_path / "out", *option)
+    done = run_cli(*command, tmp_path / "m.stl", "-o", tmp_path / "out", *option)
     assert_one_sentence(done, "m.stl", "at the stage", words, option[0])
     assert (tmp_path / "out").read_text() == "old" and sorted(os.listdir(tmp_path)) == ["m.stl", "out"]
 
