@@ -107,6 +107,7 @@ def test_macros_make_no_warning_in_cpp(tmp_path):
     """Macros that take arguments or are casts, used as a program uses them."""
     source = tmp_path / "macros.cc"
     source.write_text("""#include <fixel/all.h>
+#include <study/span_buffer.h>
 constexpr fxl_q16_16 one = FXL_Q16_16_ONE, most = FXL_COORDINATE_MAX;
 constexpr fxl_q16_16 units = FXL_UNITS(-8), third = FXL_RATIO(1, 3);
 constexpr fxl_angle quarter = FXL_ANGLE_QUARTER, right = FXL_DEGREES(90);
@@ -118,7 +119,7 @@ uint32_t bytes(uint16_t width, uint16_t height) { return FXL_SPAN_BUFFER_BYTES_L
 static_assert(units == -8 * one && third == 21845 && quarter == right && most > one && error > 0
               && planes > 0 && depth > 0, "values");
 """, encoding="utf-8")
-    commands = [header_command(compiler, standard, source) for compiler in ("g++", clang_named("clang++"))
+    commands = [[*header_command(compiler, standard, source), f"-I{CHECKOUT / 'lib'}"] for compiler in ("g++", clang_named("clang++"))
                 for standard in ("c++11", "c++20")]
     assert in_parallel(commands) == ""
 

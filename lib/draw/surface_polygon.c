@@ -63,8 +63,8 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     uint32_t *to = list->words + list->used;
     to[0] = (uint32_t)rows.end << 16 | rows.first;
     const uint8_t head[4] = {screen->colour, (uint8_t)(screen->count + beside / 2),
-                             polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE
-                                                                : FXL_POLYGON_DEPTH,
+                             (uint8_t)(polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE
+                                                                          : FXL_POLYGON_DEPTH),
                              screen->count};
     to = put(to + 1, head, 1);
     to = put(to, screen->points, 2u * screen->count);

@@ -252,12 +252,14 @@ const fxl_target FXL_TARGET = {
     .pixel_bits = FXL_TARGET_PIXEL_BITS,
     .depth_bits = FXL_TARGET_DEPTH_BITS,
     .draws_over = FXL_TARGET_PIXEL_BITS == 8 && FXL_TARGET_DEPTH_BITS == 0,
-    .flat = flat,
+#if FXL_TARGET_DEPTH_BITS != 0
+    .memory_size = memory_size,
+#endif
 #if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
     .draw_band = draw_band,
 #endif
+    .flat = flat,
 #if FXL_TARGET_DEPTH_BITS != 0
-    .memory_size = memory_size,
     .draw_list = fxl_mixed_draw_list,
     .flat_with_depth = flat_with_depth,
     .last = &last,

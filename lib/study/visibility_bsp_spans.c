@@ -2,6 +2,6 @@
 #include "../order/submit_by_bsp.h"
 #include "methods.h"
 
-const fxl_visibility fxl_visibility_bsp_spans = {.front_to_back = true,
-                                                 .order = &fxl_by_tree,
-                                                 .target = &fxl_palette_spans};
+const fxl_visibility fxl_visibility_bsp_spans = {.order = &fxl_by_tree,
+                                                 .target = &fxl_palette_spans,
+                                                 .front_to_back = true};

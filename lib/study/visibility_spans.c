@@ -41,7 +41,7 @@ const fxl_target fxl_palette_spans = {
 };
 
 const fxl_visibility fxl_visibility_spans = {
-    .front_to_back = true,
     .order = &fxl_by_distance,
     .target = &fxl_palette_spans,
+    .front_to_back = true,
 };

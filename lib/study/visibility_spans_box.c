@@ -30,7 +30,7 @@ const fxl_target fxl_palette_spans_box = {
 };
 
 const fxl_visibility fxl_visibility_spans_box = {
-    .front_to_back = true,
     .order = &fxl_by_distance,
     .target = &fxl_palette_spans_box,
+    .front_to_back = true,
 };
