@@ -175,7 +175,7 @@ fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *b
                                        const fxl_billboard_set *set)
 {
 #if defined HAS_DEPTH
-    if (depth.shader.code != NULL) {
+    if (renderer->target->depth_bits != 0) {
         return fxl_renderer_set_billboards_by_depth(renderer, billboards, set);
     }
 #endif
