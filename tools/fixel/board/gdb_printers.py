@@ -2,7 +2,6 @@
 """What GDB prints for the library's fixed-point numbers and angles: a decimal number, and the stored integer in brackets.
 GDB itself runs this file, as make gdb asks it to; print/r shows the stored integer alone."""
 
-from fixel.board import gdb
 import gdb.printing
 
 BINARY_PLACES = {"fxl_q16_16": 16, "fxl_q2_30": 30, "fxl_q1_31": 31, "fxl_q18_46": 46}
