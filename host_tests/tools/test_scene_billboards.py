@@ -11,6 +11,7 @@ from conftest import CHECKOUT, run_cli
 from fixel.board import dump
 from fixel.image import image
 from fixel.base.errors import ToolError
+from scene_sections import section
 from scene_text import build
 
 BOARD = '[[billboards]]\nname = "b"\npattern = "tree"\npixels = [5, 6]\nsize = [2, 3]\n'
@@ -39,7 +40,8 @@ def test_a_billboard_stands_on_its_foot(tmp_path):
 
 
 def test_without_billboards_an_image_is_as_before(tmp_path):
-    assert image.pack(build(tmp_path, '[[objects]]\nsolid = "box"\nposition = [0, 0, 9]\n'))[4] == 2
+    blob = image.pack(build(tmp_path, '[[objects]]\nsolid = "box"\nposition = [0, 0, 9]\n'))
+    assert [section(blob, name) for name in ("billboards", "billboard map", "sprite pixels")] == [(0, 0)] * 3
 
 
 def test_copies_share_a_model_and_pictures_their_pixels(tmp_path):
