@@ -11,7 +11,7 @@ import termios
 import time
 
 import pytest
-from conftest import CHECKOUT, assert_one_sentence, environment, run_cli
+from conftest import CHECKOUT, LAUNCHER, assert_one_sentence, environment, run_cli
 
 from fixel.view import browser
 from viewers import HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, own_build, own_port, \
@@ -81,7 +81,7 @@ def test_other_endings(scene, build, programs, ending):
 def test_ended_while_it_starts(scene, build, programs, ending, sign):
     """As soon as the first sign of what it starts is seen."""
     ready("mps2-an385", build)
-    process = subprocess.Popen([sys.executable, str(browser.VIEW), "--board", "mps2-an385", "--scene", str(scene),
+    process = subprocess.Popen([sys.executable, str(LAUNCHER), "view", "--board", "mps2-an385", "--scene", str(scene),
                                 "--build", str(programs)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True)
     try:
