@@ -32,7 +32,7 @@ def test_what_is_refused(words):
 def test_a_result(tmp_path):
     warm, cold = both([TOOLS / "scene.py", "build", CHECKOUT / "scenes/tiny.toml", "-o", "tiny.fxls"], folder=tmp_path)
     warm, cold = ([*ended, without_progress(said)] for *ended, said in (warm, cold))
-    assert warm == cold == [0, "", ["tiny.fxls: 2,584 bytes, 5 objects, 16 frames"]] and (tmp_path / "tiny.fxls").exists()
+    assert warm == cold == [0, "", ["tiny.fxls: 2,600 bytes, 5 objects, 16 frames"]] and (tmp_path / "tiny.fxls").exists()
 
 
 @pytest.mark.parametrize("program", [
