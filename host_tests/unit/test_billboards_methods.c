@@ -401,8 +401,8 @@ void test_wrong_arguments_with_depth(void)
     expect_refused(FXL_E_ARGUMENT, fxl_renderer_set_billboards_by_depth(&renderer, NULL, &set));
     expect_refused(FXL_E_ARGUMENT,
                    fxl_renderer_set_billboards_by_depth(&renderer, &billboards, NULL));
-    expect_refused(FXL_E_ALIGNMENT, fxl_renderer_set_billboards_by_depth(
-                                        &renderer, (fxl_billboards *)(void *)(cells + 4), &set));
+    fxl_billboards *const odd = (fxl_billboards *)(void *)((uint8_t *)&billboards + 1);
+    expect_refused(FXL_E_ALIGNMENT, fxl_renderer_set_billboards_by_depth(&renderer, odd, &set));
     sprite.bits = 3;
     expect_refused(FXL_E_RANGE, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
