@@ -23,6 +23,8 @@ def test_another_field_changes_all_that_is_written(monkeypatch):
     assert before["lib/paint/surface_sections.h"] == after["lib/paint/surface_sections.h"]
 
 
-def test_kinds_fit_the_set_of_bits_of_the_library():
+def test_kinds_and_limits_fit_those_of_the_library():
     assert len(fields.SECTIONS) < 32
+    limits = {(section.limit, section.most) for section in fields.SECTIONS if section.limit}
+    assert len(limits) == len(dict(limits))     # a limit of C is one number
     assert fields.HEAD.size % 4 == 0 and fields.ENTRY.size % 4 == 0

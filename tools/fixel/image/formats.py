@@ -50,9 +50,9 @@ def _table():
     rows = [f"    {{{section.entry.size}, {int(section.needed)}, {section.limit or section.most}, \"{section.what}\"}}, \\"
             for section in SECTIONS]
     width = max(map(len, rows))
+    made = ["#define SECTION_TABLE ".ljust(width - 1) + "\\", *(row[:-1].ljust(width - 1) + "\\" for row in rows)]
     return ["/* Of each kind: bytes of an entry, whether a reader that does not know it must refuse the image, the most",
-            " * entries, and its name in a fault. */",
-            "#define SECTION_TABLE ".ljust(width - 1) + "\\", *(row[:-1].ljust(width - 1) + "\\" for row in rows)]
+            " * entries, and its name in a fault. */", *made[:-1], made[-1].rstrip(" \\")]
 
 
 def scene_header():
@@ -60,8 +60,8 @@ def scene_header():
     lines = [f"#define IMAGE_VERSION {VERSION}u", "", "/* The kinds of sections. */", "enum {",
              *(f"    {section.enum} = {number}," for number, section in enumerate(SECTIONS, 1)),
              f"    SECTION_KINDS = {len(SECTIONS) + 1} /* one more than the greatest */", "};", "", *_table(), ""]
-    lines += [f"FXL_STATIC_ASSERT({section.limit} == {section.most}, FXL_AS_DOCUMENTED);"
-              for section in SECTIONS if section.limit]
+    limits = {section.limit: section.most for section in SECTIONS if section.limit}
+    lines += [f"FXL_STATIC_ASSERT({limit} == {most}, FXL_AS_DOCUMENTED);" for limit, most in limits.items()]
     lines += _asserted("fxl_image_header", HEADER, HEAD.size) + [f"FXL_STATIC_ASSERT(sizeof(fxl_image_section) == {ENTRY.size}, FXL_AS_DOCUMENTED);"]
     return WRITTEN.format("The sections of a scene image, and where its records have their fields (docs/formats.md).",
                           guard="FXL_SCENE_SECTIONS_H", include="scene_header.h") + \
