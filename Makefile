@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz kills seeded-bugs coverage mutants size \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
     predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
@@ -365,6 +365,12 @@ fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print t
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 	@$(TOOL) fuzz --seconds 60 --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
+CORPUS_PROGRAMS = $(if $(ADD),$(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
+corpus: ## list the fuzzer's corpus, or add a file to that of a harness, with what the library answers [HARNESS= ADD=]
+	@tools/setup.sh units
+	@$(if $(CORPUS_PROGRAMS),$(MAKE) $(CORPUS_PROGRAMS))
+	@$(TOOL) corpus --build $(BUILD)
+
 kills: ## kill run, flash, boot, view and report at random moments: nothing may be left [BOARD= KILLS=200 SEED=1]
 	@tools/setup.sh test
 	@$(MAKE) $(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(BOARD_WALK.lm3s6965evb) $(REPORT_TOOLS) $(BUILD)/host/live
@@ -378,7 +384,7 @@ coverage: ## print which lines, branches and conditions of lib/ the unit tests a
 	@tools/setup.sh coverage
 	@$(MAKE) $(COVERAGE_TESTS) $(COVERAGE_REPLAYS)
 	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERAGE_TESTS) --out $(BUILD)/coverage.json \
-	    $(foreach target,$(FUZZ_TARGETS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target))
+	    $(foreach target,$(FUZZ_TARGETS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip)
 
 # What only the other part needs is not built.
 MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)
@@ -389,7 +395,7 @@ mutants: ## put random small mistakes into the library and the tools; a test mus
 	@$(MAKE) $(MUTANTS_LIB) $(MUTANTS_TOOLS)
 	@$(TOOL) mutants --seed 1 --count 100 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
-	    host_tests/fuzz/corpus/$(target) $(FUZZ_REPLAY_OBJECTS_$(target)))
+	    host_tests/fuzz/corpus/$(target).zip $(FUZZ_REPLAY_OBJECTS_$(target)))
 
 format: ## format the C sources with clang-format
 	@tools/setup.sh format

@@ -6,24 +6,25 @@ import subprocess
 
 import branches
 import pytest
-from conftest import CHECKOUT
+from fixel.check import corpus
 
-CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"
-RECORDS = CHECKOUT / "host_tests" / "fuzz" / "record"
-TARGETS = ["scene", "pipeline"]
+TARGETS = list(corpus.HARNESSES)
 LEAST = 90          # per cent of the branches of lib/
 SIZE_MAX = 1 << 20  # bytes, so that a clone stays small
 
 
-def inputs(target):
-    return sorted((CORPUS / target).iterdir())
+@pytest.fixture(scope="module", name="inputs")
+def fixture_inputs(tmp_path_factory):
+    """A function: the files of a target's inputs."""
+    folder = tmp_path_factory.mktemp("corpus")
+    return lambda target: corpus.unpack(corpus.read(corpus.archive_of(target)), folder / target)
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_corpus_runs_clean_and_the_answers_are_on_record(build, target):
+def test_corpus_runs_clean_and_the_answers_are_on_record(build, inputs, target):
     """Where the library answers otherwise on purpose: remove the lines of the record that the failure names, and call
     fixel fuzz --add-records, which also adds those of new inputs."""
-    files, record = inputs(target), RECORDS / f"{target}.txt"
+    files, record = inputs(target), corpus.record_of(target)
     assert len(files) > 10
     done = replayed(build, target, "--record", record, *files)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -31,7 +32,7 @@ def test_corpus_runs_clean_and_the_answers_are_on_record(build, target):
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_other_answers_are_seen(build, target, tmp_path):
+def test_other_answers_are_seen(build, inputs, target, tmp_path):
     files, record = inputs(target)[:20], tmp_path / "record.txt"
     lines = replayed(build, target, *files).stdout.splitlines()
     last = lines[7][-1]
@@ -48,7 +49,7 @@ def replayed(build, target, *words):
                           check=False)
 
 
-def test_corpus_reaches_the_branches_of_the_library(build, tmp_path):
+def test_corpus_reaches_the_branches_of_the_library(build, inputs, tmp_path):
     """branches.py says which branches count. Whoever adds code that no input reaches renews the corpus:
     fixel fuzz --renew-corpus."""
     programs = build / "host" / "fuzz"
@@ -62,4 +63,4 @@ def test_corpus_reaches_the_branches_of_the_library(build, tmp_path):
 
 
 def test_corpus_is_small():
-    assert sum(file.stat().st_size for target in TARGETS for file in inputs(target)) <= SIZE_MAX
+    assert sum(corpus.archive_of(target).stat().st_size for target in TARGETS) <= SIZE_MAX

@@ -46,6 +46,7 @@ ROOMS = {
     },
     "Tests": {
         "test": ("fixel.check.test", "run the tests that make has built"),
+        "corpus": ("fixel.check.corpus", "list the fuzzer's corpus, or add an input"),
         "coverage": ("fixel.check.coverage", "print what the library's tests reach"),
         "equality": ("fixel.check.equality", "compare every kernel with the portable one"),
         "frame-hashes": ("fixel.check.frame_hashes", "add a scene's hashes to the record"),

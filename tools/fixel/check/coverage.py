@@ -15,7 +15,7 @@ import sys
 
 from fixel.base import output, scratch
 from fixel.base.table import table
-from fixel.check import clang_coverage
+from fixel.check import clang_coverage, corpus
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -26,7 +26,7 @@ def parser():
     made.add_argument("--library", required=True, help="the library with counters, a shared object")
     made.add_argument("--tests", nargs="+", required=True, help="unit tests that load it")
     made.add_argument("--replay", nargs=2, action="append", default=[], metavar=("PROGRAM", "CORPUS"),
-                      help="a program that replays a corpus, and the corpus")
+                      help="a program that replays a corpus, and the corpus's archive")
     made.add_argument("--version", default="19", help="of LLVM's tools (default: 19)")
     made.add_argument("--out", required=True, help="the JSON file")
     made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
@@ -36,9 +36,9 @@ def parser():
 def main(argv):
     options = parser().parse_args(argv)
     programs = [[test] for test in options.tests]
-    programs += [[program, *sorted(pathlib.Path(corpus).iterdir())] for program, corpus in options.replay]
     library = pathlib.Path(options.library).resolve()
-    with scratch.folder("coverage", library.parent) as folder:
+    with scratch.folder("coverage", library.parent) as folder, scratch.folder("corpus") as inputs:
+        programs += [[program, *corpus.unpack(corpus.read(archive), inputs)] for program, archive in options.replay]
         counts, failed = clang_coverage.run_programs(programs, folder.resolve(), options.jobs)
         files = clang_coverage.measured(library, counts, options.version, CHECKOUT)
     rooms = clang_coverage.by_room(files)

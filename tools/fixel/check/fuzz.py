@@ -22,14 +22,13 @@ import subprocess
 import sys
 import time
 
-from fixel.base import children, output
+from fixel.base import children, output, scratch
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured
+from fixel.check import corpus
+from fixel.check.corpus import CHECKOUT, relative
 
-CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
-CORPUS = CHECKOUT / "host_tests" / "fuzz" / "corpus"
-RECORDS = CHECKOUT / "host_tests" / "fuzz" / "record"
-TARGETS = {"scene": 8192, "pipeline": 4096}     # and the longest input in bytes
+TARGETS = corpus.HARNESSES
 SEED_SCENES = ("scenes/tiny.toml", "scenes/cube.toml",
                *sorted(str(file) for file in (CHECKOUT / "host_tests/fuzz/scenes").glob("*.toml")))
 INPUT_TIMEOUT = 60      # seconds for one input: wall time, since libFuzzer has no other, so enough for a loaded machine
@@ -60,11 +59,6 @@ class Worker:
         return self.process.poll() not in (None, 0)
 
 
-def relative(path):
-    """A path as one types it in the checkout."""
-    return os.path.relpath(path, CHECKOUT)
-
-
 # --- the run -----------------------------------------------------------------
 
 def start_worker(target, number, build, seconds):
@@ -74,8 +68,7 @@ def start_worker(target, number, build, seconds):
     for each in (kept, findings):
         each.mkdir(parents=True, exist_ok=True)
     log = folder / f"{target}-{number}.log"
-    command = [build / "host" / "fuzz" / f"fuzz_{target}", kept,
-               *[folder for folder in [CORPUS / target] if folder.is_dir()],
+    command = [build / "host" / "fuzz" / f"fuzz_{target}", kept, corpus.unpacked(target, build),
                f"-max_total_time={seconds}", f"-max_len={TARGETS[target]}", "-len_control=0",
                f"-timeout={INPUT_TIMEOUT}", "-rss_limit_mb=2048", "-reload=5",
                "-print_final_stats=1", f"-artifact_prefix={findings}/{target}-"]
@@ -187,9 +180,8 @@ def replay_for_branches(build):
     for target in TARGETS:
         profile = build / "fuzz" / f"{target}.profraw"
         profile.unlink(missing_ok=True)
-        folders = [folder for folder in (CORPUS / target, build / "fuzz" / "corpus" / target)
-                   if folder.is_dir()]
-        run_tool([build / "host" / "fuzz" / f"cover_{target}", "-runs=0", *folders],
+        run_tool([build / "host" / "fuzz" / f"cover_{target}", "-runs=0", corpus.unpacked(target, build),
+                  build / "fuzz" / "corpus" / target],
                  LLVM_PROFILE_FILE=str(profile))
         profiles.append(profile)
     return profiles
@@ -238,45 +230,14 @@ def make_seeds(build):
 def renew_corpus(build):
     """As few inputs as reach what all together reach, into the repository."""
     for target in TARGETS:
-        new = build / "fuzz" / f"new-{target}"
-        shutil.rmtree(new, ignore_errors=True)
-        new.mkdir()
-        run_tool([build / "host" / "fuzz" / f"fuzz_{target}", "-set_cover_merge=1",
-                  "-use_counters=0", f"-max_len={TARGETS[target]}", new,
-                  build / "fuzz" / "corpus" / target,
-                  *[folder for folder in [CORPUS / target] if folder.is_dir()]])
-        shutil.rmtree(CORPUS / target, ignore_errors=True)
-        shutil.copytree(new, CORPUS / target)
-        files = list(new.iterdir())
-        print(f"{relative(CORPUS / target)}: {len(files)} inputs, "
-              f"{sum(file.stat().st_size for file in files):,} bytes", file=sys.stderr)
-
-
-# --- the record of answers --------------------------------------------------------
-
-def read_record(target):
-    """{name of an input: hash}."""
-    file = RECORDS / f"{target}.txt"
-    return dict(line.split() for line in file.read_text(encoding="ascii").splitlines()) if file.exists() else {}
-
-
-def replayed(target, build):
-    """{name of an input: hash of what the library answers now}."""
-    return dict(line.split() for line in run_tool(
-        [build / "host" / "fuzz" / f"replay_{target}", *sorted((CORPUS / target).iterdir())]).splitlines())
-
-
-def add_records(build):
-    """The inputs of the corpus that have no record get one. An input whose answers are others is an error."""
-    for target in TARGETS:
-        old, new = read_record(target), replayed(target, build)
-        other = sorted(name for name in new if old.get(name, new[name]) != new[name])
-        if other:
-            raise ToolError(f"{relative(RECORDS / target)}.txt: the answers to {len(other)} inputs are others now, "
-                            f"the first is {other[0]}: where that is meant, remove their lines", exit_code=1)
-        output.write_file(RECORDS / f"{target}.txt", "".join(f"{name} {new[name]}\n" for name in sorted(new)))
-        print(f"{relative(RECORDS / target)}.txt: {len(set(new) - set(old))} added, {len(set(old) - set(new))} removed, "
-              f"{len(new)} in all")
+        with scratch.folder("corpus") as new:
+            run_tool([build / "host" / "fuzz" / f"fuzz_{target}", "-set_cover_merge=1",
+                      "-use_counters=0", f"-max_len={TARGETS[target]}", new,
+                      build / "fuzz" / "corpus" / target, corpus.unpacked(target, build)])
+            inputs = {file.name: file.read_bytes() for file in new.iterdir()}
+        corpus.write(corpus.archive_of(target), inputs)
+        print(f"{relative(corpus.archive_of(target))}: {len(inputs)} inputs, "
+              f"{sum(map(len, inputs.values())):,} bytes", file=sys.stderr)
 
 
 # --- the tools' input ---------------------------------------------------------------
@@ -330,7 +291,7 @@ def main(argv):
         raise ToolError(f"--seconds {options.seconds} is less than 1")
     build = pathlib.Path(options.build).resolve()
     if options.add_records:
-        add_records(build)
+        corpus.add_records(build)
         return 0
     if options.examples:
         fuzz_tools_input(options.examples, options.seconds)
@@ -340,7 +301,7 @@ def main(argv):
     findings = findings_of(workers, build)
     if options.renew_corpus and not findings:
         renew_corpus(build)
-        add_records(build)
+        corpus.add_records(build)
     percent, total, uncovered = measure_branches(build, options.clang)
     targets = [{"target": target,
                 "executions": sum(worker.executions() for worker in workers

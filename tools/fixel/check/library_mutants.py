@@ -20,7 +20,7 @@ import subprocess
 from fixel.base import children, limits
 from fixel.base.errors import ToolError
 from fixel.base.progress import steps
-from fixel.check import mutate
+from fixel.check import corpus, mutate
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 ROOMS = "lib/*/*.[ch]"
@@ -53,11 +53,11 @@ def unit_test(program):
     return Test(program, tuple(map(program.with_name, shared)), (), f"host_tests/unit/{program.name}.c")
 
 
-def replay(program, record, corpus, *objects):
-    """A replay of a corpus, compared with its record."""
-    files = sorted(str(file) for file in pathlib.Path(corpus).resolve().iterdir())
+def replay(folder, program, record, archive, *objects):
+    """A replay of a corpus, whose inputs are written into the folder, compared with its record."""
+    files = corpus.unpack(corpus.read(archive), folder.resolve() / pathlib.Path(archive).stem)
     return Test(pathlib.Path(program).resolve(), tuple(pathlib.Path(each).resolve() for each in objects),
-                ("--record", str(pathlib.Path(record).resolve()), *files))
+                ("--record", str(pathlib.Path(record).resolve()), *map(str, files)))
 
 
 class Tree:
@@ -250,7 +250,7 @@ class Library:
         parser.add_argument("--cc", help="the compiler and the flags of the unit tests")
         parser.add_argument("--tests", nargs="+", default=[], help="the unit tests of the host")
         parser.add_argument("--replay", nargs="+", action="append", default=[], metavar=("PROGRAM", "RECORD"),
-                            help="a program that replays a corpus, the record of its answers, the corpus, its objects")
+                            help="a program that replays a corpus, the record of its answers, the corpus's archive, its objects")
 
     def files(self):
         """The files that mutants are made of."""
@@ -261,10 +261,13 @@ class Library:
         """The copies in which mutants are tried."""
         options = self._options
         trees = make_trees(self._scratch, options.cc, options.jobs)
-        self._tests = link_tests(trees[0], [*map(unit_test, options.tests), *(replay(*each) for each in options.replay)])
+        self._tests = link_tests(trees[0], [*map(unit_test, options.tests), *self._replays()])
         self._seconds = time_tests(trees[0], self._tests, options.slow)
         self._linked = {test.name: symbols(test.program) for test in self._tests}
         return trees
+
+    def _replays(self):
+        return [replay(self._scratch / "inputs", *each) for each in self._options.replay]
 
     def run(self, tree, mutant):
         return try_mutant(tree, mutant, self._tests, self._seconds, self._linked)
