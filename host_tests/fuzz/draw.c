@@ -302,7 +302,7 @@ static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     free(band.pixels);
     free(cells);
-    if (renderer->shader == renderer->target->last) {
+    if (renderer->shader == renderer->target->depth->last) {
         renderer->shader = NULL; /* it is no beams' room */
     }
     free_renderer(renderer);

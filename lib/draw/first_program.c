@@ -5,7 +5,7 @@
 
 #include "renderer.h"
 
-fxl_config fxl_config_default(uint16_t width, uint16_t height)
+fxl_config fxl_config_for(uint16_t width, uint16_t height, const fxl_target *target)
 {
     fxl_config config;
     config.width = width;
@@ -15,19 +15,12 @@ fxl_config fxl_config_default(uint16_t width, uint16_t height)
     config.far_z = FXL_UNITS(256);
     config.inset = FXL_INSET_DEFAULT;
     config.background = 0;
+    config.target = target;
+    config.order = NULL;
+    config.palette = NULL;
+    config.depth = config.tree = NULL;
+    config.depth_size = config.tree_size = 0;
     return config;
-}
-
-fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
-                                  const fxl_lens *lens, const fxl_memory *memory)
-{
-    fxl_status status = fxl_renderer_init_bare(renderer, scene, lens, memory);
-    if (status == FXL_OK) {
-        renderer->clipper = &fxl_clipper_view;
-        renderer->order = &fxl_by_distance;
-        renderer->target = &fxl_palette;
-    }
-    return status;
 }
 
 static fxl_memory divide(const fxl_scene *scene, uint8_t *block, size_t size)
@@ -47,14 +40,42 @@ static fxl_memory divide(const fxl_scene *scene, uint8_t *block, size_t size)
     return memory;
 }
 
+/* The order and the target. Most have neither memory nor anything to look at. */
+static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
+{
+    const fxl_target *target = config->target;
+    const fxl_order *order = config->order != NULL ? config->order : &fxl_by_distance;
+    const fxl_choice choice = {.order = order,
+                               .target = target,
+                               .near_first = target->near_first,
+                               .order_memory = config->tree,
+                               .target_memory = config->depth,
+                               .order_size = config->tree_size,
+                               .target_size = config->depth_size};
+    renderer->frame.background = config->background;
+    renderer->palette = config->palette;
+    renderer->clipper = &fxl_clipper_view;
+    if (order->choose != NULL) {
+        return order->choose(renderer, &choice);
+    }
+    if (target->choose != NULL) {
+        return target->choose(renderer, &choice);
+    }
+    renderer->order = order;
+    renderer->target = target;
+    return FXL_OK;
+}
+
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
                              const fxl_config *config, void *memory, size_t memory_size)
 {
     fxl_lens lens;
-    if (renderer == NULL || scene == NULL || config == NULL || memory == NULL) {
+    if (renderer == NULL || scene == NULL || config == NULL || memory == NULL ||
+        config->target == NULL ||
+        (config->target->pixel_bits == 16 && config->palette == NULL)) {
         return FXL_E_ARGUMENT;
     }
-    if (((uintptr_t)memory & 7u) != 0) {
+    if ((((uintptr_t)memory | (uintptr_t)config->depth | (uintptr_t)config->tree) & 7u) != 0) {
         return FXL_E_ALIGNMENT;
     }
     if (scene->order_needed == 0) {
@@ -71,14 +92,11 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
         return FXL_E_CAPACITY;
     }
     const fxl_memory tables = divide(scene, (uint8_t *)memory, memory_size);
-    status = fxl_renderer_init_with(renderer, scene, &lens, &tables);
-    if (status == FXL_OK) {
-        renderer->frame.background = config->background;
-    }
-    return status;
+    status = fxl_renderer_init_bare(renderer, scene, &lens, &tables);
+    return status == FXL_OK ? choose(renderer, config) : status;
 }
 
-fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixels, uint16_t stride)
+fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride)
 {
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
@@ -87,8 +105,8 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band whole = {.pixels = pixels, .width = lens->width, .stride = stride,
-                            .first_row = 0, .rows = lens->height};
+    const fxl_band whole = {.pixels = (uint8_t *)pixels, .width = lens->width, .stride = stride,
+                            .first_row = 0, .rows = lens->height, .palette = renderer->palette};
     if (stride < lens->width) {
         return fxl_refuse(&renderer->workspace, FXL_E_RANGE);
     }
@@ -96,6 +114,6 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixe
     if (status != FXL_OK) {
         return status;
     }
-    fxl_fill_band(&whole, renderer->frame.background);
+    renderer->target->fill(&whole, renderer->frame.background);
     return fxl_frame_draw(renderer, &whole);
 }

@@ -20,7 +20,7 @@ bool fxl_mixed_draw_list(const fxl_traversal *on)
         } else if (record.kind == FXL_POLYGON_SURFACE) {
             surfaces->painter->draw(surfaces, on->workspace, &record, band);
         } else if (record.kind == FXL_POLYGON_DEPTH) {
-            renderer->target->flat_with_depth(on->workspace, &record, band);
+            renderer->target->depth->flat(on->workspace, &record, band);
         } else {
             const fxl_billboards *billboards = renderer->billboards;
             billboards->painter->paint(renderer, on->workspace, record.points, band);

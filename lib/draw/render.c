@@ -101,7 +101,11 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;
     uint32_t culled;
-    const fxl_status status = look(renderer, pose, &culled);
+    fxl_status status = renderer->check != NULL ? renderer->check(renderer) : FXL_OK;
+    if (status != FXL_OK) {
+        return fxl_refuse(workspace, status);
+    }
+    status = look(renderer, pose, &culled);
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }

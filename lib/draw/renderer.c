@@ -130,7 +130,34 @@ static void set_last_shader(fxl_renderer *renderer)
     while (*place != NULL && (*place)->rank != FXL_SHADER_TARGET) {
         place = &((fxl_shader *)(uintptr_t)*place)->next;
     }
-    *place = renderer->target->last;
+    *place = renderer->target->depth != NULL ? renderer->target->depth->last : NULL;
+}
+
+fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_choice *choice)
+{
+    const fxl_target *target = choice->target;
+    const uint32_t order = order_size(choice->order, renderer->scene);
+    const uint32_t raster =
+        target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
+    if (choice->order_size < order || choice->target_size < raster) {
+        return FXL_E_CAPACITY;
+    }
+    if (order > 0) {
+        memset(choice->order_memory, 0, order);
+    }
+    renderer->order = choice->order;
+    renderer->target = target;
+    renderer->near_first = choice->near_first;
+    renderer->check = choice->order->check;
+    if (target->depth != NULL) {
+        renderer->draw_list = target->depth->draw_list; /* it draws flat records, too */
+    }
+    set_last_shader(renderer);
+    renderer->order_memory = choice->order_memory;
+    renderer->workspace.target_memory = raster > 0 ? choice->target_memory : NULL;
+    renderer->workspace.target_memory_size = raster > 0 ? choice->target_size : 0;
+    settings_changed(renderer);
+    return FXL_OK;
 }
 
 fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
@@ -143,31 +170,20 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
         return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
     }
     fxl_status status = check_workspace(renderer, workspace, workspace_size, 0);
-    if (status != FXL_OK) {
-        return fxl_refuse(&renderer->workspace, status);
+    if (status == FXL_OK) {
+        const uint32_t size = order_size(visibility->order, renderer->scene);
+        const bool has_room = workspace_size >= size;
+        const fxl_choice choice = {.order = visibility->order,
+                                   .target = visibility->target,
+                                   .near_first = visibility->front_to_back,
+                                   .order_memory = workspace,
+                                   .order_size = has_room ? size : workspace_size,
+                                   .target_memory = (uint8_t *)workspace + (has_room ? size : 0),
+                                   .target_size = has_room ? workspace_size - size : 0};
+        status = fxl_renderer_choose(renderer, &choice);
+        renderer->check = NULL; /* what was set is not looked at together */
     }
-    const fxl_target *target = visibility->target;
-    const uint32_t submit = order_size(visibility->order, renderer->scene);
-    const uint32_t raster =
-        target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
-    if (workspace_size < submit || workspace_size - submit < raster) {
-        return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
-    }
-    if (submit > 0) {
-        memset(workspace, 0, submit);
-    }
-    renderer->order = visibility->order;
-    renderer->target = target;
-    renderer->near_first = visibility->front_to_back;
-    if (target->draw_list != NULL) {
-        renderer->draw_list = target->draw_list; /* it draws flat records, too */
-    }
-    set_last_shader(renderer);
-    renderer->order_memory = workspace;
-    renderer->workspace.target_memory = raster > 0 ? (uint8_t *)workspace + submit : NULL;
-    renderer->workspace.target_memory_size = raster > 0 ? workspace_size - submit : 0;
-    settings_changed(renderer);
-    return FXL_OK;
+    return status == FXL_OK ? status : fxl_refuse(&renderer->workspace, status);
 }
 
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer)

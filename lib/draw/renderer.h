@@ -13,6 +13,19 @@ fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
  * write a polygon and read it once costs more instructions than to draw it at once. */
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands);
 
+/* The order and the target of a renderer, and their memory, aligned to 8 bytes. */
+typedef struct fxl_choice {
+    const fxl_order *order;
+    const fxl_target *target;
+    bool near_first;
+    void *order_memory, *target_memory;
+    uint32_t order_size, target_size; /* bytes */
+} fxl_choice;
+
+/* Gives an order and a target to a renderer that is initialised. FXL_E_CAPACITY: renderer
+ * untouched. */
+fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_choice *choice);
+
 /* Entries of a scene's order_needed that are for the instances, whatever instance_count becomes in
  * a world. The others are for the faces of one model. */
 static inline uint32_t fxl_order_instances_most(const fxl_scene *scene)

@@ -151,6 +151,8 @@ bool fxl_pieces_end(fxl_pieces *pieces);
 /* The ranks: a shader gets the face that those of a lower rank made. */
 enum {
     FXL_SHADER_SURFACES, /* faces with surfaces, which go no further */
+    FXL_SHADER_LIT,      /* takes no face: surfaces are lit at their corners */
+    FXL_SHADER_OUTLINES, /* takes no face: it is drawn with outlines */
     FXL_SHADER_RECOLOUR, /* an instance's own colours */
     FXL_SHADER_LIGHT,    /* light and fog */
     FXL_SHADER_BEAMS,
@@ -190,6 +192,18 @@ fxl_shader_reaching(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 /* Puts a shader among those of a renderer, in place of the one of its rank; null: only takes that
  * one out. The frame must begin anew. */
 void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader);
+
+/* The same for what an attach function was given: whether all goes together is looked at before the
+ * next frame begins. A shader of the code fxl_mark takes no face. */
+void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader);
+extern const fxl_shader_code fxl_mark;
+
+/* The shader of a rank that a renderer has; or null. */
+const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer, uint32_t rank);
+
+/* fxl_renderer.check: finds two things that do not go together, and lets what is attached know of
+ * the rest. */
+fxl_status fxl_check_combination(fxl_renderer *renderer);
 
 /* A piece of a face of the model, by all shaders that reach the instance. The normal is the face's
  * in the world: it decides whether the piece is turned to a light. */

@@ -79,9 +79,26 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     }
 }
 
+static const fxl_surface_light_code code = {light_corners};
+
+fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)
+{
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (renderer->scene == NULL) {
+        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
+    }
+    if (lit != NULL) {
+        lit->shader.code = &fxl_mark;
+        lit->code = &code;
+    }
+    fxl_renderer_attach(renderer, FXL_SHADER_LIT, lit != NULL ? &lit->shader : NULL);
+    return FXL_OK;
+}
+
 fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light)
 {
-    static const fxl_surface_light_code code = {light_corners};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }

@@ -200,6 +200,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 
 static const fxl_shader_code code = {reaches, submit, split, NULL, false};
 static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};
+static const fxl_target_depth depth = {fxl_mixed_draw_list, flat_with_depth, &last};
 
 /* --- bands ---------------------------------------------------------------------------------- */
 
@@ -248,11 +249,30 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
 
 #endif
 
+#if FXL_TARGET_PIXEL_BITS == 16
+
+static void fill(const fxl_band *band, uint8_t colour)
+{
+    uint16_t *row = fxl_pixels_of_row(band, band->first_row);
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
+        fxl_fill_row_rgb565(row, row + band->width, band->palette[colour]);
+    }
+}
+
+#endif
+
 const fxl_target FXL_TARGET = {
     .pixel_bits = FXL_TARGET_PIXEL_BITS,
     .depth_bits = FXL_TARGET_DEPTH_BITS,
     .draws_over = FXL_TARGET_PIXEL_BITS == 8 && FXL_TARGET_DEPTH_BITS == 0,
+    .near_first = FXL_TARGET_DEPTH_BITS != 0,
+#if FXL_TARGET_PIXEL_BITS == 16
+    .fill = fill,
+#else
+    .fill = fxl_fill_band,
+#endif
 #if FXL_TARGET_DEPTH_BITS != 0
+    .choose = fxl_renderer_choose,
     .memory_size = memory_size,
 #endif
 #if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
@@ -260,9 +280,7 @@ const fxl_target FXL_TARGET = {
 #endif
     .flat = flat,
 #if FXL_TARGET_DEPTH_BITS != 0
-    .draw_list = fxl_mixed_draw_list,
-    .flat_with_depth = flat_with_depth,
-    .last = &last,
+    .depth = &depth,
 #endif
 };
 

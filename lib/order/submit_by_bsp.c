@@ -4,6 +4,7 @@
 #include "../view/facing.h"
 #include "../scene/bsp_node.h"
 #include "bsp_pieces.h"
+#include "../draw/renderer.h"
 
 /* What is done at a node so far. */
 enum {
@@ -340,4 +341,20 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     return true;
 }
 
-const fxl_order fxl_by_tree = {.submit = fxl_submit_by_bsp, .memory_size = fxl_bsp_workspace_size};
+/* What the memory has beyond the least is for pieces of instances that move. */
+static fxl_status choose(fxl_renderer *renderer, const fxl_choice *choice)
+{
+    const uint32_t least = (uint32_t)fxl_aligned(fxl_bsp_workspace_size(renderer->scene));
+    const fxl_status status = fxl_renderer_choose(renderer, choice);
+    if (status == FXL_OK && least > 0) {
+        fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)choice->order_memory;
+        workspace->pieces = (uint8_t *)choice->order_memory + least;
+        workspace->pieces_size = choice->order_size - least;
+    }
+    return status;
+}
+
+const fxl_order fxl_by_tree = {.submit = fxl_submit_by_bsp,
+                               .memory_size = fxl_bsp_workspace_size,
+                               .choose = choose,
+                               .check = fxl_check_combination};

@@ -75,7 +75,12 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
 }
 
 const fxl_target fxl_palette_outlined = {
-    .pixel_bits = 8, .memory_size = style_size, .begin_band = begin, .flat = paint};
+    .pixel_bits = 8,
+    .draws_outlines = true,
+    .fill = fxl_fill_band,
+    .memory_size = style_size,
+    .begin_band = begin,
+    .flat = paint};
 
 const fxl_visibility fxl_visibility_outlined = {.order = &fxl_by_distance,
                                                 .target = &fxl_palette_outlined};

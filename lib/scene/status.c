@@ -55,6 +55,9 @@ const char *fxl_status_text(fxl_status status)
         return "a display, or the wires to it, failed";
     case FXL_E_STALE:
         return "the handle is that of an instance that was removed, or that never was";
+    case FXL_E_COMBINATION:
+        return "two things that the renderer has do not go together: fxl_renderer_conflict names "
+               "them";
     case FXL_STATUS_COUNT:
         break;
     }

@@ -23,6 +23,8 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
 
 const fxl_target fxl_palette_spans_box = {
     .pixel_bits = 8,
+    .near_first = true,
+    .fill = fxl_fill_band,
     .memory_size = fxl_spans_workspace_size,
     .draw_band = fxl_band_split_draw,
     .begin_band = fxl_spans_begin,

@@ -30,6 +30,18 @@ fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
                                   uint32_t beam_count, const uint8_t *lit, void *workspace,
                                   uint32_t workspace_size);
 
+/* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use. */
+typedef struct {
+    const fxl_beam *beams;
+    uint32_t count;     /* 1..FXL_BEAMS_MAX */
+    const uint8_t *lit; /* lit[c]: the lit variant of colour c */
+} fxl_beam_set;
+
+/* Attaches beams to a renderer: fxl_renderer_set_beams, in any sequence with what else is attached.
+ * Where set is null, they are detached. */
+fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
+                            uint32_t size);
+
 #ifdef __cplusplus
 }
 #endif

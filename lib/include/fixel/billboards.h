@@ -110,6 +110,17 @@ fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *b
 fxl_status fxl_renderer_set_billboards_by_depth(fxl_renderer *renderer, fxl_billboards *billboards,
                                                 const fxl_billboard_set *set);
 
+/* Attaches the billboards of a set to a renderer, or, where set is null, detaches them. painter is
+ * FXL_SPRITES_OF the renderer's target. The renderer keeps a pointer to *billboards, and that one to
+ * *set. What else is attached, before or after, does not matter. The next frame must begin anew.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_ALIGNMENT: billboards.
+ * And those of fxl_billboards_check.
+ * With each of these statuses: nothing is changed but refused_calls. */
+fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
+                                 const fxl_billboard_set *set, const fxl_sprite_painter *painter);
+
 /* The order of fxl_visibility_sorted; a later polygon or sprite covers an earlier one. Of the
  * display list's memory a billboard takes 32 bytes. fxl_renderer_set_billboards sets it. */
 extern const fxl_visibility fxl_visibility_billboards;

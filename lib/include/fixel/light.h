@@ -40,6 +40,11 @@ typedef struct {
 fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
                                   const fxl_light_settings *settings);
 
+/* Attaches a light to a renderer: fxl_renderer_set_light, in any sequence with what else is attached.
+ * Where settings is null, it is detached. */
+fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
+                            const fxl_light_settings *settings);
+
 /* Makes a ramp for a palette of 256 colours of three bytes, red, green, blue. Level l of colour c
  * is the entry of the palette that is nearest to dark + (c - dark) * l / (levels - 1), each of the
  * three rounded to nearest, halves upward; nearest by the sum of the squared differences, and of

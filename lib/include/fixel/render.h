@@ -29,6 +29,13 @@ typedef struct {
     fxl_q16_16 near_z, far_z; /* world units: what is nearer, or farther, is clipped away */
     fxl_q16_16 inset;         /* how far every plane of the frustum moves inward; 0 */
     uint8_t background;       /* palette index that fxl_render clears to */
+    const fxl_target *target; /* what pixels are, and whether there is a depth buffer */
+    const fxl_order *order;   /* null: fxl_by_distance */
+    const uint16_t *palette;  /* of RGB565 targets: 256 colours; else null */
+    void *depth;              /* of targets with a depth buffer, aligned to 8 bytes; else null */
+    uint32_t depth_size;      /* bytes: FXL_DEPTH_BYTES of one row at least */
+    void *tree;               /* of fxl_by_tree, aligned to 8 bytes; else null */
+    uint32_t tree_size;       /* bytes: what the tree needs at least; the rest is for pieces */
 } fxl_config;
 
 /* Memory of the caller that a renderer works in for as long as it lives. */
@@ -123,6 +130,8 @@ struct fxl_renderer {
         uint32_t instance_capacity; /* instances that the order has room for */
         uint32_t memory_missing;    /* bytes, if fxl_renderer_init answers FXL_E_CAPACITY */
     };
+    /* Looks whether all that is attached goes together, before a frame begins. Null: it has. */
+    fxl_status (*check)(fxl_renderer *renderer);
     bool near_first; /* faces are submitted near to far, the reverse of the order of drawing */
     fxl_frame frame;
     fxl_workspace workspace;
@@ -137,9 +146,16 @@ struct fxl_renderer {
 
 /* --- a first program -------------------------------------------------------------------- */
 
-/* A configuration for a screen: a field of view of 60 degrees, near at 1/4, far at 256 world
- * units, no inset, background 0. Nothing is checked: fxl_renderer_init does. */
-fxl_config fxl_config_default(uint16_t width, uint16_t height);
+/* A configuration for a screen and a target: a field of view of 60 degrees, near at 1/4, far at 256
+ * world units, no inset, background 0, by distance. Nothing is checked: fxl_renderer_init does. The
+ * memory that the target needs, and its palette, must be set. */
+fxl_config fxl_config_for(uint16_t width, uint16_t height, const fxl_target *target);
+
+/* The same for a palette without a depth buffer. */
+static inline fxl_config fxl_config_default(uint16_t width, uint16_t height)
+{
+    return fxl_config_for(width, height, &fxl_palette);
+}
 
 /* Ties a renderer to a scene (an exported one, or one that was checked by fxl_scene_open or
  * fxl_scene_check), a screen, and one block of memory of the caller's, aligned to 8 bytes; the
@@ -162,14 +178,20 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
                              const fxl_config *config, void *memory, size_t memory_size);
 
 /* Draws a whole frame as the eye sees it: clears pixels to the background, then draws. One
- * byte a pixel, rows downward, row y at pixels + y * stride. Requires stride >= width and
+ * byte a pixel, or a uint16_t in RGB565, rows downward, row y at pixel y * stride. Requires stride >= width and
  * memory for height rows.
  * The display list is left empty, because one band is drawn in fewer instructions without it.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: eye or stride is out of range.
+ * FXL_E_COMBINATION: two things that the renderer has do not go together.
  * With each of these statuses: pixels untouched; counted in refused_calls. */
-fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, uint8_t *pixels,
-                      uint16_t stride);
+fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride);
+
+/* Finds two things that do not go together: of a renderer's order, its target and what is attached
+ * to it (docs/extras/combinations.md). Where there are such, fxl_frame_begin and fxl_render answer
+ * FXL_E_COMBINATION. Returns false if there are none: names untouched. Otherwise names[0] and
+ * names[1] are English, and never null. */
+bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 
 /* --- the second level -------------------------------------------------------------------- */
 

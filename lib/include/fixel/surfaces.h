@@ -182,6 +182,31 @@ fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfa
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light);
 
+/* Attaches the surfaces of a set to a renderer, or, where set is null, detaches them. painter is
+ * FXL_SURFACES_OF the renderer's target. The renderer keeps a pointer to *surfaces, and that one to
+ * *set. What else is attached, before or after, does not matter. The next frame must begin anew.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * And those of fxl_surfaces_check, or, for a painter of RGB565, of fxl_surfaces_check_rgb565.
+ * With each of these statuses: nothing is changed but refused_calls. */
+fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                               const fxl_surface_set *set, const fxl_painter *painter);
+
+/* The light at the corners of lit surfaces. */
+typedef struct {
+    fxl_shader shader;
+    const struct fxl_surface_light_code *code;
+    uint16_t dark; /* RGB565: what the lowest level of light leaves. The caller sets it before */
+} fxl_lit_surfaces;
+
+/* Has surfaces that are FXL_SURFACE_LIT take the light that fxl_attach_light attaches, at their
+ * corners, or, where lit is null, be drawn at full brightness. Without a light, or without surfaces,
+ * it changes nothing. The renderer keeps a pointer to *lit. The next frame must begin anew.
+ * FXL_E_ARGUMENT: renderer is null.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * With each of these statuses: nothing is changed but refused_calls. */
+fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit);
+
 /* Makes a blend table for the colours first..first + count - 1 of a palette of 256 colours of three
  * bytes, red, green, blue. The entry of a colour over another is the one of the palette that is
  * nearest to beneath + (colour - beneath) * sixteenths / 16, each of the three rounded to nearest,

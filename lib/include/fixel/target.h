@@ -13,7 +13,19 @@ extern "C" {
 typedef struct fxl_renderer fxl_renderer;
 struct fxl_workspace;           /* fixel/render.h */
 struct fxl_display_list_record; /* fixel/stage/display_list.h */
+struct fxl_choice;              /* lib/draw/renderer.h, which is internal */
 struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
+
+/* What a target with a depth buffer has beside. */
+typedef struct fxl_target_depth {
+    /* fxl_renderer.draw_list of a renderer that draws into it. */
+    bool (*draw_list)(const struct fxl_traversal *traversal);
+    /* Draws a record of the display list that has a depth and no surface. */
+    void (*flat)(struct fxl_workspace *workspace, const struct fxl_display_list_record *record,
+                 const fxl_band *band);
+    /* The last shader of the renderer. It takes faces and pieces that no attachment has drawn. */
+    const struct fxl_shader *last;
+} fxl_target_depth;
 
 /* A target. Members are internal. By itself it draws faces of one colour. */
 typedef struct fxl_target {
@@ -21,7 +33,13 @@ typedef struct fxl_target {
     uint8_t depth_bits; /* of a pixel in the depth buffer: 0, 16 or 32 */
     /* Whether `flat` only scans and fills, over what is there, by fxl_draw_outline: then a face may
      * go from the clipper straight to the scan. */
-    bool draws_over;
+    bool draws_over : 1;
+    bool near_first : 1; /* faces are submitted near to far, unless surfaces are blended */
+    bool draws_outlines : 1; /* in the place of fxl_palette, where outlines are attached */
+    /* Sets every pixel of a band to a colour of the palette. */
+    void (*fill)(const fxl_band *band, uint8_t colour);
+    /* fxl_renderer_choose. Null: the target needs neither memory nor a shader. */
+    fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_choice *choice);
     /* The least size of a workspace's memory for the target, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_lens *lens);
     /* Draws a band, in parts if the memory is too small for the whole. Returns FXL_OK, or a status
@@ -36,15 +54,7 @@ typedef struct fxl_target {
      * them. Returns false if the memory is full: then some of the outline may have been drawn. */
     bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                  uint8_t colour, const fxl_band *band);
-    /* Draws the polygons of the display list that reach the band, where records are not all flat.
-     * Null: they are, as long as nothing is attached that makes others. */
-    bool (*draw_list)(const struct fxl_traversal *traversal);
-    /* With a depth buffer: draws a record of the display list that has a depth and no surface. */
-    void (*flat_with_depth)(struct fxl_workspace *workspace,
-                            const struct fxl_display_list_record *record, const fxl_band *band);
-    /* With a depth buffer: the last shader of the renderer. It takes faces and pieces that no
-     * attachment has drawn. Null: they go to the display list, or to `flat`. */
-    const struct fxl_shader *last;
+    const struct fxl_target_depth *depth; /* with a depth buffer; else null */
 } fxl_target;
 
 /* A palette index of 8 bits a pixel: fxl_render draws into bytes. */

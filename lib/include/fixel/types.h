@@ -151,6 +151,7 @@ typedef enum {
     FXL_E_TURN,        /* an orientation that is no rotation */
     FXL_E_DISPLAY,     /* a display, or the wires to it, failed */
     FXL_E_STALE,       /* the handle of an instance that was removed, or that never was */
+    FXL_E_COMBINATION, /* two things that a renderer has do not go together */
     FXL_STATUS_COUNT
 } fxl_status;
 

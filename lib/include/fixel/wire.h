@@ -8,7 +8,7 @@
 #include "fixel/line.h"
 #include "fixel/scene.h"
 #include "fixel/stage/view.h"
-#include "fixel/stage/visibility.h"
+#include "fixel/render.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -91,6 +91,22 @@ typedef struct {
  * the renderer keeps the pointer. */
 extern const fxl_target fxl_palette_outlined;
 extern const fxl_visibility fxl_visibility_outlined;
+
+/* The outlines of a renderer, which the caller owns. Members are internal. */
+typedef struct {
+    FXL_ALIGN_8 fxl_shader shader;
+    FXL_ALIGN_8 fxl_outline_style style;
+} fxl_outlines;
+
+/* Attaches outlines to a renderer whose target is fxl_palette, or, where style is null, detaches
+ * them. The style is copied into *outlines, to which the renderer keeps a pointer. What else is
+ * attached, before or after, does not matter. The next frame must begin anew.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_ALIGNMENT: outlines.
+ * With each of these statuses: nothing is changed but refused_calls. */
+fxl_status fxl_attach_outlines(fxl_renderer *renderer, fxl_outlines *outlines,
+                               const fxl_outline_style *style);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT */
+/* A file of its own, as the next one: a renderer whose light was set checks no combination. */
+#include "submit.h"
+#include "fixel/light.h"
+
+fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
+                            const fxl_light_settings *settings)
+{
+    const fxl_status status = fxl_renderer_set_light(renderer, light, settings);
+    if (status == FXL_OK) {
+        renderer->check = fxl_check_combination;
+    }
+    return status;
+}

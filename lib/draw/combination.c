@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: MIT */
+/* What is attached to a renderer is looked at together, once before the next frame begins. So the
+ * sequence in which it was attached does not matter. */
+#include "combination.h"
+
+#include "renderer.h"
+#include "submit.h"
+#include "surface_polygon.h"
+#include "surface_light.h"
+#include "../paint/billboard_paint.h"
+
+/* --- attaching ------------------------------------------------------------------------------ */
+
+static bool reaches_nothing(const fxl_shader *shader, const fxl_scene *scene,
+                            const fxl_instance *instance)
+{
+    (void)shader;
+    (void)scene;
+    (void)instance;
+    return false;
+}
+
+const fxl_shader_code fxl_mark = {.reaches = reaches_nothing};
+
+const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer, uint32_t rank)
+{
+    const fxl_shader *shader = renderer->shader;
+    while (shader != NULL && shader->rank != rank) {
+        shader = shader->next;
+    }
+    return shader;
+}
+
+void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
+{
+    fxl_renderer_set_shader(renderer, rank, shader);
+    renderer->check = fxl_check_combination;
+}
+
+/* --- conflicts ------------------------------------------------------------------------------ */
+
+/* The first that a renderer has is named. Outlines with RGB565, surfaces and billboards, a tree with
+ * surfaces and billboards, and beams with surfaces are not drawn yet. */
+static const fxl_conflict conflicts[] = {
+    {FXL_HAS_TREE, FXL_HAS_DEPTH},
+    {FXL_HAS_STUDY, FXL_HAS_SURFACES},
+    {FXL_HAS_STUDY, FXL_HAS_BILLBOARDS},
+    {FXL_HAS_STUDY, FXL_HAS_OUTLINES},
+    {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},
+    {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
+    {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
+    {FXL_HAS_OUTLINES, FXL_HAS_RGB565},
+    {FXL_HAS_OUTLINES, FXL_HAS_SURFACES},
+    {FXL_HAS_OUTLINES, FXL_HAS_BILLBOARDS},
+    {FXL_HAS_TREE, FXL_HAS_SURFACES},
+    {FXL_HAS_TREE, FXL_HAS_BILLBOARDS},
+    {FXL_HAS_BEAMS, FXL_HAS_SURFACES},
+    {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
+};
+
+/* Whether another instance is on the layer of the tree's, which cuts it. */
+static bool has_movers(const fxl_scene *scene)
+{
+    if (scene->bsp_nodes == NULL) {
+        return false;
+    }
+    const uint8_t layer = scene->instances[scene->bsp_instance].layer;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < scene->instance_count; i++) {
+        count += scene->instances[i].layer == layer;
+    }
+    return count > 1;
+}
+
+static uint32_t bit_if(bool has, uint32_t number)
+{
+    return (uint32_t)has << number;
+}
+
+static uint32_t parts_of(const fxl_renderer *renderer)
+{
+    const fxl_target *target = renderer->target;
+    const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
+    const fxl_billboards *billboards = renderer->billboards;
+    const bool has_tree = renderer->order->memory_size != NULL;
+    const bool is_plain = target->draws_over || target->draws_outlines;
+    return bit_if(has_tree, FXL_HAS_TREE) |
+           bit_if(has_tree && has_movers(renderer->scene), FXL_HAS_MOVERS) |
+           bit_if(target->depth_bits != 0, FXL_HAS_DEPTH) |
+           bit_if(target->pixel_bits == 16, FXL_HAS_RGB565) |
+           bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !is_plain, FXL_HAS_STUDY) |
+           bit_if(surfaces != NULL, FXL_HAS_SURFACES) |
+           bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
+           bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
+           bit_if(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
+           bit_if((surfaces != NULL && surfaces->painter->target != target) ||
+                      (billboards != NULL && billboards->painter->target != target),
+                  FXL_HAS_OTHER_PAINTER) |
+           bit_if(true, FXL_HAS_TARGET);
+}
+
+const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
+{
+    const uint32_t parts = parts_of(renderer);
+    for (uint32_t i = 0; i < sizeof conflicts / sizeof *conflicts; i++) {
+        if ((parts >> conflicts[i].first & 1u) && (parts >> conflicts[i].second & 1u)) {
+            return &conflicts[i];
+        }
+    }
+    return NULL;
+}
+
+/* --- what goes together --------------------------------------------------------------------- */
+
+static bool are_blended(const fxl_surfaces *surfaces)
+{
+    for (uint32_t i = 0; surfaces != NULL && i < surfaces->set->surface_count; i++) {
+        if (surfaces->set->surfaces[i].flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+fxl_status fxl_check_combination(fxl_renderer *renderer)
+{
+    fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);
+    const fxl_shader *light = fxl_renderer_shader(renderer, FXL_SHADER_LIGHT);
+    const fxl_lit_surfaces *lit =
+        (const fxl_lit_surfaces *)(const void *)fxl_renderer_shader(renderer, FXL_SHADER_LIT);
+    if (fxl_find_conflict(renderer) != NULL) {
+        return FXL_E_COMBINATION;
+    }
+    if (surfaces != NULL) {
+        const bool is_lit = lit != NULL && light != NULL;
+        surfaces->light = is_lit ? (const fxl_light *)(const void *)light : NULL;
+        surfaces->light_code = is_lit ? lit->code : NULL;
+        surfaces->dark = is_lit ? lit->dark : 0;
+    }
+    renderer->near_first =
+        renderer->target->near_first && !(renderer->target->depth_bits != 0 && are_blended(surfaces));
+    renderer->check = NULL;
+    return FXL_OK;
+}

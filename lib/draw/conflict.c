@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* The names of what does not go together. A file of its own, so that a program which does not ask for
+ * them does not link them. */
+#include "combination.h"
+
+bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
+{
+    static const char *const parts[FXL_HAS_COUNT] = {
+        [FXL_HAS_TREE] = "the order by tree",
+        [FXL_HAS_MOVERS] = "instances that the tree cuts",
+        [FXL_HAS_DEPTH] = "a depth buffer",
+        [FXL_HAS_RGB565] = "an RGB565 target",
+        [FXL_HAS_STUDY] = "a target of the study",
+        [FXL_HAS_SURFACES] = "surfaces",
+        [FXL_HAS_BILLBOARDS] = "billboards",
+        [FXL_HAS_BEAMS] = "beams",
+        [FXL_HAS_OUTLINES] = "outlines",
+        [FXL_HAS_OTHER_PAINTER] = "surfaces or billboards of another target",
+        [FXL_HAS_TARGET] = "the renderer's target",
+    };
+    if (renderer == NULL || names == NULL || renderer->target == NULL) {
+        return false;
+    }
+    const fxl_conflict *conflict = fxl_find_conflict(renderer);
+    if (conflict == NULL) {
+        return false;
+    }
+    names[0] = parts[conflict->first];
+    names[1] = parts[conflict->second];
+    return true;
+}
