@@ -28,12 +28,12 @@ os.environ["FIXEL_KEPT"] = "no"     # the tests compute everything (kept.py)
 COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 
 
-def dump_bytes(frames, palette=None, promised=None, version=2, reserved=0, instructions=1000):
+def dump_bytes(frames, palette=None, promised=None, version=3, bits=8, instructions=1000):
     """A frame dump of docs/formats.md, section 2, written here from that section alone."""
     height, width = frames[0].shape
     palette = bytes(range(256)) * 3 if palette is None else palette
     count = len(frames) if promised is None else promised
-    out = b"FXLD" + struct.pack("<HHHHI", version, width, height, reserved, count) + palette
+    out = b"FXLD" + struct.pack("<HHHHI", version, width, height, bits, count) + palette
     for number, pixels in enumerate(frames):
         out += b"FRAM" + struct.pack("<I3i3I", number, 1, -2, 3, 4, 5, 6) + pixels.tobytes()
         out += struct.pack("<9IIQ", *COUNTERS_OF_A_FRAME, 0, instructions + number)

@@ -141,7 +141,7 @@ static int run(void)
     }
     frames = system_frames() != 0 ? system_frames() : image.frame_count;
     if (!journal_open(frames) ||
-        !display_open(image.lens.width, image.lens.height, image.palette)) {
+        !display_open(image.lens.width, image.lens.height, 8, image.palette)) {
         return SYSTEM_EXIT_DISPLAY;
     }
     code = all_frames(&image, frames);

@@ -26,6 +26,7 @@ typedef struct {
     const uint8_t *palette; /* 256 x red, green, blue */
     uint32_t frames;        /* how many will come, at least 1 */
     uint16_t width, height; /* pixels, 1 to 1024 */
+    uint8_t pixel_bits;     /* 8: a pixel is a palette index; 16: a colour of RGB565 */
 } panel_format;
 
 typedef enum {
@@ -44,9 +45,9 @@ typedef struct {
      * not need it. False: the panel failed. */
     bool (*begin)(uint32_t number, const fxl_pose *pose);
 
-    /* Takes height rows of width pixels each, one byte a pixel, without a gap between rows. The
-     * top left is pixel (x, y). False: the panel failed. */
-    bool (*flush)(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels);
+    /* Takes height rows of width pixels each, without a gap between rows: uint8_t, or uint16_t in
+     * the byte order of the core. The top left is pixel (x, y). False: the panel failed. */
+    bool (*flush)(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels);
 
     /* Ends the frame, after its last row; journal.h describes the arguments. Null where a panel
      * does not need it. False: the panel failed. */

@@ -68,11 +68,12 @@ bool journal_open(uint32_t frames)
     return true;
 }
 
-bool display_open(uint16_t width, uint16_t height, const uint8_t *palette)
+bool display_open(uint16_t width, uint16_t height, uint8_t pixel_bits, const uint8_t *palette)
 {
-    const panel_format format = {palette, display.announced, width, height};
+    const panel_format format = {palette, display.announced, width, height, pixel_bits};
 
-    if (display.open || display.announced == 0 || width == 0 || height == 0 || palette == NULL) {
+    if (display.open || display.announced == 0 || width == 0 || height == 0 || palette == NULL ||
+        (pixel_bits != 8 && pixel_bits != 16)) {
         return false;
     }
     display.ready = 0;
@@ -113,7 +114,7 @@ bool journal_begin(uint32_t number, const fxl_pose *pose)
     return display.whole;
 }
 
-bool display_flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+bool display_flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     uint32_t i;
 

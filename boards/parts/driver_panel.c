@@ -122,7 +122,7 @@ static fxl_status open_display(const panel_format *format)
 
 static panel_answer open(const panel_format *format)
 {
-    if (!record_open()) {
+    if (format->pixel_bits != 8 || !record_open()) {
         return PANEL_FAILED;
     }
     frames = 0;
@@ -138,14 +138,14 @@ static panel_answer open(const panel_format *format)
 
 /* Sends what is there in pieces of the pump's rows. Where a piece of a page is left over, the walk
  * was given bands that do not fit the display: ROWS= is then to be a multiple of 8. */
-static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     uint16_t row;
 
     (void)x; /* whole rows come */
     for (row = 0; row < height; row = (uint16_t)(row + ROWS)) {
         const uint16_t left = (uint16_t)(height - row);
-        const fxl_band band = {.pixels = (uint8_t *)pixels + (size_t)row * width, .width = width,
+        const fxl_band band = {.pixels = (uint8_t *)(uintptr_t)pixels + (size_t)row * width, .width = width,
                                .stride = width, .first_row = (uint16_t)(y + row),
                                .rows = left < ROWS ? left : (uint16_t)ROWS};
 

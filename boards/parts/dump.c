@@ -7,11 +7,12 @@
 #include "parts/dump.h"
 #include "parts/sink.h"
 
-#define DUMP_VERSION   2u
+#define DUMP_VERSION   3u
 #define PALETTE_BYTES  768u
 #define CRC_POLYNOMIAL 0xEDB88320u /* IEEE 802.3, reflected */
 
 static uint32_t frames; /* ended */
+static uint32_t pixel_bytes;
 static uint32_t crc;    /* inverted, of all bytes so far */
 
 /* Four bits at a time: a table of 64 bytes instead of 1 KiB. */
@@ -68,10 +69,11 @@ static panel_answer open(const panel_format *format)
         return PANEL_FAILED;
     }
     frames = 0;
+    pixel_bytes = format->pixel_bits / 8u;
     crc = ~0u;
     to = put_u16(put_tag(head, "FXLD"), DUMP_VERSION);
     to = put_u16(put_u16(to, format->width), format->height);
-    to = put_u16(to, 0);
+    to = put_u16(to, format->pixel_bits);
     (void)put_u32(to, format->frames);
     if (!put(head, sizeof head) || !put(format->palette, PALETTE_BYTES)) {
         (void)sink_close(false);
@@ -94,11 +96,11 @@ static bool begin(uint32_t number, const fxl_pose *pose)
     return put(head, sizeof head);
 }
 
-static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     (void)x; /* whole rows come, downward */
     (void)y;
-    return put(pixels, (size_t)width * height); /* <= 2^20 */
+    return put(pixels, (size_t)width * height * pixel_bytes); /* <= 2^21 */
 }
 
 static bool end(const fxl_counters *counters, uint32_t clamped, uint64_t instructions)

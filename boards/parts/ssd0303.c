@@ -79,7 +79,8 @@ static panel_answer open(const panel_format *format)
 {
     static const uint8_t off[] = {0xAE}, on[] = {0xAF};
 
-    if (format->width < SSD0303_WIDTH || format->height < SSD0303_HEIGHT) {
+    if (format->width < SSD0303_WIDTH || format->height < SSD0303_HEIGHT ||
+        format->pixel_bits != 8) {
         return PANEL_UNSUITABLE;
     }
     if (!send_commands(off, sizeof off)) {
@@ -111,14 +112,15 @@ static void gather(uint32_t y, const uint8_t *pixels)
     }
 }
 
-static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
+    const uint8_t *indices = pixels;
     uint32_t row;
 
     (void)x; /* whole rows come */
     for (row = y; row < (uint32_t)y + height; row++) {
         if (row - top < SSD0303_HEIGHT) { /* a row above the top is far below it, unsigned */
-            gather(row, pixels + (row - y) * width);
+            gather(row, indices + (row - y) * width);
         }
     }
     return true;

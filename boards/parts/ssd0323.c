@@ -69,7 +69,8 @@ static panel_answer open(const panel_format *format)
 {
     static const uint8_t on[] = {0xAF};
 
-    if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT) {
+    if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT ||
+        format->pixel_bits != 8) {
         return PANEL_UNSUITABLE;
     }
     (void)fxl_pixels_init(&greys, &fxl_pixels_grey4, format->palette);
@@ -82,7 +83,7 @@ static panel_answer open(const panel_format *format)
 
 /* Sends row by row, each through a buffer of its own. When it returns, no transfer is in
  * progress: the pixels are the caller's again. */
-static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     uint32_t packed[ROW_BYTES / 4u];
     uint32_t row;
@@ -91,7 +92,7 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     (void)x; /* whole rows come */
     for (row = 0; row < height && good; row++) {
         /* It only reads the pixels. */
-        const fxl_band one = {.pixels = (uint8_t *)(uintptr_t)(pixels + row * width),
+        const fxl_band one = {.pixels = (uint8_t *)(uintptr_t)pixels + row * width,
                               .width = width, .stride = width, .first_row = (uint16_t)(y + row),
                               .rows = 1};
 

@@ -24,7 +24,7 @@ static struct {
     uint32_t announced, finished; /* frames */
     uint32_t back;                /* the slot that is being drawn */
     uint32_t slots[WINDOW_SLOTS]; /* bytes from the header; not read back from where others write */
-    uint16_t width;
+    uint32_t row_bytes;
 } window;
 
 static window_header *header(void)
@@ -61,7 +61,8 @@ static void await_request(void)
 static bool place_slots(const panel_format *format)
 {
     const uint32_t pixels = (uint32_t)format->width * format->height; /* <= 2^20 */
-    const uint32_t size = ((uint32_t)sizeof(window_frame) + pixels + 7u) & ~7u;
+    const uint32_t bytes = pixels * (format->pixel_bits / 8u);
+    const uint32_t size = ((uint32_t)sizeof(window_frame) + bytes + 7u) & ~7u;
 
     window.slots[0] = WINDOW_FIRST_SLOT;
     window.slots[1] = WINDOW_FIRST_SLOT + size;
@@ -81,10 +82,11 @@ static panel_answer open(const panel_format *format)
     window.announced = format->frames;
     window.finished = 0;
     window.back = 0;
-    window.width = format->width;
+    window.row_bytes = (uint32_t)format->width * (format->pixel_bits / 8u);
     shared->version = WINDOW_VERSION;
     shared->width = format->width;
     shared->height = format->height;
+    shared->pixel_bits = format->pixel_bits;
     memcpy(shared->slots, window.slots, sizeof window.slots);
     memcpy(shared->palette, format->palette, sizeof shared->palette);
     STORE(shared->finished, 0);
@@ -101,12 +103,13 @@ static bool begin(uint32_t number, const fxl_pose *pose)
     return true;
 }
 
-static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     uint8_t *first = (uint8_t *)(back_frame() + 1);
 
     (void)x; /* whole rows come, downward */
-    memcpy(first + (uint32_t)y * window.width, pixels, (size_t)width * height);
+    (void)width;
+    memcpy(first + y * window.row_bytes, pixels, (size_t)window.row_bytes * height);
     return true;
 }
 

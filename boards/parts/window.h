@@ -23,7 +23,7 @@
 #include "contract/panel.h"
 
 #define WINDOW_MAGIC      0x574C5846u /* the bytes F X L W */
-#define WINDOW_VERSION    1u
+#define WINDOW_VERSION    2u
 #define WINDOW_INVITATION 0x57454956u /* the bytes V I E W */
 #define WINDOW_SLOTS      2u
 #define WINDOW_FIRST_SLOT 4096u /* bytes from the header's first */
@@ -49,12 +49,12 @@ typedef struct {
     uint32_t slots[WINDOW_SLOTS]; /* where they begin: bytes from here */
     _Atomic uint32_t finished;    /* frames so far, modulo 2^32 */
     _Atomic uint32_t front;       /* slot of the last of them */
-    uint32_t reserved;
+    uint32_t pixel_bits;          /* 8: palette indices; 16: colours of RGB565 */
     /* The viewer's. */
     _Atomic uint32_t invitation;
     _Atomic uint32_t requested; /* the board waits while finished is not less, modulo 2^32 */
     _Atomic uint32_t keys;      /* keys that are held, as bits of fixel/scene.h */
-    uint32_t reserved_too;
+    uint32_t reserved;
     /* The board's. */
     uint8_t palette[768];
 } window_header;

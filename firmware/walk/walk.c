@@ -335,7 +335,7 @@ int walk(void)
         system_text("walk: the journal could not be opened\n");
         return SYSTEM_EXIT_JOURNAL;
     }
-    if (!display_open(image.lens.width, image.lens.height, image.palette)) {
+    if (!display_open(image.lens.width, image.lens.height, 8, image.palette)) {
         system_text("walk: the display could not be opened\n");
         return SYSTEM_EXIT_DISPLAY;
     }

@@ -15,11 +15,11 @@ def test_the_picture_is_that_of_the_document(build):
     pixels = examples.draw_neon(build / "host" / "libfixel.a")
     shown = numpy.array(Image.open(CHECKOUT / "docs" / "neon.png").convert("RGB"))
     assert len(numpy.unique(pixels)) > 256  # more than a palette has
-    assert numpy.array_equal(numpy.array(picture.rgb565_image(pixels)), shown)
+    assert numpy.array_equal(picture.as_rgb(pixels, picture.rgb565_colours()), shown)
 
 
 def test_a_channel_of_a_picture_is_rounded_to_nearest():
-    image = numpy.array(picture.rgb565_image(numpy.array([[0xFFFF, 0, 1 << 11 | 1 << 5 | 1, 16 << 11 | 32 << 5 | 16]], "<u2")))
+    image = picture.as_rgb(numpy.array([[0xFFFF, 0, 1 << 11 | 1 << 5 | 1, 16 << 11 | 32 << 5 | 16]], "<u2"), picture.rgb565_colours())
     assert image.tolist() == [[[255, 255, 255], [0, 0, 0], [8, 4, 8], [132, 130, 132]]]
 
 

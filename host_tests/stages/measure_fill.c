@@ -50,7 +50,8 @@ void stages_measure_fill(stages_tally *tally, const fxl_screen_polygon *polygon,
     uint32_t drawn, found = 0;
     uint32_t wrong = draw_fixed(polygon, band, &drawn);
     ref_screen_polygon exact = bridge_screen_polygon(polygon);
-    ref_band exact_band = {band->pixels, band->width, band->stride, band->first_row, band->rows};
+    ref_band exact_band = {band->pixels, band->width, band->stride, band->first_row, band->rows,
+                           NULL};
     ref_scan box; /* for its bounding box; every pixel of the box is tested here */
     ref_scan_begin(&exact, &exact_band, &box);
     for (int y = box.y; y < box.y1; y++) {

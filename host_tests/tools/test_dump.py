@@ -76,8 +76,17 @@ def test_other_version():
     assert "version 1" in refused(dump_bytes(FRAMES, version=1))
 
 
-def test_reserved_field():
-    assert "reserved" in refused(dump_bytes(FRAMES, reserved=1))
+def test_pixels_of_other_bits():
+    assert "pixels of 4 bits; a pixel has 8 or 16" in refused(dump_bytes(FRAMES, bits=4))
+    refused(dump_bytes(FRAMES, bits=16))    # its frames are longer
+
+
+def test_pixels_of_16_bits_and_their_colours():
+    frames = [numpy.array([[0, 0xFFFF, 0xF800], [0x07E0, 0x001F, 0x8410]], "<u2")]
+    read = dump.parse_dump(dump_bytes(frames, bits=16), "board.fxld")
+    assert numpy.array_equal(read.frames[0].pixels, frames[0])
+    assert read.palette[read.frames[0].pixels].tolist() == [[[0, 0, 0], [255, 255, 255], [255, 0, 0]],
+                                                            [[0, 255, 0], [0, 0, 255], [132, 130, 132]]]
 
 
 def test_screen_of_no_pixels_and_too_large():

@@ -31,7 +31,8 @@ class FakeBoard:
     def word(self, offset):
         return int(self.memory[offset:offset + 4].view("<u4")[0])
 
-    def open(self, version=1, width=WIDTH, height=HEIGHT, slots=SLOTS):
+    def open(self, version=2, width=WIDTH, height=HEIGHT, slots=SLOTS, bits=8):
+        self.put(28, "I", bits)
         self.put(4, "IHHII", version, width, height, *slots)
         self.memory[48:816] = numpy.frombuffer(PALETTE, numpy.uint8)
         self.put(0, "4s", b"FXLW")
@@ -40,7 +41,7 @@ class FakeBoard:
         slot = number % 2 if front is None else front
         start = SLOTS[slot % 2]
         self.put(start, "QII3i3I9I", 1000 + number, number, 7, 1, -2, 3, 4, 5, 6, *COUNTERS_OF_A_FRAME)
-        self.memory[start + 80:start + 80 + pixels.size] = pixels.ravel()
+        self.memory[start + 80:start + 80 + pixels.nbytes] = numpy.frombuffer(pixels.tobytes(), numpy.uint8)
         self.put(24, "I", slot)
         self.put(20, "I", number + 1)
 
@@ -63,7 +64,8 @@ def pair(tmp_path, patient):
     window = Window(tmp_path / "window", 1 << 20)
     board = FakeBoard(tmp_path / "window")
     board.open()
-    assert window.open(patient) == (WIDTH, HEIGHT, PALETTE)
+    head = window.open(patient)
+    assert (head.width, head.height, head.palette.tobytes()) == (WIDTH, HEIGHT, PALETTE)
     yield window, board
     window.close()
 
@@ -92,6 +94,17 @@ def test_a_frame_and_what_is_told_of_it(pair):
     assert (frame.position, frame.angles) == ((1, -2, 3), (4, 5, 6))
     assert tuple(frame.counters.values()) == COUNTERS_OF_A_FRAME
     assert numpy.array_equal(frame.pixels, pixels)
+
+
+def test_a_frame_of_16_bits_a_pixel(tmp_path, patient):
+    window = Window(tmp_path / "window", 1 << 20)
+    board = FakeBoard(tmp_path / "window")
+    board.open(bits=16)
+    assert window.open(patient).palette.shape == (65536, 3)
+    pixels = numpy.random.default_rng(1).integers(0, 65536, (HEIGHT, WIDTH), numpy.uint16)
+    board.finish(0, pixels)
+    assert numpy.array_equal(window.copy().pixels, pixels)
+    window.close()
 
 
 def test_a_frame_that_changed_while_it_was_copied_is_none(pair, monkeypatch):
@@ -186,7 +199,7 @@ def test_keys_of_the_window(pair):
 
 
 @pytest.mark.parametrize("changes, words", [
-    ({"version": 2}, "version 2"), ({"width": 0}, "screen of 0x24"), ({"height": 1025}, "32x1025"),
+    ({"version": 1}, "version 1"), ({"bits": 4}, "pixels of 4 bits"), ({"width": 0}, "screen of 0x24"), ({"height": 1025}, "32x1025"),
     ({"slots": (100, 8192)}, "where they cannot be"), ({"slots": (4096, 4100)}, "where they cannot be"),
     ({"slots": (4096, (1 << 20) - 800)}, "where they cannot be")])
 def test_a_board_that_went_astray(tmp_path, changes, words, patient):
@@ -226,7 +239,8 @@ def test_a_dump_as_it_comes(tmp_path, step, patient):
     frames = random_frames(3)
     stream = Stream(tmp_path / "frames")
     thread = feed(tmp_path / "frames", dump_bytes(frames, palette=PALETTE), step)
-    assert stream.open(patient) == (32, 24, PALETTE)
+    head = stream.open(patient)
+    assert (head.width, head.height, head.palette.tobytes()) == (32, 24, PALETTE)
     for number, pixels in enumerate(frames):
         frame = stream.frame(patient)
         assert (frame.number, frame.position) == (number, (1, -2, 3))

@@ -72,12 +72,17 @@ function unpack(data) {
   const frame = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));
   const [pixels, double = 0, outlines = 0, faces = 0, verdict = 0] = frame.bytes;
   let offset = 4 + length;
-  frame.pixels = new Uint8Array(data, offset, pixels);
-  frame.double = new Uint8Array(data, offset += pixels, double);
+  frame.pixels = pixelsOf(data, offset, pixels);
+  frame.double = pixelsOf(data, offset += pixels, double);
   frame.outlines = new DataView(data, offset += double, outlines);
   frame.faces = new DataView(data, offset += outlines, faces);
   frame.verdict = new Uint8Array(data, offset + faces, verdict);
   return frame;
+}
+
+/** Pixels of 8 bits, or of 16, which are copied because they need not lie at an even place. */
+function pixelsOf(data, offset, size) {
+  return palette.length > 256 ? new Uint16Array(data.slice(offset, offset + size)) : new Uint8Array(data, offset, size);
 }
 
 function greet(message) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of palette indices on canvases, and the reference renderer's answer beside them.
+// Frames on canvases, and the reference renderer's answer beside them.
 
 const GREY = 0.35, FLOOR = 20;             // the dimmed frame under marks and lines
 const MARK = 0xffa000ff, RING = 0xffdcaaff; // ABGR: magenta, and a paler one around it
@@ -7,10 +7,10 @@ const RING_DISTANCE = 3;                    // pixels: one pixel alone is easily
 const LINE = "#ffd34d";
 const WITHIN = 1, BEYOND = 2;               // of the verdict; host_tests/judges/live/main.c
 
-/** Opaque ABGR words, as a canvas keeps them, of a palette of 256 x red, green, blue. */
+/** Opaque ABGR words, as a canvas keeps them, of red, green, blue of each value that a pixel may have. */
 export function paletteWords(bytes) {
-  const words = new Uint32Array(256);
-  for (let i = 0; i < 256; i++) {
+  const words = new Uint32Array(bytes.length / 3);
+  for (let i = 0; i < words.length; i++) {
     words[i] = 0xff000000 | bytes[3 * i + 2] << 16 | bytes[3 * i + 1] << 8 | bytes[3 * i];
   }
   return words;

@@ -44,7 +44,7 @@ int main(int argc, char **argv)
         fread(palette, 1, sizeof palette, stdin) != sizeof palette) {
         return 2;
     }
-    if (!journal_open(2) || !display_open(width, height, palette)) {
+    if (!journal_open(2) || !display_open(width, height, 8, palette)) {
         return 1;
     }
     good = show_frame(0, width, height, rows) && show_frame(1, width, height, rows);

@@ -85,7 +85,7 @@ void tearDown(void)
 
 static panel_answer open_panel(uint32_t width, uint32_t height)
 {
-    const panel_format format = {palette, 1, (uint16_t)width, (uint16_t)height};
+    const panel_format format = {palette, 1, (uint16_t)width, (uint16_t)height, 8};
 
     return ssd0303_panel.open(&format);
 }
@@ -152,9 +152,12 @@ void test_the_middle_of_frames_of_many_sizes_in_bands_of_many_heights(void)
     }
 }
 
-void test_smaller_frames_are_not_for_it_and_leave_it_alone(void)
+void test_other_frames_are_not_for_it_and_leave_it_alone(void)
 {
+    const panel_format rgb565 = {palette, 1, WIDTH, HEIGHT, 16};
+
     TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, open_panel(WIDTH - 1u, HEIGHT));
+    TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, ssd0303_panel.open(&rgb565));
     TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, open_panel(WIDTH, HEIGHT - 1u));
     TEST_ASSERT_EQUAL(0, oled.sends);
 }

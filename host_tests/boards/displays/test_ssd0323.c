@@ -125,7 +125,7 @@ void tearDown(void)
 
 static panel_answer open_panel(uint16_t width, uint16_t height)
 {
-    const panel_format format = {palette, 1, width, height};
+    const panel_format format = {palette, 1, width, height, 8};
 
     return ssd0323_panel.open(&format);
 }
@@ -189,11 +189,14 @@ void test_a_frame_in_bands_of_any_height(void)
     }
 }
 
-void test_other_sizes_are_not_for_it_and_leave_it_alone(void)
+void test_other_frames_are_not_for_it_and_leave_it_alone(void)
 {
+    const panel_format rgb565 = {palette, 1, WIDTH, HEIGHT, 16};
+
     TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, open_panel(WIDTH, HEIGHT - 1));
     TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, open_panel(WIDTH + 1, HEIGHT));
     TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, open_panel(320, 240));
+    TEST_ASSERT_EQUAL(PANEL_UNSUITABLE, ssd0323_panel.open(&rgb565));
     TEST_ASSERT_FALSE(oled.open);
 }
 

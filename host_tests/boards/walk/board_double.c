@@ -26,10 +26,12 @@ static bool on_journal_open(uint32_t frames)
     return !board.refuse_journal;
 }
 
-static bool on_display_open(uint16_t width, uint16_t height, const uint8_t *palette)
+static bool on_display_open(uint16_t width, uint16_t height, uint8_t pixel_bits,
+                            const uint8_t *palette)
 {
     TEST_ASSERT_EQUAL(SCENE_WIDTH, width);
     TEST_ASSERT_EQUAL(SCENE_HEIGHT, height);
+    TEST_ASSERT_EQUAL(8, pixel_bits);
     TEST_ASSERT_EQUAL(7, palette[7]);
     TEST_ASSERT_GREATER_THAN(0, board.announced);
     board.display_was_opened = true;
@@ -48,7 +50,7 @@ static bool on_journal_begin(uint32_t number, const fxl_pose *pose)
     return board.begun++ != board.refuse_begin;
 }
 
-static bool on_flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const uint8_t *pixels)
+static bool on_flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
     const uint32_t frame = board.begun - 1;
     uint16_t row;
@@ -61,7 +63,7 @@ static bool on_flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, co
         TEST_ASSERT_EQUAL_MESSAGE(1, board.times_covered[frame][y - 1], "not downward");
     }
     for (row = 0; row < height; row++) {
-        memcpy(board.pixels[frame][y + row], pixels + (size_t)row * width, width);
+        memcpy(board.pixels[frame][y + row], (const uint8_t *)pixels + (size_t)row * width, width);
         board.times_covered[frame][y + row]++;
     }
     board.clock += board.flush_cost;

@@ -101,7 +101,7 @@ static bool close_one(double_panel *one, bool whole)
         return begin_one(&name, number, at); \
     } \
     static bool name##_flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, \
-                             const uint8_t *lent) \
+                             const void *lent) \
     { \
         return flush_one(&name, x, y, width, height, lent); \
     } \
@@ -149,7 +149,7 @@ void tearDown(void)
 static bool open_display(uint32_t frames)
 {
     TEST_ASSERT_TRUE(journal_open(frames));
-    return display_open(WIDTH, HEIGHT, palette);
+    return display_open(WIDTH, HEIGHT, 8, palette);
 }
 
 /* A frame in two bands. */
@@ -344,16 +344,16 @@ void test_a_frame_more_and_a_frame_less_than_announced(void)
 
 void test_what_cannot_be_opened_reaches_no_panel(void)
 {
-    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, palette)); /* nothing was announced */
+    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, 8, palette)); /* nothing was announced */
     TEST_ASSERT_FALSE(journal_open(0));
     TEST_ASSERT_TRUE(journal_open(1));
-    TEST_ASSERT_FALSE(display_open(0, HEIGHT, palette));
-    TEST_ASSERT_FALSE(display_open(WIDTH, 0, palette));
-    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, NULL));
+    TEST_ASSERT_FALSE(display_open(0, HEIGHT, 8, palette));
+    TEST_ASSERT_FALSE(display_open(WIDTH, 0, 8, palette));
+    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, 8, NULL));
     TEST_ASSERT_EQUAL_STRING("", diary);
-    TEST_ASSERT_TRUE(display_open(WIDTH, HEIGHT, palette));
+    TEST_ASSERT_TRUE(display_open(WIDTH, HEIGHT, 8, palette));
     TEST_ASSERT_FALSE(journal_open(1));
-    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, palette));
+    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, 8, palette));
     TEST_ASSERT_EQUAL_STRING("Oo", diary);
 }
 

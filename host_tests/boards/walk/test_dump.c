@@ -80,7 +80,7 @@ void tearDown(void)
 static void open_dump(uint32_t frames)
 {
     TEST_ASSERT_TRUE(journal_open(frames));
-    TEST_ASSERT_TRUE(display_open(WIDTH, HEIGHT, palette));
+    TEST_ASSERT_TRUE(display_open(WIDTH, HEIGHT, 8, palette));
 }
 
 static void write_frame(uint32_t number)
@@ -130,7 +130,7 @@ void test_the_bytes_of_a_dump(void)
     TEST_ASSERT_TRUE(display_close());
     TEST_ASSERT_TRUE(was_whole);
     TEST_ASSERT_EQUAL(HEAD + 2 * FRAME + TAIL, size);
-    TEST_ASSERT_EQUAL_MEMORY("FXLD\2\0\3\0\2\0\0\0\2\0\0\0", written, 16);
+    TEST_ASSERT_EQUAL_MEMORY("FXLD\3\0\3\0\2\0\10\0\2\0\0\0", written, 16);
     TEST_ASSERT_EQUAL_MEMORY(palette, written + 16, sizeof palette);
     TEST_ASSERT_EQUAL_MEMORY(
         "FRAM\1\0\0\0\1\0\0\0\376\377\377\377\4\3\2\1\5\0\0\0\6\0\0\0\377\377\377\377",
@@ -147,12 +147,29 @@ void test_the_bytes_of_a_dump(void)
     TEST_ASSERT_EQUAL_HEX32(crc_by_bits(written, size - 4), u32(size - 4));
 }
 
+void test_a_dump_of_16_bits_a_pixel(void)
+{
+    static const uint16_t colours[WIDTH * HEIGHT] = {0x1234, 0xFFFF, 0, 0x8001};
+
+    TEST_ASSERT_TRUE(journal_open(1));
+    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, 12, palette));
+    TEST_ASSERT_TRUE(display_open(WIDTH, HEIGHT, 16, palette));
+    TEST_ASSERT_TRUE(journal_begin(0, &pose));
+    TEST_ASSERT_TRUE(display_flush(0, 0, WIDTH, 1, colours));
+    TEST_ASSERT_TRUE(display_flush(0, 1, WIDTH, 1, colours + WIDTH));
+    TEST_ASSERT_TRUE(journal_end(&counters, 7, 0));
+    TEST_ASSERT_TRUE(display_close());
+    TEST_ASSERT_EQUAL(HEAD + FRAME + sizeof colours / 2 + TAIL, size);
+    TEST_ASSERT_EQUAL_MEMORY("\20\0", written + 10, 2);
+    TEST_ASSERT_EQUAL_MEMORY(colours, written + HEAD + 32, sizeof colours);
+}
+
 void test_a_display_before_its_journal_or_without_size_is_refused(void)
 {
-    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, palette));
+    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, 8, palette));
     TEST_ASSERT_FALSE(journal_open(0));
     TEST_ASSERT_TRUE(journal_open(1));
-    TEST_ASSERT_FALSE(display_open(0, HEIGHT, palette));
+    TEST_ASSERT_FALSE(display_open(0, HEIGHT, 8, palette));
     TEST_ASSERT_FALSE(was_opened);
 }
 
@@ -160,7 +177,7 @@ void test_a_sink_that_does_not_open(void)
 {
     refuse_open = true;
     TEST_ASSERT_TRUE(journal_open(1));
-    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, palette));
+    TEST_ASSERT_FALSE(display_open(WIDTH, HEIGHT, 8, palette));
     TEST_ASSERT_FALSE(display_close());
 }
 
@@ -233,7 +250,7 @@ void test_a_sink_that_is_full_at_any_byte_never_gets_a_whole_dump(void)
         setUp();
         room = limit;
         TEST_ASSERT_TRUE(journal_open(1));
-        good = display_open(WIDTH, HEIGHT, palette);
+        good = display_open(WIDTH, HEIGHT, 8, palette);
         good = good && journal_begin(0, &pose);
         good = good && display_flush(0, 0, WIDTH, HEIGHT, pixels);
         good = good && journal_end(&counters, 0, 0);

@@ -56,7 +56,7 @@ void tearDown(void)
 
 static panel_answer open_of(uint16_t width, uint16_t height, uint32_t frames)
 {
-    const panel_format format = {palette, frames, width, height};
+    const panel_format format = {palette, frames, width, height, 8};
 
     return window_panel.open(&format);
 }
@@ -120,6 +120,7 @@ void test_the_header_tells_the_format(void)
     TEST_ASSERT_EQUAL(WINDOW_VERSION, header->version);
     TEST_ASSERT_EQUAL(WIDTH, header->width);
     TEST_ASSERT_EQUAL(HEIGHT, header->height);
+    TEST_ASSERT_EQUAL(8, header->pixel_bits);
     TEST_ASSERT_EQUAL(0, header->finished);
     TEST_ASSERT_EQUAL_MEMORY(palette, fxl_window + 48, sizeof palette);
     TEST_ASSERT_EQUAL(WINDOW_FIRST_SLOT, header->slots[0]);
@@ -221,6 +222,22 @@ void test_it_waits_for_each_request(void)
     TEST_ASSERT_EQUAL(2, naps);
     TEST_ASSERT_EQUAL(2, header->requested);
     TEST_ASSERT_EQUAL(1, header->finished);
+}
+
+void test_pixels_of_16_bits(void)
+{
+    static const uint16_t colours[AREA] = {0x1234, 0xFFFF, 0, 0x8001};
+    const panel_format format = {palette, 100, WIDTH, HEIGHT, 16};
+
+    TEST_ASSERT_EQUAL(PANEL_READY, window_panel.open(&format));
+    TEST_ASSERT_EQUAL(16, header->pixel_bits);
+    TEST_ASSERT_GREATER_OR_EQUAL(header->slots[0] + sizeof(window_frame) + 2 * AREA,
+                                 header->slots[1]);
+    TEST_ASSERT_TRUE(window_panel.begin(0, &pose));
+    TEST_ASSERT_TRUE(window_panel.flush(0, 0, WIDTH, 1, colours));
+    TEST_ASSERT_TRUE(window_panel.flush(0, 1, WIDTH, HEIGHT - 1, colours + WIDTH));
+    TEST_ASSERT_TRUE(window_panel.end(&counters, 9, 0));
+    TEST_ASSERT_EQUAL_MEMORY(colours, front() + 1, sizeof colours);
 }
 
 void test_it_does_not_wait_where_many_are_wanted(void)

@@ -27,10 +27,10 @@ void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t fra
 {
     *to = (dump){.file = file, .crc = UINT32_MAX};
     put(to, "FXLD", 4);
-    put_number(to, 2, 2);
+    put_number(to, 3, 2);
     put_number(to, image->lens.width, 2);
     put_number(to, image->lens.height, 2);
-    put_number(to, 0, 2);
+    put_number(to, 8, 2); /* bits of a pixel */
     put_number(to, frames, 4);
     put(to, image->palette, 768);
 }

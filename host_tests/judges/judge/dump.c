@@ -20,9 +20,9 @@ static uint8_t *frame_at(const judge_dump *dump, uint32_t frame)
     return dump->bytes + HEAD_SIZE + frame * dump->frame_size;
 }
 
-static size_t frame_size(int width, int height)
+static size_t pixel_bytes(const judge_dump *dump)
 {
-    return PIXELS_AT + (size_t)width * (size_t)height + COUNTERS_SIZE;
+    return (size_t)dump->width * (size_t)dump->height * (size_t)(dump->pixel_bits / 8);
 }
 
 static const char *check_dump(judge_dump *dump)
@@ -31,16 +31,20 @@ static const char *check_dump(judge_dump *dump)
     if (dump->size < HEAD_SIZE || memcmp(bytes, "FXLD", 4) != 0) {
         return "it is not a frame dump (no FXLD at its start)";
     }
-    if (ref_u16(bytes + 4) != 2 || ref_u16(bytes + 10) != 0) {
+    if (ref_u16(bytes + 4) != 3) {
         return "this version of the frame dump is not known";
     }
     dump->width = ref_u16(bytes + 6);
     dump->height = ref_u16(bytes + 8);
+    dump->pixel_bits = ref_u16(bytes + 10);
     dump->frame_count = ref_u32(bytes + 12);
+    if (dump->pixel_bits != 8 && dump->pixel_bits != 16) {
+        return "its pixels have neither 8 bits nor 16";
+    }
     if (dump->width < 1 || dump->height < 1 || dump->frame_count < 1) {
         return "it holds no frame";
     }
-    dump->frame_size = frame_size(dump->width, dump->height);
+    dump->frame_size = PIXELS_AT + pixel_bytes(dump) + COUNTERS_SIZE;
     size_t rest = dump->size - HEAD_SIZE;
     if (rest < TAIL_SIZE || (rest - TAIL_SIZE) / dump->frame_size != dump->frame_count ||
         (rest - TAIL_SIZE) % dump->frame_size != 0) {
@@ -84,9 +88,10 @@ ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame)
     return ref_pose_read(frame_at(dump, frame) + POSE_AT);
 }
 
-const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame)
+uint16_t judge_dump_pixel(const judge_dump *dump, uint32_t frame, size_t number)
 {
-    return frame_at(dump, frame) + PIXELS_AT;
+    const uint8_t *pixels = frame_at(dump, frame) + PIXELS_AT;
+    return dump->pixel_bits == 8 ? pixels[number] : ref_u16(pixels + 2 * number);
 }
 
 const uint8_t *judge_dump_palette(const judge_dump *dump)
@@ -113,18 +118,23 @@ bool judge_dump_like(const judge_dump *board, judge_dump *reference)
     return true;
 }
 
-void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
+void judge_dump_put(judge_dump *dump, uint32_t frame, const uint16_t *pixels,
                     const ref_counters *counters)
 {
-    size_t area = (size_t)dump->width * (size_t)dump->height;
+    const size_t area = (size_t)dump->width * (size_t)dump->height;
     uint8_t *to = frame_at(dump, frame) + PIXELS_AT;
-    memcpy(to, pixels, area);
-    memset(to + area, 0, COUNTERS_SIZE);
+    for (size_t i = 0; i < area; i++) {
+        *to++ = (uint8_t)pixels[i];
+        if (dump->pixel_bits == 16) {
+            *to++ = (uint8_t)(pixels[i] >> 8);
+        }
+    }
+    memset(to, 0, COUNTERS_SIZE);
     const uint32_t values[] = {counters->in,         counters->backfacing, counters->outside,
                                counters->degenerate, counters->refused,    counters->drawn,
                                counters->clipped};
     for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
-        put_u32(to + area + 4 * i, values[i]);
+        put_u32(to + 4 * i, values[i]);
     }
 }
 

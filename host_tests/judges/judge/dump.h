@@ -8,7 +8,7 @@
 #include "reference/scene.h"
 
 typedef struct {
-    int width, height;
+    int width, height, pixel_bits; /* 8: entries of the palette; 16: RGB565 */
     uint32_t frame_count;
     size_t frame_size; /* bytes of a frame's record */
     uint8_t *bytes;    /* the whole file */
@@ -21,14 +21,16 @@ const char *judge_dump_open(const char *path, judge_dump *dump);
 void judge_dump_close(judge_dump *dump);
 
 ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame);
-const uint8_t *judge_dump_pixels(const judge_dump *dump, uint32_t frame);
+
+/* The pixel of a number, counted row by row. */
+uint16_t judge_dump_pixel(const judge_dump *dump, uint32_t frame, size_t number);
 const uint8_t *judge_dump_palette(const judge_dump *dump);
 
-/* Makes a dump with another renderer's pixels and counters. It has the same head and poses.
+/* Makes a dump for another renderer's pixels and counters. It has the same head and poses.
  * Instructions, refused calls, spilled polygons and clamped steps are 0. Returns false where
  * memory is short. */
 bool judge_dump_like(const judge_dump *board, judge_dump *twin);
-void judge_dump_put(judge_dump *dump, uint32_t frame, const uint8_t *pixels,
+void judge_dump_put(judge_dump *dump, uint32_t frame, const uint16_t *pixels,
                     const ref_counters *counters);
 
 /* Sets the checksum and writes the file through a temporary one. Returns false where that fails. */

@@ -2,8 +2,8 @@
 #include "judge/explain.h"
 
 #include <math.h>
-#include <string.h>
 
+#include "judge/beneath.h"
 #include "reference/scan.h"
 
 judge_box judge_box_of(const ref_screen_polygon *polygon)
@@ -66,12 +66,6 @@ judge_box judge_box_of_drawn(const ref_drawn *drawn)
     return judge_box_of(judge_most(drawn, true));
 }
 
-/* The colours that a polygon may show at a pixel that it covers, and whether it may be clear there.
- */
-typedef struct {
-    bool colours[256], clear;
-} showing;
-
 static int64_t down(double value)
 {
     return (int64_t)floor(value);
@@ -79,21 +73,23 @@ static int64_t down(double value)
 
 /* One texel at every level of light within the slack. part: of the slack, 0 or 1. */
 static void add_texel(const ref_surface_view *look, const ref_place *place, double part, int texel,
-                      showing *found)
+                      judge_showing *found)
 {
     const double level = place->values[REF_BRIGHTNESS], slack = part * place->slack[REF_BRIGHTNESS];
     if (texel == REF_CLEAR) {
         found->clear = true;
-        return;
-    }
-    for (int64_t i = down(level - slack); i <= down(level + slack); i++) {
-        found->colours[ref_surface_lit(look, i, (uint8_t)texel)] = true;
+    } else if (look->rgb565) {
+        found->colours[texel] = true; /* find_parts has the light */
+    } else {
+        for (int64_t i = down(level - slack); i <= down(level + slack); i++) {
+            found->colours[ref_surface_lit(look, i, (uint8_t)texel)] = true;
+        }
     }
 }
 
 /* Every texel that the place may be in. */
 static void add_texels(const ref_surface_view *look, const ref_place *place, double part,
-                       showing *found)
+                       judge_showing *found)
 {
     const double u = place->values[REF_U], v = place->values[REF_V];
     const double u_slack = part * place->slack[REF_U], v_slack = part * place->slack[REF_V];
@@ -104,12 +100,22 @@ static void add_texels(const ref_surface_view *look, const ref_place *place, dou
     }
 }
 
+/* The parts of its colour that light may leave at a place of an RGB565 frame. */
+static void find_parts(const ref_surface_view *look, const ref_place *place, double part,
+                       judge_showing *found)
+{
+    const double level = place->values[REF_BRIGHTNESS], slack = part * place->slack[REF_BRIGHTNESS];
+    const double bound = part * ref_rgb565_part_bound(look->light);
+    found->part[0] = fmax(ref_rgb565_part(look->light, level - slack) - bound, 0);
+    found->part[1] = fmin(ref_rgb565_part(look->light, level + slack) + bound, 1);
+}
+
 static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
-                         const judge_question *question, showing *found)
+                         const judge_question *question, judge_showing *found)
 {
     const ref_surface_view *look = &drawn->look;
     ref_place place;
-    *found = (showing){.clear = false};
+    *found = (judge_showing){.part = {1, 1}};
     if (!look->surface) {
         found->colours[drawn->polygon.colour] = true;
     } else if (!ref_stipple_draws(look->surface->opacity, question->x, question->y) ||
@@ -117,74 +123,33 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
         found->clear = true;
     } else {
         add_texels(look, &place, question->texels ? 1 : 0, found);
-    }
-}
-
-/* What a choice costs: to show a polygon, to leave it out. */
-typedef struct {
-    double in, out;
-} choice;
-
-/* Leaving a polygon out costs so much, whatever is beneath it. */
-static void add_left_out(double out, double costs[256])
-{
-    for (int c = 0; c < 256 && out > 0; c++) {
-        costs[c] = fmax(costs[c], out);
-    }
-}
-
-/* The colours beneath a polygon that blends which make one that costs little. */
-static void add_blended(const ref_surface_view *look, const showing *found, choice made,
-                        double costs[256])
-{
-    double before[256];
-    memcpy(before, costs, sizeof before);
-    add_left_out(made.out, costs);
-    for (int c = 0; c < 256 && isfinite(made.in); c++) {
-        for (int beneath = 0; beneath < 256 && found->colours[c]; beneath++) {
-            const uint8_t mixed = ref_surface_over(look, (uint8_t)c, (uint8_t)beneath);
-            costs[beneath] = fmin(costs[beneath], fmax(before[mixed], made.in));
+        if (look->rgb565 && look->light) {
+            find_parts(look, &place, question->texels ? 1 : 0, found);
         }
     }
 }
 
-/* costs[c]: what it costs that the colour c, beneath the polygons after this one, explains the
- * pixel. Makes them those beneath this polygon too. Returns what it costs that the polygon itself
- * explains the pixel. */
-static double add_polygon(const ref_surface_view *look, const showing *found, choice made,
-                          double costs[256])
+/* Goes on to what is beneath a polygon. Returns what it costs that the polygon itself explains the
+ * pixel. */
+static double add_polygon(const ref_surface_view *look, const judge_showing *found,
+                          judge_choice made, judge_beneath *beneath)
 {
-    double shown = INFINITY;
     if (look->surface && look->surface->blends) {
-        add_blended(look, found, made, costs);
-        return shown;
+        judge_beneath_blend(beneath, look, found, made);
+        return INFINITY;
     }
-    for (int c = 0; c < 256 && isfinite(made.in); c++) {
-        if (found->colours[c]) {
-            shown = fmin(shown, fmax(costs[c], made.in));
-        }
-    }
-    add_left_out(made.out, costs);
+    const double shown = fmax(judge_beneath_shown(beneath, found), made.in);
+    judge_beneath_leave_out(beneath, made.out);
     return shown;
-}
-
-static double least_of(const double costs[256])
-{
-    double least = INFINITY;
-    for (int c = 0; c < 256; c++) {
-        least = fmin(least, costs[c]);
-    }
-    return least;
 }
 
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question)
 {
     const double cx = question->x + 0.5, cy = question->y + 0.5;
-    double best = INFINITY, least_cost = 0, costs[256];
-    for (int c = 0; c < 256; c++) {
-        costs[c] = c == question->colour ? 0 : INFINITY;
-    }
+    double best = INFINITY, least_cost = 0;
+    judge_beneath beneath;
+    judge_beneath_begin(&beneath, question->rgb565, question->colour);
     for (size_t i = count; i-- > 0 && least_cost < best;) {
         const ref_screen_polygon *least = judge_least(&drawn[i], question->doubt);
         const ref_screen_polygon *most = judge_most(&drawn[i], question->doubt);
@@ -192,16 +157,17 @@ double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_b
         if (!near && box_is_beyond(&boxes[i], cx, cy, best)) {
             continue;
         }
-        showing found;
+        judge_showing found;
         find_showing(lens, &drawn[i], question, &found);
         const bool is_in = near && ref_scan_covers(most, cx, cy);
         const bool is_out = found.clear || !near || !ref_scan_covers(least, cx, cy);
-        const choice made = {is_in ? 0 : judge_edge_distance(most, cx, cy),
+        const judge_choice made = {is_in ? 0 : judge_edge_distance(most, cx, cy),
                              is_out ? 0 : judge_edge_distance(least, cx, cy)};
-        best = fmin(best, add_polygon(&drawn[i].look, &found, made, costs));
-        least_cost = made.out > 0 || drawn[i].look.surface ? least_of(costs) : least_cost;
+        best = fmin(best, add_polygon(&drawn[i].look, &found, made, &beneath));
+        least_cost =
+            made.out > 0 || drawn[i].look.surface ? judge_beneath_least(&beneath) : least_cost;
     }
-    return fmin(best, costs[question->background]);
+    return fmin(best, judge_beneath_background(&beneath, question->background));
 }
 
 /* --- by depth ------------------------------------------------------------------------------- */
@@ -214,8 +180,8 @@ enum {
 typedef struct {
     const ref_drawn *drawn;
     double nearness;
-    choice made;
-    showing found;
+    judge_choice made;
+    judge_showing found;
 } candidate;
 
 static candidate candidate_of(const ref_lens *lens, const ref_drawn *drawn, const judge_box *box,
@@ -245,10 +211,9 @@ static bool is_nearer(const candidate *one, const candidate *other, double resol
 static double explain_by(const candidate *near, size_t count, const candidate *shown,
                          const judge_question *question, double resolution)
 {
-    double costs[256], cost = shown ? shown->made.in : 0, best = INFINITY;
-    for (int c = 0; c < 256; c++) {
-        costs[c] = c == question->colour ? 0 : INFINITY;
-    }
+    double cost = shown ? shown->made.in : 0;
+    judge_beneath beneath;
+    judge_beneath_begin(&beneath, question->rgb565, question->colour);
     for (size_t i = count; i-- > 0;) {
         const candidate *one = &near[i];
         if (!ref_is_blended(one->drawn)) {
@@ -256,17 +221,14 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
                 cost = fmax(cost, one->made.out);
             }
         } else if (!shown || !is_nearer(shown, one, resolution)) {
-            choice made = one->made;
+            judge_choice made = one->made;
             made.out = is_nearer(one, shown, resolution) ? made.out : 0;
-            add_polygon(&one->drawn->look, &one->found, made, costs);
+            judge_beneath_blend(&beneath, &one->drawn->look, &one->found, made);
         }
     }
-    for (int c = 0; c < 256; c++) {
-        if (shown ? shown->found.colours[c] : c == question->background) {
-            best = fmin(best, costs[c]);
-        }
-    }
-    return fmax(best, cost);
+    return fmax(shown ? judge_beneath_shown(&beneath, &shown->found)
+                      : judge_beneath_background(&beneath, question->background),
+                cost);
 }
 
 double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
@@ -274,13 +236,13 @@ double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, cons
 {
     candidate near[NEAR_MAX];
     size_t found = 0;
+    near[0].drawn = NULL; /* there may be none */
     for (size_t i = 0; i < count && found < NEAR_MAX; i++) {
         if (!box_is_beyond(&boxes[i], question->x + 0.5, question->y + 0.5, 1)) {
             near[found++] = candidate_of(lens, &drawn[i], &boxes[i], question);
         }
     }
-    double best = found == 0 ? (question->colour == question->background ? 0 : INFINITY)
-                             : explain_by(near, found, NULL, question, resolution);
+    double best = explain_by(near, found, NULL, question, resolution);
     for (size_t i = 0; i < found; i++) {
         if (!ref_is_blended(near[i].drawn)) {
             best = fmin(best, explain_by(near, found, &near[i], question, resolution));

@@ -22,7 +22,8 @@ double judge_edge_distance(const ref_screen_polygon *polygon, double x, double y
 /* What is to be explained at the centre of a pixel. */
 typedef struct {
     int x, y;
-    uint8_t colour;
+    uint16_t colour;          /* an entry of the palette, or of RGB565 */
+    const ref_rgb565 *rgb565; /* of the frame; null: it is one of a palette */
     uint8_t background;
     bool doubt;  /* near and far may leave more or less of a polygon; see below */
     bool texels; /* a face may show another texel within the bound of its coordinates */
@@ -46,7 +47,8 @@ typedef struct {
  * A polygon with a surface shows the colour of its texel there at its level of light, or with
  * texels: of any texel and any level within their bounds (reference/surface.h). Where its texel is
  * clear, putting it out costs 0. Where it is blended, it shows what the table makes of its colour
- * and of the one beneath; so the cost is found for each colour that may be beneath. */
+ * and of the one beneath; so the cost is found for each colour that may be beneath
+ * (judge/beneath.h). */
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question);
 

@@ -32,6 +32,7 @@ typedef struct {
     double distance;
     judge_frame *frames;
     judge_dump *twin, *names;
+    ref_rgb565 rgb565; /* where the dump has 16 bits a pixel */
     pthread_mutex_t lock;
     uint32_t next, done;
     time_t reported;
@@ -120,24 +121,25 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
 }
 
 /* False where memory is short. */
-static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint8_t *twin,
+static bool compare_pixels(const job *work, const ref_renderer *renderer, const uint16_t *twin,
                            uint32_t number)
 {
-    const uint8_t *board = judge_dump_pixels(work->dump, number);
     judge_frame *frame = &work->frames[number];
     *frame = (judge_frame){.max_distance = -1};
     judge_box *boxes = NULL; /* allocated at the first difference */
     ref_pose pose = judge_dump_pose(work->dump, number);
     oracle_tie_view view = tie_view(work, &pose);
     for (int y = 0; y < work->dump->height; y++) {
-        for (int x = 0; x < work->dump->width; x++, board++, twin++) {
-            if (*board == *twin) {
+        for (int x = 0; x < work->dump->width; x++) {
+            const size_t place = (size_t)y * (size_t)work->dump->width + (size_t)x;
+            const uint16_t board = judge_dump_pixel(work->dump, number, place);
+            if (board == twin[place]) {
                 continue;
             }
             if (!boxes && !(boxes = judge_boxes_of(&renderer->display_list))) {
                 return false;
             }
-            judge_sample pixel = {x, y, *board, *twin, 0};
+            judge_sample pixel = {x, y, board, twin[place], 0};
             explain(work, renderer, boxes, &pixel, frame);
             count_pixel(frame, &pixel, work->distance);
             frame->tied += is_tied(work, renderer, boxes, &view, x, y);
@@ -147,15 +149,15 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
     return true;
 }
 
-static bool judge_one(const job *work, ref_renderer *renderer, uint8_t *pixels, uint32_t number)
+static bool judge_one(const job *work, ref_renderer *renderer, uint16_t *pixels, uint32_t number)
 {
     int width = work->dump->width, height = work->dump->height;
-    ref_band band = {pixels, width, width, 0, height};
+    ref_band band = {NULL, width, width, 0, height, pixels};
     ref_pose pose = judge_dump_pose(work->dump, number);
     if (!ref_frame_begin(renderer, &pose)) {
         return false;
     }
-    ref_fill_band(&band, work->image->background);
+    ref_fill_band(&band, ref_pixel_of(renderer, work->image->background));
     ref_frame_draw(renderer, &band);
     if (work->twin) {
         judge_dump_put(work->twin, number, pixels, &renderer->counters);
@@ -190,7 +192,7 @@ static void *run_worker(void *argument)
     size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
     ref_renderer renderer;
     moving_reference moving; /* each thread's own: it is at the thread's frame */
-    uint8_t *pixels = malloc(area);
+    uint16_t *pixels = malloc(area * sizeof *pixels);
     bool moves = moving_reference_open(&moving, work->image, work->scene->bytes, work->scene->size);
     bool ready = ref_renderer_init(&renderer, &moving.scene, &work->image->lens);
     bool sound = pixels && ready && moves;
@@ -199,6 +201,7 @@ static void *run_worker(void *argument)
     renderer.by_bsp = work->by_bsp;
     renderer.draws_flat = work->flat;
     renderer.depth_bits = work->depth_bits;
+    renderer.rgb565 = work->dump->pixel_bits == 16 ? &work->rgb565 : NULL;
     renderer.keeps_doubt = true;
     pthread_mutex_lock(&work->lock);
     while (sound && !work->failed && work->next < work->dump->frame_count) {
@@ -238,6 +241,7 @@ bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cut
                 .names = names,
                 .lock = PTHREAD_MUTEX_INITIALIZER,
                 .reported = time(NULL)};
+    ref_rgb565_make(&work.rgb565, scene->image->palette, scene->image->scene.light);
     pthread_t threads[THREADS_MAX];
     long wanted = sysconf(_SC_NPROCESSORS_ONLN), started = 0;
     while (started < wanted - 1 && started < THREADS_MAX &&

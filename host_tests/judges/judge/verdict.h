@@ -12,7 +12,7 @@ enum {
 /* One pixel that is not explained. */
 typedef struct {
     int x, y;
-    uint8_t board, twin;
+    uint16_t board, twin;
     double distance; /* infinite where no distance explains it */
 } judge_sample;
 

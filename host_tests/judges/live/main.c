@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* live SCENE.fxls [--clipper NAME] [--hidden NAME]
+/* live SCENE.fxls [--clipper NAME] [--hidden NAME] [--pixels palette|rgb565]
  *
  * Draws with the reference renderer, pose by pose. A request on standard
  * input is 36 bytes, and the board's pixels where it wants the verdict. An answer
@@ -8,13 +8,13 @@
  *
  *   request  bytes A S K S; u8 wants (1 frame, 2 outlines, 4 faces, 8 verdict);
  *            u8 x 3, 0; pose; u32 number of the frame, which says where things
- *            are that move; with 8: the board's frame, width x height bytes
+ *            are that move; with 8: the board's frame, width x height pixels
  *   answer   bytes T W I N; u32 number of the request, from 0; u32 x 4: bytes of
  *            each of the four parts, 0 for a part that is not wanted; the parts
  *
  * The parts. Frame, faces and verdict have an entry for each pixel, rows downward:
  *
- *   frame     u8 palette index
+ *   frame     u8 palette index; or u16 of RGB565, as the board's pixels are then
  *   outlines  in the order of drawing: u16 points, u8 colour, u8 0, then for each
  *             point f32 x, f32 y in pixels
  *   faces     u16 instance, u16 face within its model: what the frame shows, or
@@ -62,9 +62,11 @@ typedef struct {
     uint8_t *bytes; /* of the image */
     moving_reference moving;
     ref_renderer renderer;
-    size_t area;      /* pixels of a frame */
-    uint8_t *frame;   /* the reference renderer's */
-    uint8_t *board;   /* the board's frame */
+    ref_rgb565 rgb565;
+    size_t area;     /* pixels of a frame */
+    uint16_t *frame; /* the reference renderer's */
+    uint8_t *bytes_of_frame;
+    uint8_t *board;   /* the bytes of the board's frame */
     uint8_t *verdict; /* of each pixel */
     uint8_t *faces;
     uint32_t *shown; /* ref_renderer.shown, while faces are wanted */
@@ -149,11 +151,32 @@ static bool collect_outlines(session *run, size_t *size)
 static void draw(session *run, bool wants_faces)
 {
     const ref_lens *lens = &run->image.lens;
-    ref_band band = {run->frame, lens->width, lens->width, 0, lens->height};
+    ref_band band = {NULL, lens->width, lens->width, 0, lens->height, run->frame};
     memset(run->shown, 0, run->area * sizeof *run->shown);
     run->renderer.shown = wants_faces ? run->shown : NULL;
-    ref_fill_band(&band, run->image.background);
+    ref_fill_band(&band, ref_pixel_of(&run->renderer, run->image.background));
     ref_frame_draw(&run->renderer, &band);
+}
+
+static size_t pixel_bytes(const session *run)
+{
+    return run->renderer.rgb565 ? 2 : 1;
+}
+
+static uint16_t board_pixel(const session *run, size_t number)
+{
+    return run->renderer.rgb565 ? ref_u16(run->board + 2 * number) : run->board[number];
+}
+
+static void collect_frame(session *run)
+{
+    for (size_t i = 0; i < run->area; i++) {
+        if (run->renderer.rgb565) {
+            put_u16(run->bytes_of_frame + 2 * i, run->frame[i]);
+        } else {
+            run->bytes_of_frame[i] = (uint8_t)run->frame[i];
+        }
+    }
 }
 
 /* The face of each pixel of the frame that was drawn. */
@@ -178,10 +201,10 @@ static bool judge_board(session *run)
     judge_box *boxes = judge_boxes_of(&run->renderer.display_list);
     for (size_t i = 0; boxes && i < run->area; i++) {
         run->verdict[i] = IS_EQUAL;
-        if (run->board[i] != run->frame[i]) {
+        if (board_pixel(run, i) != run->frame[i]) {
             const judge_reason reason =
                 judge_pixel(&run->renderer, boxes, run->image.background, (int)i % width,
-                            (int)i / width, run->board[i], JUDGE_DISTANCE);
+                            (int)i / width, board_pixel(run, i), JUDGE_DISTANCE);
             run->verdict[i] =
                 reason.distance <= JUDGE_DISTANCE ? IS_WITHIN_THE_BOUND : IS_BEYOND_THE_BOUND;
         }
@@ -201,6 +224,7 @@ static bool work_out(session *run, uint8_t wants, const ref_pose *pose, uint32_t
     }
     if ((wants & ~WANT_OUTLINES) != 0) {
         draw(run, (wants & WANT_FACES) != 0);
+        collect_frame(run);
     }
     if ((wants & WANT_FACES) != 0) {
         collect_faces(run);
@@ -216,7 +240,8 @@ static int answer(session *run, uint32_t number, const uint8_t *request)
     if (memcmp(request, "ASKS", 4) != 0 || (wants & ~WANT_ALL) != 0) {
         return fail("standard input", "that is not a request");
     }
-    if ((wants & WANT_VERDICT) != 0 && fread(run->board, 1, run->area, stdin) != run->area) {
+    const size_t frame_bytes = pixel_bytes(run) * run->area;
+    if ((wants & WANT_VERDICT) != 0 && fread(run->board, 1, frame_bytes, stdin) != frame_bytes) {
         return fail("standard input", "it ends within a request");
     }
     const ref_pose pose = ref_pose_read(request + POSE_AT);
@@ -224,8 +249,8 @@ static int answer(session *run, uint32_t number, const uint8_t *request)
     if (!work_out(run, wants, &pose, ref_u32(request + FRAME_AT), &outlines_size)) {
         return fail("a frame", "there is not enough memory");
     }
-    const uint8_t *parts[PARTS] = {run->frame, run->outlines, run->faces, run->verdict};
-    const size_t sizes[PARTS] = {run->area, outlines_size, FACE_SIZE * run->area, run->area};
+    const uint8_t *parts[PARTS] = {run->bytes_of_frame, run->outlines, run->faces, run->verdict};
+    const size_t sizes[PARTS] = {frame_bytes, outlines_size, FACE_SIZE * run->area, run->area};
     uint8_t head[ANSWER_HEAD];
     memcpy(head, "TWIN", 4);
     put_u32(head + 4, number);
@@ -270,20 +295,26 @@ static int open_scene(const char *path, session *run)
         return fail(path, wrong);
     }
     run->area = (size_t)run->image.lens.width * (size_t)run->image.lens.height;
-    run->frame = malloc(run->area);
-    run->board = malloc(run->area);
+    run->frame = malloc(run->area * sizeof *run->frame);
+    run->bytes_of_frame = malloc(2 * run->area);
+    run->board = malloc(2 * run->area);
     run->verdict = malloc(run->area);
     run->faces = malloc(FACE_SIZE * run->area);
     run->shown = malloc(run->area * sizeof *run->shown);
-    if (!run->frame || !run->board || !run->verdict || !run->faces || !run->shown ||
+    if (!run->frame || !run->bytes_of_frame || !run->board || !run->verdict || !run->faces || !run->shown ||
         !ref_renderer_init(&run->renderer, &run->moving.scene, &run->image.lens)) {
         return fail(path, "there is not enough memory for it");
     }
     return 0;
 }
 
-static bool choose(const char *option, const char *name, ref_renderer *as)
+/* Reads an option. *pixels: bits of a pixel, or 0 where the scene decides. */
+static bool choose(const char *option, const char *name, ref_renderer *as, int *pixels)
 {
+    if (strcmp(option, "--pixels") == 0) {
+        *pixels = strcmp(name, "rgb565") == 0 ? 16 : strcmp(name, "palette") == 0 ? 8 : -1;
+        return *pixels > 0;
+    }
     return strcmp(option, "--clipper") == 0 ? ref_clipper_cuts(name, &as->cuts, &as->by_points)
            : strcmp(option, "--hidden") == 0
                ? ref_visibility_draws(name, &as->by_bsp, &as->draws_flat, &as->depth_bits)
@@ -297,6 +328,7 @@ static void close_session(session *run)
     ref_scene_close(&run->image);
     free(run->bytes);
     free(run->frame);
+    free(run->bytes_of_frame);
     free(run->board);
     free(run->verdict);
     free(run->faces);
@@ -308,14 +340,15 @@ int main(int count, char **arguments)
 {
     ref_renderer as = {.by_bsp = true /* where the scene has a tree */, .cuts = REF_CUT_ALL};
     bool unasked = true;
+    int pixels = 0;
     for (int i = 2; i < count; i += 2) {
         unasked = unasked && strcmp(arguments[i], "--hidden") != 0;
-        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as)) {
+        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as, &pixels)) {
             count = 0;
         }
     }
     if (count < 2) {
-        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME]");
+        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME] [--pixels palette|rgb565]");
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
@@ -327,6 +360,8 @@ int main(int count, char **arguments)
     run.renderer.depth_bits = as.depth_bits;
     run.renderer.cuts = as.cuts;
     run.renderer.by_points = as.by_points;
+    ref_rgb565_make(&run.rgb565, run.image.palette, run.image.scene.light);
+    run.renderer.rgb565 = pixels == 16 ? &run.rgb565 : NULL;
     if (code == 0) {
         code = serve(&run);
     }

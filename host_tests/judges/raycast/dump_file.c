@@ -37,8 +37,10 @@ dump dump_read(const char *path)
     const uint8_t *bytes = file.bytes;
     if (file.size < HEAD + TAIL || memcmp(bytes, "FXLD", 4) != 0)
         unusable("%s: not a frame dump", path);
-    if (get_u16(bytes + 4) != 2)
+    if (get_u16(bytes + 4) != 3)
         unusable("%s: this version of the frame dump is not known", path);
+    if (get_u16(bytes + 10) != 8)
+        unusable("%s: rays judge pixels of 8 bits alone", path);
     dump d = {.width = get_u16(bytes + 6), .height = get_u16(bytes + 8)};
     size_t frame_size = 8 + POSE + (size_t)d.width * d.height + AFTER_PIXELS;
     const uint8_t *tail = bytes + file.size - TAIL;

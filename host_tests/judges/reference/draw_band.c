@@ -5,6 +5,11 @@
 #include "reference/render.h"
 #include "reference/scan.h"
 
+uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour)
+{
+    return renderer->rgb565 ? renderer->rgb565->palette[colour] : colour;
+}
+
 bool ref_lets_through(const ref_drawn *drawn)
 {
     const ref_surface *surface = drawn->look.surface;
@@ -29,10 +34,10 @@ static bool is_plain(const ref_renderer *renderer, const ref_drawn *drawn)
     return renderer->draws_names || !drawn->look.surface;
 }
 
-static uint8_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn)
+static uint16_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn)
 {
     return renderer->draws_names ? ref_face_name(drawn->instance, drawn->face)
-                                 : drawn->polygon.colour;
+                                 : ref_pixel_of(renderer, drawn->polygon.colour);
 }
 
 /* Notes that a polygon changes pixels first <= x < end of a row. */
@@ -53,12 +58,12 @@ static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, cons
         note_shown(renderer, drawn, span->y, span->x0, span->x1);
         return;
     }
-    const uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
     for (int x = span->x0; x < span->x1; x++) {
-        const int colour = ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
+        const int colour = ref_surface_colour(&drawn->look, &renderer->lens, x, span->y,
+                                              ref_pixel(band, x, span->y));
         if (colour != REF_CLEAR) {
             const ref_span pixel = {span->y, x, x + 1};
-            ref_fill_span(band, &pixel, (uint8_t)colour);
+            ref_fill_span(band, &pixel, (uint16_t)colour);
             note_shown(renderer, drawn, span->y, x, x + 1);
         }
     }
@@ -68,7 +73,6 @@ static void draw_span(const ref_renderer *renderer, const ref_drawn *drawn, cons
 static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
                            const ref_band *band, const ref_span *span, bool keeps)
 {
-    uint8_t *row = band->pixels + (span->y - band->first_row) * band->stride;
     double *near_row = renderer->nearness + (ptrdiff_t)span->y * renderer->lens.width;
     for (int x = span->x0; x < span->x1; x++) {
         const double nearness =
@@ -77,9 +81,11 @@ static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
             nearness < near_row[x] ? REF_CLEAR
             : is_plain(renderer, drawn)
                 ? plain_colour(renderer, drawn)
-                : ref_surface_colour(&drawn->look, &renderer->lens, x, span->y, row[x]);
+                : ref_surface_colour(&drawn->look, &renderer->lens, x, span->y,
+                                     ref_pixel(band, x, span->y));
         if (colour != REF_CLEAR) {
-            row[x] = (uint8_t)colour;
+            const ref_span pixel = {span->y, x, x + 1};
+            ref_fill_span(band, &pixel, (uint16_t)colour);
             near_row[x] = keeps ? nearness : near_row[x];
             note_shown(renderer, drawn, span->y, x, x + 1);
         }

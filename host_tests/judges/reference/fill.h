@@ -5,7 +5,8 @@
 
 #include "reference/record.h"
 
-void ref_fill_span(const ref_band *band, const ref_span *span, uint8_t colour);
-void ref_fill_band(const ref_band *band, uint8_t colour);
+uint16_t ref_pixel(const ref_band *band, int x, int y);
+void ref_fill_span(const ref_band *band, const ref_span *span, uint16_t colour);
+void ref_fill_band(const ref_band *band, uint16_t colour);
 
 #endif

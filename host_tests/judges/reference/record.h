@@ -90,10 +90,12 @@ typedef struct {
     int y, x0, x1;
 } ref_span;
 
-/* A strip of the frame; row first_row starts at pixels[0]. */
+/* A strip of the frame; row first_row starts at pixels[0]. Its pixels are entries of the palette;
+ * or, where pixels is null, of 16 bits. */
 typedef struct {
     uint8_t *pixels;
     int width, stride, first_row, rows;
+    uint16_t *pixels_16;
 } ref_band;
 
 typedef struct {

@@ -151,6 +151,7 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
     if (shows_surface(renderer, &renderer->scene->instances[instance], face)) {
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
                          &renderer->scene->instances[instance], face, &drawn.look);
+        drawn.look.rgb565 = renderer->rgb565;
     }
     if (renderer->depth_bits != 0) {
         const ref_scene *scene = renderer->scene;
@@ -253,6 +254,7 @@ static bool submit_billboard(ref_renderer *renderer, uint32_t number)
     renderer->counters.outside += result == REF_BILLBOARD_OUTSIDE;
     renderer->counters.refused += result == REF_BILLBOARD_REFUSED;
     renderer->counters.drawn += result == REF_BILLBOARD_DRAWN;
+    drawn.look.rgb565 = renderer->rgb565;
     drawn.in_doubt = drawn.in_doubt && renderer->keeps_doubt;
     if (drawn.polygon.count == 0 && !drawn.in_doubt) {
         return true;

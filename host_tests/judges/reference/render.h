@@ -25,6 +25,7 @@ typedef struct {
     double *nearness;              /* of each pixel, while it draws by one */
     uint32_t *shown; /* set before drawing, or null: receives for each pixel 1 + the number in the
                         display list of the polygon that changed it last; the caller clears it */
+    const ref_rgb565 *rgb565;      /* set before a frame of 16 bits a pixel; else null */
     bool draws_flat;               /* set before a frame: faces have their own colours */
     bool draws_names;              /* set before drawing: a pixel shows the name of its face */
     bool by_points;                /* set before a frame: the clipper works from rounded points */
@@ -34,6 +35,9 @@ typedef struct {
 /* The colour of a face in the frame. */
 uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instance,
                         const ref_face *face);
+
+/* A pixel that shows a colour of the palette. */
+uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour);
 
 /* Initialises a renderer. Returns false where memory is short. The scene must outlive the
  * renderer. */

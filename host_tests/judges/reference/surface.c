@@ -303,8 +303,25 @@ bool ref_stipple_draws(int opacity, int x, int y)
     return number < opacity;
 }
 
+/* The same in RGB565: docs/extras/rgb565.md, section 2. */
+static uint16_t colour_565(const ref_surface_view *view, const ref_place *place, int texel,
+                           uint16_t beneath)
+{
+    const uint16_t colour = view->rgb565->palette[texel];
+    const double part =
+        view->light ? ref_rgb565_part(view->light, place->values[REF_BRIGHTNESS]) : 1;
+    int channels[REF_CHANNELS];
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        channels[i] = (int)floor(ref_rgb565_lit(view->rgb565, colour, i, part) + 0.5);
+        if (view->surface->blends) {
+            channels[i] = (channels[i] + ref_channel(beneath, i)) / 2;
+        }
+    }
+    return ref_colour_of(channels);
+}
+
 int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x, int y,
-                       uint8_t beneath)
+                       uint16_t beneath)
 {
     ref_place place;
     if (!ref_stipple_draws(view->surface->opacity, x, y) ||
@@ -316,7 +333,10 @@ int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x
     if (texel == REF_CLEAR) {
         return REF_CLEAR;
     }
+    if (view->rgb565) {
+        return colour_565(view, &place, texel, beneath);
+    }
     const uint8_t lit =
         ref_surface_lit(view, (int64_t)floor(place.values[REF_BRIGHTNESS]), (uint8_t)texel);
-    return ref_surface_over(view, lit, beneath);
+    return ref_surface_over(view, lit, (uint8_t)beneath);
 }

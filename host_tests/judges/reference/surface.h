@@ -5,6 +5,7 @@
 #define REF_SURFACE_H
 
 #include "reference/camera.h"
+#include "reference/rgb565.h"
 #include "reference/scene.h"
 
 enum {
@@ -69,6 +70,7 @@ typedef struct {
     const ref_texture *texture;     /* or null */
     const ref_texture_level *level; /* of the texture */
     const ref_light *light;         /* null: unlit */
+    const ref_rgb565 *rgb565;       /* of frames of 16 bits a pixel; or null */
     ref_view_point corner, sides[2];
     bool is_affine;
     ref_screen_point points[3];                      /* where it is affine: its corners */
@@ -105,8 +107,8 @@ uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t b
 /* Whether the stipple of an opacity draws a pixel. */
 bool ref_stipple_draws(int opacity, int x, int y);
 
-/* The colour of a pixel of a face over another colour; or REF_CLEAR. */
+/* The colour of a pixel of a face over another colour; or REF_CLEAR. Of the palette, or of RGB565. */
 int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x, int y,
-                       uint8_t beneath);
+                       uint16_t beneath);
 
 #endif

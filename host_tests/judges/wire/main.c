@@ -48,7 +48,7 @@ static bool draw(fxl_wire *wire, const fxl_scene_image *image, const fxl_pose *p
 static void compare(const ref_wire *lines, const fxl_scene_image *image, findings *found)
 {
     const int width = image->lens.width, height = image->lens.height;
-    const ref_band band = {expected, width, width, 0, height};
+    const ref_band band = {expected, width, width, 0, height, NULL};
     memset(expected, image->background, (size_t)width * (size_t)height);
     for (size_t i = 0; i < lines->count; i++) {
         ref_wire_line(&lines->lines[i], &band);

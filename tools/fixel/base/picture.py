@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Frames as pictures: PNGs with the scene's palette, animations, side-by-side differences."""
 
+import functools
 import io
 
 import numpy
@@ -17,23 +18,27 @@ FRAME_MS = 40           # of the animation
 
 
 def palette_image(pixels, palette):
-    """A palette picture: indices stay indices, so equal frames give equal files."""
+    """A picture of pixels, of which the palette has a colour for each value. Indices of 8 bits stay indices, so equal
+    frames give equal files."""
+    if pixels.dtype.itemsize > 1:
+        return Image.fromarray(as_rgb(pixels, palette))
     image = Image.fromarray(numpy.ascontiguousarray(pixels))
     image = image.convert("L") if image.mode != "L" else image
     image.putpalette(palette.tobytes(), "RGB")
     return image
 
 
-def rgb565_image(pixels):
-    """A picture of RGB565: each channel's largest value is 255, rounded to nearest."""
-    red, green, blue = pixels >> 11, pixels >> 5 & 63, pixels & 31
-    channels = [(2 * 255 * channel.astype(numpy.int32) + most) // (2 * most)
-                for channel, most in ((red, 31), (green, 63), (blue, 31))]
-    return Image.fromarray(numpy.stack(channels, axis=-1).astype(numpy.uint8))
+@functools.cache
+def rgb565_colours():
+    """The 65,536 colours of RGB565 (x 3): each channel's largest value is 255, rounded to nearest."""
+    values = numpy.arange(1 << 16)
+    channels = [(2 * 255 * channel + most) // (2 * most)
+                for channel, most in ((values >> 11, 31), (values >> 5 & 63, 63), (values & 31, 31))]
+    return numpy.stack(channels, axis=-1).astype(numpy.uint8)
 
 
 def animation_bytes(frames, palette, milliseconds=FRAME_MS):
-    """An endless GIF of frames (arrays of palette indices)."""
+    """An endless GIF of frames (arrays of pixels)."""
     images = [palette_image(pixels, palette) for pixels in frames]
     block = io.BytesIO()
     images[0].save(block, "GIF", save_all=True, append_images=images[1:], loop=0,
@@ -49,7 +54,7 @@ def png_bytes(image):
 
 
 def as_rgb(pixels, palette):
-    """Colours (height x width x 3) of palette indices."""
+    """Colours (height x width x 3) of pixels."""
     return palette[pixels]
 
 

@@ -8,7 +8,7 @@ import zlib
 from fixel.base.errors import ToolError
 
 HEAD = struct.Struct("<4sHHHHI768s")
-VERSION = 2
+VERSION = 3
 FRAME_EXTRA = 32 + 48  # bytes around a frame's pixels
 TAIL = struct.Struct("<4sII")
 
@@ -22,10 +22,10 @@ def shape(path):
         return None
     if len(head) < HEAD.size:
         return None
-    magic, version, width, height, _, frames, _ = HEAD.unpack(head)
-    if magic != b"FXLD" or version != VERSION:
+    magic, version, width, height, bits, frames, _ = HEAD.unpack(head)
+    if magic != b"FXLD" or version != VERSION or bits not in (8, 16):
         return None
-    return frames, HEAD.size + frames * (width * height + FRAME_EXTRA) + TAIL.size
+    return frames, HEAD.size + frames * (width * height * bits // 8 + FRAME_EXTRA) + TAIL.size
 
 
 def check(path, frames):

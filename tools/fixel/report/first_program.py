@@ -22,7 +22,7 @@ def main(argv):
     from fixel.base import output, picture
     from fixel.report import examples
     if options.neon:
-        output.write_file(options.out, picture.png_bytes(picture.rgb565_image(examples.draw_neon(options.library))))
+        output.write_file(options.out, picture.png_bytes(picture.palette_image(examples.draw_neon(options.library), picture.rgb565_colours())))
         return 0
     draw = (examples.draw_hud if options.hud else examples.draw_crowd if options.crowd else
             examples.draw_crate if options.crate else examples.draw)

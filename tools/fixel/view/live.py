@@ -36,8 +36,7 @@ async def serve(board, reference_program, scene_image, options):
                 loop.call_soon_threadsafe(getattr(hub, name), argument)
         return call
 
-    hub = Hub(hello(board.program, options.scene, board.width, board.height, board.palette,
-                    options.program == methods.WALK), board.hold,
+    hub = Hub(hello(board.program, options.scene, board.head, options.program == methods.WALK), board.hold,
               lambda frame, wants: reference.ask(frame, wants))
     with contextlib.ExitStack() as stack:
         reference = stack.enter_context(contextlib.closing(

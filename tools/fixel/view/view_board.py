@@ -106,7 +106,7 @@ class Board:
             self._keys = keys
         opened = self._link.open(self._check)
         if opened is not None:
-            self.width, self.height, self.palette = opened
+            self.head = opened
             self._settle()
 
     def _settle(self):

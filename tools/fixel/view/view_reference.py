@@ -77,7 +77,8 @@ class Reference:
         self._process.stdin.flush()
         magic, number, *sizes = ANSWER.unpack(self._read(ANSWER.size))
         area = frame.pixels.size
-        wanted = [size if wants >> i & 1 else 0 for i, size in enumerate((area, sizes[1], FACE_SIZE * area, area))]
+        wanted = [size if wants >> i & 1 else 0
+                  for i, size in enumerate((frame.pixels.nbytes, sizes[1], FACE_SIZE * area, area))]
         if magic != b"TWIN" or number != self._asked or sizes != wanted:
             raise ToolError("its answer does not have the agreed form")
         self._asked += 1

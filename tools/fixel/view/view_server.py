@@ -220,14 +220,14 @@ def pack(answer):
     text = json.dumps({"number": frame.number, "position": frame.position, "angles": frame.angles,
                        "counters": frame.counters, "clamped": frame.clamped, "instructions": frame.instructions,
                        "given": answer.given,
-                       "bytes": [frame.pixels.size, *map(len, answer.parts)]}).encode()
+                       "bytes": [frame.pixels.nbytes, *map(len, answer.parts)]}).encode()
     return b"".join((struct.pack("<I", len(text)), text, frame.pixels.tobytes(), *answer.parts))
 
 
-def hello(program, scene, width, height, palette, judged=True):
+def hello(program, scene, head, judged=True):
     """What a tab must know before the first frame. judged: the reference renderer can draw what the board draws."""
-    return {"type": "hello", "board": program.board, "cpu": program.cpu, "scene": str(scene), "width": width,
-            "height": height, "palette": base64.b64encode(palette).decode(), "rates": RATES,
+    return {"type": "hello", "board": program.board, "cpu": program.cpu, "scene": str(scene), "width": head.width,
+            "height": head.height, "palette": base64.b64encode(head.palette).decode(), "rates": RATES,
             "judged": judged}
 
 

@@ -24,8 +24,7 @@ class Stream:
     """The reading end of a FIFO into which a board writes a frame dump."""
 
     def __init__(self, path):
-        self.width = self.height = 0
-        self._data, self._number, self._promised = bytearray(), 0, 0
+        self._data, self._number, self._head = bytearray(), 0, None
         try:
             os.mkfifo(path)
             self._file = os.open(path, os.O_RDONLY | os.O_NONBLOCK)     # without waiting for a writer
@@ -55,21 +54,21 @@ class Stream:
         return taken
 
     def open(self, check):
-        """Waits for the dump's head: (width, height, palette)."""
+        """Waits for the dump's head."""
         head = self._take(dump.HEAD.size + dump.PALETTE_BYTES, check)
         if head is None:
             return None
-        self.width, self.height, self._promised, palette = dump.parse_head(head, NAME)
-        return self.width, self.height, palette.tobytes()
+        self._head = dump.parse_head(head, NAME)
+        return self._head
 
     def frame(self, check, waits=True):
         """The next frame; None where nobody wants it any more. waits makes no difference: the board
         always waits for its reader, and is at most one frame ahead."""
         del waits
-        data = self._take(dump.frame_bytes(self.width, self.height), check)
+        data = self._take(self._head.frame_bytes, check)
         if data is None:
             return None
-        frame = dump.parse_frame(data, 0, self.width, self.height, self._number, self._promised, NAME)
+        frame = dump.parse_frame(data, 0, self._head, self._number, NAME)
         self._number += 1
         return frame
 

@@ -16,14 +16,14 @@ import numpy
 from fixel.board import dump
 from fixel.base.errors import ToolError
 
-MAGIC, INVITATION, VERSION = 0x574C5846, 0x57454956, 1
-MAGIC_AT, FORMAT_AT, FINISHED_AT, FRONT_AT = 0, 4, 20, 24
+MAGIC, INVITATION, VERSION = 0x574C5846, 0x57454956, 2
+MAGIC_AT, FORMAT_AT, FINISHED_AT, FRONT_AT, PIXEL_BITS_AT = 0, 4, 20, 24, 28
 INVITATION_AT, REQUESTED_AT, KEYS_AT, PALETTE_AT = 32, 36, 40, 48
 FORMAT = struct.Struct("<IHH2I")    # version, width, height, places of the slots
 WORD = struct.Struct("<I")
 FRAME = struct.Struct(f"<QII3i3I{len(dump.COUNTERS)}I")
 PIXELS_AT = -(-FRAME.size // 8) * 8 # in a slot
-MAPPED_MAX = 4 << 20                # bytes: two frames of the largest screen, and their heads
+MAPPED_MAX = 8 << 20                # bytes: two frames of the largest screen, and their heads
 AHEAD = 1 << 16                     # frames that a board is asked for that need not wait
 POLL = 0.0005                       # seconds
 
@@ -34,8 +34,7 @@ class Window:
 
     def __init__(self, path, size):
         self.path, self.size = path, size
-        self.width = self.height = 0
-        self._slots = ()
+        self._head, self._slots = None, ()
         self._shown = 0     # frames that were finished when one was last copied
         try:
             with open(path, "w+b") as file:
@@ -71,7 +70,7 @@ class Window:
     # --- the board's side -----------------------------------------------------------
 
     def open(self, check):
-        """Waits for the board to open its side: (width, height, palette)."""
+        """Waits for the board to open its side: a dump's head, which promises no frames."""
         if not self._wait(lambda: self._word(MAGIC_AT) == MAGIC, check):
             return None
         version, width, height, *slots = FORMAT.unpack_from(self._memory, FORMAT_AT)
@@ -79,12 +78,17 @@ class Window:
             raise ToolError(f"the board's window is of version {version}; this viewer reads version {VERSION}")
         if not (1 <= width <= dump.SCREEN_MAX and 1 <= height <= dump.SCREEN_MAX):
             raise ToolError(f"the board's window claims a screen of {width}x{height}")
-        room = PIXELS_AT + width * height
+        bits = self._word(PIXEL_BITS_AT)
+        if bits not in dump.PIXELS:
+            raise ToolError(f"the board's window claims pixels of {bits} bits")
+        palette = self._memory[PALETTE_AT:PALETTE_AT + dump.PALETTE_BYTES]
+        head = dump.Head(width, height, dump.PIXELS[bits], 0, dump.colours(bits, palette))
+        room = PIXELS_AT + head.pixel_bytes
         if min(slots) < PALETTE_AT + dump.PALETTE_BYTES or max(slots) + room > len(self._memory) \
                 or abs(slots[0] - slots[1]) < room:
             raise ToolError(f"the board's window has its frames at {slots[0]} and {slots[1]}, where they cannot be")
-        self._slots, self.width, self.height = slots, width, height
-        return width, height, self._memory[PALETTE_AT:PALETTE_AT + dump.PALETTE_BYTES]
+        self._slots, self._head = slots, head
+        return head
 
     def copy(self):
         """The newest finished frame; None where the board finished another meanwhile: it may have
@@ -93,12 +97,12 @@ class Window:
         if front >= len(self._slots):
             raise ToolError(f"the board's window says that its frame is in slot {front}; there are two")
         start = self._slots[front]
-        copied = self._memory[start:start + PIXELS_AT + self.width * self.height]
+        copied = self._memory[start:start + PIXELS_AT + self._head.pixel_bytes]
         if self._word(FINISHED_AT) != finished:
             return None
         self._shown = finished
         instructions, number, clamped, *rest = FRAME.unpack_from(copied)
-        pixels = numpy.frombuffer(copied, numpy.uint8, offset=PIXELS_AT).reshape(self.height, self.width)
+        pixels = numpy.frombuffer(copied, self._head.pixel, offset=PIXELS_AT).reshape(self._head.height, self._head.width)
         return dump.Frame(number, tuple(rest[:3]), tuple(rest[3:6]), pixels,
                           dict(zip(dump.COUNTERS, rest[6:])), clamped, instructions)
 

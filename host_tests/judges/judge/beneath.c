@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge/beneath.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- ranges of RGB565 ----------------------------------------------------------------------- */
+
+static judge_range range_of_colour(uint16_t colour)
+{
+    judge_range range = {.cost = 0};
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        range.low[i] = range.high[i] = ref_channel(colour, i);
+    }
+    return range;
+}
+
+/* What a texel, or a face's own colour, may become in the light that was found. */
+static judge_range range_shown(const judge_beneath *of, const judge_showing *found, int entry)
+{
+    const uint16_t colour = of->rgb565->palette[entry];
+    judge_range range = {.cost = 0};
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        const double one = ref_rgb565_lit(of->rgb565, colour, i, found->part[0]);
+        const double other = ref_rgb565_lit(of->rgb565, colour, i, found->part[1]);
+        range.low[i] = (int)floor(fmin(one, other) + 0.5);
+        range.high[i] = (int)floor(fmax(one, other) + 0.5);
+    }
+    return range;
+}
+
+static bool overlap(const judge_range *a, const judge_range *b)
+{
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        if (a->low[i] > b->high[i] || b->low[i] > a->high[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What is beneath a colour where floor((colour + beneath) / 2) is within a range. False: nothing. */
+static bool find_beneath(const judge_range *mixed, const judge_range *colour, judge_range *beneath)
+{
+    bool found = true;
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        const int low = 2 * mixed->low[i] - colour->high[i];
+        const int high = 2 * mixed->high[i] + 1 - colour->low[i], most = ref_channel_most(i);
+        beneath->low[i] = low < 0 ? 0 : low;
+        beneath->high[i] = high > most ? most : high;
+        found = found && beneath->low[i] <= beneath->high[i];
+    }
+    return found;
+}
+
+/* Adds a range; a range that is there already keeps the smaller cost. */
+static void add_range(judge_beneath *to, const judge_range *range)
+{
+    for (int i = 0; i < to->count; i++) {
+        judge_range *there = &to->ranges[i];
+        if (memcmp(there->low, range->low, sizeof range->low) == 0 &&
+            memcmp(there->high, range->high, sizeof range->high) == 0) {
+            there->cost = fmin(there->cost, range->cost);
+            return;
+        }
+    }
+    if (to->count == JUDGE_RANGES_MAX) {
+        fputs("error: so many surfaces are blended at one pixel that the judge has no room\n", stderr);
+        exit(2);
+    }
+    to->ranges[to->count++] = *range;
+}
+
+static void blend_ranges(judge_beneath *of, const judge_showing *found, judge_choice made)
+{
+    const int count = of->count;
+    const size_t size = (size_t)count * sizeof(judge_range);
+    judge_range *before = malloc(size > 0 ? size : 1);
+    if (!before) {
+        fputs("error: there is not enough memory\n", stderr);
+        exit(2);
+    }
+    memcpy(before, of->ranges, size);
+    judge_beneath_leave_out(of, made.out);
+    for (int c = 0; c < 256 && made.in <= 1; c++) {
+        const judge_range colour = found->colours[c] ? range_shown(of, found, c) : *before;
+        for (int i = 0; i < count && found->colours[c]; i++) {
+            judge_range beneath = {.cost = fmax(before[i].cost, made.in)};
+            if (find_beneath(&before[i], &colour, &beneath)) {
+                add_range(of, &beneath);
+            }
+        }
+    }
+    free(before);
+}
+
+/* The least cost of a range that overlaps this one. */
+static double least_within(const judge_beneath *of, const judge_range *range)
+{
+    double least = INFINITY;
+    for (int i = 0; i < of->count; i++) {
+        if (of->ranges[i].cost < least && overlap(&of->ranges[i], range)) {
+            least = of->ranges[i].cost;
+        }
+    }
+    return least;
+}
+
+/* --- colours of a palette ------------------------------------------------------------------- */
+
+/* The colours beneath a polygon that blends which make one that costs little. */
+static void blend_colours(judge_beneath *of, const ref_surface_view *look,
+                          const judge_showing *found, judge_choice made)
+{
+    double before[256];
+    memcpy(before, of->costs, sizeof before);
+    judge_beneath_leave_out(of, made.out);
+    for (int c = 0; c < 256 && isfinite(made.in); c++) {
+        for (int beneath = 0; beneath < 256 && found->colours[c]; beneath++) {
+            const uint8_t mixed = ref_surface_over(look, (uint8_t)c, (uint8_t)beneath);
+            of->costs[beneath] = fmin(of->costs[beneath], fmax(before[mixed], made.in));
+        }
+    }
+}
+
+/* --- both ----------------------------------------------------------------------------------- */
+
+void judge_beneath_begin(judge_beneath *of, const ref_rgb565 *rgb565, uint16_t colour)
+{
+    of->rgb565 = rgb565;
+    of->count = 0;
+    if (rgb565) {
+        of->ranges[of->count++] = range_of_colour(colour);
+        return;
+    }
+    for (int c = 0; c < 256; c++) {
+        of->costs[c] = c == colour ? 0 : INFINITY;
+    }
+}
+
+void judge_beneath_leave_out(judge_beneath *of, double out)
+{
+    for (int i = 0; i < of->count && out > 0; i++) {
+        of->ranges[i].cost = fmax(of->ranges[i].cost, out);
+    }
+    for (int c = 0; c < 256 && out > 0 && !of->rgb565; c++) {
+        of->costs[c] = fmax(of->costs[c], out);
+    }
+}
+
+void judge_beneath_blend(judge_beneath *of, const ref_surface_view *look,
+                         const judge_showing *found, judge_choice made)
+{
+    if (of->rgb565) {
+        blend_ranges(of, found, made);
+    } else {
+        blend_colours(of, look, found, made);
+    }
+}
+
+double judge_beneath_shown(const judge_beneath *of, const judge_showing *found)
+{
+    double least = INFINITY;
+    for (int c = 0; c < 256; c++) {
+        if (found->colours[c] && of->rgb565) {
+            const judge_range range = range_shown(of, found, c);
+            least = fmin(least, least_within(of, &range));
+        } else if (found->colours[c]) {
+            least = fmin(least, of->costs[c]);
+        }
+    }
+    return least;
+}
+
+double judge_beneath_background(const judge_beneath *of, uint8_t background)
+{
+    if (of->rgb565) {
+        const judge_range range = range_of_colour(of->rgb565->palette[background]);
+        return least_within(of, &range);
+    }
+    return of->costs[background];
+}
+
+double judge_beneath_least(const judge_beneath *of)
+{
+    double least = INFINITY;
+    for (int i = 0; i < of->count; i++) {
+        least = fmin(least, of->ranges[i].cost);
+    }
+    for (int c = 0; c < 256 && !of->rgb565; c++) {
+        least = fmin(least, of->costs[c]);
+    }
+    return least;
+}
