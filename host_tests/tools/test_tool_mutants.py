@@ -7,7 +7,7 @@ import pytest
 from conftest import CHECKOUT
 
 from fixel.base.errors import ToolError
-from fixel.check import lines, mutants, mutate_python, survivors, tool_mutants
+from fixel.check import killers, lines, mutants, mutate_python, survivors, tool_mutants
 
 CODE = '''"""A text with 1 + 1."""
 LIMIT = 1 + 1
@@ -104,6 +104,65 @@ def test_the_function_of_a_line():
 def test_quick_tests_come_first_and_parameters_of_one_are_spread():
     seconds = {"f::a[1]": 0.1, "f::a[2]": 0.1, "f::a[3]": 0.1, "f::b": 0.15, "f::c": 9.0}
     assert lines.spread(set(seconds), seconds) == ["f::a[1]", "f::b", "f::a[2]", "f::a[3]", "f::c"]
+
+
+class Recorder:
+    """In place of a copy of the checkout: test_ab[0] takes a second, so the later parameters are skipped; all tests execute
+    line 2 of a tool, and those of test_b line 3 too."""
+
+    def __init__(self, folder):
+        self.folder, self.asked = folder, []
+        (folder / "tools/fixel").mkdir(parents=True)
+        (folder / "tools/fixel/a.py").write_text("def f():\n    pass\n    pass\n", encoding="utf-8")
+
+    def run(self, tests, cpu, lines, enough):
+        self.asked += tests
+        report = []
+        for number, test in enumerate(each for name in tests for each in ((f"{name}[0]", f"{name}[1]") if name.endswith("ab") else (name,))):
+            skipped = test.endswith("[1]")
+            report.append({"test": test, "passed": not skipped, "skipped": skipped, "cpu": 1.0 - skipped, "number": number})
+            if not skipped:
+                (lines / str(number)).write_text("a.py:2\n" + "a.py:3\n" * test.endswith("b"), encoding="utf-8")
+        return 0, report
+
+    def close(self):
+        pass
+
+
+def test_only_functions_of_tests_that_are_new_or_changed_are_recorded(tmp_path):
+    tests, tree = tmp_path / "host_tests/tools/test_a.py", Recorder(tmp_path / "tree")
+    tests.parent.mkdir(parents=True)
+    mutant = mutate_python.mutants("tools/fixel/a.py", "def f():\n    x.y = 1\n    z.y = 1\n")
+    text = "def f():\n    pass\n    pass\n"
+
+    def records(content):
+        tests.write_text(content, encoding="utf-8")
+        tree.asked.clear()
+        made = lines.Records(tmp_path / "records", tmp_path)
+        made.complete(lambda: [tree])
+        return [[each.partition("::")[2] for each in made.tests(mutant[place], text)] for place in (0, -1)], \
+            [each.partition("::")[2] for each in tree.asked]
+    a, b, ab = ("def test_a():\n    pass\n", "def test_b():\n    pass\n", "def test_ab(x):\n    pass\n")
+    assert records(a + b) == ([["test_a", "test_b"], ["test_b"]], ["test_a", "test_b"])
+    assert records("# other lines\n" + b + "\n\n" + a) == ([["test_a", "test_b"], ["test_b"]], [])
+    # A parameter that was skipped is taken for like the one that was recorded.
+    assert records(a + b + ab) == ([["test_a", "test_ab[0]", "test_b", "test_ab[1]"], ["test_b"]], ["test_ab"])
+    assert records(a.replace("pass", "x = 1") + ab) == ([["test_a", "test_ab[0]", "test_ab[1]"], []], ["test_a"])
+    assert records(ab) == ([["test_ab[0]", "test_ab[1]"], []], [])
+    (record,) = (tmp_path / "records").iterdir()
+    record.write_text('{"of": "another version"}', encoding="utf-8")
+    assert records(ab)[1] == ["test_ab"]
+
+
+def test_tests_that_killed_before_come_first(tmp_path):
+    known = killers.Killers(tmp_path / "killers.json")
+    known.add("a.py:f", ["t3"])
+    known.add("a.py:f", ["t2"])
+    known.add("a.py:g", ["t1"])
+    known.write()
+    known = killers.Killers(tmp_path / "killers.json")
+    assert known.first("a.py:f", ["t1", "t2", "t3", "t4"]) == ["t2", "t3", "t1", "t4"]
+    assert known.first("a.py:h", ["t1", "t2"]) == ["t1", "t2"]
 
 
 # --- a campaign in a checkout of a few lines ------------------------------------

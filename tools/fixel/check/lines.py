@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Which tests for pytest execute a line of the tools, as a recorded run of each file of tests has shown.
 
-A record is kept below the build folder until its file of tests changes. It counts the lines of a function from where
-the function begins, so that it stays true where another function changes. A record that is out of date costs time or
-lets a mutant survive; it never makes one look killed, because a test that kills must pass without the mutant.
+A record is kept below the build folder. Where a function of tests changes, only its tests are recorded again. A record
+counts the lines of a function of the tools from where the function begins, so that it stays true where another function
+changes. A record that is out of date costs time or lets a mutant survive; it never makes one look killed, because a test
+that kills must pass without the mutant.
 """
 
 import ast
 import concurrent.futures
+import functools
 import hashlib
 import json
 import pathlib
@@ -17,8 +19,8 @@ import shutil
 from fixel.base import output
 from fixel.base.progress import Progress
 
-FILE = 60.0         # CPU seconds for a file of tests; its tests that come later are not known
-PARAMETERS = 15.0   # CPU seconds for the parameters of a test; its later ones are not known
+RUN, RUNS = 6.0, 3  # CPU seconds of a run of a file of tests, and runs; what did not end in them is not known
+PARAMETERS = 1.0    # CPU seconds for the parameters of a test; its later ones are taken for like the slowest of these
 KEPT = 30           # tests for a line
 LEAST = 0.05        # CPU seconds; a test costs no less: its file is imported
 
@@ -62,26 +64,71 @@ def files_of_tests(checkout):
     return sorted(file.relative_to(folder).as_posix() for file in folder.glob("*/test_*.py"))
 
 
-def record(tree, file):
-    """{"seconds": {test: CPU seconds}, "lines": {"FILE:FUNCTION:LINE": tests}} of a file of tests."""
+def functions_of(text):
+    """{name: hash of its text} of the functions of a file of tests."""
+    return {node.name: hashlib.sha256(ast.unparse(node).encode()).hexdigest()
+            for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name.startswith("test")}
+
+
+def function_of(test):
+    """The name of a test's function."""
+    return test.partition("[")[0].rpartition("::")[2]
+
+
+def observe(tree, file, names):
+    """(CPU seconds and places of each test of functions that passed, parameters that were skipped) of a file of tests. A
+    run that takes too long is ended; the test in which that was counts with the lines it had executed, and the next run
+    begins with the function after its own."""
     folder = tree.folder / "lines"
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir()
-    _, report = tree.run([file], FILE, lines=folder, enough=PARAMETERS)
-    seconds = {each["test"]: each["cpu"] for each in report if each["passed"]}
-    found, functions = {}, {}
-    for each in report:
-        lines = folder / str(each["number"])
-        if each["test"] not in seconds or not lines.exists():
-            continue
-        for line in set(lines.read_text(encoding="utf-8").split()):
-            name, _, number = line.rpartition(":")
-            if name not in functions:
-                functions[name] = Functions((tree.folder / "tools/fixel" / name).read_text(encoding="utf-8"))
-            place = functions[name].place(int(number))
-            if place:
-                found.setdefault(f"tools/fixel/{name}:{place[0]}:{place[1]}", []).append(each["test"])
+    read = functools.cache(lambda name: Functions((tree.folder / "tools/fixel" / name).read_text(encoding="utf-8")))
+    seconds, places, skipped = {}, {}, []
+    for _ in range(RUNS):
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        code, report = tree.run([f"{file}::{name}" for name in names], RUN, lines=folder, enough=PARAMETERS)
+        for each in report:
+            if each["passed"]:
+                seconds[each["test"]] = each["cpu"]
+                places[each["test"]] = places_of(folder / str(each["number"]), read)
+        skipped += [each["test"] for each in report if each["skipped"]]
+        if not isinstance(code, str) or not (folder / "begun").exists():
+            break
+        begun = (folder / "begun").read_text(encoding="utf-8")
+        if begun not in [each["test"] for each in report]:
+            seconds[begun], places[begun] = RUN, places_of(folder / str(len(report) + 1), read)
+        names = names[names.index(function_of(begun)) + 1:]
+        if not names:
+            break
+    return seconds, places, skipped
+
+
+def record(tree, file, names):
+    """{"seconds": {test: CPU seconds}, "lines": {"FILE:FUNCTION:LINE": tests}} of functions of a file of tests."""
+    seconds, places, skipped = observe(tree, file, names)
+    like = {}
+    for test in places:
+        like.setdefault(function_of(test), []).append(test)
+    for test in skipped:
+        others = like.get(function_of(test), [])
+        if others:
+            seconds[test] = max(seconds[other] for other in others)
+            places[test] = set().union(*(places[other] for other in others))
+    found = {}
+    for test in seconds:
+        for place in places[test]:
+            found.setdefault(place, []).append(test)
     return {"seconds": seconds, "lines": {place: spread(tests, seconds)[:KEPT] for place, tests in found.items()}}
+
+
+def places_of(file, read):
+    """{"FILE:FUNCTION:LINE"} of what a test executed. read(name): the functions of a file of the tools."""
+    lines = set(file.read_text(encoding="utf-8").split()) if file.exists() else set()
+    found = set()
+    for name, _, line in (each.rpartition(":") for each in lines):
+        place = read(name).place(int(line))
+        if place:
+            found.add(f"tools/fixel/{name}:{place[0]}:{place[1]}")
+    return found
 
 
 class Records:
@@ -94,37 +141,51 @@ class Records:
     def _file(self, file):
         return self._folder / file.replace("/", "-").replace(".py", ".json")
 
-    def _load(self, file, content):
+    def _load(self, file, wanted):
+        """What is recorded of a file of tests, without functions whose text is not the wanted one."""
         try:
             kept = json.loads(self._file(file).read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            return False
-        if kept["of"] != content:
-            return False
-        self.seconds.update(kept["seconds"])
-        for place, tests in kept["lines"].items():
+            of = {name: content for name, content in kept["of"].items() if wanted.get(name) == content}
+        except (OSError, ValueError, AttributeError):   # none, or one of another version
+            return {"of": {}, "seconds": {}, "lines": {}}
+        seconds = {test: taken for test, taken in kept["seconds"].items() if function_of(test) in of}
+        lines = {place: [test for test in tests if test in seconds] for place, tests in kept["lines"].items()}
+        return {"of": of, "seconds": seconds, "lines": lines}
+
+    def _take(self, record):
+        self.seconds.update(record["seconds"])
+        for place, tests in record["lines"].items():
             self._lines.setdefault(place, []).extend(tests)
-        return True
 
     def complete(self, make_trees):
-        """Records the files of tests that have no record, or a record of other text. make_trees(): as many trees as
+        """Records the functions of tests that have no record, or a record of other text. make_trees(): as many trees as
         work side by side."""
-        wanted = {file: hashlib.sha256((self._checkout / "host_tests" / file).read_bytes()).hexdigest()
+        wanted = {file: functions_of((self._checkout / "host_tests" / file).read_text(encoding="utf-8"))
                   for file in files_of_tests(self._checkout)}
-        missing = [file for file, content in wanted.items() if not self._load(file, content)]
-        if not missing:
-            return
-        made, free = make_trees(), queue.SimpleQueue()
+        kept = {file: self._load(file, of) for file, of in wanted.items()}
+        for each in kept.values():
+            self._take(each)
+        missing = [file for file, of in wanted.items() if kept[file]["of"] != of]
+        if missing:
+            self._record(missing, wanted, kept, make_trees())
+
+    def _record(self, missing, wanted, kept, made):
+        """Records what is missing of files of tests, in trees that work side by side."""
+        free = queue.SimpleQueue()
         for tree in made:
             free.put(tree)
 
         def work(file):
-            tree = free.get()
+            tree, old = free.get(), kept[file]
             try:
-                output.write_json(self._file(file), {"of": wanted[file], **record(tree, file)})
+                new = record(tree, file, [name for name in wanted[file] if name not in old["of"]])
             finally:
                 free.put(tree)
-            self._load(file, wanted[file])
+            lines = {place: old["lines"].get(place, []) + new["lines"].get(place, [])
+                     for place in {*old["lines"], *new["lines"]}}
+            output.write_json(self._file(file), {"of": wanted[file], "seconds": {**old["seconds"], **new["seconds"]},
+                                                 "lines": lines})
+            self._take(new)
 
         with Progress("tests that execute each line", len(missing)) as progress, \
                 concurrent.futures.ThreadPoolExecutor(len(made)) as pool:
@@ -134,12 +195,15 @@ class Records:
         for tree in made:
             tree.close()
 
-    def tests(self, mutant, text):
-        """The tests that execute a mutant's line, the quickest first; then others that execute its function. text: of the
-        file as it is."""
+    def place(self, mutant, text):
+        """(the function of a mutant, which of its lines), or None. text: of the file as it is."""
         if mutant.file not in self._functions:
             self._functions[mutant.file] = Functions(text)
-        place = self._functions[mutant.file].place(mutant.line)
+        return self._functions[mutant.file].place(mutant.line)
+
+    def tests(self, mutant, text):
+        """The tests that execute a mutant's line, the quickest first; then others that execute its function."""
+        place = self.place(mutant, text)
         if place is None:
             return []
         found = []

@@ -4,8 +4,9 @@
 A program, which fixel.check.trees starts. It imports nothing of the tools, so that a fork can run the tools of any
 checkout. Each line of its input asks for a run: {"folder", "words", "said", "report", "lines", "enough"}. It answers with two
 lines: the number of the process, then its exit code. A run puts its output into the file "said", and adds a line for
-each test to the file "report": {"test", "passed", "cpu", "number"}. Where "lines" names a folder, its file "number" has
-the lines that the test executed, and parameters of a test are skipped once others took "enough" CPU seconds.
+each test to the file "report": {"test", "passed", "skipped", "cpu", "number"}. Where "lines" names a folder, its file
+"number" has the lines that the test executed, and its file "begun" the test that began last; parameters of a test are
+skipped once others took "enough" CPU seconds.
 """
 
 import ctypes
@@ -38,18 +39,20 @@ class Report:
     def __init__(self, asked):
         self.file, self.lines, self.enough = asked["report"], asked["lines"], asked["enough"]
         self.recorder = sys.modules.get("sitecustomize")
-        self.passed, self.before, self.number, self.spent = True, 0.0, 0, {}
+        self.passed, self.skipped, self.before, self.number, self.spent = True, False, 0.0, 0, {}
 
     def pytest_runtest_logstart(self, nodeid, location):
-        self.passed, self.before = True, cpu_seconds()
+        self.passed, self.skipped, self.before = True, False, cpu_seconds()
         if self.lines:
             self.number += 1
+            (pathlib.Path(self.lines) / "begun").write_text(nodeid, encoding="utf-8")
             os.environ["FIXEL_LINES"] = str(pathlib.Path(self.lines) / str(self.number))
             self.recorder.recorder.begin()
 
     def pytest_runtest_setup(self, item):
         if self.lines and self.spent.get(item.nodeid.partition("[")[0], 0.0) > self.enough:
             import pytest
+            self.skipped = True
             pytest.skip("enough of its parameters are recorded")
 
     def pytest_runtest_logreport(self, report):
@@ -58,7 +61,7 @@ class Report:
     def pytest_runtest_logfinish(self, nodeid, location):
         taken, function = round(cpu_seconds() - self.before, 3), nodeid.partition("[")[0]
         self.spent[function] = self.spent.get(function, 0.0) + taken
-        found = {"test": nodeid, "passed": self.passed, "cpu": taken, "number": self.number}
+        found = {"test": nodeid, "passed": self.passed, "skipped": self.skipped, "cpu": taken, "number": self.number}
         with open(self.file, "a", encoding="utf-8") as report:
             report.write(json.dumps(found) + "\n")
 

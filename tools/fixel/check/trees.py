@@ -76,7 +76,7 @@ class Tree:
         os.utime(self.folder / file, (self._time, self._time))
 
     def run(self, tests, cpu, *options, lines=None, enough=0.0):
-        """(exit code of pytest or words that say which limit it passed, [{"test", "passed", "cpu", "number"}]) of tests.
+        """(exit code of pytest or words that say which limit it passed, the report of each test by pytest_server.py).
         lines: the folder for the lines that each executes, of each test only parameters that take enough seconds."""
         if self._server is None:
             self._server = Server(self.folder / "tools" / "fixel" if lines else "")

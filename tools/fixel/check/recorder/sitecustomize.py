@@ -2,7 +2,8 @@
 """Records which lines of the tools a test executes, in its process and in all that it starts.
 
 Python imports a module of this name when it starts. fixel.check.lines puts this folder on PYTHONPATH. FIXEL_LINES_OF is
-the folder whose lines are recorded, FIXEL_LINES the file to which each process adds "FILE:LINE", once for each line.
+the folder whose lines are recorded, FIXEL_LINES the file to which each process adds "FILE:LINE", once for each line. A
+process that starts without FIXEL_LINES records nothing before begin(): to import packages would be slow.
 """
 
 import os
@@ -22,6 +23,8 @@ class _Recorder:
 
     def begin(self):
         """All lines are new again, and go to the file that FIXEL_LINES names now."""
+        threading.settrace(self)
+        sys.settrace(self)
         self.functions.clear()
         if self.handle is not None:
             os.close(self.handle)
@@ -67,6 +70,6 @@ class _Recorder:
 
 if ROOT:
     recorder = _Recorder()
-    os.register_at_fork(after_in_child=recorder.begin)
-    threading.settrace(recorder)
-    sys.settrace(recorder)
+    os.register_at_fork(after_in_child=lambda: "FIXEL_LINES" in os.environ and recorder.begin())
+    if "FIXEL_LINES" in os.environ:
+        recorder.begin()
