@@ -8,6 +8,7 @@ import pytest
 
 from board_programs import ROOT, made
 from conftest import run_cli
+from fixel.check import kernel_equality
 
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 
@@ -52,3 +53,16 @@ def test_nothing_is_refused():
     done = run_cli("equality", "no-such.elf", "--thousands", "0")
     assert done.returncode == 2
     assert "--thousands is 1 to 1,000,000" in done.stderr
+
+
+def test_a_journal_has_one_row_of_each_kernel_and_core(tmp_path, capsys):
+    def row(core, kernel, program="p", thousands=1):
+        return {"core": core, "kernel": kernel, "program": program, "thousands": thousands, "inputs": 1, "differ": 0, "seconds": 0.5}
+    journal = kernel_equality.Journal(tmp_path / "journal.json")
+    for each in (row("m3", "b"), row("m3", "a"), row("m0", "a"), row("m3", "a", "q", 7)):
+        journal.keep(each)
+    assert len(capsys.readouterr().out.splitlines()) == 4
+    kept = kernel_equality.Journal(tmp_path / "journal.json")
+    assert kept.rows == [row("m0", "a"), row("m3", "a", "q", 7), row("m3", "b")]
+    assert kept.find("m3", "a", "q", 7) == kept.find("m3", "a", "q", 6) == row("m3", "a", "q", 7)
+    assert [kept.find(*of) for of in (("m3", "a", "q", 8), ("m3", "a", "p", 1), ("m0", "b", "p", 1))] == 3 * [None]

@@ -545,3 +545,13 @@ def test_a_comment_is_broken_between_words_where_it_is_too_long():
     assert all(len(line) <= c_text.WIDTH for line in made) and all(len(line) > c_text.WIDTH - 6 for line in made[:-1])
     assert " ".join(line.removeprefix("/*").removeprefix(" *").strip() for line in made) == f"{words} */"
     assert c_text.comment("x" * 200) == ["/*", f" * {'x' * 200}", " * */"]
+
+
+def test_items_of_a_table_fill_the_lines():
+    assert c_text.lines(["1", "22", "333"]) == ["    1, 22, 333"]
+    made = c_text.lines([f"{number:>4}" for number in range(1000)])
+    assert all(c_text.WIDTH - 6 < len(line) <= c_text.WIDTH for line in made[:-1])
+    assert [int(item) for item in " ".join(made).split(",")] == list(range(1000))
+    assert c_text.lines(["a" * (c_text.WIDTH - 5), "b", "c" * 200, "d"]) == \
+        [f"    {'a' * (c_text.WIDTH - 5)},", "    b,", f"    {'c' * 200},", "    d"]
+    assert len(c_text.lines(["a" * (c_text.WIDTH - 7), "b"])) == 1 and len(c_text.lines(["a" * (c_text.WIDTH - 6), "b"])) == 2

@@ -3,6 +3,7 @@
 sentence."""
 
 import pathlib
+import re
 import subprocess
 import tempfile
 
@@ -81,6 +82,7 @@ def written(folder, text, *options):
     (folder / "made.bdf").write_text(text, encoding="latin-1")
     done = run_cli("font", folder / "made.bdf", "-o", folder / "font.h", *options)
     assert done.returncode == 0, done.stderr
+    assert re.fullmatch(r".*/font.h: [0-9]+ characters\n", done.stderr)
     return (folder / "font.h").read_text()
 
 
@@ -155,6 +157,17 @@ def test_arguments_that_cannot_be_are_refused(tmp_path, arguments, words):
     done = run_cli("font", tmp_path / "made.bdf", "-o", tmp_path / "font.h", *arguments)
     assert_one_sentence(done)
     assert done.returncode == 2 and words in done.stderr
+
+
+@pytest.mark.parametrize("text, codes", [("1-255", (1, 255)), ("65-65", (65, 65)), ("032-126", (32, 126))])
+def test_codes_of_characters(text, codes):
+    assert c_font.parse_characters(text) == codes
+
+
+@pytest.mark.parametrize("text", ["0-5", "5-4", "1-256", "1-2000", "-5", "5-", "5", "5-6-7", " 5-6", "a-b", ""])
+def test_codes_that_no_character_has(text):
+    with pytest.raises(ToolError, match="like 32-126, from 1 to 255"):
+        c_font.parse_characters(text)
 
 
 def test_pictures_of_too_many_bytes_are_refused():
