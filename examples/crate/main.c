@@ -1,4 +1,4 @@
-/* A crate of planks that turns by a lamp: 49 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
+/* A crate of planks that turns by a lamp: 50 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
 #include <fixel.h>
 #include <fixel/orientation.h>
 #include <fixel/surfaces.h>
@@ -14,6 +14,7 @@ static fxl_mapped_face faces[6] = {{.corners = {0, 1, 2}, .texels = {{0, 0}, {FX
 static fxl_direction normals[6]; /* of each face one, at all of its corners */
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
+static fxl_lit_surfaces lit;
 static fxl_light light;
 static uint64_t memory[CUBE_MEMORY];
 int main(void)
@@ -39,8 +40,8 @@ int main(void)
         faces[i] = faces[0];
         faces[i].normals[0] = faces[i].normals[1] = faces[i].normals[2] = i;
     }
-    if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) || fxl_renderer_set_surfaces(&renderer, &surfaces, &set) ||
-        fxl_renderer_set_light(&renderer, &light, &lamp) || fxl_renderer_light_surfaces(&renderer, &light)) { return 1; }
+    if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) || fxl_attach_lit(&renderer, &lit) ||
+        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)) || fxl_attach_light(&renderer, &light, &lamp)) { return 1; }
     for (uint32_t frame = 0; show(pixels[0]) == 0; frame++) {
         if (fxl_orientation_from_axis(&axis, frame * FXL_DEGREES(3), &turn.orientation) ||
             fxl_render(&renderer, &eye, pixels[0], 320)) { return 1; }

@@ -72,7 +72,7 @@ int main(void)
         fxl_renderer_init(&renderer, &world.scene, &config, memory, sizeof memory) != FXL_OK ||
         fxl_world_attach(&world, &renderer) != FXL_OK || put_up_cubes() != 0 ||
         fxl_world_set_colours(&world, &renderer, &recolouring) != FXL_OK ||
-        fxl_renderer_set_light(&renderer, &light, &lamp) != FXL_OK ||
+        fxl_attach_light(&renderer, &light, &lamp) != FXL_OK ||
         fxl_render(&renderer, &eye, pixels[0], 320) != FXL_OK) {
         return 1;
     }

@@ -24,8 +24,8 @@ static fxl_instance instances[3] = {{.centre = {0, 0, FXL_UNITS(8)}}, {.centre =
 static fxl_scene scene = {.vertices = vertices, .indices = indices, .faces = faces, .models = models, .instances = instances,
     .vertex_count = 4 * FACES, .index_count = 4 * FACES, .face_count = FACES, .model_count = 3, .instance_count = 3};
 static fxl_renderer renderer;
-static fxl_rgb565_frame frame;
 static fxl_surfaces surfaces;
+static fxl_lit_surfaces lit;
 static fxl_light light;
 static uint64_t memory[512];
 /* Face i: a square with its upper left corner at (left, top), with so many texels along a side. */
@@ -44,7 +44,7 @@ static void put_face(int i, int left, int top, int size, int kind, int texels)
 int main(void)
 {
     const fxl_surface_set set = {textures, kinds, mapped, face_map, &normal, 2, 3, FACES, 1, NULL, 0, 0};
-    const fxl_config config = fxl_config_default(320, 240);
+    fxl_config config = fxl_config_for(320, 240, &fxl_rgb565);
     const fxl_pose eye = {.yaw = FXL_DEGREES(8), .pitch = FXL_DEGREES(3)};
     fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 16, .point_count = 1, .ramp = ramp, .levels = 2};
     for (int i = 0; i < 1024; i++) { /* bricks of two rows, each of a red of its own, that runs from side to side */
@@ -58,13 +58,13 @@ int main(void)
     for (int i = 0; i < WALL; i++) { put_face(i, i % COLUMNS * 3 - 12, 9 - i / COLUMNS * 3, 3, 0, 64); }
     put_face(PANE, -3, 2, 4, 1, 1);
     put_face(GLOW, -2, 2, 4, 2, 64);
+    config.palette = palette;
     if (fxl_scene_check(&scene, NULL) || fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) ||
-        fxl_renderer_set_rgb565(&renderer, &frame, palette, FXL_RGB565(0, 0, 0)) || fxl_renderer_set_surfaces_rgb565(&renderer, &surfaces, &set)) { return 1; }
+        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_rgb565)) || fxl_attach_lit(&renderer, &lit)) { return 1; }
     for (int shown = 0; show(pixels[0]) == 0; shown++) {
         instances[2].centre = (fxl_point){FXL_UNITS(shown % 128 - 64) / 16, FXL_UNITS(1), FXL_UNITS(6)};
         lamp.points[0] = (fxl_point_light){instances[2].centre, FXL_UNITS(9), FXL_Q2_30_ONE};
-        if (fxl_renderer_set_light(&renderer, &light, &lamp) || fxl_renderer_light_surfaces(&renderer, &light) ||
-            fxl_render_rgb565(&renderer, &eye, pixels[0], 320)) { return 1; }
+        if (fxl_attach_light(&renderer, &light, &lamp) || fxl_render(&renderer, &eye, pixels[0], 320)) { return 1; }
     }
     return 0;
 }

@@ -229,11 +229,11 @@ def _signed(value):
 def _view(scene, name, frames):
     """The lens, the first pose, and the path if it was asked for."""
     config = ", ".join(map(str, (scene.width, scene.height, f"{scene.fov}u", scene.near, scene.far, scene.inset,
-                                 scene.background)))
+                                 scene.background, "&fxl_palette, NULL, NULL, NULL, 0, NULL, 0")))
     first = scene.path[0] if scene.path_kind == image.POSES else scene.start
     made = [record("fxl_config", f"{name}_config", [config],
                    "The scene's own view, for fxl_renderer_init: width, height, field of view, near, far, inset, "
-                   "background."),
+                   "background, target; and neither order, palette, depth buffer nor tree."),
             record("fxl_pose", f"{name}_start", [_pose(first)], "The scene's first pose: x, y, z in 16.16, yaw, pitch, roll.")]
     if scene.centre:
         made.append("\n".join([*comment("The scene's lens is off-centre. After fxl_renderer_init call "
@@ -242,7 +242,8 @@ def _view(scene, name, frames):
                                f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
                                f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
     if scene.visibility == image_header.BY_DEPTH:
-        made.append("\n".join([*comment("The scene is to be drawn with a depth buffer: fxl_renderer_set_depth."), ""]))
+        made.append("\n".join([*comment("The scene is to be drawn with a depth buffer: a target like fxl_palette_depth_16, "
+                                        "in a copy of the configuration."), ""]))
     if frames:
         made += [f"#define {name.upper()}_FRAMES {len(scene.path)}\n",
                  table("fxl_pose", f"{name}_path", [braces(_pose(pose)) for pose in scene.path],
