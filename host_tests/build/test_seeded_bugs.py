@@ -24,11 +24,17 @@ def test_there_are_bugs_of_every_kind():
     assert {"rounding", "sign", "carry", "fill rule", "shift"} <= {bug.kind for bug in bugs.read(CHECKOUT)}
 
 
-def test_each_marker_stands_once_and_has_a_bug():
-    """read() refuses anything else, as the next tests show."""
-    marked = bugs.markers(CHECKOUT)
-    assert all(len(places) == 1 for places in marked.values())
-    assert sorted(marked) == sorted(bug.marker for bug in bugs.read(CHECKOUT))
+def test_each_bug_applies_to_the_library():
+    """Where one does not: give its entry the file, function and line in which the same mistake can be made now."""
+    assert "\n".join(bugs.stale(CHECKOUT, bugs.entries(CHECKOUT))) == ""
+
+
+def test_the_library_has_no_marks():
+    """A bug is found by its function and its line."""
+    assert [file for file, text in bugs.sources(CHECKOUT).items() if "/* bug:" in text] == []
+
+
+FUNCTION = "static int f(int x)\n{\n%s    return x;\n}\n"
 
 
 @pytest.fixture
@@ -36,14 +42,18 @@ def root(tmp_path):
     """A library of one file, and its bug."""
     (tmp_path / "lib").mkdir()
     (tmp_path / "host_tests" / "build" / "seeded_bugs").mkdir(parents=True)
-    write(tmp_path, "    x = 1; /* bug: one */\n")
+    write(tmp_path, FUNCTION % "    x = 1;\n")
     return tmp_path
 
 
-def write(root, text, becomes="x = 2;", marker="one"):
-    (root / "lib" / "a.c").write_text(f"/* Line. */\n{text}    y = 1;\n")
-    (root / bugs.BUGS).write_text(f'[[bug]]\nmarker = "{marker}"\nname = "n"\nkind = "k"\nwhy = "w"\n'
-                                  f'becomes = """{becomes}"""\ntests = []\n')
+def write(root, text, becomes="x = 2;", function="f", line="x = 1;", more="", file="a.c"):
+    (root / "lib" / file).write_text(text)
+    (root / bugs.BUGS).write_text(entry(becomes=becomes, function=function, line=line, more=more))
+
+
+def entry(name="one", becomes="x = 2;", function="f", line="x = 1;", more=""):
+    return (f"[[bug]]\nid = '{name}'\nname = 'n'\nkind = 'k'\nwhy = 'w'\nfile = 'lib/a.c'\nfunction = '{function}'\n"
+            f"line = '{line}'\nbecomes = """ + '"""' + f'{becomes}"""' + f"\ntests = []\n{more}\n")
 
 
 def seeded(root):
@@ -52,26 +62,88 @@ def seeded(root):
 
 
 @pytest.mark.parametrize("text, becomes, result", [
-    ("    x = 1; /* bug: one */\n", "x = 2;", "    x = 2;\n"),
-    ("    x = 1; /* bug: one */\n", "x = 2;\nz = 3;", "    x = 2;\n    z = 3;\n"),
-    ("    x = 1; /* bug: one */\n", "", ""),
-    ("    x = 1; /* why */ /* bug: one */\n", "x = 2;", "    x = 2;\n"),
-    ("    /* bug: one */\n    x = 1;\n", "x = 2;", "    /* bug: one */\n    x = 2;\n"),
-    ("    x = 1; /* bug: one */ \\\n", "x = 2; \\\\", "    x = 2; \\\n"),
+    ("    x = 1;\n", "x = 2;", "    x = 2;\n"),
+    ("    x = 1;\n", "x = 2;\nz = 3;", "    x = 2;\n    z = 3;\n"),
+    ("    x = 1;\n", "", ""),
+    ("    x = 1; /* why */\n", "x = 2;", "    x = 2;\n"),
+    ("    x = 1; /* why */ /* and how */\n", "x = 2;", "    x = 2;\n"),
+    ("        x = 1;   \n", "x = 2;", "        x = 2;\n"),
 ])
-def test_a_marked_line_becomes_another(root, text, becomes, result):
-    write(root, text, becomes)
-    assert seeded(root) == f"/* Line. */\n{result}    y = 1;\n"
+def test_a_line_becomes_another(root, text, becomes, result):
+    write(root, FUNCTION % text, becomes)
+    assert seeded(root) == FUNCTION % result
 
 
-@pytest.mark.parametrize("text, marker, words", [
-    ("    x = 1;\n", "one", "its marker is in lib/ 0 times, not once"),
-    ("    x = 1; /* bug: one */\n    x = 1; /* bug: one */\n", "one", "its marker is in lib/ 2 times, not once: lib/a.c, lib/a.c"),
-    ("    x = 1; /* bug: one */\n    x = 1; /* bug: two */\n", "one", "marker 'two' has no bug"),
-    ("    /* bug: one */ x = 1;\n", "one", "no line that ends with its marker"),
+OTHER = (FUNCTION % "    x = 1;\n").replace(" f(", " g(")
+
+
+@pytest.mark.parametrize("text, function, result", [
+    (OTHER + FUNCTION % "    x = 1;\n", "f", OTHER + FUNCTION % "    x = 2;\n"),
+    ("static const uint32_t\nf(int x)\n{\n    x = 1;\n}\n", "f", "static const uint32_t\nf(int x)\n{\n    x = 2;\n}\n"),
+    ("static int f(int x,\n             int y)\n{\n#if A\n    x = 1;\n}\n", "f",
+     "static int f(int x,\n             int y)\n{\n#if A\n    x = 2;\n}\n"),
+    ("static const int table[] = {\n    x = 1;\n};\n", "table", "static const int table[] = {\n    x = 2;\n};\n"),
+    ("#define M(x) \\\n    x = 1; /* why */ \\\n    g()\n", "M", "#define M(x) \\\n    x = 2; \\\n    g()\n"),
+    ("int f(int x)\n{\n#define M 1\n    x = 1;\n}\n", "f", "int f(int x)\n{\n#define M 1\n    x = 2;\n}\n"),
+    ("    .global f\nf:\n1:  nop\n.Lrow:\n    x = 1;\n", "f", "    .global f\nf:\n1:  nop\n.Lrow:\n    x = 2;\n"),
+    ("    .macro f a, b\n    x = 1;\n    .endm\ng:\n    x = 1;\n", "f", "    .macro f a, b\n    x = 2;\n    .endm\ng:\n    x = 1;\n"),
+], ids=["two", "type", "conditions", "table", "macro", "define", "label", "assembly"])
+def test_a_line_is_looked_for_in_its_function(root, text, function, result):
+    write(root, text, function=function)
+    assert seeded(root) == result
+
+
+TWICE = FUNCTION % "    x = 1;\n    x = 1; /* again */\n"
+
+
+@pytest.mark.parametrize("number, result", [(1, "    x = 2;\n    x = 1; /* again */\n"), (2, "    x = 1;\n    x = 2;\n")])
+def test_of_equal_lines_the_entry_chooses_one(root, number, result):
+    write(root, TWICE, more=f"occurrence = {number}")
+    assert seeded(root) == FUNCTION % result
+
+
+@pytest.mark.parametrize("text, more, words", [
+    (FUNCTION % "    x = 3;\n", "", "bug 'one': lib/a.c: f has no line 'x = 1;'"),
+    (FUNCTION % "    x = 1; y = 1;\n", "", "bug 'one': lib/a.c: f has no line 'x = 1;'"),
+    (OTHER, "", "bug 'one': lib/a.c: f has no line 'x = 1;'"),
+    (TWICE, "", "bug 'one': lib/a.c: f has the line 'x = 1;' 2 times: give occurrence = 1 to 2"),
+    (TWICE, "occurrence = 3", "bug 'one': lib/a.c: f has the line 'x = 1;' 2 times: give occurrence = 1 to 2"),
+    (FUNCTION % "    x = 1;\n", "occurrence = 1", "bug 'one': lib/a.c: f has the line 'x = 1;' once: leave occurrence out"),
+    (FUNCTION % "    x = 2;\n", "", "bug 'one': lib/a.c: f has no line 'x = 1;'"),
 ])
-def test_markers_that_do_not_fit_are_refused(root, text, marker, words):
-    write(root, text, marker=marker)
+def test_a_bug_that_applies_no_more_is_named(root, text, more, words):
+    write(root, text, more=more)
+    assert bugs.stale(root, bugs.entries(root)) == [words]
+    with pytest.raises(ToolError, match="1 of 1 bugs do not apply to lib/"):
+        bugs.read(root)
+
+
+def test_all_bugs_that_apply_no_more_are_named(root):
+    (root / bugs.BUGS).write_text(entry("one", line="gone") + entry("two") + entry("three", function="gone"))
+    assert [words.split("'")[1] for words in bugs.stale(root, bugs.entries(root))] == ["one", "three"]
+
+
+def test_a_bug_that_changes_nothing_is_named(root):
+    write(root, FUNCTION % "    x = 1;\n", becomes="x = 1;")
+    assert bugs.stale(root, bugs.entries(root)) == ["bug 'one': it changes nothing in lib/a.c"]
+
+
+@pytest.mark.parametrize("old, words", [
+    (None, "bug 'one': there is no lib/a.c; it stands in lib/b.c now: name that file"),
+    (OTHER, "bug 'one': lib/a.c: f has no line 'x = 1;'; it stands in lib/b.c now: name that file")])
+def test_a_function_that_has_moved_is_found(root, old, words):
+    (root / "lib" / "a.c").rename(root / "lib" / "b.c")
+    if old:
+        (root / "lib" / "a.c").write_text(old)
+    assert bugs.stale(root, bugs.entries(root)) == [words]
+
+
+@pytest.mark.parametrize("table, words", [
+    ("", "holds no"), (entry() + entry(), "two bugs have the id 'one'"), (entry().replace("why", "because"), "'why' is missing"),
+    (entry(more="mark = 'a'"), "unknown mark"), (entry(more="occurrence = 0"), "'occurrence' is no whole number from 1 on"),
+    (entry(more="occurrence = true"), "'occurrence' is no whole number from 1 on"), ("[[bug", "cannot be read")])
+def test_a_table_that_is_wrong_is_refused(root, table, words):
+    (root / bugs.BUGS).write_text(table)
     with pytest.raises(ToolError, match=words):
         bugs.read(root)
 
@@ -129,8 +201,7 @@ def compiler_says(bug):
 
 
 def test_each_bug_compiles():
-    """A marked line that was wrapped since is a line no longer. Assembly, and the headers that it alone includes, are
-    left to the sample."""
+    """Assembly, and the headers that it alone includes, are left to the sample."""
     inputs = [bug for bug in bugs.read(CHECKOUT)
               if not bug.file.endswith(".S") and ".macro" not in (CHECKOUT / bug.file).read_text(encoding="utf-8")]
     includers()   # once, not in each thread
@@ -148,7 +219,7 @@ def test_samples_reach_every_bug(root):
     """Over many states of the sources."""
     every, found = list(range(20)), set()
     for number in range(60):
-        write(root, f"    x = {number}; /* bug: one */\n")
+        write(root, f"    x = {number};\n")
         found.update(sampling.choose(root, "bugs", every, SAMPLE))
     assert found == set(every)
 

@@ -9,7 +9,7 @@
 static bool is_outside(const fxl_model_view *model_view, const fxl_face *face)
 {
     const uint16_t *index = model_view->indices + face->first_index;
-    uint32_t of_all = FXL_PLANES_ALL; /* bug: unprojected-out */
+    uint32_t of_all = FXL_PLANES_ALL;
     for (const uint16_t *end = index + face->count; index < end && of_all != 0; index++) {
         of_all &= fxl_fetch_vertex(model_view, *index)->clip_flags;
     }
@@ -41,7 +41,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_fac
             vertex->clip_flags = state;
         }
         of_any |= state;
-        of_all &= state; /* bug: between-two */
+        of_all &= state;
         *point = vertex->screen;
     }
     screen->colour = face->material;

@@ -72,7 +72,7 @@ fxl_clip_by_view:
     strh    r3, [r2]
     eor     r1, of_any, of_all
     movs    r0, #0
-    lsls    r2, r1, #12                     /* columns */ /* bug: v7m-columns */
+    lsls    r2, r1, #12                     /* columns */
     it      ne
     lsrsne  r2, r1, #20                     /* rows */
     it      eq

@@ -26,7 +26,7 @@ typedef void fxl_cut_cross(const fxl_cut *cut, uint32_t inside, uint32_t outside
 /* The bit of a vertex; 0 where that is outside of the plane. */
 static inline uint32_t fxl_cut_bit(fxl_q18_46 distance, uint32_t vertex)
 {
-    return (uint32_t)(distance >= 0) << vertex; /* bug: plane-is-out */
+    return (uint32_t)(distance >= 0) << vertex;
 }
 
 /* Emits what an edge contributes: its first vertex if that is inside, then the crossing if one
@@ -37,7 +37,7 @@ static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross 
 {
     const bool current_inside = (bits >> current & 1u) != 0;
     if (current_inside) {
-        if (cut->count == FXL_POLYGON_CAPACITY) { /* bug: capacity-copy */
+        if (cut->count == FXL_POLYGON_CAPACITY) {
             return false;
         }
         copy(cut, current, cut->count++);
@@ -46,12 +46,12 @@ static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross 
     if ((bits >> next & 1u) == (uint32_t)current_inside) {
         return true;
     }
-    const uint32_t inside = current_inside ? current : next; /* bug: cut-from-first */
+    const uint32_t inside = current_inside ? current : next;
     const uint32_t outside = inside == current ? next : current;
     if (cut->distances[inside] == 0) {
         return true;
     }
-    if (cut->count == FXL_POLYGON_CAPACITY) { /* bug: capacity-cross */
+    if (cut->count == FXL_POLYGON_CAPACITY) {
         return false;
     }
     cross(cut, inside, outside, cut->count++);
@@ -111,7 +111,7 @@ static inline fxl_clip_result fxl_cut_by_planes(const void *in, void *spares, si
         }
     }
     *result = current;
-    return all; /* bug: cut-twice-whole */
+    return all;
 }
 
 #endif

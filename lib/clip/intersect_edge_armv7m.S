@@ -83,7 +83,7 @@ fxl_intersect_edge:
 .Llower:
     estimate_digit r11, 21
     it      cs
-    addcs   r11, r11, #1 /* bug: v7m-intersect-digit */
+    addcs   r11, r11, #1
     orr     fraction, r11, r10, lsl #21
     lsr     fraction_high, r10, #11
     orr     fraction_high, fraction_high, r8, lsl #10
@@ -121,7 +121,7 @@ fxl_intersect_edge:
     negs    r8, r8
     sbc     r9, r9, r9, lsl #1
     multiply_high r10, lr
-    subs    r6, r6, r10 /* bug: v7m-intersect-backward */
+    subs    r6, r6, r10
     sbc     r7, r7, lr
     strd    r6, r7, [point], #8
     subs    left, left, #1

@@ -39,7 +39,7 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
     for (;;) {
         uint32_t from_code = fxl_volume_code(volume, &line->from.position) & ~from_moved;
         uint32_t to_code = fxl_volume_code(volume, &line->to.position) & ~to_moved;
-        if ((from_code & to_code) != 0) { /* bug: line-late */
+        if ((from_code & to_code) != 0) {
             return false;
         }
         if ((from_code | to_code) == 0) {
@@ -57,7 +57,6 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
             return false;
         }
         if (moves_from) {
-            /* bug: line-end */
             move(&line->to, &line->from, to, from, line->carried, intersections);
             from_moved |= (uint32_t)1 << plane;
         } else {

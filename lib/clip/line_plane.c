@@ -127,7 +127,7 @@ fxl_line_relation fxl_line_meet_plane(const fxl_view_point *from, const fxl_view
         return is_zero(&at_from) ? FXL_LINE_LIES_IN : FXL_LINE_IS_PARALLEL;
     }
     const wide part = magnitude(&at_from), all = magnitude(&change);
-    const bool negative = (at_from.whole < 0) != (change.whole < 0); /* bug: parameter-sign */
+    const bool negative = (at_from.whole < 0) != (change.whole < 0);
     parameter t;
     fxl_view_point point;
     if (!divide(&part, &all, &t) || !move(from->x, to->x, &t, negative, &point.x) ||

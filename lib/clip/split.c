@@ -32,7 +32,7 @@ fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q1
 /* Appends a point. Returns false where the piece is full. */
 static bool append(fxl_piece *piece, const fxl_point *point)
 {
-    if (piece->count == FXL_POLYGON_CAPACITY) { /* bug: split-capacity */
+    if (piece->count == FXL_POLYGON_CAPACITY) {
         return false;
     }
     piece->points[piece->count++] = *point;
@@ -75,7 +75,6 @@ fxl_split_result fxl_split_piece(const fxl_piece *in, const fxl_plane *plane, fx
         fxl_q18_46 distance = fxl_plane_distance(plane, to);
         if ((before > 0 && distance < 0) || (before < 0 && distance > 0)) {
             fxl_point crossing = before > 0 ? fxl_split_edge(from, to, before, distance)
-                                            /* bug: split-way */
                                             : fxl_split_edge(to, from, distance, before);
             if (!append_point(&crossing, 0, front, back)) {
                 return FXL_SPLIT_CAPACITY;

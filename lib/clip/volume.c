@@ -15,7 +15,6 @@ fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_p
         low += fxl_multiply_su32(plane->normal.x, (uint32_t)point->x);
     }
     if (plane->normal.y != 0) {
-        /* bug: half-space-y */
         high += fxl_multiply_s32(plane->normal.y, (int32_t)(point->y >> 32));
         low += fxl_multiply_su32(plane->normal.y, (uint32_t)point->y);
     }
@@ -68,7 +67,6 @@ void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint
         int32_t sign = plane == FXL_PLANE_LEFT || plane == FXL_PLANE_BOTTOM ? 1 : -1;
         fxl_half_space *to = &volume->planes[plane];
         if ((screen >> plane & 1u) == 0) {
-            /* bug: guard-wide */
             *to = side_plane(upright, sign * focal, FXL_GUARD_PIXELS * FXL_Q16_16_ONE);
         } else if (upright) {
             const fxl_half_space side = {{0, sign * sides->y_side, sides->y_depth}, -sides->inset};

@@ -112,7 +112,7 @@ static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t 
             return status;
         }
     }
-    for (uint32_t i = 0; i < scene->face_count; i++) { /* bug: beams-last-face */
+    for (uint32_t i = 0; i < scene->face_count; i++) {
         if (!fxl_beams_fit(beams, beam_count, scene->faces[i].count)) {
             return FXL_E_CAPACITY;
         }

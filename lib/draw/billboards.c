@@ -28,7 +28,7 @@ static fxl_q18_46 scaled(fxl_q16_16 length, fxl_q16_16 scale)
 static fxl_q18_46 in_view(const fxl_view *view, fxl_q18_46 length)
 {
     const fxl_q16_16 focal = view->lens.focal, drawn = fxl_view_drawn_focal(view);
-    if (focal == drawn) { /* bug: sprite-sheared */
+    if (focal == drawn) {
         return length;
     }
     const int32_t ratio = fxl_divide_round((int64_t)focal * FXL_Q2_30_ONE, (uint32_t)drawn);
@@ -46,7 +46,6 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
     fxl_view_point left_top, right_bottom;
     left_top.x = centre->x - in_view(view, scaled(billboard->anchor_x, scale));
     right_bottom.x = left_top.x + in_view(view, scaled(billboard->width, scale));
-    /* bug: sprite-anchor */
     right_bottom.y = centre->y - in_view(view, scaled(billboard->anchor_y, scale));
     left_top.y = right_bottom.y + in_view(view, scaled(billboard->height, scale));
     left_top.z = right_bottom.z = centre->z;
@@ -114,7 +113,7 @@ static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint3
     fxl_screen_point corners[2];
     fxl_transform_point(&view->camera, &scene->instances[number].centre, &centre);
     if (centre.z < view->view_frustum.near_z ||
-        centre.z > view->view_frustum.far_z) { /* bug: sprite-far */
+        centre.z > view->view_frustum.far_z) {
         return 1u << FXL_CLIP_OUTSIDE;
     }
     if (!find_corners(view, &centre, billboard, scale, corners)) {
@@ -197,7 +196,7 @@ fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboa
         renderer->billboards = billboards;
         renderer->draw_list = fxl_mixed_draw_list;
         change_order(renderer, &fxl_by_distance, &fxl_by_distance_with_billboards);
-    } else if (renderer->billboards == NULL) { /* bug: sprite-none */
+    } else if (renderer->billboards == NULL) {
         return FXL_OK; /* a frame that has begun stays */
     } else {
         renderer->billboards = NULL;

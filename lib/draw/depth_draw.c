@@ -20,7 +20,7 @@ static void clear(uint8_t *bytes, uint32_t count)
         band.pixels += rows * CLEARED_AT_ONCE;
         band.width = band.stride = (uint16_t)rest;
         band.rows = 1;
-        fxl_fill_band(&band, 0); /* bug: depth-clear */
+        fxl_fill_band(&band, 0);
     }
 }
 

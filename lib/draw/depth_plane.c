@@ -78,7 +78,6 @@ void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face
     fxl_view_point first;
     fxl_find_corner(model_view, model_view->indices[face->first_index], on, &first);
     const fxl_block_vector n =
-        /* bug: depth-shear */
         view->lens.off_centre == NULL ? rotated(axes, &face->normal) : sheared(axes, &face->normal);
     const int64_t height = height_of(&n, &first);
     if (height <= 0) {

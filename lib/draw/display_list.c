@@ -17,11 +17,11 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
     FXL_ASSERT(polygon->count >= 3 && polygon->count <= FXL_POLYGON_CAPACITY);
     FXL_ASSERT(rows.first < rows.end && list->used <= list->capacity);
     uint32_t words = FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count);
-    if (list->capacity - list->used < words) { /* bug: list-past-end */
+    if (list->capacity - list->used < words) {
         return false;
     }
     uint32_t *to = list->words + list->used;
-    to[0] = (uint32_t)rows.end << 16 | rows.first; /* bug: list-row-end */
+    to[0] = (uint32_t)rows.end << 16 | rows.first;
     memcpy(to + 1, polygon, (words - 1) * sizeof *to);
     list->used += words;
     return true;

@@ -69,7 +69,6 @@ static bool measure_group(const fxl_traversal *on, const fxl_model_view *model_v
         if (to->used < to->room) {
             /* At most 255, since rows are not above the screen's height. */
             to->start[to->used].first = (uint8_t)(rows.end == 0 ? 0 : rows.first >> shift);
-            /* bug: reach-round */
             to->start[to->used].end = (uint8_t)((rows.end + (1u << shift) - 1) >> shift);
         }
         to->used += 1;
@@ -129,7 +128,7 @@ void fxl_reach_take_back(const fxl_renderer *renderer, fxl_workspace *workspace)
 {
     const uintptr_t at = (uintptr_t)workspace->cache.entries;
     if (at >= (uintptr_t)renderer->frame.order && at < end_of_order(renderer)) {
-        fxl_vertex_cache_init(&workspace->cache, NULL, 0); /* bug: reach-cache */
+        fxl_vertex_cache_init(&workspace->cache, NULL, 0);
     }
 }
 

@@ -26,7 +26,7 @@ static void begin_counters(fxl_counters *counters, uint32_t culled)
     uint32_t refused_calls = counters->refused_calls;
     memset(counters, 0, sizeof *counters);
     counters->refused_calls = refused_calls;
-    counters->in = culled; /* bug: left-out-count */
+    counters->in = culled;
     counters->outside = culled;
 }
 
@@ -35,7 +35,6 @@ static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool
 {
     workspace->frame_number = view->frame;
     workspace->rest_counted = counted;
-    /* bug: sorted-stale */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
 }
 
@@ -156,7 +155,6 @@ static fxl_outcome deliver(const fxl_traversal *on)
         return 0;
     }
     if (on->display_list != NULL) {
-        /* bug: list-drop */
         return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
     }
     if (!FXL_IS_SMALL && on->way == FXL_SUBMIT_MEASURE) {
@@ -180,7 +178,7 @@ static fxl_outcome deliver_all(const fxl_traversal *on, const fxl_model_view *mo
             break;
         }
         cut = fxl_next_polygon(model_view, on);
-        outcome |= (fxl_outcome)1 << cut; /* bug: last-polygon */
+        outcome |= (fxl_outcome)1 << cut;
     }
     return outcome;
 }
@@ -196,7 +194,7 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
     fxl_counters *counters = on->counters;
     if (outcome >= FXL_OUTCOME_FULL) {
         if (on->display_list != NULL) {
-            on->display_list->used = used; /* bug: full-list-keeps */
+            on->display_list->used = used;
         }
         return false;
     }
@@ -273,7 +271,7 @@ static inline bool submit_rest(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
     if (renderer->frame.state == FXL_FRAME_RELEASED) {
-        return true; /* bug: release-reads */
+        return true;
     }
     return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
                ? fxl_reach_submit(on)
@@ -301,7 +299,7 @@ static inline bool draw_display_list(const fxl_traversal *on)
 
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    fxl_resume_point resume = renderer->frame.resume; /* bug: rest-face-late */
+    fxl_resume_point resume = renderer->frame.resume;
     fxl_counters uncounted;
     if (workspace->rest_counted) {
         memset(&uncounted, 0, sizeof uncounted);
@@ -322,7 +320,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
         !submit_rest(&on)) {
         return false;
     }
-    workspace->rest_counted = true; /* bug: counted-again */
+    workspace->rest_counted = true;
     return true;
 }
 

@@ -195,7 +195,7 @@ fxl_status fxl_frame_release_scene(fxl_renderer *renderer)
     if (frame->state == FXL_FRAME_NONE) {
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
-    if (frame->resume.instances < frame->visible_count) { /* bug: release-spilled */
+    if (frame->resume.instances < frame->visible_count) {
         return fxl_refuse(&renderer->workspace, FXL_E_CAPACITY);
     }
     frame->state = FXL_FRAME_RELEASED;

@@ -14,7 +14,7 @@ fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *b
     if (set != NULL && renderer->target != NULL &&
         fxl_billboards_check_attaching(renderer, billboards, set) == FXL_OK &&
         (renderer->target != &fxl_palette ||
-         (renderer->order != &fxl_by_distance && /* bug: sprite-method */
+         (renderer->order != &fxl_by_distance &&
           renderer->order != &fxl_by_distance_with_billboards))) {
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }

@@ -99,7 +99,7 @@ static bool find_place(const fxl_renderer *renderer, const fxl_workspace *worksp
 {
     fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
     if (head->pass == FXL_DEPTH_BLENDED) {
-        return false; /* bug: sprite-depth-pass */
+        return false;
     }
     const fxl_q18_46 distance =
         (fxl_q18_46)((uint64_t)(uint32_t)points[3].x << 32 | (uint32_t)points[3].y);
@@ -128,7 +128,6 @@ static inline bool is_visible(const sprite_place *place, const void *cells, int3
 
 static inline void keep(const sprite_place *place, void *cells, int32_t x)
 {
-    /* bug: sprite-depth-kept */
     fxl_depth_keep(cells, x, place->code, FXL_TARGET_DEPTH_BITS == 32);
 }
 

@@ -24,7 +24,7 @@ static inline bool fxl_submit_convex(const fxl_traversal *on, const fxl_model_vi
                                      const fxl_model *model, fxl_facing_test *is_front)
 {
     const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->near_first; /* bug: reverse-rising */
+    const bool reverse = on->renderer->near_first;
     const uint32_t first = on->resume->faces, step = reverse ? UINT32_MAX : 1;
     uint32_t at = reverse ? model->face_count - 1 - first : first;
     uint32_t number, backfacing = 0;

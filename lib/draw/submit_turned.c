@@ -115,9 +115,9 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
     const fxl_scene *scene = renderer->scene;
     const fxl_camera before = view->camera;
     const uint32_t number = view->frame;
-    frame->state = FXL_FRAME_NONE; /* bug: turn-refused-frame */
+    frame->state = FXL_FRAME_NONE;
     if (scene->instance_count > renderer->instance_capacity) {
-        return FXL_E_CAPACITY; /* bug: turn-capacity */
+        return FXL_E_CAPACITY;
     }
     if (!fxl_turn_places_are_in_range(scene)) {
         return FXL_E_RANGE;
@@ -187,7 +187,6 @@ static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face
 {
     const rounded_instance *instance = (const rounded_instance *)(const void *)shader;
     const fxl_scene *scene = on->renderer->scene;
-    /* bug: turn-lit-normal */
     const fxl_direction normal = normal_of(scene, instance->number, face);
     fxl_point points[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;

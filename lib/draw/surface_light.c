@@ -31,7 +31,7 @@ static void place_turned_corners(const fxl_scene *scene, uint32_t number, const 
     for (uint32_t i = 0; i < 3; i++) {
         fxl_face corner = *face;
         corner.normal = normals[mapped->normals[i]];
-        const fxl_direction normal = code->normal(scene, number, &corner); /* bug: corner-turn */
+        const fxl_direction normal = code->normal(scene, number, &corner);
         place_corner(&points[mapped->corners[i]], &normal, &places[i]);
     }
 }
@@ -47,7 +47,7 @@ static void place_corners(const fxl_scene *scene, const fxl_instance *instance,
         const fxl_point *vertex = &vertices[indices[mapped->corners[i]]];
         const fxl_point point = {centre->x + vertex->x, centre->y + vertex->y,
                                  centre->z + vertex->z};
-        place_corner(&point, &normals[mapped->normals[i]], &places[i]); /* bug: corner-normal */
+        place_corner(&point, &normals[mapped->normals[i]], &places[i]);
     }
 }
 

@@ -125,7 +125,7 @@ static void paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cel
         const fxl_pixel colour = painted[0][x - first];
         if (colour == painted[1][x - first]) {
             pixels[x] = colour;
-            fxl_depth_keep(cells, x, line.code, FXL_TARGET_DEPTH_BITS == 32); /* bug: depth-hole */
+            fxl_depth_keep(cells, x, line.code, FXL_TARGET_DEPTH_BITS == 32);
         }
     }
 }
@@ -168,7 +168,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_segment_face face;
     fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
     if (depth.head->pass == (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
-        return; /* bug: depth-pass */
+        return;
     }
     paint_of(surfaces, polygon, band, &paint);
     if (is_blended) {

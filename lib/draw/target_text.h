@@ -240,7 +240,7 @@ static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint3
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
 {
-    if (!fxl_is_band_of_pixels(band)) { /* bug: band-of-bytes */
+    if (!fxl_is_band_of_pixels(band)) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }
     (void)fxl_draw_band(renderer, workspace, band);

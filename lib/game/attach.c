@@ -12,7 +12,7 @@ static int64_t scaled(fxl_q18_46 length, fxl_q16_16 scale)
     const int64_t high = length >> 30;
     const int64_t low = length & (((int64_t)1 << 30) - 1);
     const int64_t low_part = fxl_multiply_s64(low, scale) + ((int64_t)1 << 45);
-    return (fxl_multiply_s64(high, scale) + (low_part >> 30)) >> 16; /* bug: attach-carry */
+    return (fxl_multiply_s64(high, scale) + (low_part >> 30)) >> 16;
 }
 
 static bool below_2_to_30(const fxl_point *point)

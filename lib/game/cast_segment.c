@@ -33,7 +33,7 @@ static void try_instance(const fxl_scene *scene, uint16_t number, const fxl_poin
             continue;
         }
         const uint64_t part = part_of(start, end);
-        if ((nearest->instance == FXL_HIT_NONE || part < nearest->part) && /* bug: cast-nearest */
+        if ((nearest->instance == FXL_HIT_NONE || part < nearest->part) &&
             fxl_line_is_within(&face, from, &direction)) {
             nearest->part = part;
             nearest->instance = number;
@@ -61,7 +61,7 @@ fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const
     if (!fxl_point_in_range(from) || !fxl_point_in_range(to)) {
         return FXL_E_RANGE;
     }
-    const fxl_status turned = fxl_check_turns(scene); /* bug: cast-turns */
+    const fxl_status turned = fxl_check_turns(scene);
     if (turned != FXL_OK) {
         return turned;
     }

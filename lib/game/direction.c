@@ -56,7 +56,7 @@ fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
         const int64_t both =
             fxl_multiply_s64(t[i], a[j]) >> 1; /* t a' is symmetric but for 2^-32 */
         matrix.rows[i][i] = cosine * ((int64_t)1 << 29) + (fxl_multiply_s64(t[i], a[i]) >> 1);
-        matrix.rows[i][j] = both - turn; /* bug: axis-turn */
+        matrix.rows[i][j] = both - turn;
         matrix.rows[j][i] = both + turn;
     }
     fxl_orthonormalise(&matrix, orientation);

@@ -13,7 +13,7 @@ static void add_product(int64_t factor, int32_t value, int64_t *high, uint64_t *
 {
     const int64_t lower = fxl_multiply_su32(value, (uint32_t)factor);
     *high += fxl_multiply_s32((int32_t)(factor >> 32), value) + (lower >> 32);
-    *low += (uint32_t)lower; /* bug: determinant-low */
+    *low += (uint32_t)lower;
 }
 
 int fxl_determinant_sign(const fxl_point *a, const fxl_point *b, const fxl_point *c)
@@ -63,7 +63,7 @@ bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *from, c
     }
     if ((uint64_t)along >= whole) {
         fxl_subtract(&sphere->centre, to, &beyond);
-        return fxl_square_of(&beyond) <= reach; /* bug: segment-end */
+        return fxl_square_of(&beyond) <= reach;
     }
     const uint64_t most = (uint64_t)along, over = square - reach;
     const uint64_t left = fxl_multiply_high(over, whole), right = fxl_multiply_high(most, most);

@@ -24,7 +24,7 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point, fxl_
     fxl_screen_place found = {{0, 0}, 0, FXL_POINT_NEAR};
     fxl_transform_point(&view->camera, point, &position);
     found.depth = position.z;
-    if (position.z >= view->view_frustum.near_z) { /* bug: find-near */
+    if (position.z >= view->view_frustum.near_z) {
         if (fxl_project_visible(&view->projection, &position, &found.at) != FXL_OK) {
             found.place = FXL_POINT_BEYOND;
         } else if (position.z <= view->view_frustum.far_z && is_on_screen(&view->lens, &found.at)) {

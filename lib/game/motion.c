@@ -21,7 +21,7 @@ static uint32_t last_key_at(const fxl_motion_key *keys, uint32_t count, uint32_t
     uint32_t low = 0, high = count;
     while (high - low > 1) {
         const uint32_t middle = low + (high - low) / 2;
-        if (keys[middle].frame <= frame) { /* bug: key-search */
+        if (keys[middle].frame <= frame) {
             low = middle;
         } else {
             high = middle;
@@ -46,7 +46,7 @@ static int32_t coordinate_between(int32_t a, int32_t b, uint32_t part, uint32_t 
 /* Angles take the short way. */
 static fxl_angle angle_between(fxl_angle a, fxl_angle b, uint32_t part, uint32_t whole)
 {
-    return between(a, (int32_t)(b - a), part, whole); /* bug: key-short-way */
+    return between(a, (int32_t)(b - a), part, whole);
 }
 
 static void interpolate(const fxl_motion_key *a, const fxl_motion_key *b, uint32_t part,
@@ -94,7 +94,7 @@ static void add_circle(const fxl_motion *motion, uint32_t frame, fxl_point *cent
 {
     const fxl_angle angle = motion->circle + frame * motion->circle_step;
     centre->x += on_circle(motion->radius, fxl_sin_q31(angle));
-    centre->z += on_circle(motion->radius, fxl_cos_q31(angle)); /* bug: circle-start */
+    centre->z += on_circle(motion->radius, fxl_cos_q31(angle));
 }
 
 /* Orientation: the angles after the spin. Either alone where the other turns nothing. */
@@ -167,7 +167,7 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
         (set->keys == NULL && (set->motion_count > 0 || set->key_count > 0))) {
         return FXL_E_ARGUMENT;
     }
-    if (scene->instance_capacity > 0) { /* bug: motion-in-world */
+    if (scene->instance_capacity > 0) {
         return FXL_E_ORDER;
     }
     if (!is_aligned(set, memory)) {

@@ -53,7 +53,7 @@ void fxl_orthonormalise(const fxl_wide_matrix *matrix, fxl_orientation *orientat
             for (uint32_t j = 0; j < 3; j++) {
                 sum += fxl_multiply_s32(lack[i][j], rows[j].head[k]);
             }
-            const int64_t half = fxl_round_shift(sum, 17); /* bug: orthonormal-half */
+            const int64_t half = fxl_round_shift(sum, 17);
             /* In units of 2^-60. The only rounding that counts is this one. */
             entries[k] = (int32_t)fxl_round_shift(matrix->rows[i][k] + half, 30);
         }

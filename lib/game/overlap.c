@@ -7,14 +7,13 @@ bool fxl_spheres_overlap(const fxl_sphere *a, const fxl_sphere *b)
     fxl_point between;
     const uint32_t reach = (uint32_t)a->radius + (uint32_t)b->radius;
     fxl_subtract(&a->centre, &b->centre, &between);
-    return fxl_square_of(&between) <= fxl_multiply_u32(reach, reach); /* bug: sphere-touch */
+    return fxl_square_of(&between) <= fxl_multiply_u32(reach, reach);
 }
 
 bool fxl_boxes_overlap(const fxl_box *a, const fxl_box *b)
 {
     return a->least.x <= b->most.x && b->least.x <= a->most.x && a->least.y <= b->most.y &&
-           b->least.y <= a->most.y && a->least.z <= b->most.z &&
-           b->least.z <= a->most.z; /* bug: box-touch */
+           b->least.y <= a->most.y && a->least.z <= b->most.z && b->least.z <= a->most.z;
 }
 
 /* From the nearest number of least..most. */

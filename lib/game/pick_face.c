@@ -22,7 +22,7 @@ static bool probe(fxl_workspace *workspace, const fxl_screen_point *points, uint
     fxl_span span;
     fxl_scan_outline(points, count, band, scan);
     while (fxl_scan_next(scan, &span)) {
-        if (pixel->column >= span.x0 && pixel->column < span.x1) { /* bug: pick-span */
+        if (pixel->column >= span.x0 && pixel->column < span.x1) {
             *band->pixels = colour;
             return false;
         }
@@ -41,7 +41,7 @@ static void name_face(const fxl_renderer *renderer, const fxl_resume_point *at, 
     picked->instance = frame->order[frame->visible_count - 1 - at->instances].index;
     const fxl_model *model = &scene->models[scene->instances[picked->instance].model];
     uint32_t face = model->face_count - 1 - at->faces;
-    if (model->kind == FXL_MODEL_SORTED) { /* bug: pick-sorted */
+    if (model->kind == FXL_MODEL_SORTED) {
         face = workspace->face_order[workspace->sorted_count - 1 - at->faces].face;
     }
     picked->face = (uint16_t)face;
@@ -51,7 +51,7 @@ static void name_face(const fxl_renderer *renderer, const fxl_resume_point *at, 
  * traversal, which is turned round for a pick. */
 static void forget_faces(fxl_workspace *workspace)
 {
-    workspace->sorted_instance = UINT16_MAX; /* bug: pick-forget */
+    workspace->sorted_instance = UINT16_MAX;
     workspace->face_rows_known = false;
 }
 

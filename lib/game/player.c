@@ -65,13 +65,11 @@ static fxl_status step(fxl_player *viewer, uint32_t keys, const fxl_motion_limit
 
     /* A unit vector times at most 2^24 is below 2^55. */
     int64_t move_x = fxl_round_shift(fxl_multiply_s32(camera.axes.forward.x, viewer->speed), 30);
-    /* bug: viewer-cut */
     int64_t move_z = fxl_round_shift(fxl_multiply_s32(camera.axes.forward.z, viewer->speed), 30);
     bool held = false;
     pose->position.x = held_within(pose->position.x + move_x, FXL_COORDINATE_MAX, &held);
     pose->position.z = held_within(pose->position.z + move_z, FXL_COORDINATE_MAX, &held);
     if (flies) {
-        /* bug: fly-height */
         int64_t move_y =
             fxl_round_shift(fxl_multiply_s32(camera.axes.forward.y, viewer->speed), 30);
         pose->position.y = held_within(pose->position.y + move_y, FXL_COORDINATE_MAX, &held);

@@ -30,7 +30,7 @@ static tolerance tolerance_of(const fxl_scene *scene, const fxl_instance *instan
     if (fxl_turn_code_of(scene, number) != NULL) {
         const fxl_q16_16 scale = fxl_turn_of(scene, number)->scale;
         of.skew += fxl_instance_radius(scene, instance) >> 22;
-        of.skew += (SKEW * scale + 0xFFFF) >> 16; /* bug: slide-turned-skew */
+        of.skew += (SKEW * scale + 0xFFFF) >> 16;
         of.longer = 48;
     }
     return of;
@@ -68,7 +68,7 @@ static fxl_point nearest_of_edge(const fxl_point *a, const fxl_point *b)
 
 static void keep(contact *nearest, fxl_q16_16 distance, const fxl_point *away, uint32_t length)
 {
-    if (distance < nearest->distance) { /* bug: slide-nearest */
+    if (distance < nearest->distance) {
         nearest->distance = distance;
         nearest->away = *away;
         nearest->length = length;

@@ -32,7 +32,7 @@ static uint32_t unturned(const fxl_scene *scene)
 static bool has_tables(const fxl_scene *scene, uint32_t colour_count)
 {
     for (uint32_t i = 0; i < scene->instance_count; i++) {
-        if (scene->instances[i].recolour > colour_count) { /* bug: world-other-colours */
+        if (scene->instances[i].recolour > colour_count) {
             return false;
         }
     }

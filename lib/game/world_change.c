@@ -11,7 +11,6 @@ static bool is_valid(const fxl_world *world, fxl_handle handle)
     if (world == NULL) {
         return false;
     }
-    /* bug: world-stale */
     return handle.slot < fxl_world_places(world) && (handle.generation & 1u) != 0 &&
            world->memory.slots[handle.slot].generation == handle.generation;
 }
@@ -27,7 +26,7 @@ fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance)
     if (world != NULL && instance < world->scene.instance_count) {
         /* The scene's table begins with the last instance that was shown without a turn. */
         const uint32_t first = world->memory.capacity - world->counts[FXL_WORLD_SHOWN];
-        handle.slot = world->memory.slots[first + instance].holder; /* bug: world-handle-at */
+        handle.slot = world->memory.slots[first + instance].holder;
         handle.generation = world->memory.slots[handle.slot].generation;
     }
     return handle;
@@ -64,7 +63,7 @@ static bool is_drawn(const fxl_world *world)
         const fxl_renderer *renderer = world->renderers[i];
         if (renderer != NULL && renderer->frame.state != FXL_FRAME_NONE &&
             renderer->frame.state != FXL_FRAME_RELEASED) {
-            return true; /* bug: world-drawn */
+            return true;
         }
     }
     return false;
@@ -104,7 +103,7 @@ static bool may_be_with_bsp(const fxl_world *world, const fxl_instance *instance
 /* Whether an instance that is not turned lies within the world. */
 static bool lies_in_world(const fxl_instance *instance, fxl_q16_16 radius)
 {
-    const int64_t limit = (int64_t)FXL_COORDINATE_MAX - radius; /* bug: world-reach */
+    const int64_t limit = (int64_t)FXL_COORDINATE_MAX - radius;
     return fxl_within(instance->centre.x, limit) && fxl_within(instance->centre.y, limit) &&
            fxl_within(instance->centre.z, limit);
 }
@@ -181,7 +180,7 @@ fxl_status fxl_world_remove(fxl_world *world, fxl_handle handle)
     fxl_world_entry entry;
     fxl_world_slot *slot = &world->memory.slots[handle.slot];
     fxl_world_take(world, slot->place, &entry);
-    slot->generation += 1; /* bug: world-generation */
+    slot->generation += 1;
     slot->place = (uint16_t)world->free_slot;
     world->free_slot = handle.slot;
     fxl_world_publish(world);

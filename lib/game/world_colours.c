@@ -16,7 +16,7 @@ static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
                       const fxl_instance *instance, const fxl_face *face, uint8_t of_model)
 {
     const fxl_world *world = ((const fxl_world_colours *)(const void *)shader)->world;
-    const uint32_t table = instance->recolour - 1u; /* bug: world-colours */
+    const uint32_t table = instance->recolour - 1u;
     (void)renderer;
     (void)face;
     FXL_ASSERT(instance->recolour <= world->memory.colour_count);

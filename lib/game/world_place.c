@@ -69,7 +69,7 @@ void fxl_world_take(fxl_world *world, uint32_t place, fxl_world_entry *entry)
     FXL_ASSERT(world->counts[group] > 0);
     const uint32_t last = place_in(world, group, --world->counts[group]);
     read_place(world, place, entry);
-    if (place != last) { /* bug: world-hole */
+    if (place != last) {
         fxl_world_entry moved;
         read_place(world, last, &moved);
         write_place(world, place, &moved);
@@ -87,7 +87,6 @@ void fxl_world_publish(fxl_world *world)
     scene->turns = turned > 0 ? memory->turns : NULL;
     scene->first_turned = turned > 0 ? shown : 0;
     if (scene->bsp_nodes != NULL) {
-        /* bug: world-tree */
         scene->bsp_instance = memory->slots[world->bsp_slot].place - (memory->capacity - shown);
     }
 }

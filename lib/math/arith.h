@@ -49,7 +49,7 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
 {
     FXL_ASSERT(denominator > 0);
     uint32_t rest;
-    int64_t sign = numerator >> 63; /* bug: negative-dividend */
+    int64_t sign = numerator >> 63;
     return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &rest) ^
            (int32_t)sign;
 }
@@ -58,8 +58,7 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
  * half is rounded down, which does not change the result. Error: half a unit. */
 static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
 {
-    /* bug: half-up */
-    return fxl_divide_down(numerator + (denominator >> 1), denominator); /* bug: half-down */
+    return fxl_divide_down(numerator + (denominator >> 1), denominator);
 }
 
 /* floor(numerator / denominator) and the remainder. Requires denominator > 0. */

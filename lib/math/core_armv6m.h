@@ -31,7 +31,7 @@
         uint32_t fxl_spare; \
         __asm__(".syntax unified\n\tlsls %[s], %[m], #16\n\t" SHIFT " %[m], %[m], #16\n\t" \
                 "adds %[l], %[l], %[s]\n\t" \
-                "adcs %[h], %[m]" /* bug: m0-middle-carry */ \
+                "adcs %[h], %[m]" \
                 : [l] "+l"(low), [h] "+l"(high), [m] "+l"(middle), [s] "=&l"(fxl_spare) \
                 : \
                 : "cc"); \
@@ -139,7 +139,7 @@ static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
         rest += (int32_t)denominator;
         quotient -= 1;
     }
-    while (rest >= (int32_t)denominator) { /* bug: m0-estimate */
+    while (rest >= (int32_t)denominator) {
         rest -= (int32_t)denominator;
         quotient += 1;
     }

@@ -14,7 +14,6 @@ static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
     uint32_t upper = whole >> 16, lower = whole & 0xFFFFu;
     uint32_t digit = fxl_divide_half(*rest, upper);
     uint32_t left = *rest - digit * upper;
-    /* bug: digit-once */
     while (left <= 0xFFFFu && digit * lower > (left << 16 | half)) {
         digit -= 1;
         left += upper;
@@ -35,7 +34,7 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
         uint64_t left = numerator - fxl_multiply_u32(quotient, denominator);
         if (left >= denominator) {
             left -= denominator;
-            quotient += 1; /* bug: compact-quotient */
+            quotient += 1;
         }
         *rest = (uint32_t)left;
         return quotient;
@@ -62,7 +61,6 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
 static uint32_t reciprocal_below(uint32_t value)
 {
     uint32_t rough = fxl_divide_half(0x7FFFFFFFu, ((value - 1u) >> 15) + 1u);
-    /* bug: reciprocal-high */
     return (rough << 15) - (uint32_t)(fxl_multiply_u32(rough * rough, value) >> 32) - 2u;
 }
 
@@ -79,7 +77,7 @@ static uint32_t fraction_digit(uint64_t *rest, uint64_t whole, uint32_t reciproc
     /* The true remainder is below 2^64, so intermediate wraps cancel. */
     uint64_t left = (*rest << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -
                     ((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);
-    if (left >= whole) { /* bug: fraction-digit */
+    if (left >= whole) {
         left -= whole;
         digit += 1;
     }

@@ -17,7 +17,7 @@ static inline uint8_t fxl_nearest_colour(const uint8_t *palette, const int32_t *
             const int32_t difference = palette[3 * i + k] - colour[k];
             distance += difference * difference;
         }
-        if (distance < least) { /* bug: ramp-first */
+        if (distance < least) {
             least = distance;
             found = i;
         }

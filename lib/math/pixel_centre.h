@@ -11,7 +11,7 @@
  * |coordinate| < 2^30. */
 static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
 {
-    return (coordinate + FXL_HALF_PIXEL - 1) >> 16; /* bug: tie-top */
+    return (coordinate + FXL_HALF_PIXEL - 1) >> 16;
 }
 
 /* The coordinate of a row's (or column's) centre. fxl_first_centre_from(c) <= row if

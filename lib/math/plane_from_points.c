@@ -66,7 +66,7 @@ fxl_status fxl_plane_from_points(const fxl_point *a, const fxl_point *b, const f
     fxl_direction normal;
     fxl_subtract(b, a, &to_b);
     fxl_subtract(c, a, &to_c);
-    if (!fxl_unit_cross(&to_b, &to_c, &normal)) { /* bug: points-turned */
+    if (!fxl_unit_cross(&to_b, &to_c, &normal)) {
         return FXL_E_DEGENERATE;
     }
     *plane = fxl_plane_from_point(a, &normal, 0);

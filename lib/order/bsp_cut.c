@@ -163,7 +163,6 @@ static bool share(fxl_bsp_cutter *cutter, uint32_t node, const fxl_point *a, con
 {
     for (uint32_t i = cutter->first_item; i < cutter->item_count; i++) {
         fxl_bsp_item *item = &cutter->parts->items[i];
-        /* bug: leaf-unshared */
         if (item->where != node && !share_with(cutter, item, a, b, crossing)) {
             return false;
         }
@@ -198,7 +197,6 @@ static bool divide(fxl_bsp_cutter *cutter, const split_plane *by, const fxl_bsp_
             i + 1u == item->count ? first : fxl_bsp_vertex_of(cutter->parts, next)->point;
         const fxl_q18_46 here_height = height(by, &here), there_height = height(by, &there);
         if (!append(cutter, &parts[here_height < 0], at) ||
-            /* bug: plane-in-front */
             (here_height == 0 && !append(cutter, &parts[1], new_vertex(cutter, &here, face)))) {
             return false;
         }

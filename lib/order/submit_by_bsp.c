@@ -192,8 +192,7 @@ static bool submit_faces(bsp_traversal *traversal, fxl_bsp_resume_point *place)
  * first the side on which the eye is not. */
 static bool visits_front_first(const bsp_traversal *traversal, uint32_t node)
 {
-    return (traversal->sides[node / 32] >> (node & 31) & 1u) ==
-           traversal->reverse; /* bug: tree-near-first */
+    return (traversal->sides[node / 32] >> (node & 31) & 1u) == traversal->reverse;
 }
 
 static void step(fxl_bsp_resume_point *place, uint32_t node, uint32_t phase)
@@ -303,8 +302,8 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
     }
     bool done = submit_nodes(&traversal, &place);
     if (!done && on->band == NULL) {
-        workspace->rest = place; /* bug: tree-rest */
-        on->resume->faces = 1;   /* the workspace has the place to resume */
+        workspace->rest = place;
+        on->resume->faces = 1; /* the workspace has the place to resume */
     }
     return done;
 }

@@ -30,7 +30,7 @@ static void begin(const fxl_renderer *renderer, fxl_workspace *workspace, const 
 static bool are_beside(fxl_q16_16 a, fxl_q16_16 b, int32_t size)
 {
     const fxl_q16_16 end = size * 65536 - SIDE;
-    return (a < SIDE && b < SIDE) || (a > end && b > end); /* bug: outlined-side */
+    return (a < SIDE && b < SIDE) || (a > end && b > end);
 }
 
 /* A coordinate in the rows that a polygon reaches: its vertices are at most half a pixel outside of

@@ -14,7 +14,7 @@ typedef struct {
  * (included) to b (excluded) are first_centre(a) .. first_centre(b) - 1. */
 static int32_t first_centre(int32_t coordinate)
 {
-    return (coordinate + 32767) >> 16; /* ceil(c / 2^16 - 1/2) */ /* bug: wire-tie */
+    return (coordinate + 32767) >> 16; /* ceil(c / 2^16 - 1/2) */
 }
 
 /* Returns the pixel across the line at the centre of pixel `along`. *left is the remainder, in

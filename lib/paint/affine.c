@@ -27,7 +27,7 @@ void fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view)
     }
     for (uint32_t i = 0; i < 3; i++) {
         face->corners[i].x = points[i].x - projection->centre_x;
-        face->corners[i].y = projection->centre_y - points[i].y; /* bug: affine-down */
+        face->corners[i].y = projection->centre_y - points[i].y;
         face->corners[i].z = fxl_view_drawn_focal(view);
     }
 }

@@ -23,7 +23,7 @@ static inline void fxl_begin_walk(fxl_texel_walk *walk, fxl_q16_16 from, fxl_q16
     const uint32_t along = (uint32_t)(fxl_centre_of(pixel) - from);
     walk->length = (uint32_t)(end - from);
     walk->texel = fxl_divide_u64(fxl_multiply_u32(along, texels), walk->length, &walk->rest);
-    const uint64_t pixel_of_texels = (uint64_t)texels << 16; /* bug: sprite-step */
+    const uint64_t pixel_of_texels = (uint64_t)texels << 16;
     walk->step = fxl_divide_u64(pixel_of_texels, walk->length, &walk->step_rest);
 }
 
@@ -32,7 +32,7 @@ static inline void fxl_take_step(fxl_texel_walk *walk)
 {
     walk->texel += walk->step;
     walk->rest += walk->step_rest;
-    if (walk->rest >= walk->length) { /* bug: sprite-carry */
+    if (walk->rest >= walk->length) {
         walk->rest -= walk->length;
         walk->texel += 1;
     }

@@ -50,7 +50,7 @@ static fxl_status check_model(const fxl_model *model, const fxl_billboard *billb
     }
     return square_beyond(billboard->width, billboard->anchor_x) +
                        square_beyond(billboard->height, billboard->anchor_y) <=
-                   fxl_multiply_u32(radius, radius) /* bug: sprite-radius */
+                   fxl_multiply_u32(radius, radius)
                ? FXL_OK
                : FXL_E_RADIUS;
 }

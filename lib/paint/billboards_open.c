@@ -9,7 +9,7 @@
 
 static bool lies_in(uint32_t place, uint64_t bytes, uint32_t size)
 {
-    return place <= size && bytes <= size - place; /* bug: billboard-place */
+    return place <= size && bytes <= size - place;
 }
 
 /* Whether a sprite lies within the pixels of the image. A picture of 65535 x 65535 pixels has less
@@ -34,7 +34,6 @@ static fxl_status make_sprite(const fxl_scene_billboard *from, const fxl_scene_b
         return FXL_E_OFFSET;
     }
     to->pixels = image->pixels + from->pixels;
-    /* bug: billboard-colours */
     to->colours = from->bits != 8 ? image->pixels + from->colours : NULL;
     return FXL_OK;
 }

@@ -23,7 +23,7 @@ fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uin
                 beneath == colour /* which another entry may equal */
                     ? (uint8_t)colour
                     : fxl_mix_colours(palette, &palette[3 * beneath], &palette[3 * colour],
-                                      (int32_t)sixteenths, 16); /* bug: blend-part */
+                                      (int32_t)sixteenths, 16);
         }
     }
     return FXL_OK;

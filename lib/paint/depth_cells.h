@@ -24,7 +24,7 @@ static inline bool fxl_depth_passes(const void *cells, int32_t x, uint32_t code,
 {
     const uint32_t cell = rule.wide ? ((const uint32_t *)cells)[x] : ((const uint16_t *)cells)[x];
     const uint32_t nearness = rule.wide ? code : code >> 16;
-    return rule.or_equal ? nearness >= cell : nearness > cell; /* bug: depth-tie */
+    return rule.or_equal ? nearness >= cell : nearness > cell;
 }
 
 static inline void fxl_depth_keep(void *cells, int32_t x, uint32_t code, bool wide)

@@ -82,7 +82,6 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
         octave->high = fxl_power_of_2(length);
         octave->drop = length - 17 - scale.mantissa; /* -31..34 */
         octave->bias = ((uint32_t)(scale.octaves - 2 - number) << (scale.mantissa + 16)) + 65536u;
-        /* bug: depth-step */
         octave->step = fxl_depth_shifted(plane->gradient.along, octave->drop);
         octave->is_constant = false;
     }

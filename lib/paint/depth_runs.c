@@ -10,7 +10,7 @@
 /* Keeps the code of a visible pixel. */
 static inline int keeps(uint16_t *cell, uint32_t code)
 {
-    if (code >> 16 <= *cell) { /* bug: depth-run-tie */
+    if (code >> 16 <= *cell) {
         return 0;
     }
     *cell = (uint16_t)(code >> 16);

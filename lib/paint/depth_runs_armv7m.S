@@ -34,7 +34,7 @@ fxl_depth_keep_visible:
     lsrs    near, code, #16
     cmp     near, cell
     bls     .Lkeep_end
-    strh    near, [cells], #2           /* bug: v7m-depth-keep */
+    strh    near, [cells], #2
     add     code, code, step
     .endr
     subs    count, count, #8
@@ -94,7 +94,7 @@ fxl_depth_skip_hidden:
     lsrs    r0, r0, #1
     pop     {r4, pc}
 .Lskip_found:
-    sub     cells, cells, #2            /* bug: v7m-depth-skip */
+    sub     cells, cells, #2
     b       .Lskip_end
 
     .size fxl_depth_skip_hidden, . - fxl_depth_skip_hidden

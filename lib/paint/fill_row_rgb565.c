@@ -12,6 +12,6 @@ void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
     uint16_t *whole = pixel + ((end - pixel) & ~(ptrdiff_t)1);
     fxl_fill_row((uint8_t *)pixel, (uint8_t *)whole, colour * 0x00010001u);
     if (whole != end) {
-        *whole = colour; /* bug: odd-pixel */
+        *whole = colour;
     }
 }

@@ -19,7 +19,7 @@ static int64_t from_direction(const fxl_light_settings *settings, const fxl_dire
     const fxl_direction *way = &settings->direction;
     const int64_t facing =
         -((int64_t)normal->x * way->x + (int64_t)normal->y * way->y + (int64_t)normal->z * way->z);
-    return facing > 0 ? fraction_of(settings->strength, facing >> 30) : 0; /* bug: light-side */
+    return facing > 0 ? fraction_of(settings->strength, facing >> 30) : 0;
 }
 
 /* The cosine between a normal and a vector to a light; dot is their product, above 0. The square is
@@ -29,7 +29,7 @@ static int64_t from_direction(const fxl_light_settings *settings, const fxl_dire
  * the root's 1/2, the quotient's 1. */
 static int64_t cosine(int64_t dot, uint64_t square)
 {
-    const unsigned shift = (62u - fxl_bit_length(square)) & ~1u; /* bug: light-root */
+    const unsigned shift = (62u - fxl_bit_length(square)) & ~1u;
     return fxl_divide_down(dot << (shift / 2), fxl_square_root(square << shift));
 }
 
@@ -67,7 +67,7 @@ static int64_t from_point(const fxl_point_light *light, const fxl_lit_place *pla
     const fxl_direction *normal = &place->normal;
     /* Below sqrt(3) * 2^30 * 2^30 * (1 + 2^-26). */
     const int64_t dot = normal->x * x + normal->y * y + normal->z * z;
-    if (square >= range_square || dot <= 0) { /* bug: light-range */
+    if (square >= range_square || dot <= 0) {
         return 0;
     }
     return fraction_of(fraction_of(light->strength, cosine(dot, square)),
@@ -90,8 +90,7 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
     if (left <= 0) {
         return 0;
     }
-    return left >= length * FXL_Q2_30_ONE ? FXL_Q2_30_ONE /* bug: light-fog */
-                                          : fxl_divide_down(left, (uint32_t)length);
+    return left >= length * FXL_Q2_30_ONE ? FXL_Q2_30_ONE : fxl_divide_down(left, (uint32_t)length);
 }
 
 /* Errors: of the directional light 2, of four points 4 * 5.5, of the fog 1, of its product 1. Where

@@ -92,7 +92,7 @@ static fxl_lit_piece *new_piece(fxl_lit_pieces *of, bool is_lit)
 static fxl_q18_46 distance_of(const fxl_plane *plane, const fxl_point *point)
 {
     fxl_q18_46 distance = fxl_plane_distance(plane, point);
-    return fxl_within(distance, ON_PLANE) ? 0 : distance; /* bug: lit-exact */
+    return fxl_within(distance, ON_PLANE) ? 0 : distance;
 }
 
 static bool are_on_opposite_sides(fxl_q18_46 a, fxl_q18_46 b)
@@ -216,7 +216,7 @@ static bool part_corners(fxl_lit_pieces *of, const fxl_lit_piece *piece, const f
             } else if (are_on_opposite_sides(side, distance)) {
                 const fxl_point crossing = intersect(&from, &to, side, distance);
                 if (!append_new(of, front, &crossing) || !append_new(of, back, &crossing) ||
-                    !insert_between(of, &from, &to, &crossing)) { /* bug: lit-straight */
+                    !insert_between(of, &from, &to, &crossing)) {
                     return false;
                 }
             }
@@ -280,7 +280,6 @@ static outcome cut(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *bea
     }
     fxl_lit_piece *behind = piece;
     outcome made = in_front ? part(of, piece, &plane, &behind) : NOTHING;
-    /* bug: lit-edge */
     if (made == NO_ROOM || (edge && !follow_edges(of, behind, &plane, beam, number + 1))) {
         return NO_ROOM;
     }
@@ -318,7 +317,7 @@ bool fxl_lit_split(fxl_lit_pieces *to, const fxl_beam *beams, uint32_t beam_coun
             if (inside == NO_ROOM) {
                 return false;
             }
-            to->pieces[i].is_lit |= shines && inside == WHOLE; /* bug: lit-away */
+            to->pieces[i].is_lit |= shines && inside == WHOLE;
         }
     }
     return true;

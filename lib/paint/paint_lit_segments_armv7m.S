@@ -109,7 +109,7 @@ fxl_paint_lit_segments:
     ldm     lr!, {r3, r5, r7-r12}
     divide_all .Lbegin_slowly
     cmp     r7, r12
-    bhi     .Lbegin_slowly              /* bug: v7m-light-start */
+    bhi     .Lbegin_slowly
     stm     lr, {r2, r4, r7}
 
     /* The end of the next segment. */
@@ -140,7 +140,7 @@ fxl_paint_lit_segments:
     sub     r2, r2, r8
     sub     r4, r4, r9
     asr     r7, r7, #4
-    sub     change, r7, light, asr #4   /* bug: v7m-segment-light */
+    sub     change, r7, light, asr #4
     adds    r2, #128
     adds    r4, #128
     asrs    r2, r2, #8

@@ -28,8 +28,7 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
     }
     if (paint->ramp != NULL) {
         const int32_t light = values[paint->gradients->count - 1];
-        const uint32_t level =
-            fxl_limited(light >> 16, paint->levels_less_1); /* bug: light-limit */
+        const uint32_t level = fxl_limited(light >> 16, paint->levels_less_1);
         colour = paint->ramp[256u * level + colour];
     }
     row->pixels[x] = paint->blend == NULL ? colour : blended(paint, colour, row->pixels[x]);
@@ -46,7 +45,7 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *o
 {
     const fxl_texture_level *level = &paint->level;
     const uint8_t *texels = level->texels, *ramp = paint->ramp;
-    const uint32_t key = level->flags & FXL_TEXTURE_KEYED ? level->key : 256u; /* bug: span-key */
+    const uint32_t key = level->flags & FXL_TEXTURE_KEYED ? level->key : 256u;
     const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
     const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
     const uint32_t last_level = paint->levels_less_1;

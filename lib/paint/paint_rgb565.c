@@ -12,7 +12,7 @@ static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_
     const bool is_keyed = (level->flags & FXL_TEXTURE_KEYED) != 0;
     if (level->flags & FXL_LEVEL_565) {
         *colour = ((const uint16_t *)(const void *)level->texels)[place];
-        return !is_keyed || *colour != of->key; /* bug: key-565 */
+        return !is_keyed || *colour != of->key;
     }
     const uint8_t index = fxl_texel_index(level, place);
     *colour = of->palette[index];
@@ -26,7 +26,7 @@ static inline uint32_t part_of_light(const fxl_paint *paint, int32_t light)
 {
     const int32_t most = paint->levels_less_1 << 16;
     const int32_t above = light < 32768 ? 0 : light - 32768;
-    const uint32_t level = (uint32_t)(above > most ? most : above) >> 8; /* bug: part-limit */
+    const uint32_t level = (uint32_t)(above > most ? most : above) >> 8;
     return (level * paint->of_565.part_of_level + 32768u) >> 16;
 }
 

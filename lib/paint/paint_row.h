@@ -85,7 +85,7 @@ static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int3
     const int32_t last = first + (1 << log);
     const uint32_t weight_0 = weight_at(paint, row, first), weight_1 = weight_at(paint, row, last);
     const uint32_t least = gradients->weight_min[log == 4 ? 0 : 1];
-    const uint32_t skipped = (uint32_t)(x0 - first); /* bug: span-skip */
+    const uint32_t skipped = (uint32_t)(x0 - first);
     int32_t ends[FXL_ATTRIBUTES];
     linear_pixels linear = {{0}, {0}};
     if (weight_0 < least || weight_1 < least) {

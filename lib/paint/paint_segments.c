@@ -56,7 +56,7 @@ static inline int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, i
 
 static inline int32_t limited(int32_t light, int32_t most)
 {
-    return light < 0 ? 0 : light > most ? most : light; /* bug: segment-light */
+    return light < 0 ? 0 : light > most ? most : light;
 }
 
 static inline void find_end(const fxl_segment_face *face, const segment_values *at,
@@ -108,7 +108,7 @@ void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, 
         }
         find_end(face, &at, &reciprocal, &ends[1]);
         find_texels(&ends[0], &ends[1], &run);
-        run.position += run.step * skip; /* bug: segment-skip */
+        run.position += run.step * skip;
         run.light += run.light_step * skip;
         fxl_paint_texels(face, &run, row->pixels + x0, count);
         x0 += (int32_t)count;

@@ -55,7 +55,7 @@ inverse .req r7
     sub     r5, r4, v_0
     mov     u_0, r2
     mov     v_0, r4
-    adds    r3, #128                    /* bug: v7m-segment-round */
+    adds    r3, #128
     adds    r5, #128
     asrs    r3, r3, #8
     sbfx    r5, r5, #8, #16

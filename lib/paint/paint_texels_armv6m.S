@@ -99,7 +99,7 @@ fxl_paint_texels:
 .Llevels:
     .irp    i, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
     ldrb    r3, [pixels, #\i]
-    lsrs    r6, r4, #8                  /* bug: v6m-texel-level */
+    lsrs    r6, r4, #8
     lsls    r6, r6, #8
     adds    r3, r3, r6
     ldrb    r3, [r7, r3]
@@ -119,7 +119,7 @@ fxl_paint_texels:
     lsrs    r3, p, #(16 - 2 * \log)
     .endif
     ands    r3, mask
-    lsrs    r6, p, #(32 - \log)         /* bug: v6m-texel-column */
+    lsrs    r6, p, #(32 - \log)
     adds    r3, r3, r6
     ldrb    r3, [texels, r3]
     strb    r3, [pixels, #\i]

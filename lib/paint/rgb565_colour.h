@@ -14,14 +14,14 @@
  * lowest of each channel must not fall into the next. */
 static inline uint16_t fxl_half_565(uint32_t a, uint32_t b)
 {
-    return (uint16_t)((a & b) + (((a ^ b) & 0xF7DEu) >> 1)); /* bug: half-carry */
+    return (uint16_t)((a & b) + (((a ^ b) & 0xF7DEu) >> 1));
 }
 
 /* One channel of a + b, or the largest value. Both are of 16 bits, so the sum is below 2^17. */
 static inline uint32_t fxl_add_channel_565(uint32_t a, uint32_t b, uint32_t channel)
 {
     const uint32_t sum = (a & channel) + (b & channel);
-    return sum > channel ? channel : sum & channel; /* bug: add-saturates */
+    return sum > channel ? channel : sum & channel;
 }
 
 static inline uint16_t fxl_add_565(uint32_t a, uint32_t b)
@@ -38,7 +38,7 @@ static inline uint32_t fxl_mix_channel_565(uint32_t colour, uint32_t dark, uint3
 {
     const uint32_t lowest = channel & ~(channel - 1u);
     const uint32_t sum = (colour & channel) * part + (dark & channel) * (256u - part);
-    return (sum + 128u * lowest) >> 8 & channel; /* bug: mix-rounds */
+    return (sum + 128u * lowest) >> 8 & channel;
 }
 
 /* Requires part <= 256. */

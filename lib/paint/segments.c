@@ -14,7 +14,6 @@ static int32_t drop_of(int shift, int fraction)
  * the drop and 32. */
 static int32_t weight_for(int32_t drop)
 {
-    /* bug: segment-far */
     return drop >= -2 ? 2 : drop < -31 ? INT32_MAX : (int32_t)1 << (-1 - drop);
 }
 
@@ -34,8 +33,8 @@ static bool is_common(const fxl_paint *paint)
     const fxl_texture_level *level = &paint->level;
     return level->texels != NULL && level->colours == NULL && level->flags == 0 &&
            level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16 &&
-           paint->blend == NULL && /* bug: kernel-blends */
-           paint->division == FXL_DIVIDE_16 && paint->gradients->weight_min[0] <= INT32_MAX;
+           paint->blend == NULL && paint->division == FXL_DIVIDE_16 &&
+           paint->gradients->weight_min[0] <= INT32_MAX;
 }
 
 /* A light's value is upper word * 2^shift / weight. It is found by a reciprocal whose error is
@@ -52,8 +51,7 @@ static void find_light(const fxl_paint *paint, fxl_segment_face *face)
     const int shift = gradients->shifts[FXL_SEGMENT_LIGHT];
     if (shift >= 0 && shift <= 30) {
         face->light_scale = (uint32_t)1 << shift;
-        face->light_limit =
-            65536u * (paint->levels_less_1 + 1u) - 1u; /* bug: segment-light-limit */
+        face->light_limit = 65536u * (paint->levels_less_1 + 1u) - 1u;
     }
 }
 

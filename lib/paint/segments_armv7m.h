@@ -28,7 +28,7 @@
     udiv    \inverse, \most, \spare
     mul     \spare, \inverse, \inverse
     umull   \spare, \scaled, \spare, \scaled
-    rsb     \inverse, \scaled, \inverse, lsl #16 /* bug: v7m-segment-newton */
+    rsb     \inverse, \scaled, \inverse, lsl #16
     .endm
 
 /* high:low is shifted to the right by 32 + drop, from 0 on, into high. drop is overwritten. */
@@ -39,7 +39,7 @@
     lsl     \high, \high, \drop
     rsb     \drop, \drop, #32
     lsr     \low, \low, \drop
-    orr     \high, \high, \low          /* bug: v7m-segment-far */
+    orr     \high, \high, \low
     b       2f
 1:  asr     \high, \high, \drop
 2:
@@ -52,7 +52,7 @@
     .else
     and.w   \offset, \mask, \position, lsr #(16 - 2 * \log)
     .endif
-    add.w   \offset, \offset, \position, lsr #(32 - \log) /* bug: v7m-segment-column */
+    add.w   \offset, \offset, \position, lsr #(32 - \log)
     .endm
 
 /* Chooses the code for a face in r0: it takes so many bytes a pixel, and so many for a whole segment,
@@ -107,7 +107,7 @@
     rsb     \left, \skip, #16
     ldr     r3, [sp, #FRAME_LAST + 4]
     subs    r3, r3, r0
-    cmp     r3, \left                   /* bug: v7m-segment-partial */
+    cmp     r3, \left
     it      lo
     movlo   \left, r3
     rsb     \left, \left, #16

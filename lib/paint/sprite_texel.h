@@ -21,7 +21,7 @@ static inline uint32_t fxl_sprite_value(const fxl_sprite *sprite, const uint8_t 
                                         uint32_t column, unsigned shift)
 {
     const uint32_t bits = sprite->bits, last = (1u << shift) - 1u, mask = 0xFFu >> (8u - bits);
-    const uint32_t place = (last - (column & last)) * bits; /* bug: sprite-bit-order */
+    const uint32_t place = (last - (column & last)) * bits;
     return (uint32_t)row[column >> shift] >> place & mask;
 }
 
@@ -35,7 +35,7 @@ static inline void fxl_sprite_put(const fxl_sprite *sprite, const uint8_t *row, 
                                   unsigned shift, uint8_t *to)
 {
     const uint32_t value = fxl_sprite_value(sprite, row, column, shift);
-    if (value != sprite->key) { /* bug: sprite-key */
+    if (value != sprite->key) {
         *to = fxl_sprite_colour(sprite, value);
     }
 }

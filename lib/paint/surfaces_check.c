@@ -51,7 +51,7 @@ static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *s
     const uint32_t both = FXL_SURFACE_BLEND | FXL_SURFACE_ADD;
     const bool plain = surface->division <= FXL_AFFINE &&
                        (surface->flags & ~(uint32_t)kind->surface_flags) == 0 &&
-                       (surface->flags & both) != both && /* bug: both-blends */
+                       (surface->flags & both) != both &&
                        (surface->reserved[0] | surface->reserved[1] | surface->reserved[2]) == 0;
     return plain ? FXL_OK : FXL_E_RESERVED;
 }

@@ -19,7 +19,7 @@ static uint32_t texel_bytes(const fxl_scene_texture *texture)
 {
     const bool is_4 = texture->format == FXL_TEXTURE_4;
     uint32_t bytes = 0;
-    for (uint32_t i = 0; i < texture->levels; i++) { /* bug: texel-bytes-levels */
+    for (uint32_t i = 0; i < texture->levels; i++) {
         bytes += level_side(texture->log_width, i, is_4 ? 1 : 0) *
                  level_side(texture->log_height, i, 0) / (is_4 ? 2 : 1);
     }
@@ -28,7 +28,7 @@ static uint32_t texel_bytes(const fxl_scene_texture *texture)
 
 static bool lies_in(uint32_t place, uint32_t bytes, uint32_t size)
 {
-    return place <= size && bytes <= size - place; /* bug: texture-place */
+    return place <= size && bytes <= size - place;
 }
 
 /* Whether a texture lies within the texels of the image. */
@@ -51,7 +51,6 @@ static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, f
 {
     memset(to, 0, sizeof *to);
     to->texels = texels + from->texels;
-    /* bug: texture-colours */
     to->colours = from->format == FXL_TEXTURE_4 ? texels + from->colours : NULL;
     to->log_width = from->log_width;
     to->log_height = from->log_height;

@@ -57,7 +57,7 @@ uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_
     }
     const real z = real_of((uint64_t)depth, 0);
     const real focal = real_of((uint32_t)fxl_view_drawn_focal(view), 0);
-    const real texels = product(real_of(area, 1), product(z, product(z, z))); /* bug: level-half */
+    const real texels = product(real_of(area, 1), product(z, product(z, z)));
     const real pixels =
         product(real_of((uint64_t)gradients->volume.number, gradients->volume.exponent),
                 product(focal, focal));
@@ -84,7 +84,7 @@ void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_tex
     const uint8_t *texels = texture->texels;
     const bool is_565 = texture->format == FXL_TEXTURE_565;
     for (uint32_t i = 0; i < number; i++) {
-        texels += (is_565 ? 2u : 1u) << (log_width + log_height) >> least; /* bug: level-565 */
+        texels += (is_565 ? 2u : 1u) << (log_width + log_height) >> least;
         log_width = fxl_level_log(texture->log_width, i + 1, least);
         log_height = fxl_level_log(texture->log_height, i + 1, 0);
     }

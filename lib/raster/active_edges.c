@@ -35,7 +35,7 @@ static int32_t next_vertex_row(const fxl_active_edges *edges)
     int32_t next = edges->end_row;
     for (uint32_t i = 0; i < edges->count; i++) {
         int32_t row = fxl_first_centre_from(edges->points[i].y);
-        if (row > edges->row && row < next) { /* bug: next-vertex-row */
+        if (row > edges->row && row < next) {
             next = row;
         }
     }
@@ -47,7 +47,7 @@ static int32_t step(fxl_slope *slope)
 {
     int32_t x = slope->x + slope->step;
     uint32_t error = slope->error + slope->error_step;
-    if (error >= slope->height) { /* bug: step-carry */
+    if (error >= slope->height) {
         error -= slope->height;
         x += 1;
     }
@@ -131,7 +131,7 @@ static int32_t end_of_two(fxl_active_edges *edges)
 static int32_t end_of_stretch(fxl_active_edges *edges)
 {
     int32_t end = edges->x, next;
-    while (winding_after(edges, end, &next) != 0) { /* bug: even-odd */
+    while (winding_after(edges, end, &next) != 0) {
         FXL_ASSERT(next != FXL_NO_CROSSING);
         end = next;
     }
@@ -164,7 +164,6 @@ void fxl_active_edges_fill(fxl_active_edges *edges, const fxl_span *span, const 
 {
     uint8_t *row = band->pixels + (size_t)(span->y - band->first_row) * band->stride;
     int32_t x0 = span->x0, x1 = span->x1;
-    /* bug: small-rows-below */
     int32_t below = edges->found_count == 2 ? edges->steady_end - 1 - span->y : 0;
     edges->row = (int16_t)(edges->row + below);
     for (;; below--) {

@@ -161,7 +161,7 @@ fxl_scan_next_trapezoid:
     adc     r4, r4, #0
     strd    r4, r1, [r6, #EDGES + EDGE_STEP]
     ldrsh   r5, [r3, #CHAIN_END]
-    lsrs    r6, r8, #8 /* bug: v7m-band-start */
+    lsrs    r6, r8, #8
     beq     .Lside_done
     b       .Ladvance
 
@@ -177,7 +177,7 @@ fxl_scan_next_trapezoid:
     orr     r4, r4, r8, lsl #16     /* the dividend */
     sdiv    r8, r4, r10
     mls     r4, r8, r10, r4
-    add     r8, r8, r4, asr #31     /* downward */ /* bug: v7m-one-row */
+    add     r8, r8, r4, asr #31     /* downward */
     movs    r1, #1
     add     r4, r1, r6, asr #16
     add     r4, r4, r8

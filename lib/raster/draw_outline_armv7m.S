@@ -22,7 +22,7 @@
  * 256 rows is lower than 2^24, so it holds for all of them, and nothing is set up by
  * fxl_edge_set_far. */
 #if FXL_IS_COMPACT
-#define OUTLINE_ROWS_MAX 255 /* bug: v7m-compact-rows */
+#define OUTLINE_ROWS_MAX 255
 #else
 #define OUTLINE_ROWS_MAX 1023 /* FXL_EDGE_HEIGHT_MAX >> 16 */
 #endif
@@ -87,7 +87,7 @@ fxl_draw_outline:
 .Lsurveyed:
     sub     lr, r7, r6
     cmp     lr, r8
-    bne     .Lother /* bug: v7m-two-chains */
+    bne     .Lother
 .Ltwo_chains:
     movw    lr, #OUTLINE_ROWS_MAX
     cmp     r8, lr
@@ -291,7 +291,7 @@ fxl_draw_rows_below:
     divide  r6
     adc     r6, r6, lr              /* the step, with the stride */
     strd    r6, r8, [r3, #STEP]
-    lsrs    r5, r5, #16 /* bug: v7m-draw-band-start */
+    lsrs    r5, r5, #16
     bne     .Ladvance
 .Lside_done:
     cmp     sp, r3
@@ -340,7 +340,7 @@ fxl_draw_rows_below:
     orr     r7, r7, r8, lsl #16     /* the dividend */
     sdiv    r8, r7, r9
     mls     r7, r8, r9, r7
-    add     r8, r8, r7, asr #31     /* downward */ /* bug: v7m-draw-one-row */
+    add     r8, r8, r7, asr #31     /* downward */
     add     r8, r8, r4, asr #16
     ldrd    r4, lr, [sp, #FRAME_BASE]
     asr     r11, r12, #16

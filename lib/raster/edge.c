@@ -14,6 +14,6 @@ int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bo
     fxl_edge_divide(&divider, (int32_t)slope.error_step, &unused, &edge->step_fraction);
     edge->x = slope.x;
     edge->step = slope.step;
-    uint32_t good = 1u << fxl_edge_divider_shift(&divider); /* bug: edge-rows */
+    uint32_t good = 1u << fxl_edge_divider_shift(&divider);
     return good < (uint32_t)rows ? (int32_t)good : rows;
 }

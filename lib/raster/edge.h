@@ -77,7 +77,7 @@ static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
 {
     uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);
     edge->fraction = (uint32_t)fraction;
-    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32); /* bug: edge-no-carry */
+    edge->x += edge->step * (int32_t)rows + (int32_t)(fraction >> 32);
 }
 
 /* The same as fxl_edge_set_far, faster if the edge holds for all of its rows from the first on. For

@@ -59,7 +59,7 @@ static inline uint32_t fxl_edge_digit(const fxl_edge_divider *divider, uint32_t 
     int32_t rest = (int32_t)((*left << 16) - digit * divider->height);
     while (rest < 0) {
         rest += (int32_t)divider->height;
-        digit -= 1; /* bug: m0-edge-digit */
+        digit -= 1;
     }
     while (rest >= (int32_t)divider->height) {
         rest -= (int32_t)divider->height;

@@ -146,7 +146,7 @@ fxl_edge_set_near:
     skip_zeros 1
     ldr     r0, [sp, #LAST]
     lsrs    r0, r0, shift
-    bne     .Lfar /* bug: m0-edge-rows */
+    bne     .Lfar
     lsrs    r0, r1, #24                     /* 128 to 255 */
     ldr     r7, =reciprocals - 128
     ldrb    r5, [r7, r0]

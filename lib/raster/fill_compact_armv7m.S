@@ -51,7 +51,7 @@ fxl_fill_rows:
     it      cs
     strhcs  colour, [pixel], #2
     it      mi
-    strbmi  colour, [pixel] /* bug: v7m-compact-tail */
+    strbmi  colour, [pixel]
 .Lnext:
     step_edges
     bcs     .Lrow

@@ -102,7 +102,7 @@ fxl_fill_rows:
     strh    colour, [right, #-2]
     .endif
     .if     \length & 1
-    strb    colour, [right, #-1] /* bug: v7m-span-tail */
+    strb    colour, [right, #-1]
     .endif
     next_row
     .endm

@@ -23,7 +23,7 @@ void fxl_draw_line_pixels(fxl_line_pixels *line, int32_t first, int32_t end, uin
             line->left -= line->pixel;
             line->across++;
         } else if (line->left < 0) {
-            line->left += line->pixel; /* bug: wire-remainder */
+            line->left += line->pixel;
             line->across--;
         }
     }

@@ -72,7 +72,6 @@ static void survey(const fxl_screen_point *points, uint32_t count, int32_t width
     } while (i < count);
     found->top_row = top_row;
     found->end_row = end_row;
-    /* bug: two-chains */
     found->by_chains = !FXL_IS_SMALL && down == end_row - top_row && farthest < places &&
                        down < FXL_EDGE_HEIGHT_MAX >> 16;
 }

@@ -32,7 +32,6 @@ bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl
 {
     if (beam->kind == FXL_BEAM_DIRECTION) {
         /* Unit vectors: the sum is below 2^61. */
-        /* bug: sun-opposite */
         return fxl_dot(normal, beam->from[0], beam->from[1], beam->from[2]) < 0;
     }
     return fxl_dot(normal, beam->from[0] - vertex->x, beam->from[1] - vertex->y,
@@ -46,7 +45,7 @@ bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 
     const int64_t reach = ((int64_t)radius + 4) * FXL_Q2_30_ONE; /* below 2^62 */
     for (uint32_t i = 0; i < beam->plane_count; i++) {
         const fxl_plane plane = fxl_beam_plane_at(beam, i);
-        if (fxl_plane_distance(&plane, centre) < -reach) { /* bug: beam-reach */
+        if (fxl_plane_distance(&plane, centre) < -reach) {
             return false;
         }
     }

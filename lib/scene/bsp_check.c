@@ -60,7 +60,6 @@ static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_fa
         const fxl_point *vertex = &vertices[scene->indices[face->first_index + i]];
         int64_t height = fxl_dot(&node->normal, vertex->x, vertex->y, vertex->z);
         if (!fxl_within(height - fxl_bsp_distance(node),
-                        /* bug: tree-planarity */
                         (int64_t)FXL_BSP_PLANARITY_MAX * FXL_Q2_30_ONE)) {
             return false;
         }
@@ -144,7 +143,6 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
         }
         first += node->face_count;
     }
-    /* bug: tree-faces */
     bool complete = first == model->face_count;
     return complete ? FXL_OK : fxl_fault_at(fault, "BSP node table", 0, FXL_E_COUNT);
 }
@@ -163,7 +161,6 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
     for (;;) {
         uint32_t below = front_done ? nodes[at].back : nodes[at].front;
         if (below != FXL_BSP_NONE) {
-            /* bug: tree-parent */
             if (below != next || next >= scene->bsp_node_count || nodes[below].parent != at ||
                 depth == FXL_BSP_DEPTH_MAX) {
                 return fxl_fault_at(fault, "BSP node", at, FXL_E_BSP);

@@ -61,7 +61,6 @@ static bool sphere_holds(const cluster_faces *in)
             const fxl_point *vertex = &in->vertices[in->indices[in->faces[i].first_index + corner]];
             const int64_t x = (int64_t)vertex->x - centre->x, y = (int64_t)vertex->y - centre->y,
                           z = (int64_t)vertex->z - centre->z;
-            /* bug: cluster-radius */
             if ((uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z) > most) {
                 return false;
             }
@@ -95,7 +94,7 @@ static bool faces_away(const cluster_faces *in, const fxl_face *face)
         dot_units(&cluster->axis, &cluster->axis) - (int64_t)((uint64_t)cluster->cutoff << 28);
     return fxl_dot(&face->normal, apex->x, apex->y, apex->z) <=
                fxl_face_height(in->vertices, &in->indices[face->first_index], face) &&
-           along >= 0 && along * along >= rest + (rest >> 28) + 1; /* bug: cluster-cone */
+           along >= 0 && along * along >= rest + (rest >> 28) + 1;
 }
 
 static fxl_status check_sphere(const cluster_faces *in)
@@ -138,7 +137,6 @@ static fxl_status check_cluster(const fxl_scene *scene, const fxl_model *model, 
     if (cluster->reserved != 0) {
         return FXL_E_RESERVED;
     }
-    /* bug: cluster-faces */
     if (cluster->face_count == 0 || cluster->face_count > model->face_count - first) {
         return FXL_E_COUNT;
     }

@@ -24,7 +24,7 @@ static fxl_status set_if_valid(const fxl_lens *made, fxl_q16_16 x, fxl_q16_16 y,
     moved.centre_x = x;
     moved.centre_y = y;
     const bool is_middle = x == moved.width * 32768 && y == moved.height * 32768;
-    moved.off_centre = is_middle ? NULL : &fxl_off_centre; /* bug: centre-middle */
+    moved.off_centre = is_middle ? NULL : &fxl_off_centre;
     if (!fxl_lens_is_valid(&moved)) {
         return FXL_E_RANGE;
     }

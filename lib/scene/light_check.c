@@ -36,7 +36,7 @@ fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *
         return fxl_fault_at(fault, "light", 0, FXL_E_RANGE);
     }
     for (uint32_t i = 0; i < settings->point_count; i++) {
-        if (!is_point_light(&settings->points[i])) { /* bug: light-of-point */
+        if (!is_point_light(&settings->points[i])) {
             return fxl_fault_at(fault, "point light", i, FXL_E_RANGE);
         }
     }
@@ -54,7 +54,7 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
     settings->direction = base->direction;
     settings->point_count = light->point_count;
     for (uint32_t i = 0; i < light->point_count; i++) {
-        settings->points[i] = light->points[i]; /* bug: light-of-image */
+        settings->points[i] = light->points[i];
     }
     settings->fog_near = base->fog_near;
     settings->fog_far = base->fog_far;

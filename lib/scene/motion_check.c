@@ -44,7 +44,7 @@ static bool key_in_range(const fxl_motion *motion, const fxl_motion_key *key)
     return fxl_within(key->centre.x, motion->extent.x) &&
            fxl_within(key->centre.y, motion->extent.y) &&
            fxl_within(key->centre.z, motion->extent.z) && key->scale >= motion->scale_low &&
-           key->scale <= motion->scale_high; /* bug: motion-key-scale */
+           key->scale <= motion->scale_high;
 }
 
 static fxl_status check_keys(const fxl_motion_set *set, const fxl_motion *motion,
@@ -107,7 +107,7 @@ static bool chain_in_world(const fxl_motion *const *chain, uint32_t count, fxl_q
     local_extent(chain[0], root);
     for (uint32_t i = 1; i < count; i++) {
         local_extent(chain[i], place);
-        reach += reach_of((fxl_q16_16)high, length_of(place)); /* bug: motion-reach */
+        reach += reach_of((fxl_q16_16)high, length_of(place));
         low = fxl_round_shift(fxl_multiply_s64(low, chain[i]->scale_low), 16);
         high = fxl_round_shift(fxl_multiply_s64(high, chain[i]->scale_high), 16);
         if (low < FXL_SCALE_MIN || high > FXL_SCALE_MAX) {

@@ -195,7 +195,7 @@ static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
             const fxl_point *vertex = &scene->vertices[number];
             int64_t square = (int64_t)vertex->x * vertex->x + (int64_t)vertex->y * vertex->y +
                              (int64_t)vertex->z * vertex->z;
-            if (square > (int64_t)model->radius * model->radius) { /* bug: radius-plus */
+            if (square > (int64_t)model->radius * model->radius) {
                 return fxl_fault_at(fault, "vertex", number, FXL_E_RADIUS);
             }
         }
@@ -246,7 +246,7 @@ static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, co
     const uint16_t *indices = &scene->indices[face->first_index];
     fxl_point box = fxl_face_box(vertices, indices, face->count);
     return fxl_face_bounds_height(key) == fxl_face_height(vertices, indices, face) &&
-           key->box_x == box.x && key->box_y == box.y && key->box_z == box.z; /* bug: key-box */
+           key->box_x == box.x && key->box_y == box.y && key->box_z == box.z;
 }
 
 /* Sorted models take the face bounds in turn. */

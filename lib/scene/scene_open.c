@@ -43,7 +43,7 @@ static fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *
         return fxl_fault_at(fault, "lens", 0, status);
     }
     opened->background = head->background;
-    opened->visibility = head->visibility; /* bug: wish-of-image */
+    opened->visibility = head->visibility;
     opened->start.pose = head->start;
     opened->start.speed = 0;
     opened->start.clamped = 0;
@@ -160,7 +160,7 @@ static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
     opened->light.points = (const fxl_point_light *)first_of(head, SECTION_POINT_LIGHTS);
     opened->light.point_count = count_of(head, SECTION_POINT_LIGHTS);
     opened->light.ramp = (const uint8_t *)first_of(head, SECTION_RAMP);
-    opened->light.levels = count_of(head, SECTION_RAMP); /* bug: light-ramp-of-image */
+    opened->light.levels = count_of(head, SECTION_RAMP);
     opened->billboards.billboards = (const fxl_scene_billboard *)first_of(head, SECTION_BILLBOARDS);
     opened->billboards.count = count_of(head, SECTION_BILLBOARDS);
     opened->billboards.model_map = (const uint16_t *)first_of(head, SECTION_BILLBOARD_MAP);

@@ -29,7 +29,7 @@ static fxl_status check_envelope(const fxl_image_header *head, size_t size)
     if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
         return FXL_E_CRC;
     }
-    return head->reserved == 0 && head->visibility <= FXL_SCENE_BY_DEPTH /* bug: wish-known */
+    return head->reserved == 0 && head->visibility <= FXL_SCENE_BY_DEPTH
                ? FXL_OK
                : FXL_E_RESERVED;
 }
@@ -54,14 +54,14 @@ typedef struct {
 static fxl_status check_entry(const fxl_image_section *one, const place *next)
 {
     if (one->kind <= next->kind) {
-        return FXL_E_OFFSET; /* bug: section-order */
+        return FXL_E_OFFSET;
     }
     const bool is_known = one->kind < SECTION_KINDS;
     if (one->reserved != 0 || one->is_needed > 1 ||
         (is_known && one->is_needed != known[one->kind - 1].is_needed)) {
         return FXL_E_RESERVED;
     }
-    return is_known || !one->is_needed ? FXL_OK : FXL_E_VERSION; /* bug: section-needed */
+    return is_known || !one->is_needed ? FXL_OK : FXL_E_VERSION;
 }
 
 /* The bytes that rounding added behind a section are 0. */
@@ -69,7 +69,7 @@ static bool is_padded(const fxl_image_header *head, uint32_t end, uint32_t round
 {
     for (uint32_t i = end; i < rounded; i++) {
         if (((const uint8_t *)head)[i] != 0) {
-            return false; /* bug: section-padding */
+            return false;
         }
     }
     return true;
@@ -91,7 +91,7 @@ static fxl_status check_place(const fxl_image_header *head, const fxl_image_sect
     if (one->offset % 4 != 0) {
         return FXL_E_ALIGNMENT;
     }
-    if (next->is_exact ? one->offset != next->at : one->offset < next->at) { /* bug: section-place */
+    if (next->is_exact ? one->offset != next->at : one->offset < next->at) {
         return FXL_E_OFFSET;
     }
     if (one->offset > head->image_size || bytes > head->image_size - one->offset) {
@@ -171,7 +171,7 @@ static fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *
         const bool is_any = (present & (BIT(sets[i].last + 1) - BIT(sets[i].some))) != 0;
         for (uint32_t kind = 1; is_any && kind < SECTION_KINDS; kind++) {
             if ((sets[i].needed & ~present & BIT(kind)) != 0) {
-                return missing(kind, fault); /* bug: section-together */
+                return missing(kind, fault);
             }
         }
     }
@@ -190,12 +190,10 @@ static fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fa
     if (count_of(head, SECTION_MOTIONS) > count_of(head, SECTION_TURNS)) {
         return missing(SECTION_MOTIONS, fault);
     }
-    /* bug: face-map-count */
     if (count_of(head, SECTION_FACE_MAP) != 0 &&
         count_of(head, SECTION_FACE_MAP) != count_of(head, SECTION_FACES)) {
         return missing(SECTION_FACE_MAP, fault);
     }
-    /* bug: billboard-map-count */
     if (count_of(head, SECTION_BILLBOARD_MAP) != 0 &&
         count_of(head, SECTION_BILLBOARD_MAP) != count_of(head, SECTION_MODELS)) {
         return missing(SECTION_BILLBOARD_MAP, fault);

@@ -46,7 +46,6 @@ bool fxl_is_rotation(const fxl_orientation *rows)
     if (narrow > 1) { /* also keeps the negations below in range */
         return false;
     }
-    /* bug: turn-mirror */
     const uint32_t wide = upper_minor(4 * TOLERANCE, x.y, y.z, x.z, -y.y, rows->z.x) |
                           upper_minor(4 * TOLERANCE, x.z, y.x, x.x, -y.z, rows->z.y) |
                           upper_minor(4 * TOLERANCE, x.x, y.y, x.y, -y.x, rows->z.z);
@@ -69,7 +68,6 @@ static inline bool is_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q1
     /* fxl_turn_radius, of which the lower words are those of a number below 2^39. */
     const uint32_t limit =
         (uint32_t)(FXL_COORDINATE_MAX - FXL_TURN_SLACK) - (uint32_t)((scaled + 0xFFFF) >> 16);
-    /* bug: turn-reach */
     return scaled >> 32 < 1u << 14 && limit <= FXL_COORDINATE_MAX &&
            (uint32_t)centre->x + limit <= 2 * limit && (uint32_t)centre->y + limit <= 2 * limit &&
            (uint32_t)centre->z + limit <= 2 * limit;
@@ -81,7 +79,7 @@ static inline bool is_surely_in_range(fxl_q16_16 scale, const fxl_point *centre,
 {
     const uint32_t near_by = (uint32_t)FXL_UNITS(4096);
     return (uint32_t)scale - FXL_SCALE_MIN <= (uint32_t)(FXL_UNITS(8) - FXL_SCALE_MIN) &&
-           (uint32_t)radius < (uint32_t)FXL_UNITS(256) && /* bug: turn-near-by */
+           (uint32_t)radius < (uint32_t)FXL_UNITS(256) &&
            (((uint32_t)centre->x + near_by) | ((uint32_t)centre->y + near_by) |
             ((uint32_t)centre->z + near_by)) < 2 * near_by;
 }

@@ -80,7 +80,7 @@ static inline fxl_status fxl_check_turns(const fxl_scene *scene)
 static inline fxl_q16_16 fxl_scaled_radius(fxl_q16_16 scale, fxl_q16_16 radius)
 {
     const uint64_t scaled = fxl_multiply_u32((uint32_t)scale, (uint32_t)radius);
-    return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_TURN_SLACK; /* bug: turn-radius */
+    return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_TURN_SLACK;
 }
 
 /* The number of the first turned instance; the number of instances where none is turned. */

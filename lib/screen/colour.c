@@ -40,7 +40,7 @@ static bool set_up(const fxl_display *display)
 
 static bool set_range(const fxl_display *display, uint8_t code, uint32_t first, uint32_t count)
 {
-    const uint32_t last = first + count - 1u; /* bug: display-window */
+    const uint32_t last = first + count - 1u;
     const uint8_t range[4] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8),
                               (uint8_t)last};
     return fxl_display_command(display, code, range, sizeof range);

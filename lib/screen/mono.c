@@ -41,7 +41,7 @@ static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_
         uint8_t *page = out + (size_t)(y / 8u) * band->width;
         for (uint32_t x = 0; x < band->width; x++) {
             const uint32_t level = fxl_dithered(pixels->entries[row[x]], dither, x);
-            page[x] = (uint8_t)(page[x] | level << (y & 7u)); /* bug: page-bit */
+            page[x] = (uint8_t)(page[x] | level << (y & 7u));
         }
         row += band->stride;
     }

@@ -24,7 +24,7 @@ static void draw_part(const pixel_line *line, bool upright, int32_t low, int32_t
     }
     const int64_t pixel = length > 0 ? 2 * (int64_t)length : 2;
     const int64_t sum = 2 * fxl_multiply_s32(part.first - line->from, line->rise) + pixel / 2;
-    const int32_t moved = fxl_divide_down(sum, (uint32_t)pixel); /* bug: line-down */
+    const int32_t moved = fxl_divide_down(sum, (uint32_t)pixel);
     fxl_line_pixels pixels = {.across = line->across + moved,
                               .left = sum - moved * pixel,
                               .pixel = pixel,

@@ -41,7 +41,7 @@ fxl_status fxl_draw_border(const fxl_band *band, int32_t x, int32_t y, int32_t w
     const fxl_status status = fxl_overlay_check(band);
     if (status == FXL_OK && width > 0 && height > 0) {
         fill(band, x, y, width, 1, colour);
-        fill(band, x, (int64_t)y + height - 1, width, 1, colour); /* bug: border-bottom */
+        fill(band, x, (int64_t)y + height - 1, width, 1, colour);
         fill(band, x, y, 1, height, colour);
         fill(band, (int64_t)x + width - 1, y, 1, height, colour);
     }

@@ -57,7 +57,7 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
     for (uint32_t page = top / 8u; page <= last; page++, bytes += width) {
         const uint8_t place[] = {(uint8_t)(SET_PAGE | page),
                                  (uint8_t)(SET_COLUMN_LOW | (left & 15u)),
-                                 (uint8_t)(SET_COLUMN_HIGH | left >> 4)}; /* bug: display-column */
+                                 (uint8_t)(SET_COLUMN_HIGH | left >> 4)};
         if (!send_commands(display, place, sizeof place) ||
             !(page < last ? display->port->send(display->port->user, true, bytes, width)
                           : fxl_display_start_data(display, bytes, width))) {

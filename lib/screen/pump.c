@@ -112,12 +112,12 @@ static fxl_status fail(fxl_pump *pump)
 static fxl_status start(fxl_pump *pump, uint16_t first_row, uint16_t rows)
 {
     const uint8_t *bytes = pump->buffers[pump->free_buffer];
-    if (!pump->sink.wait(pump->sink.user) || /* bug: pump-no-wait */
+    if (!pump->sink.wait(pump->sink.user) ||
         !pump->sink.start(pump->sink.user, first_row, rows, bytes,
                           sent_size(&pump->config, rows))) {
         return fail(pump);
     }
-    pump->free_buffer ^= 1u; /* bug: pump-one-buffer */
+    pump->free_buffer ^= 1u;
     return FXL_OK;
 }
 

@@ -7,7 +7,7 @@ static void prepare(uint16_t *entries, const uint8_t *palette, uint32_t high, ui
 {
     uint8_t *bytes = (uint8_t *)entries;
     for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++, bytes += 2, palette += 3) {
-        bytes[high] = (uint8_t)((palette[0] & 0xF8u) | palette[1] >> 5); /* bug: rgb565-green */
+        bytes[high] = (uint8_t)((palette[0] & 0xF8u) | palette[1] >> 5);
         bytes[low] = (uint8_t)((palette[1] & 0x1Cu) << 3 | palette[2] >> 3);
     }
 }

@@ -59,7 +59,7 @@ fxl_row_to_16:
     bne     .Lmixed
     ldr     r5, [pixels, #12]
     cmp     r4, r5
-    bne     .Lmixed                     /* bug: v6m-row-last-word */
+    bne     .Lmixed
     cmp     r4, run
     bne     .Lnew_run
 .Lfill:

@@ -52,7 +52,7 @@ fxl_row_to_16:
     cmp     r5, r4
     itt     eq
     cmpeq   r6, r4
-    cmpeq   r7, r4                      /* bug: v7m-row-last-word */
+    cmpeq   r7, r4
     bne     .Lmixed
     stm     out!, {r9-r11}
     stm     out!, {r9-r11}

@@ -75,7 +75,7 @@ fxl_status fxl_measure_text(const char *text, const fxl_text_style *style, fxl_t
             measured.height += style->font->line_height;
         } else {
             width += advance_of(style, glyph_of(style->font, *text));
-            measured.width = width > measured.width ? width : measured.width; /* bug: text-widest */
+            measured.width = width > measured.width ? width : measured.width;
         }
     }
     *size = measured;

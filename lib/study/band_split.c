@@ -16,7 +16,7 @@ fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *work
             part.pixels += (size_t)part.rows * part.stride;
         } else {
             FXL_ASSERT(part.rows > 1);
-            workspace->counters = before; /* bug: begun-again */
+            workspace->counters = before;
             if (workspace->counters.split_bands < UINT16_MAX) {
                 workspace->counters.split_bands++;
             }

@@ -19,7 +19,7 @@ typedef struct {
 
 static void append(pass *on, const fxl_varying_vertex *vertex)
 {
-    if (on->count == FXL_POLYGON_CAPACITY) { /* bug: once-capacity */
+    if (on->count == FXL_POLYGON_CAPACITY) {
         on->full = true;
         return;
     }
@@ -78,7 +78,7 @@ static bool find_intersections(const pass *on, uint32_t from, uint32_t to,
         }
         fxl_plane_intersection one = {plane, distance(on, plane, from), distance(on, plane, to)};
         if ((from_code >> plane & 1u) != 0) {
-            fxl_intersection_prefer(enter, &one, true); /* bug: once-first-plane */
+            fxl_intersection_prefer(enter, &one, true);
         } else {
             fxl_intersection_prefer(leave, &one, false);
         }
@@ -172,7 +172,7 @@ static fxl_plane_intersection find_leave(const pass *on, const fxl_varying_verte
                                          const fxl_varying_vertex *end, uint32_t met)
 {
     fxl_plane_intersection leave = {FXL_PLANE_COUNT, 0, 0}, at_end = {FXL_PLANE_COUNT, 1, 0};
-    fxl_q18_46 least = HIDDEN; /* bug: once-corner */
+    fxl_q18_46 least = HIDDEN;
     for (int other = 0; on->any >> other != 0; other++) {
         if (((on->any & ~met) >> other & 1u) == 0) {
             continue;
@@ -283,7 +283,7 @@ static bool find_visible_part(const pass *on, int plane, const fxl_varying_verte
         }
         if (one.from < 0) {
             fxl_intersection_prefer(enter, &one, true);
-        } else if (one.from <= HIDDEN && one.from < one.to) { /* bug: once-wall */
+        } else if (one.from <= HIDDEN && one.from < one.to) {
             enter_hidden = other;
         }
     }
@@ -381,7 +381,7 @@ fxl_clip_result fxl_clip_once(const fxl_varying_polygon *in, const fxl_normalise
     }
     uint32_t start = find_exit(&on);
     if (start == in->count) {
-        append_corners_alone(&on); /* bug: once-whole-screen */
+        append_corners_alone(&on);
     } else {
         fxl_plane_intersection enter, leave;
         find_intersections(&on, start, next_of(&on, start), &enter, &leave);

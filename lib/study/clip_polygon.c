@@ -23,7 +23,7 @@ uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46
     }
     for (uint32_t before = start; (at = before + 1 == count ? 0 : before + 1) != start;
          before = at) {
-        if (distances[at] < sliver && (bits >> before & 1u) == 0) { /* bug: sliver-alone */
+        if (distances[at] < sliver && (bits >> before & 1u) == 0) {
             bits &= ~((uint32_t)1 << at);
         }
     }

@@ -21,7 +21,7 @@ static fxl_q1_31 intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
         whole >>= bits - 32;
     }
     uint32_t rest;
-    return fxl_divide_u64(part << 31, (uint32_t)whole, &rest); /* bug: fraction-27 */
+    return fxl_divide_u64(part << 31, (uint32_t)whole, &rest);
 }
 
 /* from + (to - from) * fraction, rounded once. |to - from| is below 2^31, so
@@ -105,7 +105,6 @@ fxl_clip_result fxl_clip_world_to_planes(const fxl_polygon *in, const fxl_frustu
                                          const fxl_polygon **result)
 {
     FXL_ASSERT((planes & ~(unsigned)FXL_PLANES_ALL) == 0);
-    /* bug: world-all-planes */
     return fxl_clip_world_by_planes(in, frustum, planes, planes, work, NULL, result);
 }
 

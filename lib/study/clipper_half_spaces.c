@@ -43,7 +43,6 @@ static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_p
                            unsigned any, const fxl_varying_polygon **result)
 {
     fxl_volume_workspace *workspace = workspace_of(model_view);
-    /* bug: half-spaces-four */
     return fxl_clip_polygon_by_volume(in, any & FXL_PLANES_ALL, &workspace->volume,
                                       &workspace->clip, result);
 }

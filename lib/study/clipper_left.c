@@ -3,7 +3,6 @@
  * shortens spans on the right and skips rows above and below. */
 #include "guard_band.h"
 
-/* bug: left-to-scan */
 #define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR | 1u << FXL_PLANE_LEFT)
 
 static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *face,

@@ -91,7 +91,7 @@ static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *
         }
         fxl_triangle_begin(triangle, 0, &workspace->volume, &workspace->clip);
     }
-    workspace->before = last; /* bug: fan-before */
+    workspace->before = last;
     return whole && has_area(&screen->points[0], &screen->points[1], &screen->points[2]);
 }
 

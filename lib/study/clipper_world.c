@@ -43,7 +43,7 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
             polygon, &view->frustum, model_view->planes, FXL_PLANES_ALL, &work->by_world,
             (fxl_clip_stats *)model_view->clipper_workspace, &clipped);
     }
-    if (result == FXL_CLIP_INSIDE) { /* bug: world-in-place */
+    if (result == FXL_CLIP_INSIDE) {
         return fxl_clip_common_whole(model_view, face, screen, &steps, 0);
     }
     if (clipped == NULL) {

@@ -34,7 +34,6 @@ static inline fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_
 static inline fxl_status project(const fxl_model_view *model_view, const fxl_view_point *point,
                                  fxl_screen_point *screen)
 {
-    /* bug: once-project */
     return fxl_normalised_project(&workspace_of(model_view)->frustum, point, screen);
 }
 
@@ -45,7 +44,7 @@ static inline fxl_clip_result clip_in_frustum(const fxl_model_view *model_view,
 {
     FXL_NORMALISED_WORKSPACE *workspace = workspace_of(model_view);
     const fxl_view *view = model_view->view;
-    if (workspace->frame != view->frame) { /* bug: normalised-stale */
+    if (workspace->frame != view->frame) {
         const fxl_lens lens = fxl_view_drawn_lens(view);
         fxl_normalised_from_camera(&view->camera, &lens, &workspace->frustum);
         workspace->frame = view->frame;

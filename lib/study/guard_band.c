@@ -20,7 +20,6 @@ static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t numbe
         fxl_transform_vertex(model_view, number, entry);
         if ((entry->clip_flags & FXL_PLANES_ALL & ~workspace->screen) != 0) {
             workspace->clip.stats.distances += FXL_PLANE_COUNT;
-            /* bug: beyond-unasked */
             if ((fxl_volume_code(&workspace->volume, &entry->position) & ~workspace->screen) != 0) {
                 entry->clip_flags |= FXL_VERTEX_BEYOND_GUARD_BAND;
             }
@@ -68,5 +67,5 @@ fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const
         workspace->frame = view->frame;
     }
     return fxl_clip_common_face(model_view, face, polygon, &steps,
-                                screen | FXL_VERTEX_BEYOND_GUARD_BAND); /* bug: near-to-scan */
+                                screen | FXL_VERTEX_BEYOND_GUARD_BAND);
 }

@@ -88,7 +88,7 @@ void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
     uint64_t z = (uint64_t)frustum->half_width * (uint64_t)frustum->half_height;
     uint64_t largest = x > y ? x : y, one = z;
     factor along_z = {(uint32_t)1 << 31, 0};
-    for (; one < largest; one <<= 1) { /* below 2^55 in the end */ /* bug: depth-scale */
+    for (; one < largest; one <<= 1) { /* below 2^55 in the end */
         along_z.shift += 1;
     }
     factor along_x = factor_of(x, one);
@@ -131,7 +131,7 @@ void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
 uint32_t fxl_normalised_code(const fxl_normalised *frustum, const fxl_view_point *point)
 {
     fxl_q18_46 x_room = point->z - frustum->x_inset;
-    fxl_q18_46 y_room = point->z - frustum->y_inset; /* bug: inset-lost */
+    fxl_q18_46 y_room = point->z - frustum->y_inset;
     return (uint32_t)(point->z < frustum->near_z) << FXL_PLANE_NEAR |
            (uint32_t)(point->z > frustum->far_z) << FXL_PLANE_FAR |
            (uint32_t)(point->x < -x_room) << FXL_PLANE_LEFT |

@@ -19,7 +19,7 @@ static fxl_q18_46 border_distance(const fxl_rectangle *rectangle, int border,
         return point->y - rectangle->top;
     default:
         FXL_ASSERT(border == FXL_BORDER_BOTTOM);
-        return rectangle->bottom - point->y; /* bug: rectangle-bottom */
+        return rectangle->bottom - point->y;
     }
 }
 
@@ -96,7 +96,7 @@ fxl_clip_result fxl_clip_to_rectangle(const fxl_screen_polygon *in, const fxl_re
         all &= code;
     }
     *result = NULL;
-    if (all != 0) { /* bug: rectangle-late */
+    if (all != 0) {
         return FXL_CLIP_OUTSIDE;
     }
     const clipping to = {rectangle, work};

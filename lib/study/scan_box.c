@@ -46,7 +46,7 @@ static bool covers(const fxl_scan_box *scan, int32_t x, int32_t y)
             const fxl_screen_point *upper = down ? a : b, *lower = down ? b : a;
             int64_t across = (int64_t)(x - upper->x) * (lower->y - upper->y);
             int64_t along = (int64_t)(lower->x - upper->x) * (y - upper->y);
-            winding += across < along ? 0 : down ? 1 : -1; /* bug: box-tie */
+            winding += across < along ? 0 : down ? 1 : -1;
         }
         a = b;
     }

@@ -26,7 +26,7 @@ void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band)
     FXL_ASSERT((uint8_t *)(buffer->rows + band->rows) <= (uint8_t *)buffer->pool);
     memset(buffer->rows, 0xFF, band->rows * sizeof buffer->rows[0]); /* FXL_COVERED_END */
     buffer->used = 0;
-    buffer->unused = FXL_COVERED_END; /* bug: band-unused */
+    buffer->unused = FXL_COVERED_END;
     buffer->first_row = band->first_row;
     buffer->row_count = band->rows;
     buffer->width = band->width;
@@ -59,7 +59,7 @@ static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1,
     while (at->x1 < x1) {
         const uint16_t number = at->next;
         fxl_covered *next = &buffer->pool[number];
-        if (number == FXL_COVERED_END || next->x0 > x1) { /* bug: touch-two */
+        if (number == FXL_COVERED_END || next->x0 > x1) {
             fxl_fill_row(pixels + at->x1, pixels + x1, four);
             at->x1 = (uint16_t)x1;
             return;
@@ -68,7 +68,7 @@ static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1,
         at->x1 = next->x1;
         at->next = next->next;
         next->next = buffer->unused;
-        buffer->unused = number; /* bug: swallowed-lost */
+        buffer->unused = number;
     }
 }
 
@@ -80,7 +80,7 @@ static inline bool cover(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, u
     fxl_covered *at = NULL; /* the first interval that does not end before the span */
     while (*link != FXL_COVERED_END) {
         at = &buffer->pool[*link];
-        if (at->x1 >= x0) { /* bug: touch-begins */
+        if (at->x1 >= x0) {
             break;
         }
         link = &at->next;
@@ -91,7 +91,7 @@ static inline bool cover(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, u
         }
         at = &buffer->pool[*link];
         fxl_fill_row(pixels + x0, pixels + x1, four);
-    } else if (x0 >= at->x0 && x1 <= at->x1) { /* bug: full-row */
+    } else if (x0 >= at->x0 && x1 <= at->x1) {
         return true;
     } else {
         if (x0 < at->x0) {

@@ -32,7 +32,7 @@ typedef struct {
 } fxl_span_buffer;
 
 /* How many intervals always suffice for one row of this width in pixels. */
-#define FXL_SPAN_BUFFER_ROW(width) ((FXL_CAST(uint32_t, width) + 1u) / 2u) /* bug: pool-odd */
+#define FXL_SPAN_BUFFER_ROW(width) ((FXL_CAST(uint32_t, width) + 1u) / 2u)
 
 /* Size in bytes for bands of so many rows and a pool of so many intervals. */
 #define FXL_SPAN_BUFFER_BYTES(rows, intervals) \

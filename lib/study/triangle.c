@@ -133,7 +133,6 @@ static uint64_t fraction_in_space(fxl_q18_46 inside, fxl_q18_46 z_inside, fxl_q1
     weight from = weigh(fxl_magnitude(outside), z_outside);
     unsigned bits = fxl_bit_length(to.high | from.high);
     unsigned shift = bits > 30 ? bits - 30 : 0;
-    /* bug: carried-swap */
     return fxl_intersection_fraction(shifted(&to, shift), -shifted(&from, shift));
 }
 

@@ -10,14 +10,14 @@
 static void cut_flats(fxl_triangle_workspace *workspace, int border, uint16_t extent)
 {
     fxl_clip_stats stats = workspace->stats;
-    stats.sliver = workspace->screen_sliver; /* bug: screen-sliver */
+    stats.sliver = workspace->screen_sliver;
     for (uint32_t left = workspace->flat_count; left > 0; left--) {
         fxl_screen_triangle cut[2];
         uint32_t made = fxl_triangle_cut_screen(&workspace->flats[workspace->flat_first & MASK],
                                                 border, extent, workspace->carried, &stats, cut);
         workspace->flat_first += 1;
         workspace->flat_count -= 1;
-        for (uint32_t i = 0; i < made; i++) { /* bug: queue-one-of-two */
+        for (uint32_t i = 0; i < made; i++) {
             FXL_ASSERT(workspace->flat_count < FXL_TRIANGLE_QUEUE);
             workspace->flats[(workspace->flat_first + workspace->flat_count++) & MASK] = cut[i];
         }

@@ -59,7 +59,7 @@ static fxl_point corner_along(const fxl_direction *way, const fxl_box *box)
 {
     fxl_point corner;
     corner.x = way->x < 0 ? box->least.x : box->most.x;
-    corner.y = way->y < 0 ? box->least.y : box->most.y; /* bug: box-corner */
+    corner.y = way->y < 0 ? box->least.y : box->most.y;
     corner.z = way->z < 0 ? box->least.z : box->most.z;
     return corner;
 }

@@ -33,7 +33,6 @@ static const sum_of_products up_x = {MINUS_SP, SY, ZERO, ZERO};
 static const sum_of_products up_z = {MINUS_SP, CY, ZERO, ZERO};
 
 static const sum_of_products matrix[3][3] = {
-    /* bug: camera-yaw-sign */
     {{CR, CY, SR, UP_X}, {SR, CP, ZERO, ZERO}, {CR, MINUS_SY, SR, UP_Z}}, /* right */
     {{MINUS_SR, CY, CR, UP_X}, {CR, CP, ZERO, ZERO}, {SR, SY, CR, UP_Z}}, /* up */
     {{CP, SY, ZERO, ZERO}, {SP, ONE, ZERO, ZERO}, {CP, CY, ZERO, ZERO}}}; /* forward */

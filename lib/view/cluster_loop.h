@@ -22,13 +22,13 @@ static inline bool fxl_is_in_cone(const fxl_cluster *cluster, const fxl_point *e
                    fxl_multiply_s32(cluster->axis.z, z)) >>
                   32) -
         slack;
-    if (along <= 0) { /* bug: cluster-behind */
+    if (along <= 0) {
         return false;
     }
     const uint64_t square = fxl_square(x) + fxl_square(y) + fxl_square(z);
     const uint64_t limit = fxl_multiply_u32((uint32_t)(square >> 32), cluster->cutoff) +
                            (fxl_multiply_u32((uint32_t)square, cluster->cutoff) >> 32);
-    return fxl_square(along) << 4 > limit; /* bug: cluster-cutoff */
+    return fxl_square(along) << 4 > limit;
 }
 
 /* fxl_order_clusters_by, by the source's macros PLANES_OF, IS_TURNED_AWAY and FIND_FRONT: the names
@@ -49,7 +49,7 @@ static inline uint32_t fxl_order_each_cluster(const fxl_cluster_tests *tests,
     for (uint32_t first = 0; first < model->face_count; first += (cluster++)->face_count) {
         const uint32_t planes = PLANES_OF(cluster, model_view);
         if (planes == FXL_SPHERE_OUTSIDE) {
-            *front += cluster->face_count; /* bug: cluster-outside */
+            *front += cluster->face_count;
         } else if (!IS_TURNED_AWAY(cluster, &eye)) {
             uint32_t found = FIND_FRONT(scene, model, first, cluster->face_count, model_view, &eye,
                                         entries + count);

@@ -15,7 +15,7 @@
 
 bool fxl_cluster_is_surely_turned_away(const fxl_cluster *cluster, const fxl_point *eye)
 {
-    return fxl_is_in_cone(cluster, eye, ROUNDED_EYE); /* bug: turn-cone-slack */
+    return fxl_is_in_cone(cluster, eye, ROUNDED_EYE);
 }
 
 uint32_t fxl_order_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *scene,

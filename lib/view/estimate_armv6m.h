@@ -35,7 +35,7 @@ static inline bool fxl_dot_is_negative(const fxl_direction *direction, int32_t x
 {
     if (fxl_can_estimate(x, y, z)) {
         int32_t sum = fxl_estimated_dot(direction, x >> 9, y >> 9, z >> 9);
-        if (sum >= FXL_ESTIMATE_ERROR || sum <= -FXL_ESTIMATE_ERROR) { /* bug: m0-sign */
+        if (sum >= FXL_ESTIMATE_ERROR || sum <= -FXL_ESTIMATE_ERROR) {
             return sum < 0;
         }
     }
@@ -96,7 +96,7 @@ static inline uint32_t fxl_estimated_sphere(const fxl_axes *axes, const fxl_view
     int32_t apart = (frustum->x_side >> 15) * (fxl_estimated_dot(&axes->right, x, y, z) >> 16) >> 9;
     int32_t ahead = ((frustum->x_depth >> 15) * along >> 9) - inset;
     FXL_ESTIMATE_PLANE(FXL_PLANE_LEFT, ahead + apart, 600);
-    FXL_ESTIMATE_PLANE(FXL_PLANE_RIGHT, ahead - apart, 600); /* bug: m0-sphere */
+    FXL_ESTIMATE_PLANE(FXL_PLANE_RIGHT, ahead - apart, 600);
     apart = (frustum->y_side >> 15) * (fxl_estimated_dot(&axes->up, x, y, z) >> 16) >> 9;
     ahead = ((frustum->y_depth >> 15) * along >> 9) - inset;
     FXL_ESTIMATE_PLANE(FXL_PLANE_BOTTOM, ahead + apart, 600);

@@ -78,7 +78,7 @@ fxl_front_faces:
     muls    r6, r5
     movs    r3, r0
     adds    r3, r3, #FACE_FIRST_INDEX
-    subs    r3, r3, r6 /* bug: m0-face-number */
+    subs    r3, r3, r6
     str     r3, [sp, #FIRST]
     ldm     r2!, {r5-r7}
     add     r4, sp, #TWICE
@@ -99,7 +99,7 @@ fxl_front_faces:
     movs    r3, #17
     movs    r4, #2
     b       2f
-1:  lsls    r4, r4, #1 /* bug: m0-facing-margin */
+1:  lsls    r4, r4, #1
     subs    r3, r3, #1
     lsrs    r2, r2, #1
 2:  bne     1b

@@ -47,7 +47,6 @@ fxl_front_faces:
     smull   r10, r11, r7, r7
     smlal   r10, r11, r8, r8
     smlal   r10, r11, r9, r9
-    /* bug: v7m-face-number */
     sub     r12, r12, left                  /* its number, and 0 beside it */
     stm     entry!, {r10-r12}
 .Lnext:

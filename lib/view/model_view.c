@@ -45,7 +45,7 @@ static uint32_t next_tag(fxl_vertex_cache *cache)
 {
     cache->count += TAG_INSTANCE;
     if (cache->count == 0) {
-        forget_all(cache); /* bug: cache-wrap */
+        forget_all(cache);
         cache->count = TAG_INSTANCE;
     }
     return cache->count;

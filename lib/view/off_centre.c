@@ -31,7 +31,7 @@ static int32_t offset_y(const fxl_lens *lens)
 static fxl_q16_16 drawn_focal(const fxl_lens *lens)
 {
     const uint64_t x = fxl_magnitude(offset_x(lens)), y = fxl_magnitude(offset_y(lens));
-    const uint64_t offset = x > y ? x : y; /* bug: off-centre-longer */
+    const uint64_t offset = x > y ? x : y;
     const uint32_t length =
         fxl_square_root((uint64_t)lens->focal * (uint64_t)lens->focal + offset * offset);
     return (fxl_q16_16)(length + (length >> 25) + 2);
@@ -42,7 +42,6 @@ static fxl_q16_16 drawn_focal(const fxl_lens *lens)
 
 static fxl_q2_30 shortened(fxl_q2_30 component)
 {
-    /* bug: off-centre-long */
     return (fxl_q2_30)fxl_round_shift(fxl_multiply_s32(component, ROOT_HALF), 30);
 }
 
@@ -84,7 +83,7 @@ static void set_pose(fxl_view *view)
     const fxl_lens *lens = &view->lens;
     const fxl_q16_16 focal = fxl_view_drawn_focal(view);
     shear(&axes->right, &axes->forward, lens, offset_x(lens), focal);
-    shear(&axes->up, &axes->forward, lens, offset_y(lens), focal); /* bug: off-centre-up */
+    shear(&axes->up, &axes->forward, lens, offset_y(lens), focal);
 }
 
 const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, set_lens, set_pose};

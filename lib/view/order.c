@@ -28,10 +28,10 @@ static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 {
     uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
     if (a->instance.layer == b->instance.layer) {
-        if (from_a > from_b) { /* bug: near-first */
+        if (from_a > from_b) {
             return true;
         }
-        return from_a == from_b && a->index < b->index; /* bug: half-distance */
+        return from_a == from_b && a->index < b->index;
     }
     return a->instance.layer < b->instance.layer;
 }
@@ -137,7 +137,6 @@ uint32_t fxl_order_drop_outside(const fxl_model_view *model_view, const fxl_face
         uint32_t left = face->count, of_all = FXL_PLANES_ALL;
         do {
             of_all &= fxl_fetch_vertex(model_view, *number++)->clip_flags;
-            /* bug: drop-outside */
         } while (of_all != 0 && --left != 0);
         if (of_all == 0) {
             *to++ = *from;

@@ -9,7 +9,7 @@ unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
 {
     unsigned first = fxl_view_distance(frustum, plane, point) < 0;
     unsigned second = fxl_view_distance(frustum, plane + 1, point) < 0;
-    return (first | second << 1) << plane; /* bug: outcode-swap */
+    return (first | second << 1) << plane;
 }
 
 fxl_planes fxl_outcode(const fxl_view_frustum *frustum, fxl_planes planes,

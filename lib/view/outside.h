@@ -23,7 +23,7 @@ static inline int32_t fxl_upper_term(fxl_q2_30 side, fxl_q18_46 across)
 /* Whether a distance computed from upper words does not decide the sign. */
 static inline bool fxl_is_open(int32_t distance)
 {
-    return (uint32_t)distance + 4u < 8u; /* bug: outcode-soon */
+    return (uint32_t)distance + 4u < 8u;
 }
 
 /* The outcode's bits of a pair of side planes, plane and plane + 1. Their distances are

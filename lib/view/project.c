@@ -21,7 +21,7 @@ static scaled_depth scale_depth(fxl_q18_46 z)
     scaled_depth scaled;
     /* The upper word is at least 2^5. The last of the 32 bits from the highest 1 on is rounded. */
     unsigned zeros = fxl_leading_zeros((uint32_t)((uint64_t)z >> 32));
-    uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32); /* bug: depth-24 */
+    uint32_t high = (uint32_t)((uint64_t)z << zeros >> 32);
     scaled.shift = 33u - zeros;
     scaled.depth = (high >> 1) + (high & 1u);
     return scaled;
@@ -61,7 +61,7 @@ static bool project_side(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *
     if (!fxl_within(product, fxl_multiply_su32(FXL_SCREEN_COORDINATE_MAX, scaled->depth))) {
         return false;
     }
-    *coordinate = fxl_divide_round(product, scaled->depth); /* bug: project-cut */
+    *coordinate = fxl_divide_round(product, scaled->depth);
     return true;
 }
 
@@ -79,7 +79,7 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
         return FXL_E_RANGE;
     }
     screen->x = x;
-    screen->y = -y; /* bug: screen-y-up */
+    screen->y = -y;
     return FXL_OK;
 }
 
@@ -111,7 +111,6 @@ fxl_status fxl_project_visible(const fxl_projection *projection, const fxl_view_
     int32_t upper = (int32_t)(view->z >> 32);
     /* If the upper words m of |X| and z of Z have m < 2 z, then |X| <= 2^32 (m + 1) <= 2 Z. */
     if (FXL_IS_SMALL || upper < projection->depth_min ||
-        /* bug: side-range */
         (upper_magnitude(view->x) | upper_magnitude(view->y)) >= (uint32_t)upper << 1) {
         return fxl_project_any(projection, view, screen);
     }

@@ -52,7 +52,7 @@ static int32_t offset_of(const scaling *by, int64_t side)
     int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);
     uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;
     FXL_ASSERT(rest >> 1 < by->depth);
-    return rest >= by->depth ? quotient + 1 : quotient; /* bug: quotient-low */
+    return rest >= by->depth ? quotient + 1 : quotient;
 }
 
 fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *view,

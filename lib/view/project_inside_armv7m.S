@@ -63,11 +63,11 @@ fxl_project_inside:
     mls     lr, r5, depth, lr
     cmp     lr, depth                       /* carry: one less */
     ldrd    r4, r8, [projection, #PROJECTION_CENTRE_X]
-    adc     r5, r5, r4 /* bug: v7m-x-carry */
+    adc     r5, r5, r4
 
     umull   r6, upper, r6, power
     mla     r7, r7, power, upper
-    lsr     lr, depth, #1 /* bug: v7m-half-depth */
+    lsr     lr, depth, #1
     umlal   r6, lr, r6, factor_1
     mla     lr, r7, factor, lr
     smull   r6, r7, scale, r7

@@ -24,7 +24,7 @@ static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
 {
     fxl_order_entry *at_a = &entries[a], *at_b = &entries[b];
     uint64_t from_a = fxl_order_distance(at_a), from_b = fxl_order_distance(at_b);
-    uint32_t head = from_a >= from_b ? a : b; /* bug: chain-head */
+    uint32_t head = from_a >= from_b ? a : b;
     fxl_order_entry *last = NULL;
     for (;;) {
         if (from_a >= from_b) {
@@ -63,7 +63,6 @@ static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *pla
     uint64_t from_last = fxl_order_distance(&entries[head]);
     if (at < count && fxl_order_distance(&entries[at]) > from_last) {
         entries[head].next = END;
-        /* bug: run-tie */
         for (; at < count && fxl_order_distance(&entries[at]) > from_last; at++) {
             from_last = fxl_order_distance(&entries[at]);
             entries[at].next = (uint16_t)head;
@@ -194,7 +193,6 @@ static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count, uint16_t *
     for (uint32_t i = count; i-- > 0;) {
         uint64_t distance = fxl_order_distance(&entries[i]);
         uint16_t *link = &chains[bucket_of(&by, distance)];
-        /* bug: bucket-tie */
         while (*link != END && fxl_order_distance(&entries[*link]) > distance) {
             link = &entries[*link].next;
             if (steps-- == 0) {

@@ -26,7 +26,7 @@
 #include "rotate.h"
 #include "estimate.h"
 
-#define SLACK 9 /* bug: sphere-slack */
+#define SLACK 9
 
 /* The upper word of a product. */
 static int32_t multiply_upper(fxl_q2_30 component, int32_t coordinate)
@@ -43,7 +43,7 @@ static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int
     int32_t apart = multiply_upper(side, across);
     int32_t ahead = multiply_upper(depth, along) - inset;
     int32_t from_low = ahead + apart;
-    int32_t from_high = ahead - apart; /* bug: sphere-swap */
+    int32_t from_high = ahead - apart;
     if (from_low + reach < 0 || from_high + reach < 0) {
         return FXL_SPHERE_OUTSIDE;
     }
@@ -74,7 +74,7 @@ uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *fru
     int32_t z = upper(at.z);
     int32_t from_near = (z >> 2) - (int32_t)(frustum->near_z >> 34);
     int32_t from_far = (int32_t)(frustum->far_z >> 34) - (z >> 2);
-    if (from_near + reach < 0 || from_far + reach < 0) { /* bug: sphere-far */
+    if (from_near + reach < 0 || from_far + reach < 0) {
         return FXL_SPHERE_OUTSIDE;
     }
     uint32_t planes = (uint32_t)(from_near < reach) << FXL_PLANE_NEAR | (uint32_t)(from_far < reach)

@@ -68,7 +68,7 @@ fxl_transform_vertex:
     cmp     r8, #8
     ittt    hs
     cmphs   r11, #8
-    cmphs   r12, #8 /* bug: v7m-outcode */
+    cmphs   r12, #8
     cmphs   r9, #8
     blo     undecided
 

@@ -41,7 +41,7 @@ unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *m
         fxl_turn_rows(view, &turn->orientation, matrix);
         return 0;
     }
-    while (FXL_Q16_16_ONE << shift < turn->scale) { /* bug: turn-shift */
+    while (FXL_Q16_16_ONE << shift < turn->scale) {
         shift++;
     }
     scale_row(&view->right, turn, shift, &matrix->right);
@@ -120,5 +120,5 @@ bool fxl_turn_is_front(const fxl_turn *turn, const fxl_point *from_eye, const fx
     const int64_t right_upper = (int64_t)((uint64_t)high << 14) + (int64_t)((uint32_t)low >> 18);
     const uint32_t right_lower = (uint32_t)low << 14;
     upper += (lower >> 32) - right_upper;
-    return upper > 0 || (upper == 0 && (uint32_t)lower > right_lower); /* bug: turn-facing-low */
+    return upper > 0 || (upper == 0 && (uint32_t)lower > right_lower);
 }

@@ -21,7 +21,7 @@ unsigned fxl_turn_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, fxl_q1
                              fxl_point *eye)
 {
     unsigned shift = 0;
-    int32_t limit = (1 << 30) - 1 - radius; /* bug: turn-eye-near */
+    int32_t limit = (1 << 30) - 1 - radius;
     while (!(divide(exact[0], scale, shift, &eye->x) && divide(exact[1], scale, shift, &eye->y) &&
              divide(exact[2], scale, shift, &eye->z) && limit >= 0 &&
              fxl_eye_is_within(eye, limit))) {

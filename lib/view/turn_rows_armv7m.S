@@ -28,7 +28,7 @@ high    .req lr
     smlal   low, high, r10, \y
     smlal   low, high, r11, \z
     lsrs    low, low, #30
-    adc     low, low, high, lsl #2  /* bug: turn-rows-half */
+    adc     low, low, high, lsl #2
     .endm
 
     .macro two_entries

@@ -66,7 +66,6 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
  * one that wraps to -2^31 is the same. */
 static uint64_t box_distance(const fxl_point *box, const fxl_point *eye, unsigned shift)
 {
-    /* bug: turn-order-shift */
     return fxl_box_distance(box->x >> shift, box->y >> shift, box->z >> shift, eye);
 }
 
@@ -125,7 +124,6 @@ uint32_t fxl_turned_cluster_planes(const fxl_turned_view *turned, const fxl_clus
     fxl_turn_point(turn, &centre, &cluster->centre, &centre);
     if (reach <= (uint64_t)FXL_COORDINATE_MAX << 16 && fxl_point_in_range(&centre)) {
         const uint32_t crossed = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
-                                                   /* bug: turn-cluster-planes */
                                                    fxl_scaled_radius(turn->scale, cluster->radius));
         if (crossed == FXL_SPHERE_OUTSIDE) {
             return crossed;

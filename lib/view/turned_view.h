@@ -47,7 +47,7 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
 static inline int fxl_estimated_side(fxl_q18_46 distance)
 {
     const int32_t upper = (int32_t)(distance >> 32);
-    if (upper < -1) { /* bug: turn-estimate */
+    if (upper < -1) {
         return -1;
     }
     return upper > 0;

@@ -331,7 +331,7 @@ typedef struct {
  * below the other's end where one is. */
 static inline bool fxl_rows_meet(fxl_rows a, fxl_rows b)
 {
-    return a.first < b.end && b.first < a.end; /* bug: list-last-row */
+    return a.first < b.end && b.first < a.end;
 }
 
 /* An edge on a row's line of pixel centres, and its step to the next row. Both are

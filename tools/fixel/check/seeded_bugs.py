@@ -171,7 +171,7 @@ def parser():
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--build", default="build", help="the build folder")
     made.add_argument("--root", default=str(CHECKOUT), help="the checkout to copy from")
-    made.add_argument("--only", default="", help="only bugs with this in their marker, name or kind")
+    made.add_argument("--only", default="", help="only bugs with this in their id, name, kind or file")
     made.add_argument("--sample", type=int, default=0, help="so many of the bugs (all)")
     made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     return made
@@ -179,9 +179,9 @@ def parser():
 
 def main(argv):
     options = parser().parse_args(argv)
-    bugs = [bug for bug in records.read(options.root) if options.only in f"{bug.marker} {bug.name} {bug.kind}"]
+    bugs = [bug for bug in records.read(options.root) if options.only in f"{bug.id} {bug.name} {bug.kind} {bug.file}"]
     if not bugs:
-        raise ToolError(f"no bug has '{options.only}' in its marker, name or kind")
+        raise ToolError(f"no bug has '{options.only}' in its id, name, kind or file")
     if options.sample:
         bugs = sampling.choose(options.root, "seeded bugs", bugs, options.sample)
     tests = all_tests(options.root)

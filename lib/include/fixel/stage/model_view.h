@@ -107,7 +107,7 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
 static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_view, uint32_t number)
 {
     fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
-    if (entry->tag != model_view->tag + number) { /* bug: cache-tag */
+    if (entry->tag != model_view->tag + number) {
         fxl_transform_vertex(model_view, number, entry);
     }
     return entry;
