@@ -114,6 +114,7 @@ class Recorder:
         self.folder, self.asked = folder, []
         (folder / "tools/fixel").mkdir(parents=True)
         (folder / "tools/fixel/a.py").write_text("def f():\n    pass\n    pass\n", encoding="utf-8")
+        (folder / "host_tests").symlink_to(folder.parent / "host_tests")
 
     def run(self, tests, cpu, lines, enough):
         self.asked += tests
@@ -152,6 +153,44 @@ def test_only_functions_of_tests_that_are_new_or_changed_are_recorded(tmp_path):
     (record,) = (tmp_path / "records").iterdir()
     record.write_text('{"of": "another version"}', encoding="utf-8")
     assert records(ab)[1] == ["test_ab"]
+
+
+class Slow:
+    """In place of a copy of the checkout: what each function of tests does, or that it does not end, by its name."""
+
+    def __init__(self, folder, text):
+        self.folder, self.asked = folder, []
+        for name in ("tools/fixel", "host_tests"):
+            (folder / name).mkdir(parents=True)
+        (folder / "tools/fixel/a.py").write_text("def f():\n    pass\n", encoding="utf-8")
+        (folder / "host_tests/test_a.py").write_text(text, encoding="utf-8")
+
+    def run(self, tests, cpu, lines, enough):
+        self.asked.append([test.partition("::")[2] for test in tests])
+        report = []
+        for number, test in enumerate(tests, 1):
+            in_fixture = "\nslow" if "fixture" in test else "\n"
+            (lines / "begun").write_text(test + in_fixture, encoding="utf-8")
+            (lines / str(number)).write_text("a.py:2", encoding="utf-8")
+            if "slow" in test:
+                return "it used 6 s of CPU time", report
+            report.append({"test": test, "passed": True, "skipped": False, "cpu": 1.0, "number": number})
+        return 0, report
+
+
+def test_functions_after_one_that_does_not_end_are_recorded(tmp_path):
+    names = {"test_1": "", "test_slow": "quick", "test_2": "quick", "test_slow_fixture": "quick, slow", "test_3": "slow",
+             "test_4": "quick"}
+    tree = Slow(tmp_path, "".join(f"def {name}({arguments}):\n    pass\n" for name, arguments in names.items()))
+    made = lines.record(tree, "test_a.py", list(names))
+    assert tree.asked == [list(names), list(names)[2:], ["test_4"]]
+    # A test that does not end counts with what it executed; what needs a fixture that does not is not known.
+    assert made["seconds"] == {"test_a.py::test_1": 1.0, "test_a.py::test_slow": lines.RUN, "test_a.py::test_2": 1.0,
+                               "test_a.py::test_4": 1.0}
+    assert made["lines"] == {"tools/fixel/a.py:f:1": [f"test_a.py::test_{word}" for word in ("1", "2", "4", "slow")]}
+    again = Slow(tmp_path / "again", "".join(f"def test_slow{number}():\n    pass\n" for number in range(9)))
+    lines.record(again, "test_a.py", [f"test_slow{number}" for number in range(9)])
+    assert len(again.asked) == lines.RUNS
 
 
 def test_tests_that_killed_before_come_first(tmp_path):

@@ -19,7 +19,7 @@ import shutil
 from fixel.base import output
 from fixel.base.progress import Progress
 
-RUN, RUNS = 6.0, 3  # CPU seconds of a run of a file of tests, and runs; what did not end in them is not known
+RUN, RUNS = 6.0, 6  # CPU seconds of a run of a file of tests, and runs; what did not end in them is not known
 PARAMETERS = 1.0    # CPU seconds for the parameters of a test; its later ones are taken for like the slowest of these
 KEPT = 30           # tests for a line
 LEAST = 0.05        # CPU seconds; a test costs no less: its file is imported
@@ -70,6 +70,11 @@ def functions_of(text):
             for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name.startswith("test")}
 
 
+def arguments_of(text):
+    """{name: its arguments} of the functions of a file of tests: parameters and fixtures."""
+    return {node.name: [each.arg for each in node.args.args] for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+
+
 def function_of(test):
     """The name of a test's function."""
     return test.partition("[")[0].rpartition("::")[2]
@@ -77,9 +82,9 @@ def function_of(test):
 
 def observe(tree, file, names):
     """(CPU seconds and places of each test of functions that passed, parameters that were skipped) of a file of tests. A
-    run that takes too long is ended; the test in which that was counts with the lines it had executed, and the next run
-    begins with the function after its own."""
-    folder = tree.folder / "lines"
+    run that takes too long is ended. If that was in a test, it counts with the lines it had executed; if it was in a fixture,
+    no function with this fixture is tried again. The next run begins with the function after that one."""
+    folder, uses = tree.folder / "lines", arguments_of((tree.folder / "host_tests" / file).read_text(encoding="utf-8"))
     read = functools.cache(lambda name: Functions((tree.folder / "tools/fixel" / name).read_text(encoding="utf-8")))
     seconds, places, skipped = {}, {}, []
     for _ in range(RUNS):
@@ -93,10 +98,10 @@ def observe(tree, file, names):
         skipped += [each["test"] for each in report if each["skipped"]]
         if not isinstance(code, str) or not (folder / "begun").exists():
             break
-        begun = (folder / "begun").read_text(encoding="utf-8")
-        if begun not in [each["test"] for each in report]:
+        begun, _, fixture = (folder / "begun").read_text(encoding="utf-8").partition("\n")
+        if not fixture and begun not in [each["test"] for each in report]:
             seconds[begun], places[begun] = RUN, places_of(folder / str(len(report) + 1), read)
-        names = names[names.index(function_of(begun)) + 1:]
+        names = [name for name in names[names.index(function_of(begun)) + 1:] if fixture not in uses[name]]
         if not names:
             break
     return seconds, places, skipped

@@ -5,8 +5,8 @@ A program, which fixel.check.trees starts. It imports nothing of the tools, so t
 checkout. Each line of its input asks for a run: {"folder", "words", "said", "report", "lines", "enough"}. It answers with two
 lines: the number of the process, then its exit code. A run puts its output into the file "said", and adds a line for
 each test to the file "report": {"test", "passed", "skipped", "cpu", "number"}. Where "lines" names a folder, its file
-"number" has the lines that the test executed, and its file "begun" the test that began last; parameters of a test are
-skipped once others took "enough" CPU seconds.
+"number" has the lines that the test executed, and its file "begun" the test that began last, and its fixture
+that does; parameters of a test are skipped once others took "enough" CPU seconds.
 """
 
 import ctypes
@@ -40,14 +40,27 @@ class Report:
         self.file, self.lines, self.enough = asked["report"], asked["lines"], asked["enough"]
         self.recorder = sys.modules.get("sitecustomize")
         self.passed, self.skipped, self.before, self.number, self.spent = True, False, 0.0, 0, {}
+        self.test = ""
 
     def pytest_runtest_logstart(self, nodeid, location):
         self.passed, self.skipped, self.before = True, False, cpu_seconds()
         if self.lines:
             self.number += 1
-            (pathlib.Path(self.lines) / "begun").write_text(nodeid, encoding="utf-8")
+            self.test = nodeid
+            self.begin()
             os.environ["FIXEL_LINES"] = str(pathlib.Path(self.lines) / str(self.number))
             self.recorder.recorder.begin()
+
+    def begin(self, fixture=""):
+        """Notes what runs from here on: a test, or a fixture that it needs."""
+        if self.lines:
+            (pathlib.Path(self.lines) / "begun").write_text(f"{self.test}\n{fixture}", encoding="utf-8")
+
+    def pytest_fixture_setup(self, fixturedef, request):
+        self.begin(fixturedef.argname)
+
+    def pytest_runtest_call(self, item):
+        self.begin()
 
     def pytest_runtest_setup(self, item):
         if self.lines and self.spent.get(item.nodeid.partition("[")[0], 0.0) > self.enough:

@@ -73,6 +73,8 @@ class Tools:
         self._bad.update(each["test"] for each in report if not each["passed"])
         if code in MISSING:
             self._bad.update(tests)
+        if isinstance(code, str):   # of a limit, which the test that ran last has passed
+            self._bad.update([test for test in tests if test not in [each["test"] for each in report]][:1])
         return code == 0
 
     def _try(self, tree, mutant, text, tests):
