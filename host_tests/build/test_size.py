@@ -38,6 +38,16 @@ def test_whole_numbers_and_memory_functions_pass(tmp_path):
     assert proof["linked_symbols"] > 10
 
 
+def test_what_does_not_link_by_itself_fails(tmp_path):
+    """All files are linked, and two of them define the same functions."""
+    file = library(tmp_path, PURE)
+    (tmp_path / "other.o").write_bytes((tmp_path / "fixel.o").read_bytes())
+    subprocess.run([f"{CROSS}ar", "rcs", "libfixel.a", "other.o"], cwd=tmp_path, check=True)
+    proof = sizes.prove_pure(file, CROSS)
+    assert not proof["passes"] and proof["linked_symbols"] == 0
+    assert [sentence.partition(":")[0] for sentence in proof["wrong"]] == ["it does not link by itself"]
+
+
 @pytest.mark.parametrize("body", [
     "float fxl_bad(float a, float b) { return a * b; }",
     "double fxl_bad(double a, double b) { return a / b; }",

@@ -10,7 +10,7 @@ from conftest import COUNTERS_OF_A_FRAME, dump_bytes, random_frames
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from fixel.board import dump
+from fixel.board import dump, dump_file
 from fixel.base.errors import ToolError
 
 FRAMES = random_frames(3, 5, 7)
@@ -121,3 +121,71 @@ def test_a_promise_of_four_billion_frames_takes_no_memory():
 def test_missing_file(tmp_path):
     with pytest.raises(ToolError, match="No such file"):
         dump.read_dump(tmp_path / "none.fxld")
+
+
+# --- while a board writes it --------------------------------------------------------
+
+@pytest.fixture(name="file")
+def fixture_file(tmp_path):
+    """A dump of more bytes than are read at a time."""
+    file = tmp_path / "board.fxld"
+    file.write_bytes(dump_bytes(random_frames(3, 600, 800)))
+    assert file.stat().st_size > 1 << 20
+    return file
+
+
+def test_a_dump_that_is_whole_passes(file):
+    assert dump_file.shape(file) == (3, file.stat().st_size)
+    assert dump_file.check(file, 3) is None
+
+
+@pytest.mark.parametrize("place", [HEAD + 100, (1 << 20) + 1, -5, -1])
+def test_a_byte_that_differs_anywhere_is_damage(file, place):
+    data = bytearray(file.read_bytes())
+    data[place] ^= 1
+    file.write_bytes(data)
+    with pytest.raises(ToolError, match="damaged") as refused:
+        dump_file.check(file, 3)
+    assert refused.value.exit_code == 1
+
+
+@pytest.mark.parametrize("change", [lambda data: data[:-1], lambda data: data + b"x"])
+def test_a_dump_of_another_length_is_not_whole(file, change):
+    size = file.stat().st_size
+    file.write_bytes(change(file.read_bytes()))
+    with pytest.raises(ToolError, match=f"{size} expected for 3 frames"):
+        dump_file.check(file, 3)
+
+
+def test_a_dump_of_other_frames_or_none_is_not_whole(file, tmp_path):
+    with pytest.raises(ToolError, match="not whole"):
+        dump_file.check(file, 4)
+    with pytest.raises(ToolError, match="left no frame dump"):
+        dump_file.check(tmp_path / "none.fxld", 3)
+
+
+@pytest.mark.parametrize("head", [b"", b"FXLX", WHOLE[:HEAD - 1], b"FXLX" + WHOLE[4:], dump_bytes(FRAMES, version=2),
+                                  dump_bytes(FRAMES, bits=9)])
+def test_a_head_that_is_none_announces_nothing(tmp_path, head):
+    (tmp_path / "board.fxld").write_bytes(head)
+    assert dump_file.shape(tmp_path / "board.fxld") is None
+
+
+def test_pixels_of_16_bits_take_two_bytes(tmp_path):
+    (tmp_path / "board.fxld").write_bytes(dump_bytes(FRAMES, bits=16)[:HEAD])
+    assert dump_file.shape(tmp_path / "board.fxld") == (3, len(WHOLE) + 3 * 5 * 7)
+
+
+def test_frames_are_told_while_a_dump_grows(tmp_path):
+    told, file = [], tmp_path / "board.fxld"
+    look = dump_file.watch(file, lambda done, frames: told.append((done, frames)))
+    assert look() == (0, None) and not told
+    part = tmp_path / "board.fxld.part"
+    for size in (HEAD - 1, HEAD, HEAD + FRAME - 1, HEAD + FRAME, len(WHOLE)):
+        part.write_bytes(WHOLE[:size])
+        assert look() == (size, None)
+    assert told == [(0, 3), (0, 3), (1, 3), (3, 3)]
+    part.rename(file)
+    assert look() == (len(WHOLE), None)
+    file.write_bytes(WHOLE + b"x")
+    assert look() == (len(WHOLE) + 1, "it writes more than it announced")
