@@ -389,7 +389,7 @@ coverage: ## print which lines, branches and conditions of lib/ the unit tests a
 # What only the other part needs is not built.
 MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)
 MUTANTS_LIB := $(if $(filter tools,$(MUTANTS_PART)),,$(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
-MUTANTS_TOOLS := $(if $(filter lib,$(MUTANTS_PART)),,all)
+MUTANTS_TOOLS := $(if $(filter lib,$(MUTANTS_PART)),,all $(BENCH_TESTED) $(CLIPPERS_TESTED))
 mutants: ## put random small mistakes into the library and the tools; a test must fail for most of them [SEED=1 COUNT=100 PART= ONLY=]
 	@tools/setup.sh $(if $(MUTANTS_LIB),units) $(if $(MUTANTS_TOOLS),test)
 	@$(MAKE) $(MUTANTS_LIB) $(MUTANTS_TOOLS)

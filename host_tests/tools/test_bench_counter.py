@@ -128,6 +128,7 @@ def test_a_file_that_is_not_whole_is_refused(text):
 
 def test_a_program_that_fails_is_an_error_of_its_last_words(monkeypatch, tmp_path):
     monkeypatch.setattr(counter.firmware, "load", lambda elf: types.SimpleNamespace(scene_base=0))
+    monkeypatch.setattr(counter, "map_text", lambda *_: "")
     ended = ending.Ending(ending.exit_code("STORE"), "first\nlast words", "", 1.0)
     monkeypatch.setattr(counter.emulator, "emulate", lambda *_: ended)
     with pytest.raises(ToolError, match="a.elf") as refused:

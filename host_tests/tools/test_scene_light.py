@@ -33,7 +33,7 @@ def test_each_key_becomes_a_number(tmp_path):
                   + BOX).light
     assert (light.ambient, light.strength, light.direction) == (Q30 // 4, Q30 // 2, (0, -Q30, 0))
     assert light.fog == (2 * ONE, 17 * ONE // 2)
-    assert build(tmp_path, LIGHT + "fog = { near = 0, far = 8.5 }\n" + BOX).light.fog == (0, 17 * ONE // 2)
+    assert build(tmp_path, LIGHT + "fog = { near = 0, far = 32767 }\n" + BOX).light.fog == (0, 32767 * ONE)
     assert light.points == [(ONE, 2 * ONE, 3 * ONE, 4 * ONE, Q30), (0, 0, 0, ONE // 2, Q30 // 8)]
 
 

@@ -16,7 +16,8 @@ import pathlib
 import signal
 import sys
 
-PRELOADED = ("pytest", "_pytest.junitxml", "hypothesis", "numpy", "PIL.Image", "elftools.elf.elffile")
+PRELOADED = ("pytest", "_pytest.junitxml", "hypothesis", "numpy", "PIL.Image", "elftools.elf.elffile", "matplotlib.figure",
+             "matplotlib.backends.backend_svg")
 PR_SET_PDEATHSIG = 1    # of Linux
 TICKS = os.sysconf("SC_CLK_TCK")
 
