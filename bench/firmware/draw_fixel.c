@@ -48,7 +48,7 @@ static fxl_status open_looks(const fxl_scene_image *image)
     }
     looks_used = wanted;
     status = walk_looks_open(image, &renderer, (uint8_t *)looks);
-    if (status == FXL_OK && image->visibility == FXL_SCENE_BY_DEPTH) {
+    if (status == FXL_OK && image->depth_bits != 0) {
         cells_used = FXL_DEPTH_BYTES(pixels, 1, 16);
         status =
             fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth, cells, cells_used);

@@ -19,7 +19,7 @@ static const fxl_visibility *visibility_of(const fxl_scene_image *image)
     (void)image;
     return &WALK_VISIBILITY;
 #else
-    if (image->visibility == FXL_SCENE_BY_DEPTH) {
+    if (image->depth_bits != 0) {
 #if defined WALK_WITHOUT_DEPTH
         return NULL;
 #else

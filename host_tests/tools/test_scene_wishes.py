@@ -9,7 +9,7 @@ from conftest import CHECKOUT, assert_one_sentence, run_cli
 from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
-from fixel.image import image, image_header
+from fixel.image import image
 from fixel.model import island, mesh, solids
 from fixel.scene import parts, surfaces, toml_scene
 from fixel.base.errors import ToolError
@@ -87,29 +87,43 @@ def test_a_scene_that_asks_for_nothing_is_drawn_by_distance(build, tmp_path):
 
 def test_the_image_has_the_wish_in_one_byte(tmp_path):
     blobs = [image.pack(toml_scene.compile_file(str(scene_of(tmp_path, SOLIDS % text)))[0])
-             for text in ("", 'visibility = "default"', 'visibility = "depth"')]
-    assert blobs[0] == blobs[1]
+             for text in ("", 'visibility = "default"\npixels = "palette"\ndepth = 0', 'visibility = "depth"', "depth = 16",
+                          'depth = 32\npixels = "rgb565"\norder = "distance"')]
+    assert blobs[0] == blobs[1] and blobs[2] == blobs[3]
     assert [at for at in range(16, len(blobs[0])) if blobs[0][at] != blobs[2][at]] == [37]
-    assert image.unpack(blobs[2]).visibility == image_header.BY_DEPTH and blobs[2][37] == 1
+    wishes = [(scene.depth_bits, scene.pixel_bits, scene.by_distance) for scene in map(image.unpack, blobs)]
+    assert wishes == [(0, 8, False)] * 2 + [(16, 8, False)] * 2 + [(32, 16, True)]
+    assert [blob[37] for blob in blobs] == [0, 0, 1, 1, 2 + 4 + 8]
 
 
-def test_an_unknown_wish_is_refused(tmp_path):
-    done = run_cli("build", scene_of(tmp_path, SOLIDS % 'visibility = "deep"'), "-o", tmp_path / "out.fxls")
-    assert_one_sentence(done, "view: visibility", "depth")
+@pytest.mark.parametrize("text, words", [
+    ('visibility = "deep"', ("view: visibility", "depth")), ('pixels = "rgb888"', ("view: pixels", "rgb565")),
+    ("depth = 24", ("depth", "0, 16 or 32", "24")), ('depth = "16"', ("depth", "0, 16 or 32")), ("depth = true", ("0, 16 or 32",)),
+    ('visibility = "depth"\ndepth = 32', ("visibility", "only one of")),
+    ('order = "depth"', ("view: order", "distance")), ('order = "tree"', ("order", 'tree = "all"'))])
+def test_an_unknown_wish_is_refused(tmp_path, text, words):
+    done = run_cli("build", scene_of(tmp_path, SOLIDS % text), "-o", tmp_path / "out.fxls")
+    assert_one_sentence(done, *words)
+
+
+def test_the_dark_of_a_lit_scene_is_told_in_16_bits(tmp_path):
+    lit = SOLIDS % "" + '\n[light]\nlevels = 8\ndark = "#204080"\n'
+    assert image.pack(toml_scene.compile_file(str(scene_of(tmp_path, lit)))[0])[38:40] == (4 << 11 | 16 << 5 | 16).to_bytes(2, "little")
 
 
 def test_a_tree_and_a_depth_buffer_exclude_each_other(tmp_path):
     done = run_cli("build", scene_of(tmp_path, SOLIDS % 'visibility = "depth"'), "-o", tmp_path / "out.fxls",
                    "--tree", "all")
-    assert_one_sentence(done, "view.visibility", "--tree")
+    assert_one_sentence(done, "depth buffer", "--tree")
 
 
 def test_a_header_of_c_says_what_the_scene_asks_for(tmp_path):
-    for text, said in (('visibility = "depth"', True), ("", False)):
+    for text, said in (('visibility = "depth"', "fxl_palette_depth_16"), ('depth = 32\npixels = "rgb565"', "fxl_rgb565_depth_32"),
+                       ('pixels = "rgb565"', "fxl_rgb565"), ("", None)):
         out = tmp_path / "scene.h"
         done = run_cli("export", "--c", scene_of(tmp_path, SOLIDS % text), "-o", out)
         assert done.returncode == 0, done.stderr
-        assert ("fxl_renderer_set_depth" in out.read_text()) == said
+        assert re.findall(r"asks for the target (\w+) ", out.read_text()) == ([said] if said else [])
 
 
 @pytest.mark.parametrize("name", ["gallery", "car"])
@@ -158,7 +172,8 @@ def test_a_wrong_tree_is_refused(tmp_path, value, words):
 
 def test_a_scene_that_asks_for_a_tree_and_a_depth_buffer_is_refused(tmp_path):
     done = run_cli("build", scene_of(tmp_path, 'tree = "all"' + SOLIDS % 'visibility = "depth"'), "-o", tmp_path / "out.fxls")
-    assert_one_sentence(done, "scene.toml: tree", "view.visibility", "leave the tree out")
+    assert_one_sentence(done, "scene.toml: tree", "depth buffer", "leave the tree out")
+    assert image.unpack(built_by_cli(tmp_path, 'tree = "all"' + SOLIDS % 'order = "distance"\ndepth = 16')).by_distance
 
 
 # --- parts ------------------------------------------------------------------------------

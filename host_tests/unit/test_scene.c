@@ -158,8 +158,6 @@ void test_the_checksum_comes_before_the_contents(void)
 
 void test_reserved_fields_and_kinds(void)
 {
-    expect_half(FXL_E_RESERVED, AT_RESERVED, 1);
-    expect_half(FXL_E_RESERVED, AT_RESERVED, 0x100);
     expect_word(FXL_E_RESERVED, AT_BSP_INSTANCE, 1); /* there is no tree */
     expect_word(FXL_E_RESERVED, AT_BLEND_FIRST, 1);  /* nor a blend table */
     expect_entry_byte(FXL_E_RESERVED, AT_FACES, 3, FACE, 18, 1);
@@ -180,17 +178,24 @@ static tiny_image *image_with_centre(fxl_q16_16 x, fxl_q16_16 y)
     return image;
 }
 
-void test_the_visibility_method_that_an_image_asks_for(void)
+void test_the_target_that_an_image_asks_for(void)
 {
-    for (uint8_t wanted = FXL_SCENE_BY_DEFAULT; wanted <= FXL_SCENE_BY_DEPTH + 1; wanted++) {
+    for (uint32_t wanted = 0; wanted < 256; wanted++) {
         tiny_image *image = tiny_image_make(false);
-        fxl_scene_image opened = {.visibility = 77};
-        *tiny_at(image, AT_VISIBILITY) = wanted;
+        fxl_scene_image opened = {.depth_bits = 77};
+        *tiny_at(image, AT_TARGET) = (uint8_t)wanted;
+        tiny_at(image, AT_TARGET)[1] = 0x34;
+        tiny_at(image, AT_TARGET)[2] = 0x12;
         tiny_seal(image);
-        const bool is_known = wanted <= FXL_SCENE_BY_DEPTH;
+        const bool is_known = wanted < 16 && (wanted & 3) != 3;
         TEST_ASSERT_EQUAL(is_known ? FXL_OK : FXL_E_RESERVED,
                           fxl_scene_open(image->words, image->size, &opened, NULL));
-        TEST_ASSERT_EQUAL_UINT8(is_known ? wanted : 77, opened.visibility);
+        TEST_ASSERT_EQUAL_UINT8(is_known ? 16 * (wanted & 3) : 77, opened.depth_bits);
+        if (is_known) {
+            TEST_ASSERT_EQUAL_UINT8(wanted & 4 ? 16 : 8, opened.pixel_bits);
+            TEST_ASSERT_EQUAL((wanted & 8) != 0, opened.by_distance);
+            TEST_ASSERT_EQUAL_HEX16(0x1234, opened.dark);
+        }
     }
 }
 

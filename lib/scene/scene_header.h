@@ -15,8 +15,8 @@ typedef struct {
     uint32_t fov;
     int32_t near_z, far_z, inset;
     uint8_t background;
-    uint8_t visibility; /* FXL_SCENE_BY_... */
-    uint16_t reserved;
+    uint8_t target; /* docs/formats.md, section 1 */
+    uint16_t dark;
     fxl_pose start;
     int32_t acceleration, friction, speed_max;
     uint32_t turn;

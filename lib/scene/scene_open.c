@@ -43,7 +43,10 @@ static fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *
         return fxl_fault_at(fault, "lens", 0, status);
     }
     opened->background = head->background;
-    opened->visibility = head->visibility;
+    opened->depth_bits = (uint8_t)(16 * (head->target % 4));
+    opened->pixel_bits = head->target & 4 ? 16 : 8;
+    opened->by_distance = (head->target & 8) != 0;
+    opened->dark = head->dark;
     opened->start.pose = head->start;
     opened->start.speed = 0;
     opened->start.clamped = 0;

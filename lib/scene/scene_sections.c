@@ -29,9 +29,7 @@ static fxl_status check_envelope(const fxl_image_header *head, size_t size)
     if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
         return FXL_E_CRC;
     }
-    return head->reserved == 0 && head->visibility <= FXL_SCENE_BY_DEPTH
-               ? FXL_OK
-               : FXL_E_RESERVED;
+    return head->target < 16 && head->target % 4 < 3 ? FXL_OK : FXL_E_RESERVED;
 }
 
 /* What is known of the sections, by their kinds. */

@@ -49,7 +49,7 @@ const char *session_open(session *run, const char *path)
 
 const fxl_visibility *session_visibility(const session *run)
 {
-    return run->image.visibility == FXL_SCENE_BY_DEPTH ? &fxl_visibility_depth
+    return run->image.depth_bits != 0 ? &fxl_visibility_depth
            : run->image.scene.bsp_nodes != NULL        ? &fxl_visibility_bsp
            : run->image.surfaces.face_map              ? &fxl_visibility_surfaces
                                                        : &fxl_visibility_sorted;

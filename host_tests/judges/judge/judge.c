@@ -240,8 +240,9 @@ static int judge(options *wanted, session *run)
         return code;
     }
     const judge_scene scene = {&run->image, run->bytes, run->size};
-    if (wanted->unasked && run->image.by_depth) {
-        (void)ref_visibility_draws("depth", &wanted->by_bsp, &wanted->flat, &wanted->depth_bits);
+    if (wanted->unasked) {
+        wanted->by_bsp = !run->image.by_distance;
+        wanted->depth_bits = run->image.depth_bits;
     }
     if (wanted->light) {
         judge_light(&run->image, wanted->light, &run->light);

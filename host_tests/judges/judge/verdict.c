@@ -241,7 +241,7 @@ bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cut
                 .names = names,
                 .lock = PTHREAD_MUTEX_INITIALIZER,
                 .reported = time(NULL)};
-    ref_rgb565_make(&work.rgb565, scene->image->palette, scene->image->scene.light);
+    ref_rgb565_make(&work.rgb565, scene->image->palette, scene->image->dark);
     pthread_t threads[THREADS_MAX];
     long wanted = sysconf(_SC_NPROCESSORS_ONLN), started = 0;
     while (started < wanted - 1 && started < THREADS_MAX &&

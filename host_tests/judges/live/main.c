@@ -352,16 +352,17 @@ int main(int count, char **arguments)
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
-    if (code == 0 && unasked && run.image.by_depth) {
-        (void)ref_visibility_draws("depth", &as.by_bsp, &as.draws_flat, &as.depth_bits);
+    if (code == 0 && unasked) {
+        as.by_bsp = !run.image.by_distance;
+        as.depth_bits = run.image.depth_bits;
     }
     run.renderer.by_bsp = as.by_bsp;
     run.renderer.draws_flat = as.draws_flat;
     run.renderer.depth_bits = as.depth_bits;
     run.renderer.cuts = as.cuts;
     run.renderer.by_points = as.by_points;
-    ref_rgb565_make(&run.rgb565, run.image.palette, run.image.scene.light);
-    run.renderer.rgb565 = pixels == 16 ? &run.rgb565 : NULL;
+    ref_rgb565_make(&run.rgb565, run.image.palette, run.image.dark);
+    run.renderer.rgb565 = (pixels ? pixels == 16 : run.image.is_rgb565) ? &run.rgb565 : NULL;
     if (code == 0) {
         code = serve(&run);
     }

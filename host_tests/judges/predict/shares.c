@@ -52,7 +52,7 @@ uint32_t taken_bytes(const fxl_scene_image *image)
 /* A row at least, and half of the rest. */
 uint32_t depth_bytes(const fxl_scene_image *image, uint32_t room)
 {
-    if (image->visibility != FXL_SCENE_BY_DEPTH) {
+    if (image->depth_bits == 0) {
         return 0;
     }
     const uint32_t row = aligned(FXL_DEPTH_BYTES(image->lens.width, 1, 16));

@@ -105,7 +105,7 @@ void sections_read(const char *path, file_block *image, table sections[KINDS])
         unusable("%s: %zu bytes of a scene image of %u", path, image->size, size);
     if (crc32_of(bytes + 16, size - 16) != get_u32(bytes + 12))
         unusable("%s: the checksum does not match", path);
-    need(path, bytes[37] <= 1 && get_u16(bytes + 38) == 0, "a reserved field is not 0");
+    need(path, bytes[37] < 16 && (bytes[37] & 3) < 3, "the target is not known");
     image->size = size;
     memset(sections, 0, KINDS * sizeof *sections);
     find(path, bytes, size, sections);

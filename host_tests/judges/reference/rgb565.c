@@ -26,15 +26,14 @@ uint16_t ref_colour_of(const int values[REF_CHANNELS])
     return (uint16_t)colour;
 }
 
-void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, const ref_light *light)
+void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, uint16_t dark)
 {
     for (int i = 0; i < 256; i++) {
         const int values[REF_CHANNELS] = {palette[3 * i] / 8, palette[3 * i + 1] / 4,
                                           palette[3 * i + 2] / 8};
         made->palette[i] = ref_colour_of(values);
     }
-    /* Level 0 of a ramp leaves nothing of any colour. */
-    made->dark = light ? made->palette[light->ramp[0][0]] : 0;
+    made->dark = dark;
 }
 
 double ref_rgb565_part(const ref_light *light, double level)

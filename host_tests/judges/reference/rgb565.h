@@ -15,8 +15,8 @@ typedef struct {
     uint16_t dark; /* what the lowest level of light leaves */
 } ref_rgb565;
 
-/* From a palette of 256 x red, green, blue; and from the light's ramp, if there is a light. */
-void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, const ref_light *light);
+/* From a palette of 256 x red, green, blue. */
+void ref_rgb565_make(ref_rgb565 *made, const uint8_t *palette, uint16_t dark);
 
 /* Red, green, blue of a colour, and the largest value of each. */
 int ref_channel(uint16_t colour, int channel);

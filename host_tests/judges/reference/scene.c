@@ -253,7 +253,10 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     if (!read_lens(bytes, &image->lens)) {
         return "the scene image's lens is out of range";
     }
-    image->by_depth = bytes[37] == 1;
+    image->depth_bits = 16 * (bytes[37] & 3);
+    image->is_rgb565 = bytes[37] >> 2 & 1;
+    image->by_distance = bytes[37] >> 3 & 1;
+    image->dark = ref_u16(bytes + 38);
     image->background = bytes[36];
     image->start = ref_pose_read(bytes + 40);
     image->motion_limits =

@@ -99,7 +99,9 @@ typedef struct {
     ref_scene scene;
     ref_lens lens;
     uint8_t background;
-    bool by_depth; /* the scene asks for a depth buffer of 16 bits */
+    int depth_bits;              /* of the depth buffer that the scene asks for, or 0 */
+    bool is_rgb565, by_distance; /* it asks for frames of 16 bits; for the order by distance */
+    uint16_t dark;               /* what light leaves in frames of 16 bits */
     uint8_t palette[768];
     ref_pose start;
     ref_motion_limits motion_limits;

@@ -157,8 +157,8 @@ const char *ref_sections_check(const uint8_t *bytes, size_t size)
     if (ref_crc32(0, bytes + 16, stated - 16) != ref_u32(bytes + 12)) {
         return "the scene image's checksum does not match";
     }
-    if (bytes[37] > 1 || ref_u16(bytes + 38) != 0) {
-        return "the scene image asks for an unknown visibility method, or has a reserved field";
+    if (bytes[37] > 15 || bytes[37] % 4 > 2) {
+        return "the scene image asks for a target that is not known";
     }
     return places_are_sound(bytes, stated) && set_is_sound(bytes)
                ? NULL

@@ -338,18 +338,16 @@ typedef struct {
                                    else 0 */
 } fxl_scene;
 
-/* The visibility method that a scene image asks for. */
-enum {
-    FXL_SCENE_BY_DEFAULT = 0, /* that of its BSP tree, or of its surfaces; else by distance */
-    FXL_SCENE_BY_DEPTH = 1    /* fxl_visibility_depth (fixel/depth.h) */
-};
-
 /* A scene image: the scene and the settings beside it. */
 typedef struct {
     fxl_scene scene;
     fxl_lens lens;
     uint8_t background;
-    uint8_t visibility;     /* FXL_SCENE_BY_...: a wish, which a program may follow */
+    /* What the scene asks for; a program may follow. Order: by its tree if it has one. */
+    uint8_t pixel_bits;     /* 8: the palette; 16: RGB565 */
+    uint8_t depth_bits;     /* of a depth buffer: 0, 16 or 32 */
+    bool by_distance;       /* though it has a tree */
+    uint16_t dark;          /* what light leaves in RGB565 frames */
     const uint8_t *palette; /* 256 x red, green, blue */
     fxl_player start;       /* where the path begins */
     fxl_motion_limits motion_limits;

@@ -9,7 +9,7 @@ from fixel.base import output, scratch
 from fixel.scene import scene_options
 from fixel.scene.scene_image import make_scene_image
 from fixel.bench import frame_costs
-from fixel.image import image, image_header, memory_needed
+from fixel.image import image, memory_needed
 from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
 from fixel.base.table import coloured, table
@@ -23,7 +23,7 @@ NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that dr
 
 def by_depth(scene):
     """Whether a scene asks for a depth buffer."""
-    return scene.visibility == image_header.BY_DEPTH
+    return scene.depth_bits != 0
 
 
 def has_looks(scene):

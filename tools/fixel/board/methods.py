@@ -3,9 +3,6 @@
 
 import pathlib
 
-from fixel.image import image_header
-
-
 DEPTH_BITS = {"depth": 16, "depth-32": 32}  # of the visibility methods with a depth buffer
 WALK = "walk"   # the program whose frames the judge can draw too: only the eye moves
 
@@ -32,7 +29,7 @@ def depth_bits(options, scene):
     """Bits of the depth buffer that a scene image is drawn with; None without one."""
     if options.visibility:
         return DEPTH_BITS.get(options.visibility)
-    return DEPTH_BITS["depth"] if scene.visibility == image_header.BY_DEPTH else None
+    return scene.depth_bits or None
 
 
 def shows_surfaces(options):

@@ -7,7 +7,7 @@ scene links no check."""
 import itertools
 import re
 
-from fixel.image import (c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_header, image_keys,
+from fixel.image import (c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_keys,
                          memory_needed)
 from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
@@ -241,9 +241,10 @@ def _view(scene, name, frames):
                                         f"{name.upper()}_CENTRE_Y)."),
                                f"#define {name.upper()}_CENTRE_X {_signed(scene.centre[0])}",
                                f"#define {name.upper()}_CENTRE_Y {_signed(scene.centre[1])}", ""]))
-    if scene.visibility == image_header.BY_DEPTH:
-        made.append("\n".join([*comment("The scene is to be drawn with a depth buffer: a target like fxl_palette_depth_16, "
-                                        "in a copy of the configuration."), ""]))
+    if scene.depth_bits or scene.pixel_bits == 16:
+        target = ("fxl_rgb565" if scene.pixel_bits == 16 else "fxl_palette") + (f"_depth_{scene.depth_bits}" if scene.depth_bits else "")
+        made.append("\n".join([*comment(f"The scene asks for the target {target} (fixel/target.h): name it in a copy of the configuration, "
+                                        "with its memory."), ""]))
     if frames:
         made += [f"#define {name.upper()}_FRAMES {len(scene.path)}\n",
                  table("fxl_pose", f"{name}_path", [braces(_pose(pose)) for pose in scene.path],

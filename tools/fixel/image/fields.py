@@ -84,8 +84,9 @@ HEADER = (
     Field("i", "far_z", "far (16.16)"),
     Field("i", "inset", "inset (16.16)"),
     Field("B", "background", "background colour"),
-    Field("B", "visibility", "1 if the scene asks for a depth buffer, else 0"),
-    Field("H", "reserved", "reserved"),
+    Field("B", "target", "what the scene asks for: depth buffer (0 none, 1 of 16 bits, 2 of 32), + 4 for RGB565, "
+                         "+ 8 to be drawn by distance though it has a tree"),
+    Field("H", "dark", "what light leaves in RGB565 frames, a colour of RGB565"),
     Field("3i", "start", "start pose: position"),
     Field("3I", "start.yaw", "yaw, pitch, roll of the start pose"),
     Field("3i", "acceleration", "motion limits: acceleration, friction, top speed"),

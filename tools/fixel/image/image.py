@@ -50,7 +50,10 @@ class SceneImage:
     light: image_light.Light = None                 # at run time
     surfaces: image_surface.Surfaces = None
     billboards: image_billboard.Billboards = None
-    visibility: int = image_header.BY_DEFAULT
+    depth_bits: int = 0         # of the depth buffer that the scene asks for: 0, 16 or 32
+    pixel_bits: int = 8         # 8: the palette; 16: RGB565
+    by_distance: bool = False   # though it has a tree
+    dark: int = 0               # what light leaves in RGB565 frames
     layers: str = field(default="none", compare=False)  # those that are to have a tree, as a scene file says
     moving: tuple = field(default=(), compare=False)    # objects that a tree leaves out
     names: list = field(default_factory=list, compare=False)    # of the objects, in turn; None: it has none
@@ -85,7 +88,7 @@ def pack(image):
              "use fewer or smaller models or a shorter path")
     values = {"magic": MAGIC, "version": VERSION, "section_count": count, "image_size": size, "crc": 0, "width": image.width,
               "height": image.height, "fov": image.fov, "near_z": image.near, "far_z": image.far, "inset": image.inset,
-              "background": image.background, "visibility": image.visibility, "reserved": 0, "start": image.start[:3],
+              "background": image.background, "target": image_header.target(image), "dark": image.dark, "start": image.start[:3],
               "start.yaw": image.start[3:], "acceleration": image.gait[:3], "turn": image.gait[3], "frame_count": image.frames,
               "bsp_instance": image.tree.object if image.tree else 0,
               "blend_first": image.surfaces.blend_first if image.surfaces and image.surfaces.blend else 0}
@@ -168,8 +171,9 @@ def unpack(blob):
     billboards = image_billboard.read(tables, models, [radius for radius, *_ in extras])
     return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
                       tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
-                      centre, turns, motions, light, surfaces, billboards, head.visibility, size=head.image_size,
-                      crc=head.crc, unknown=unknown)
+                      centre, turns, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
+                      16 if head.target & image_header.RGB565 else 8, bool(head.target & image_header.BY_DISTANCE), head.dark,
+                      size=head.image_size, crc=head.crc, unknown=unknown)
 
 
 def load(path):

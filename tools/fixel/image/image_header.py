@@ -8,7 +8,8 @@ from fixel.image.fields import ENTRY, HEAD, HEADER, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_tree import fail
 
 POSES, STRIDES = 0, 1            # kinds of path
-BY_DEFAULT, BY_DEPTH = 0, 1      # the visibility method that an image asks for
+DEPTHS = (0, 16, 32)            # bits of the depth buffer that an image asks for, by the low bits of its target
+RGB565, BY_DISTANCE = 4, 8      # bits of the target
 
 
 def pack(values):
@@ -43,6 +44,11 @@ def read(blob):
         fail("size", f"the image says that it has {size} bytes; there are {len(blob)}")
     if zlib.crc32(blob[16:size]) != head.crc:
         fail("crc", "the checksum does not match: the image is damaged")
-    if head.reserved or head.visibility > BY_DEPTH:
-        fail("reserved", "a reserved field of the header is not zero, or the visibility method is unknown")
+    if head.target >= 2 * BY_DISTANCE or head.target % RGB565 >= len(DEPTHS):
+        fail("reserved", "the header asks for a target that is not known")
     return head
+
+
+def target(scene):
+    """What a scene asks for, as one byte."""
+    return DEPTHS.index(scene.depth_bits) + (RGB565 if scene.pixel_bits == 16 else 0) + (BY_DISTANCE if scene.by_distance else 0)

@@ -5,7 +5,7 @@ The block holds, in this order: the order of drawing; the vertex cache, in at mo
 rest; the display list, in all that is left. host_tests/tools/test_export.py compares the figures
 with what the library made of a block."""
 
-from fixel.image import image_header, image_surface
+from fixel.image import image_surface
 from fixel.image.image_tree import SORTED
 
 ORDER_ENTRY = 12        # bytes of an fxl_order_entry
@@ -40,7 +40,7 @@ def cache_entries(vertices):
 def words_beside(scene, face):
     """Words of a face's polygon beside its outline: with a surface the gradients of 1/z and, per attribute, of u, v and light;
     with a depth buffer that of the depth (lib/draw/surface_polygon.c)."""
-    depth = 8 if scene.visibility == image_header.BY_DEPTH else 0
+    depth = 8 if scene.depth_bits else 0
     if face.mapped is None:
         return 2 + depth if depth else 0
     surface = scene.surfaces.surfaces[face.mapped.surface]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Compiles a scene file or a model in this process. Tools do it in a process under limits: fixel/scene/making.py."""
 
-from fixel.image import image, image_header
+from fixel.image import image
 from fixel.model import model_file
 from fixel.scene import framing, toml_scene, tree
 from fixel.base.job import Quiet
@@ -44,8 +44,8 @@ def plant(compiled, layers, name, where, report):
     """Gives a scene a tree; answers what there is to say about it. where: what asks for the tree, for messages."""
     if compiled.billboards:
         raise ToolError(f"{where}: a BSP tree draws no billboards, and this scene has some; leave the tree out")
-    if compiled.visibility == image_header.BY_DEPTH:
-        raise ToolError(f'{where}: view.visibility = "depth" asks for a depth buffer; remove it, or leave the tree out')
+    if compiled.depth_bits and not compiled.by_distance:
+        raise ToolError(f'{where}: [view] asks for a depth buffer; remove it, leave the tree out, or give view.order = "distance"')
     had_surfaces = compiled.surfaces is not None
     try:
         counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, report)

@@ -28,6 +28,12 @@ def parse(value, where):
     raise ToolError(f'{where}: expected a colour like "#d8a050" or "teal", found {quoted(value)}')
 
 
+def rgb565(colour):
+    """Red, green, blue of 0..255 as a colour of RGB565, whose lower bits are lost."""
+    red, green, blue = colour
+    return red >> 3 << 11 | green >> 2 << 5 | blue >> 3
+
+
 def wheel(index):
     """A colour of its own for a palette index that a scene asks for by number."""
     hue = index * 0.6180339887498949 % 1.0

@@ -4,8 +4,11 @@
 import json
 
 from fixel.base.errors import one_line
-from fixel.image import image, image_header, image_lens, image_surface
-from fixel.scene import path, toml_scene
+from fixel.image import image, image_lens, image_surface
+from fixel.scene import path
+
+
+PIXELS = {"palette": "entries of the palette", "rgb565": "RGB565"}
 
 
 def summary(scene):
@@ -38,7 +41,8 @@ def summary(scene):
         "point_lights": len(scene.light.points) if scene.light else 0,
         "tree_nodes": len(scene.tree.nodes) if scene.tree else 0,
         "tree_object": scene.tree.object if scene.tree else None, "colours": len(used), "frames": scene.frames,
-        "visibility": toml_scene.VISIBILITIES[scene.visibility],
+        "pixels": "rgb565" if scene.pixel_bits == 16 else "palette", "depth_bits": scene.depth_bits,
+        "order": "tree" if scene.tree and not scene.by_distance else "distance",
         "path": "poses" if scene.path_kind == image.POSES else "strides",
         "start": path.describe(scene.start), "unknown_sections": scene.unknown,
     }
@@ -74,8 +78,8 @@ def info(file, as_json):
         print(f"  clusters {data['clusters']:,} of faces")
     if data["tree_nodes"]:
         print(f"  tree     {data['tree_nodes']:,} nodes, over object {data['tree_object']}")
-    if data["visibility"] != toml_scene.VISIBILITIES[image_header.BY_DEFAULT]:
-        print(f"  drawn    by visibility method {data['visibility']}")
+    depth = f"a depth buffer of {data['depth_bits']} bits" if data["depth_bits"] else "no depth buffer"
+    print(f"  drawn    by {data['order']}, in {PIXELS[data['pixels']]}, with {depth}")
     if data["unknown_sections"]:
         print(f"  unknown  sections of kind {', '.join(map(str, data['unknown_sections']))}: a newer Fixel made the image; it is "
               "drawn without them")

@@ -23,8 +23,7 @@ FRAMES_MAX = 1_000_000      # of a path
 POSES_MAX = 32_768          # of keys or an orbit
 TOP_KEYS = {"screen", "view", "background", "light", "glow", "objects", "beams", "path", "palette",
             "textures", "billboards", "tree"}
-_VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility"}
-VISIBILITIES = {image_header.BY_DEFAULT: "default", image_header.BY_DEPTH: "depth"}   # that a scene may ask for
+_VIEW_KEYS = {"fov", "focal", "near", "far", "inset", "centre", "visibility", "pixels", "order", "depth"}
 _PALETTE_KEYS = {"reserve", "colours", "blend"}
 
 
@@ -74,10 +73,21 @@ def _lens(top):
     return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
 
 
-def _visibility(top):
-    """The visibility method that the scene asks for, in the image's integers."""
-    name = top.table("view", _VIEW_KEYS).choice("visibility", "default", list(VISIBILITIES.values()))
-    return next(number for number, known in VISIBILITIES.items() if known == name)
+def _target(top, scene):
+    """How the scene asks to be drawn: pixels, depth buffer and order. visibility = "depth" means depth = 16."""
+    view = top.table("view", _VIEW_KEYS)
+    scene.pixel_bits = 16 if view.choice("pixels", "palette", ["palette", "rgb565"]) == "rgb565" else 8
+    scene.depth_bits = view.data.get("depth", 0)
+    if type(scene.depth_bits) is not int or scene.depth_bits not in image_header.DEPTHS:
+        raise ToolError(f"{view.at('depth')}: expected 0, 16 or 32, the bits of a pixel's depth, found {quoted(scene.depth_bits)}")
+    if view.choice("visibility", "default", ["default", "depth"]) == "depth":
+        if "depth" in view:
+            raise ToolError(f'{view.at("visibility")}: "depth" is depth = 16; give only one of visibility and depth')
+        scene.depth_bits = 16
+    order = view.choice("order", None, ["distance", "tree"]) if "order" in view else None
+    if order == "tree" and _layers(top) == "none":
+        raise ToolError(f'{view.at("order")}: "tree" needs a tree; give tree = "all" at the top of the file')
+    scene.by_distance = order == "distance"
 
 
 def _layers(top):
@@ -355,12 +365,14 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     records = Records(indices)
     models, placed, boards = _models(placements, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
-    scene.centre, scene.visibility = lens[-1], _visibility(top)
+    scene.centre = lens[-1]
+    _target(top, scene)
     scene.layers = _layers(top)
     scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
+    scene.dark = palette.rgb565(light.dark) if scene.light else 0
     scene.reserved = len(reserved)
     if not entries:
         _check_poses(frames or default_path.FRAMES, name)
