@@ -120,14 +120,7 @@ def test_the_scenes_are_not_in_the_fit():
     assert not judged & set(fitted) and all((ROOT / scene).exists() for scene in (*judged, *fitted))
 
 
-# bench/costs.json has the costs of before the six targets, which draw with a depth buffer in fewer instructions: these are
-# predicted too high until make costs renews it. Strict: then they must leave this list.
-STALE = {("mps2-an385", "scenes/car.toml"), ("mps2-an385", "scenes/beam.toml depth ferns"),
-         ("mps2-an385", "scenes/grove.toml depth beam")}
-UNTIL_COSTS = pytest.mark.xfail(strict=True, reason="make costs has not run since the targets came")
-
-
-@pytest.mark.parametrize("board, scene", [pytest.param(*each, marks=UNTIL_COSTS if each in STALE else ()) for each in MEASURED])
+@pytest.mark.parametrize("board, scene", MEASURED)
 def test_instructions_are_as_near_as_the_document_says(drawn, tmp_path, board, scene):
     result = predicted(board, file_of(scene, tmp_path), "--frames", FRAMES)
     assert drawn[board, scene] is not None and result["why_not"] is None
