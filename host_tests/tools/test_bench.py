@@ -348,6 +348,20 @@ def test_the_document_s_tables_are_made_from_the_baseline(baseline, plan):
     assert set(re.findall("bench: ([a-z]+) ", text)) == {*bench_page.DOCUMENT, "end"}
 
 
+def test_tables_of_estimates_and_of_growth_by_hand():
+    estimate = {"workload": "w1", "core": "m3", "title": "a board", "least": 1000, "most": 2000}
+    assert bench_page.estimates_markdown(None, {"cycles_estimate": [estimate]}).splitlines() == [
+        "| a frame | on | ESTIMATE of cycles |", "| --- | --- | ---: |",
+        f"| w1, code for {bench_plan.NAMES['m3']} | a board | 1,000 to 2,000 |"]
+    growth = [{"axis": axis, "factor": factor, "objects": 1, "faces": 500 * factor, "pixels": 76800, "instructions": instructions}
+              for axis, factor, instructions in (("faces", 1, 1000), ("faces", 3, 2500), ("cubes", 1, 400), ("cubes", 2, 1000))]
+    assert bench_page.growth_markdown(None, {"growth": growth}).splitlines()[1:] == [
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: |",
+        "| faces | 1 | 1 | 500 | 76,800 | 1,000 | 1.00 |", "| faces | 3 | 1 | 1,500 | 76,800 | 2,500 | 2.50 |",
+        "| cubes | 1 | 1 | 500 | 76,800 | 400 | 1.00 |", "| cubes | 2 | 1 | 1,000 | 76,800 | 1,000 | 2.50 |"]
+    assert bench_page.growth_markdown(None, {"growth": []}).startswith("Not measured")
+
+
 def test_a_document_without_a_table_is_refused(baseline, plan):
     text = DOCUMENT.read_text(encoding="utf-8").replace("bench: kernels", "kernels")
     with pytest.raises(ToolError, match="0 places for the table 'kernels'"):

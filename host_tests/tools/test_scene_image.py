@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scene images: round trips, and what a damaged one is told."""
 
+import math
 import struct
 import zlib
 
@@ -140,6 +141,32 @@ def test_header_fields_out_of_range(offset, data, status):
 def test_table_entries_out_of_contract(number, offset, data, status):
     blob = image.pack(scene())
     refused(patched(blob, table(blob, number)[0] + offset, data), status)
+
+
+def test_a_screen_and_a_lens_at_the_ends_of_their_ranges():
+    ends = {"width": (1, image_lens.SCREEN_MAX), "height": (1, image_lens.SCREEN_MAX),
+            "fov": (image_lens.FOV_MIN, image_lens.FOV_MAX)}
+    sound = {"width": 320, "height": 240, "fov": 1 << 30, "near": 256, "far": image_lens.FAR_MAX, "inset": 0}
+    image_lens.check(**sound)
+    for name, (least, most) in ends.items():
+        for value in (least, most):
+            image_lens.check(**{**sound, name: value})
+        for value in (least - 1, most + 1):
+            with pytest.raises(ToolError, match="^range:"):
+                image_lens.check(**{**sound, name: value})
+
+
+@pytest.mark.parametrize("fov, least", [(1 << 30, 3 * 320 << 15), (image_lens.FOV_MIN, 3 * 320 << 15),
+                                        (image_lens.FOV_MAX, round(4 * 160 * 65536 / math.tan(image_lens.FOV_MAX * math.pi / 2 ** 32)))])
+def test_the_centre_of_a_lens_is_at_most_one_and_a_half_screens_and_four_focal_lengths_away(fov, least):
+    middle_x, middle_y = image_lens.middle(320, 240)
+    for away in (least - 2, 2 - least):
+        image_lens.check_centre(320, 240, fov, 0, (middle_x + away, middle_y))
+    for away in (least + 2, -2 - least):
+        with pytest.raises(ToolError, match="the centre's x"):
+            image_lens.check_centre(320, 240, fov, 0, (middle_x + away, middle_y))
+    with pytest.raises(ToolError, match="the centre's y"):
+        image_lens.check_centre(320, 240, 1 << 30, 0, (middle_x, middle_y + (3 * 240 << 15) + 1))
 
 
 def test_values_at_the_ends_are_taken():

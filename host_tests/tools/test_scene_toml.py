@@ -154,6 +154,16 @@ def test_copies_share_models_and_colours_part_them(tmp_path):
     assert [o.centre for o in scene.objects[:3]] == [(0, 0, 0), (2 << 16, 0, 0), (0, 0, 4 << 16)]
 
 
+def test_copies_of_all_objects_together_have_a_limit(tmp_path, monkeypatch):
+    monkeypatch.setattr(toml_object, "PLACEMENTS_MAX", 5)
+
+    def copies(count):
+        return f"{BOX}repeat = {{ count = [{count}, 1, 1], step = [2, 0, 0] }}\n"
+    assert len(build(tmp_path, copies(3) + copies(2) + PATH)[0].objects) == 5
+    refused(tmp_path, copies(3) + copies(3) + PATH, "object 2", "3 copies", "at most 5 objects", "3 stand before these")
+    refused(tmp_path, copies(6) + PATH, "6 copies", "0 stand before these")
+
+
 def test_ring_turns_its_copies(tmp_path):
     text = ('[[objects]]\nsolid = "box"\nscale = [1, 1, 3]\nring = { count = 4, radius = 5 }\n'
             + PATH)
