@@ -160,7 +160,7 @@ def test_copies_of_all_objects_together_have_a_limit(tmp_path, monkeypatch):
     def copies(count):
         return f"{BOX}repeat = {{ count = [{count}, 1, 1], step = [2, 0, 0] }}\n"
     assert len(build(tmp_path, copies(3) + copies(2) + PATH)[0].objects) == 5
-    refused(tmp_path, copies(3) + copies(3) + PATH, "object 2", "3 copies", "at most 5 objects", "3 stand before these")
+    refused(tmp_path, copies(3) + copies(3) + PATH, "object 1", "3 copies", "at most 5 objects", "3 stand before these")
     refused(tmp_path, copies(6) + PATH, "6 copies", "0 stand before these")
 
 
