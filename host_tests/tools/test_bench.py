@@ -320,6 +320,12 @@ def test_a_goal_says_which_scenes_are_worst():
 
 # --- growth with faces --------------------------------------------------------------
 
+def double_area_from_above(vertices, corners):
+    """Twice the area of a triangle that runs clockwise as seen from above, x to the right and z upward."""
+    (ax, _, az), (bx, _, bz), (cx, _, cz) = (vertices[corner] for corner in corners)
+    return (bz - az) * (cx - ax) - (bx - ax) * (cz - az)
+
+
 @pytest.mark.parametrize("faces, patch, models", [(500, None, 1), (8000, None, 1), (500, 5, 10), (8000, 5, 160)])
 def test_a_terrain_has_the_faces_and_all_are_turned_up(plan, tmp_path, faces, patch, models):
     _, scene = bench_plan.compile_scene(plan.workloads["w1"], tmp_path)
@@ -331,6 +337,15 @@ def test_a_terrain_has_the_faces_and_all_are_turned_up(plan, tmp_path, faces, pa
               for item in made.objects for vertex in made.models[item.model].vertices}
     columns, rows = bench_terrain.sides(faces // 2)
     assert len(points) == (columns + 1) * (rows + 1)
+    # From above the faces cover the ground once, and each model has its origin in the middle of its patch.
+    whole = 2 * bench_terrain.WIDTH * bench_terrain.DEPTH * bench_terrain.ONE ** 2
+    areas = [double_area_from_above(model.vertices, face.corners) for model in made.models for face in model.faces]
+    assert min(areas) > 0 and sum(areas) == whole
+    for model in made.models:
+        for axis in (0, 2):
+            along = [vertex[axis] for vertex in model.vertices]
+            assert min(along) < 0 and abs(min(along) + max(along)) <= 1
+    assert {face.colour for model in made.models for face in model.faces} == set(range(1, 1 + min(255, faces // models)))
     assert bench_plan.save_scene(made, tmp_path / "terrain.fxls").stat().st_size > 0
 
 
