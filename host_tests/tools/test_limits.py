@@ -101,3 +101,54 @@ def test_nothing_is_left_behind():
     number = int(raised.value.output)
     while runs(number):
         time.sleep(0.01)
+
+
+@pytest.mark.parametrize("cpu, asleep, least, most", [(HOUR, 3.0, 11, 13), (3.0, HOUR, 11, 13), (HOUR, HOUR, 9, 10)])
+def test_a_look_comes_each_second_or_each_quarter_of_a_limit(monkeypatch, cpu, asleep, least, most):
+    """A look reads what is known of every process; many calls of check() make one."""
+    now, looks = [100.0], []
+    monkeypatch.setattr(limits.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(limits, "_tree", lambda process: looks.append(now[0]) or {process: 0.0})
+    monkeypatch.setattr(limits, "_is_ready", lambda process: False)
+    watch, said = limits.Watch(1, cpu, asleep), []
+    for _ in range(100):
+        now[0] += 0.1
+        said.append(watch.check())
+    assert least <= len(looks) <= most
+    assert [words for words in said if words] == ([] if asleep == HOUR else ["it slept for 3 s"] * (len(looks) - 3))
+
+
+def test_a_time_in_which_this_process_was_stopped_is_one_second_of_sleep(monkeypatch):
+    now = [100.0]
+    monkeypatch.setattr(limits.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(limits, "_tree", lambda process: {process: 0.0})
+    monkeypatch.setattr(limits, "_is_ready", lambda process: False)
+    watch = limits.Watch(1, HOUR, 2.5)
+    for seconds, passed in ((600.0, False), (600.0, False), (600.0, True)):
+        now[0] += seconds
+        assert (watch.check() is not None) == passed
+
+
+@pytest.mark.parametrize("state, ready", [("R", True), ("D", True), ("S", False), ("T", False), ("Z", False)])
+def test_a_thread_that_could_run_or_waits_for_a_disk_is_ready(monkeypatch, state, ready):
+    monkeypatch.setattr(limits.os, "listdir", lambda path: ["1", "2"])
+    monkeypatch.setattr(limits, "_fields", lambda path: ["S", "0"] if path.endswith("/1/stat") else [state, "0"])
+    assert limits._is_ready(1) == ready
+    monkeypatch.setattr(limits, "_fields", lambda path: None)
+    assert not limits._is_ready(1)
+
+
+def test_cpu_time_counts_from_the_news(monkeypatch):
+    now, used = [100.0], [0.0]
+    monkeypatch.setattr(limits.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(limits, "_tree", lambda process: {process: used[0]})
+    watch = limits.Watch(1, 5.0)
+
+    def later(seconds):
+        now[0] += 1.5
+        used[0] += seconds
+        return watch.check()
+    assert later(4.0) is None
+    watch.renew()
+    assert later(1.0) is None       # the look from which it counts
+    assert later(4.5) is None and later(1.0) == "it used 5 s of CPU time"
