@@ -126,8 +126,14 @@ void quad_begin(quad_scene *quad)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&quad->scene, NULL));
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_init(&quad->renderer, &quad->scene, &config, memory, sizeof memory));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_surfaces(&quad->renderer, &quad->surfaces, &quad->set));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&quad->renderer, &quad->surfaces, &quad->set,
+                                                  FXL_SURFACES_OF(fxl_palette)));
+}
+
+void quad_light(quad_scene *quad, fxl_light *light, const fxl_light_settings *settings)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&quad->renderer, light, settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&quad->renderer, &quad->corner_light));
 }
 
 void quad_draw(quad_scene *quad)

@@ -28,6 +28,7 @@ typedef struct {
     uint16_t face_map;
     fxl_surface_set set;
     fxl_surfaces surfaces;
+    fxl_lit_surfaces corner_light;
     fxl_renderer renderer;
     fxl_pose pose;
     uint8_t frame[QUAD_WIDTH * QUAD_HEIGHT];
@@ -41,6 +42,9 @@ quad_scene *quad_make(bool turned);
 
 /* Checks the scene, and sets up renderer, surfaces and corners. */
 void quad_begin(quad_scene *quad);
+
+/* Attaches a light, which the face takes at its corners. */
+void quad_light(quad_scene *quad, fxl_light *light, const fxl_light_settings *settings);
 
 /* Draws the frame as one band. */
 void quad_draw(quad_scene *quad);

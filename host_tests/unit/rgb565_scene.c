@@ -84,22 +84,35 @@ void walls_make(void)
                                   .surface_count = 2,
                                   .face_count = 2,
                                   .normal_count = 2};
-    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
-    config.background = BACKGROUND;
+    walls.lit.dark = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&walls.scene, NULL));
+    walls_start(&fxl_palette);
+}
+
+void walls_start(const fxl_target *target)
+{
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
+    config.background = BACKGROUND;
+    config.palette = target->pixel_bits == 16 ? walls.palette : NULL;
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_init(&walls.renderer, &walls.scene, &config, memory, sizeof memory));
 }
 
 void walls_begin(void)
 {
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, 0));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_surfaces_rgb565(&walls.renderer, &walls.surfaces, &walls.set));
+    walls_start(&fxl_rgb565);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                                  FXL_SURFACES_OF(fxl_rgb565)));
+}
+
+void walls_light(const fxl_light_settings *settings)
+{
+    static fxl_light light;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&walls.renderer, &light, settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&walls.renderer, &walls.lit));
 }
 
 void walls_draw(uint16_t *to)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render_rgb565(&walls.renderer, &walls_eye, to, WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, to, WIDTH));
 }

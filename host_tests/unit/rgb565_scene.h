@@ -24,7 +24,7 @@ typedef struct {
     fxl_scene scene;
     fxl_renderer renderer;
     fxl_surfaces surfaces;
-    fxl_rgb565_frame frame;
+    fxl_lit_surfaces lit;
     uint8_t indexed[HEIGHT * WIDTH];
     uint16_t pixels[HEIGHT * WIDTH], again[HEIGHT * WIDTH];
 } rgb565_walls;
@@ -32,14 +32,21 @@ typedef struct {
 extern rgb565_walls walls;
 extern const fxl_pose walls_eye;
 
-/* The tables as they are at first, which a test may change before walls_begin, and a renderer. */
+/* The tables as they are at first, which a test may change before it starts, and a renderer of a
+ * palette. */
 void walls_make(void);
+
+/* Sets the renderer up anew, without surfaces. */
+void walls_start(const fxl_target *target);
 
 /* A texture of a format: each shows the same colours. */
 void walls_make_texture(uint8_t format);
 
 /* Frames of 16 bits a pixel, with the surfaces. */
 void walls_begin(void);
+
+/* Attaches a light, which surfaces take at their corners. */
+void walls_light(const fxl_light_settings *settings);
 
 /* Draws a frame. */
 void walls_draw(uint16_t *to);

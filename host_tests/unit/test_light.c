@@ -167,7 +167,7 @@ void test_each_face_has_its_level(void)
             unit_random()};
         of.levels = LEVELS;
         draw(&pose, frames[0]);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
         draw(&pose, frames[1]);
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
@@ -184,7 +184,7 @@ void test_each_face_has_its_level(void)
                          level);
             seen += level > 0 && level < LEVELS - 1;
         }
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, NULL, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, NULL, NULL));
         TEST_ASSERT_NULL(renderer.shader);
         draw(&pose, frames[1]);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
@@ -212,7 +212,7 @@ void test_light_follows_turns(void)
             of.points[i].position.y += Q16(500);
         }
         of.fog_near = of.fog_far = 0;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         for (uint32_t number = 0; number < 6; number++) {
             const exact_vector n = normal_of(number + 1),
                                at = exact_point(&instance->centre, 1.0 / 65536);
@@ -259,12 +259,12 @@ void test_light_goes_with_beams(void)
     for (int light_first = 0; light_first < 2; light_first++) {
         (void)start();
         if (light_first) {
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         }
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, room, sizeof memory_of.beams));
         draw(&pose, frames[light_first ? 1 : 0]);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         draw(&pose, frames[2]);
         if (light_first) {
             TEST_ASSERT_EQUAL_MEMORY(frames[1], frames[2], sizeof frames[2]);
@@ -298,7 +298,7 @@ void test_cores_share_the_light(void)
     of.ramp = ramp;
     of.levels = LEVELS;
     (void)start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &of));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(second, &renderer, room, sizeof room));
     draw(&pose, frames[0]);
     for (uint16_t row = 0; row < HEIGHT; row++) {
@@ -318,7 +318,7 @@ static void expect_refused(fxl_status status, const fxl_light_settings *of)
     const fxl_light before = light;
     const uint32_t refused = renderer.workspace.counters.refused_calls;
     const fxl_shader *const shader = renderer.shader;
-    TEST_ASSERT_EQUAL(status, fxl_renderer_set_light(&renderer, &light, of));
+    TEST_ASSERT_EQUAL(status, fxl_attach_light(&renderer, &light, of));
     TEST_ASSERT_EQUAL_MEMORY(&before, &light, sizeof light);
     TEST_ASSERT_TRUE(renderer.shader == shader);
     TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
@@ -333,9 +333,9 @@ void test_settings_out_of_range_are_refused(void)
     do {
         right = exact_light_any(ramp, &origin);
     } while (right.point_count < 2 || right.strength == 0);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &right));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(NULL, &light, &right));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_light(&renderer, NULL, &right));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &right));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_light(NULL, &light, &right));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_light(&renderer, NULL, &right));
     fxl_scene_fault fault = {"nothing", 99};
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_light_check(NULL, &fault));
     TEST_ASSERT_EQUAL_STRING("light", fault.what);

@@ -15,12 +15,20 @@ void tearDown(void)
 {
 }
 
+static fxl_band band_of(uint16_t *pixels, uint16_t first_row, uint16_t rows)
+{
+    const fxl_band band = {.pixels = (uint8_t *)(void *)pixels, .width = WIDTH, .stride = WIDTH,
+                           .first_row = first_row, .rows = rows, .palette = walls.palette};
+    return band;
+}
+
 /* The frame of the palette is drawn; that of 16 bits shows its colours. */
 static void check_against_palette(void)
 {
     uint32_t textured = 0;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_surfaces(&walls.renderer, &walls.surfaces, &walls.set));
+    walls_start(&fxl_palette);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                                  FXL_SURFACES_OF(fxl_palette)));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, walls.indexed, WIDTH));
     const uint8_t flags = walls.texture.flags;
     walls_make_texture(FXL_TEXTURE_565);
@@ -58,7 +66,6 @@ void test_texels_are_those_of_a_palette(void)
 void test_opacity_changes_no_colour(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(9)];
-    static fxl_light light;
     const fxl_light_settings settings = {
         .point_count = 1,
         .ramp = ramp,
@@ -70,9 +77,8 @@ void test_opacity_changes_no_colour(void)
         uint32_t drawn = 0, other = 0;
         walls.surface[0].opacity = 16;
         walls_begin();
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_light_surfaces(&walls.renderer, lit ? &light : NULL));
+        walls_light(&settings);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&walls.renderer, lit ? &walls.lit : NULL));
         walls_draw(walls.pixels);
         walls.surface[0].opacity = 15; /* one pixel of 16 shows what is behind */
         walls_draw(walls.again);
@@ -189,12 +195,11 @@ void test_bands_and_lists_change_no_pixel(void)
         memset(walls.again, 0, sizeof walls.again);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
         for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + 2)) {
-            const fxl_band_565 band = {.pixels = walls.again + row * WIDTH, .width = WIDTH,
-                                       .stride = WIDTH, .first_row = row, .rows = 2};
-            fxl_fill_rgb565(&band, walls.palette[BACKGROUND]);
-            TEST_ASSERT_EQUAL(FXL_OK,
-                              row % 4 ? fxl_frame_draw_rgb565(&walls.renderer, &band)
-                                      : fxl_frame_draw_rgb565_with(&walls.renderer, &other, &band));
+            const fxl_band band = band_of(walls.again + row * WIDTH, row, 2);
+            fxl_rgb565.fill(&band, BACKGROUND);
+            TEST_ASSERT_EQUAL(FXL_OK, row % 4
+                                          ? fxl_frame_draw(&walls.renderer, &band)
+                                          : fxl_frame_draw_with(&walls.renderer, &other, &band));
         }
         TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
     }
@@ -208,7 +213,7 @@ void test_no_other_byte_is_written(void)
     for (uint32_t i = 0; i < HEIGHT * (WIDTH + 3); i++) {
         wide[i] = GUARD;
     }
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render_rgb565(&walls.renderer, &walls_eye, wide + 1, WIDTH + 3));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, wide + 1, WIDTH + 3));
     for (uint32_t y = 0; y < HEIGHT; y++) {
         const uint16_t *row = wide + y * (WIDTH + 3);
         TEST_ASSERT_EQUAL_HEX16(GUARD, row[0]);
@@ -233,12 +238,12 @@ void test_bytes_are_swapped_for_a_display(void)
 
 void test_surfaces_of_the_wrong_kind_are_refused(void)
 {
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_surfaces_rgb565(&walls.renderer,
-                                                                    &walls.surfaces, &walls.set));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_surfaces_rgb565(NULL, &walls.surfaces, &walls.set));
     TEST_ASSERT_EQUAL(FXL_E_RESERVED,
-                      fxl_renderer_set_surfaces(&walls.renderer, &walls.surfaces, &walls.set));
+                      fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                          FXL_SURFACES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
+                                                  FXL_SURFACES_OF(fxl_rgb565)));
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
     walls_make_texture(FXL_TEXTURE_8);
     walls.surface[1].flags = FXL_SURFACE_ADD;
     TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, NULL));
@@ -261,71 +266,31 @@ void test_surfaces_of_the_wrong_kind_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
 }
 
+/* A band of pixels has a palette. */
 void test_bands_of_the_wrong_kind_are_refused(void)
 {
-    fxl_band_565 band = {walls.pixels, WIDTH, WIDTH, 0, HEIGHT};
-    const fxl_band bytes = {.pixels = walls.indexed, .width = WIDTH, .stride = WIDTH,
-                            .first_row = 0, .rows = HEIGHT};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_rgb565(&walls.renderer, &band));
-    TEST_ASSERT_EQUAL(FXL_E_ORDER,
-                      fxl_render_rgb565(&walls.renderer, &walls_eye, walls.pixels, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_rgb565(&walls.renderer, NULL, walls.palette, 0));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_rgb565(NULL, &walls.frame, walls.palette, 0));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
-                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame,
-                                              (const uint16_t *)((uintptr_t)walls.palette + 1), 0));
+    fxl_band band = band_of(walls.pixels, 0, HEIGHT);
     walls_begin();
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw_rgb565(&walls.renderer, &band));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&walls.renderer, &band));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_rgb565(&walls.renderer, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_rgb565(NULL, &band));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_render_rgb565(NULL, &walls_eye, walls.pixels, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_render_rgb565(&walls.renderer, NULL, walls.pixels, WIDTH));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &band));
     TEST_ASSERT_EQUAL(FXL_E_RANGE,
-                      fxl_render_rgb565(&walls.renderer, &walls_eye, walls.pixels, WIDTH - 1));
-    band.stride = 32768;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw_rgb565(&walls.renderer, &band));
-    band.stride = 32767;
-    band.rows = 1;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_rgb565(&walls.renderer, &band));
-    band.stride = WIDTH;
-    band.rows = HEIGHT;
+                      fxl_render(&walls.renderer, &walls_eye, walls.pixels, WIDTH - 1));
     band.first_row = 1;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw_rgb565(&walls.renderer, &band));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw(&walls.renderer, &band));
     band.first_row = 0;
-    band.pixels = (uint16_t *)(uintptr_t)((uintptr_t)band.pixels + 1);
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_frame_draw_rgb565(&walls.renderer, &band));
-    /* a band of bytes stays as it is */
+    band.palette = NULL;
     const uint32_t refused = walls.renderer.workspace.counters.refused_calls;
-    memset(walls.indexed, 0x5A, sizeof walls.indexed);
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&walls.renderer, &bytes));
+    memset(walls.pixels, 0x5A, sizeof walls.pixels);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&walls.renderer, &band));
     TEST_ASSERT_EQUAL(refused + 1, walls.renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, walls.indexed, sizeof walls.indexed);
-}
-
-void test_another_method_draws_faces_in_their_own_colours(void)
-{
-    walls_begin();
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&walls.renderer, &fxl_visibility_surfaces, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, walls.indexed, WIDTH));
-    for (uint32_t i = 0; i < sizeof walls.indexed; i++) {
-        TEST_ASSERT_TRUE(walls.indexed[i] == BACKGROUND ||
-                         (walls.indexed[i] >= 20 && walls.indexed[i] <= 22));
-    }
+    TEST_ASSERT_EACH_EQUAL_HEX16(0x5A5A, walls.pixels, WIDTH * HEIGHT);
 }
 
 void test_flat_frames_need_no_surfaces(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, walls.indexed, WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, 0));
+    walls_start(&fxl_rgb565);
     walls_draw(walls.pixels);
     for (uint32_t i = 0; i < sizeof walls.indexed; i++) {
         TEST_ASSERT_EQUAL_HEX16(walls.palette[walls.indexed[i]], walls.pixels[i]);

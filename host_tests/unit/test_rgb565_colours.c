@@ -75,21 +75,18 @@ void test_channels_are_added_up_to_the_largest(void)
 void test_light_takes_a_part_of_each_channel(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(64)];
-    static fxl_light light;
     const uint16_t dark = 0x8A35;
     walls.face_map[0] = 0;
     walls.face_map[1] = 2;
     walls.surface[1].flags = FXL_SURFACE_LIT;
+    walls.lit.dark = dark;
     walls_begin();
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, dark));
     for (uint32_t round = 0; round < 300; round++) {
         /* brightness = sixteenths / 16: the light of a corner is exact then, but for half a unit */
         const int sixteenths = unit_between(0, 16), levels = unit_between(2, 64);
         const fxl_light_settings settings = {
             .ambient = FXL_Q2_30_ONE / 16 * sixteenths, .ramp = ramp, .levels = (uint8_t)levels};
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+        walls_light(&settings);
         walls.palette[0] = walls.palette[BACKGROUND]; /* what flat faces are by this ramp */
         walls.palette[21] = (uint16_t)unit_random();
         const channels a = split(walls.palette[21]), d = split(dark);
@@ -121,14 +118,12 @@ static bool is_wall(uint16_t pixel)
 /* The second wall, lit and white. White stays grey: half a step of each channel. */
 static void draw_white_wall(const fxl_light_settings *settings)
 {
-    static fxl_light light;
     walls.face_map[0] = 0;
     walls.face_map[1] = 2;
     walls.surface[1].flags = FXL_SURFACE_LIT;
     walls.palette[21] = FXL_RGB565(255, 255, 255);
     walls_begin();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, settings));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+    walls_light(settings);
     walls_draw(walls.pixels);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         const channels colour = split(walls.pixels[i]);
@@ -179,7 +174,6 @@ void test_light_beyond_the_corners_is_held(void)
 void test_a_frame_of_all_is_as_it_was(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(5)];
-    static fxl_light light;
     const fxl_light_settings settings = {
         .ambient = Q30(0.125),
         .point_count = 1,
@@ -190,11 +184,9 @@ void test_a_frame_of_all_is_as_it_was(void)
     walls.surface[1].flags = FXL_SURFACE_BLEND;
     walls.surface[1].opacity = 13;
     walls.face_map[1] = 2;
+    walls.lit.dark = 0x1234;
     walls_begin();
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_rgb565(&walls.renderer, &walls.frame, walls.palette, 0x1234));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+    walls_light(&settings);
     walls_draw(walls.pixels);
     TEST_ASSERT_EQUAL_HEX32(0x7A11BC5B,
                             unit_crc32((const uint8_t *)walls.pixels, sizeof walls.pixels));

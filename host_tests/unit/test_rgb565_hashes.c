@@ -10,7 +10,6 @@ enum {
 };
 
 static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)];
-static fxl_light light;
 
 void setUp(void)
 {
@@ -66,8 +65,7 @@ static uint32_t hash_of(uint8_t division, uint32_t with)
         make_wall(division, with);
         walls_begin();
         if (with & LIT) {
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&walls.renderer, &light, &settings));
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&walls.renderer, &light));
+            walls_light(&settings);
         }
         walls_draw(walls.pixels);
         for (uint32_t p = 0; p < WIDTH * HEIGHT; p++) { /* in one order of bytes */

@@ -152,7 +152,7 @@ static void add_light(void)
                                          .fog_far = unit_between(Q16(9), Q16(15)),
                                          .ramp = ramp,
                                          .levels = LEVELS};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&renderer, &light, &settings));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &settings));
 }
 
 static bool is_depth(const fxl_visibility *method)

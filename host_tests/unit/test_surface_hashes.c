@@ -66,8 +66,7 @@ static void make_light(quad_scene *quad)
     const fxl_point origin = {0, 0, 0};
     fxl_light_settings of = exact_light_any(ramp, &origin);
     of.levels = LEVELS;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+    quad_light(quad, &light, &of);
 }
 
 /* What a kind of faces has. */

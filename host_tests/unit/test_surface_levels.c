@@ -130,8 +130,8 @@ void test_an_off_centre_lens_shows_the_same_texels(void)
         const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
         TEST_ASSERT_EQUAL(FXL_OK,
                           fxl_renderer_init_with(&quad->renderer, &quad->scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_surfaces(&quad->renderer, &quad->surfaces, &quad->set));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&quad->renderer, &quad->surfaces, &quad->set,
+                                                      FXL_SURFACES_OF(fxl_palette)));
         const fxl_band band = {.pixels = again, .width = PART_WIDTH, .stride = PART_WIDTH,
                                .first_row = 0, .rows = PART_HEIGHT};
         fxl_fill_band(&band, QUAD_BACKGROUND);
@@ -189,8 +189,7 @@ void test_lists_and_bands_give_the_same_pixels(void)
         quad->surface.flags = FXL_SURFACE_LIT | FXL_SURFACE_BLEND;
         quad->surface.opacity = i % 5 == 0 ? 8 : 16;
         quad_begin(quad);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+        quad_light(quad, &light, &of);
         quad_draw(quad);
         expect_same_in_bands(quad);
         listed += quad->renderer.frame.display_list.used > 0;

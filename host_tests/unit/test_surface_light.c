@@ -96,8 +96,7 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
         quad->surface.flags = FXL_SURFACE_LIT;
         quad->surface.division = division;
         quad_begin(quad);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+        quad_light(quad, &light, &of);
         quad_draw(quad);
         check_levels(quad, &of, tolerance);
     }
@@ -145,8 +144,7 @@ void test_light_goes_over_textures(void)
             v[k] = quad->mapped.texels[k].v / 65536.0;
         }
         quad_begin(quad);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
+        quad_light(quad, &light, &of);
         quad_draw(quad);
         check_levels(quad, &of, 1.0 / 256);
         for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
@@ -181,24 +179,24 @@ void test_light_is_taken_and_left(void)
     quad_begin(quad);
     quad_draw(quad);
     TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_light_surfaces(&quad->renderer, &light));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&quad->renderer, &quad->corner_light));
+    TEST_ASSERT_EQUAL(FXL_FRAME_NONE, quad->renderer.frame.state);
+    quad_draw(quad); /* there is no light to take */
+    TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&quad->renderer, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&quad->renderer, &light, &of));
     quad_draw(quad); /* the renderer's light is for flat faces */
     TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, &light));
-    TEST_ASSERT_EQUAL(FXL_FRAME_NONE, quad->renderer.frame.state);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&quad->renderer, &quad->corner_light));
     quad_draw(quad);
     TEST_ASSERT_EACH_EQUAL_UINT8(ramp[QUAD_COLOUR], quad->frame, sizeof quad->frame);
     of.ambient = FXL_Q2_30_ONE; /* the same settings light both */
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_light(&quad->renderer, &light, &of));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&quad->renderer, &light, &of));
     quad_draw(quad);
     TEST_ASSERT_EACH_EQUAL_UINT8(ramp[256 * (LEVELS - 1) + QUAD_COLOUR], quad->frame,
                                  sizeof quad->frame);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_light_surfaces(&quad->renderer, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&quad->renderer, NULL));
     quad_draw(quad);
     TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&quad->renderer, &quad->surfaces, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_light_surfaces(&quad->renderer, &light));
-    TEST_ASSERT_EQUAL(2, quad->renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_light_surfaces(NULL, &light));
+    TEST_ASSERT_EQUAL(0, quad->renderer.workspace.counters.refused_calls);
 }

@@ -42,9 +42,9 @@ void test_extras_of_a_zeroed_renderer(void)
     const fxl_light_settings settings = {.ramp = memory, .levels = 2};
     const fxl_surface_set surface_set = {.surface_count = 0};
     const fxl_billboard_set billboard_set = {.count = 0};
-    expect(FXL_E_ORDER, fxl_renderer_set_light(&renderer, &light, &settings));
-    expect(FXL_E_ORDER, fxl_renderer_set_light(&renderer, &light, NULL));
-    expect(FXL_E_ORDER, fxl_renderer_set_light(&renderer, NULL, NULL));
+    expect(FXL_E_ORDER, fxl_attach_light(&renderer, &light, &settings));
+    expect(FXL_E_ORDER, fxl_attach_light(&renderer, &light, NULL));
+    expect(FXL_E_ORDER, fxl_attach_light(&renderer, NULL, NULL));
     expect(FXL_E_ORDER, fxl_renderer_light_surfaces(&renderer, NULL));
     expect(FXL_E_ORDER, fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set));
     expect(FXL_E_ORDER, fxl_renderer_set_surfaces(&renderer, &surfaces, NULL));
