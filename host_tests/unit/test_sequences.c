@@ -205,6 +205,38 @@ void test_the_sequence_does_not_matter(void)
     }
 }
 
+/* A renderer that was initialised for the palette draws into the target that is chosen then. */
+void test_a_target_is_chosen_after_init(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    for (uint32_t i = 0; i < TARGETS; i++) {
+        const bool has_depth = ways[i].target->depth_bits != 0;
+        const bool is_rgb565 = ways[i].target->pixel_bits == 16;
+        fxl_config config = made->config;
+        memset(is_drawn, 0, sizeof is_drawn);
+        start(&ways[i]);
+        look(&ways[i], 0);
+        start(&ways[0]);
+        config.target = ways[i].target;
+        TEST_ASSERT_EQUAL(is_rgb565    ? FXL_E_ARGUMENT
+                          : has_depth ? FXL_E_CAPACITY
+                                      : FXL_OK,
+                          fxl_renderer_choose(&made->renderer, &config));
+        config.palette = is_rgb565 ? colours : NULL;
+        config.depth = has_depth ? (uint8_t *)cells + 4 : NULL;
+        config.depth_size = has_depth ? (uint32_t)sizeof cells - 4 : 0;
+        TEST_ASSERT_EQUAL(has_depth ? FXL_E_ALIGNMENT : FXL_OK,
+                          fxl_renderer_choose(&made->renderer, &config));
+        config.depth = has_depth ? cells : NULL;
+        made->renderer.workspace.counters.refused_calls = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &config));
+        look(&ways[i], 0);
+        TEST_ASSERT_EQUAL(FXL_OK, attach(&ways[i], LIGHT, true));
+        TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_choose(&made->renderer, &config));
+        TEST_ASSERT_EQUAL_PTR(ways[i].target, made->renderer.target);
+    }
+}
+
 /* A refused frame changes no pixel, and what was refused can be detached. */
 void test_after_a_refusal(void)
 {

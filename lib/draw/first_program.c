@@ -43,23 +43,13 @@ static fxl_memory divide(const fxl_scene *scene, uint8_t *block, size_t size)
 /* The order and the target. Most have neither memory nor anything to look at. */
 static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
 {
+    const fxl_order *order = fxl_order_of(config);
     const fxl_target *target = config->target;
-    const fxl_order *order = config->order != NULL ? config->order : &fxl_by_distance;
-    const fxl_choice choice = {.order = order,
-                               .target = target,
-                               .near_first = target->near_first,
-                               .order_memory = config->tree,
-                               .target_memory = config->depth,
-                               .order_size = config->tree_size,
-                               .target_size = config->depth_size};
-    renderer->frame.background = config->background;
-    renderer->palette = config->palette;
-    renderer->clipper = &fxl_clipper_view;
     if (order->choose != NULL) {
-        return order->choose(renderer, &choice);
+        return order->choose(renderer, config);
     }
     if (target->choose != NULL) {
-        return target->choose(renderer, &choice);
+        return target->choose(renderer, config);
     }
     renderer->order = order;
     renderer->target = target;
@@ -71,11 +61,10 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
 {
     fxl_lens lens;
     if (renderer == NULL || scene == NULL || config == NULL || memory == NULL ||
-        config->target == NULL ||
-        (config->target->pixel_bits == 16 && config->palette == NULL)) {
+        config->target == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if ((((uintptr_t)memory | (uintptr_t)config->depth | (uintptr_t)config->tree) & 7u) != 0) {
+    if (((uintptr_t)memory & 7u) != 0) {
         return FXL_E_ALIGNMENT;
     }
     if (scene->order_needed == 0) {
@@ -93,7 +82,12 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
     }
     const fxl_memory tables = divide(scene, (uint8_t *)memory, memory_size);
     status = fxl_renderer_init_bare(renderer, scene, &lens, &tables);
-    return status == FXL_OK ? choose(renderer, config) : status;
+    if (status != FXL_OK) {
+        return status;
+    }
+    renderer->frame.background = config->background;
+    renderer->clipper = &fxl_clipper_view;
+    return choose(renderer, config);
 }
 
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride)

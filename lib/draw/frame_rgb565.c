@@ -23,11 +23,12 @@ fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *fra
     if (!fxl_is_aligned(palette, sizeof *palette)) {
         return fxl_refuse(&renderer->workspace, FXL_E_ALIGNMENT);
     }
+    const uint16_t *before = renderer->palette;
+    renderer->palette = palette;
     const fxl_status status =
         fxl_renderer_set_visibility(renderer, &visibility_rgb565, NULL, 0);
     if (status == FXL_OK) {
         fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);
-        renderer->palette = palette;
         renderer->order_memory = frame;
         frame->dark = dark;
         if (surfaces != NULL) {
@@ -35,6 +36,8 @@ fxl_status fxl_renderer_set_rgb565(fxl_renderer *renderer, fxl_rgb565_frame *fra
             surfaces->shader.code = surfaces->painter->code;
             surfaces->dark = dark;
         }
+    } else {
+        renderer->palette = before;
     }
     return status;
 }

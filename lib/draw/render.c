@@ -72,11 +72,20 @@ static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, ui
     return FXL_OK;
 }
 
-/* The camera, and the order of the instances in sight; culled: the faces of the others. The code of
+/* What goes together, the camera, and the order of the instances in sight; culled: the faces of the others. The code of
  * turns tests the order's room itself, because it ends the frame before. */
 static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     const fxl_scene *scene = renderer->scene;
+    if (renderer->clipper == NULL || renderer->target == NULL) {
+        return FXL_E_ORDER;
+    }
+    if (renderer->check != NULL) {
+        const fxl_status status = renderer->check(renderer);
+        if (status != FXL_OK) {
+            return status;
+        }
+    }
     if (scene->turns != NULL) {
         if (scene->turn_code == NULL) {
             return FXL_E_ORDER;
@@ -94,17 +103,10 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (renderer->clipper == NULL || renderer->target == NULL) {
-        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
-    }
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;
     uint32_t culled;
-    fxl_status status = renderer->check != NULL ? renderer->check(renderer) : FXL_OK;
-    if (status != FXL_OK) {
-        return fxl_refuse(workspace, status);
-    }
-    status = look(renderer, pose, &culled);
+    const fxl_status status = look(renderer, pose, &culled);
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }

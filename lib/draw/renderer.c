@@ -133,29 +133,64 @@ static void set_last_shader(fxl_renderer *renderer)
     *place = renderer->target->depth != NULL ? renderer->target->depth->last : NULL;
 }
 
-fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_choice *choice)
+/* Memory of which so many bytes are needed. */
+static fxl_status check_memory(const void *memory, uint32_t size, uint32_t needed)
 {
-    const fxl_target *target = choice->target;
-    const uint32_t order = order_size(choice->order, renderer->scene);
-    const uint32_t raster =
-        target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
-    if (choice->order_size < order || choice->target_size < raster) {
+    if (needed == 0) {
+        return FXL_OK;
+    }
+    if (((uintptr_t)memory & 7u) != 0) {
+        return FXL_E_ALIGNMENT;
+    }
+    if (size < needed) {
         return FXL_E_CAPACITY;
     }
-    if (order > 0) {
-        memset(choice->order_memory, 0, order);
+    return memory != NULL ? FXL_OK : FXL_E_ARGUMENT;
+}
+
+static fxl_status check_palette(const fxl_config *config)
+{
+    if (config->target->pixel_bits != 16) {
+        return FXL_OK;
     }
-    renderer->order = choice->order;
+    if (config->palette == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    return ((uintptr_t)config->palette & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
+}
+
+fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config)
+{
+    const fxl_target *target = config->target;
+    const fxl_order *order = fxl_order_of(config);
+    const uint32_t tree = order_size(order, renderer->scene);
+    const uint32_t depth =
+        target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
+    fxl_status status = check_palette(config);
+    if (status == FXL_OK) {
+        status = check_memory(config->tree, config->tree_size, tree);
+    }
+    if (status == FXL_OK) {
+        status = check_memory(config->depth, config->depth_size, depth);
+    }
+    if (status != FXL_OK) {
+        return status;
+    }
+    if (tree > 0) {
+        memset(config->tree, 0, tree);
+    }
+    renderer->order = order;
     renderer->target = target;
-    renderer->near_first = choice->near_first;
-    renderer->check = choice->order->check;
+    renderer->near_first = target->near_first;
+    renderer->check = order->check;
+    renderer->palette = config->palette;
     if (target->depth != NULL) {
         renderer->draw_list = target->depth->draw_list; /* it draws flat records, too */
     }
     set_last_shader(renderer);
-    renderer->order_memory = choice->order_memory;
-    renderer->workspace.target_memory = raster > 0 ? choice->target_memory : NULL;
-    renderer->workspace.target_memory_size = raster > 0 ? choice->target_size : 0;
+    renderer->order_memory = config->tree;
+    renderer->workspace.target_memory = depth > 0 ? config->depth : NULL;
+    renderer->workspace.target_memory_size = depth > 0 ? config->depth_size : 0;
     settings_changed(renderer);
     return FXL_OK;
 }
@@ -173,17 +208,21 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     if (status == FXL_OK) {
         const uint32_t size = order_size(visibility->order, renderer->scene);
         const bool has_room = workspace_size >= size;
-        const fxl_choice choice = {.order = visibility->order,
-                                   .target = visibility->target,
-                                   .near_first = visibility->front_to_back,
-                                   .order_memory = workspace,
-                                   .order_size = has_room ? size : workspace_size,
-                                   .target_memory = (uint8_t *)workspace + (has_room ? size : 0),
-                                   .target_size = has_room ? workspace_size - size : 0};
-        status = fxl_renderer_choose(renderer, &choice);
-        renderer->check = NULL; /* what was set is not looked at together */
+        fxl_config config = {.order = visibility->order,
+                             .target = visibility->target,
+                             .palette = renderer->palette,
+                             .tree = workspace,
+                             .tree_size = has_room ? size : workspace_size};
+        config.depth = (uint8_t *)workspace + (has_room ? size : 0);
+        config.depth_size = has_room ? workspace_size - size : 0;
+        status = fxl_choose_with_memory(renderer, &config);
     }
-    return status == FXL_OK ? status : fxl_refuse(&renderer->workspace, status);
+    if (status != FXL_OK) {
+        return fxl_refuse(&renderer->workspace, status);
+    }
+    renderer->near_first = visibility->front_to_back;
+    renderer->check = NULL; /* what was set is not looked at together */
+    return FXL_OK;
 }
 
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer)

@@ -13,18 +13,16 @@ fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
  * write a polygon and read it once costs more instructions than to draw it at once. */
 fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands);
 
-/* The order and the target of a renderer, and their memory, aligned to 8 bytes. */
-typedef struct fxl_choice {
-    const fxl_order *order;
-    const fxl_target *target;
-    bool near_first;
-    void *order_memory, *target_memory;
-    uint32_t order_size, target_size; /* bytes */
-} fxl_choice;
+/* fxl_target.choose, and what that of an order calls: gives a renderer the order, the target and the
+ * memory of a configuration. Requires a target. FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_CAPACITY: its
+ * order and target are untouched. */
+fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config);
 
-/* Gives an order and a target to a renderer that is initialised. FXL_E_CAPACITY: renderer
- * untouched. */
-fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_choice *choice);
+/* The order that a configuration asks for. */
+static inline const fxl_order *fxl_order_of(const fxl_config *config)
+{
+    return config->order != NULL ? config->order : &fxl_by_distance;
+}
 
 /* Entries of a scene's order_needed that are for the instances, whatever instance_count becomes in
  * a world. The others are for the faces of one model. */

@@ -341,14 +341,14 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
 }
 
 /* What the memory has beyond the least is for pieces of instances that move. */
-static fxl_status choose(fxl_renderer *renderer, const fxl_choice *choice)
+static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
 {
     const uint32_t least = (uint32_t)fxl_aligned(fxl_bsp_workspace_size(renderer->scene));
-    const fxl_status status = fxl_renderer_choose(renderer, choice);
+    const fxl_status status = fxl_choose_with_memory(renderer, config);
     if (status == FXL_OK && least > 0) {
-        fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)choice->order_memory;
-        workspace->pieces = (uint8_t *)choice->order_memory + least;
-        workspace->pieces_size = choice->order_size - least;
+        fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)config->tree;
+        workspace->pieces = (uint8_t *)config->tree + least;
+        workspace->pieces_size = config->tree_size - least;
     }
     return status;
 }

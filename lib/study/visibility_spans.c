@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "visibility_spans.h"
+#include "../draw/renderer.h"
 
 uint32_t fxl_spans_workspace_size(const fxl_lens *lens)
 {
@@ -36,6 +37,7 @@ const fxl_target fxl_palette_spans = {
     .pixel_bits = 8,
     .near_first = true,
     .fill = fxl_fill_band,
+    .choose = fxl_choose_with_memory,
     .memory_size = fxl_spans_workspace_size,
     .draw_band = fxl_band_split_draw,
     .begin_band = fxl_spans_begin,

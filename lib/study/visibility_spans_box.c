@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scan_box.h"
 #include "visibility_spans.h"
+#include "../draw/renderer.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)
@@ -25,6 +26,7 @@ const fxl_target fxl_palette_spans_box = {
     .pixel_bits = 8,
     .near_first = true,
     .fill = fxl_fill_band,
+    .choose = fxl_choose_with_memory,
     .memory_size = fxl_spans_workspace_size,
     .draw_band = fxl_band_split_draw,
     .begin_band = fxl_spans_begin,

@@ -23,7 +23,7 @@ extern "C" {
 /* --- records -------------------------------------------------------------------------- */
 
 /* What a first program chooses; fxl_config_default fills it in. */
-typedef struct {
+typedef struct fxl_config {
     uint16_t width, height;   /* pixels, 1..FXL_SCREEN_MAX */
     fxl_angle fov;            /* horizontal field of view, FXL_FOV_MIN..FXL_FOV_MAX */
     fxl_q16_16 near_z, far_z; /* world units: what is nearer, or farther, is clipped away */
@@ -32,7 +32,7 @@ typedef struct {
     const fxl_target *target; /* what pixels are, and whether there is a depth buffer */
     const fxl_order *order;   /* null: fxl_by_distance */
     const uint16_t *palette;  /* of RGB565 targets: 256 colours; else null */
-    void *depth;              /* of targets with a depth buffer, aligned to 8 bytes; else null */
+    void *depth;              /* memory of the target's depth buffer, aligned to 8 bytes; or null */
     uint32_t depth_size;      /* bytes: FXL_DEPTH_BYTES of one row at least */
     void *tree;               /* of fxl_by_tree, aligned to 8 bytes; else null */
     uint32_t tree_size;       /* bytes: what the tree needs at least; the rest is for pieces */
@@ -171,7 +171,9 @@ static inline fxl_config fxl_config_default(uint16_t width, uint16_t height)
  * FXL_E_ALIGNMENT: memory is not aligned.
  * FXL_E_RANGE: a member of config is out of range.
  * FXL_E_ORDER: the scene was not checked.
- * With each of these statuses: renderer untouched.
+ * With each of these statuses: renderer untouched. If it is the target's palette, or memory of the
+ * target or of the order, that is null, not aligned or too small, the renderer cannot draw until it
+ * is initialised.
  * FXL_E_CAPACITY: too little memory; the block is too small by renderer->memory_missing bytes;
  * nothing else is written, and the renderer cannot draw until it is initialised. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
@@ -209,10 +211,20 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
 
-/* The same, with neither a clipper nor a visibility method: where a program sets both itself, the
- * default ones are not linked. fxl_frame_begin answers FXL_E_ORDER until both are set. */
+/* The same, with neither a clipper nor a target: where a program sets both itself, the default ones
+ * are not linked. fxl_frame_begin answers FXL_E_ORDER until both are set. */
 fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
+
+/* Gives a renderer that fxl_renderer_init_with or fxl_renderer_init_bare has initialised the order
+ * and the target of a configuration, with its palette, depth and tree. Other members are not read.
+ * Then a frame must begin anew, and workspaces of other cores must be initialised again.
+ * FXL_E_ARGUMENT: a null pointer: also a target, a palette or memory that is needed.
+ * FXL_E_ORDER: the renderer was never initialised, or something is attached to it.
+ * FXL_E_ALIGNMENT: memory that is needed is not aligned to 8 bytes, or the palette to 2.
+ * FXL_E_CAPACITY: depth_size or tree_size is too small.
+ * With each of these statuses: renderer untouched but for refused_calls. */
+fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_config *config);
 
 /* Sets the clipper and its workspace: at least clipper->workspace_size bytes of the caller's,
  * aligned to 8; the renderer keeps the pointer. A clipper that needs none may be given size 0, or

@@ -13,7 +13,7 @@ extern "C" {
 typedef struct fxl_renderer fxl_renderer;
 struct fxl_workspace;           /* fixel/render.h */
 struct fxl_display_list_record; /* fixel/stage/display_list.h */
-struct fxl_choice;              /* lib/draw/renderer.h, which is internal */
+struct fxl_config;              /* fixel/render.h */
 struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
 
 /* What a target with a depth buffer has beside. */
@@ -38,8 +38,8 @@ typedef struct fxl_target {
     bool draws_outlines : 1; /* in the place of fxl_palette, where outlines are attached */
     /* Sets every pixel of a band to a colour of the palette. */
     void (*fill)(const fxl_band *band, uint8_t colour);
-    /* fxl_renderer_choose. Null: the target needs neither memory nor a shader. */
-    fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_choice *choice);
+    /* Gives a renderer the target. Null: the target needs neither memory, a palette nor a shader. */
+    fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
     /* The least size of a workspace's memory for the target, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_lens *lens);
     /* Draws a band, in parts if the memory is too small for the whole. Returns FXL_OK, or a status

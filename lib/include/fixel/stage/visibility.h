@@ -23,8 +23,8 @@ typedef struct fxl_order {
     bool (*submit)(const fxl_traversal *on);
     /* The least size of its memory, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_scene *scene);
-    /* fxl_renderer_choose. Null: the order needs no memory. */
-    fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_choice *choice);
+    /* Gives a renderer the order, and the target. Null: the order needs no memory. */
+    fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
     /* fxl_renderer.check of a renderer that is initialised. Null: there is nothing to check. */
     fxl_status (*check)(fxl_renderer *renderer);
 } fxl_order;
