@@ -17,7 +17,7 @@ const char *fxl_status_text(fxl_status status)
     case FXL_E_ORDER:
         return "a function was called before another that must come first";
     case FXL_E_ALIGNMENT:
-        return "an address or an offset is not a multiple of four";
+        return "an address or an offset is not aligned as it must be: to 4 or 8 bytes";
     case FXL_E_SIZE:
         return "the image is cut off, or its size is not that of its sections";
     case FXL_E_MAGIC:
