@@ -2,6 +2,7 @@
 """What make mutants takes for a mistake in a tool, how it tries one, and the survivors that it knows."""
 
 import argparse
+import sys
 
 import pytest
 from conftest import CHECKOUT
@@ -126,6 +127,9 @@ class Recorder:
                 (lines / str(number)).write_text("a.py:2\n" + "a.py:3\n" * test.endswith("b"), encoding="utf-8")
         return 0, report
 
+    def record(self):
+        pass
+
     def close(self):
         pass
 
@@ -228,6 +232,10 @@ def called(value):
 def ends(value):
     while value > 0:
         value -= 1
+
+
+def alone(value):
+    return value == 1
 """
 TESTS = """
 import pathlib
@@ -267,6 +275,11 @@ def test_called_by_a_program():
 
 def test_ends():
     a.ends(2)
+
+
+def test_in_a_process_that_looks_at_no_variable():
+    program = f"import sys; sys.path.insert(0, {str(pathlib.Path(__file__).parents[2] / 'tools')!r}); from fixel import a; assert a.alone(1)"
+    subprocess.run([sys.executable, "-I", "-c", program], check=True)
 """
 CONFTEST = """
 import pathlib
@@ -284,6 +297,7 @@ TRIED = [
     ("if value > 0:", "'0' becomes '1'", "killed", "tools/test_a.py::test_positive[1]"),
     ("if value > 0:", "'>' becomes '>='", "known", "0 is answered by 0 either way"),
     ("value.append(1)", "'value.append(1)' becomes 'pass'", "killed", "tools/test_a.py::test_called_by_a_program"),
+    ("return value == 1", "'==' becomes '!='", "killed", "tools/test_a.py::test_in_a_process_that_looks_at_no_variable"),
     ("return value or 3", "'or' becomes 'and'", "survived", "no test that passes without it"),
     ("value -= 1", "'value -= 1' becomes 'pass'", "killed", "of CPU time"),
     ("while value > 0:", "'>' becomes '>='", "survived", ""),
@@ -298,6 +312,7 @@ def campaign(tmp_path_factory):
     for room in ("tools/fixel", "host_tests/tools"):
         (checkout / room).mkdir(parents=True)
     (checkout / "tools/fixel/__init__.py").touch()
+    (checkout / ".venv").symlink_to(sys.prefix)
     (checkout / WHERE).write_text(TOOL, encoding="utf-8")
     (checkout / "host_tests/pytest.ini").write_text("[pytest]\n", encoding="utf-8")
     (checkout / "host_tests/conftest.py").write_text(CONFTEST, encoding="utf-8")

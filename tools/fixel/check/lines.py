@@ -178,6 +178,7 @@ class Records:
         """Records what is missing of files of tests, in trees that work side by side."""
         free = queue.SimpleQueue()
         for tree in made:
+            tree.record()
             free.put(tree)
 
         def work(file):

@@ -8,6 +8,7 @@ import select
 import shutil
 import subprocess
 import sys
+import sysconfig
 import time
 
 from fixel.base import children, limits
@@ -24,10 +25,9 @@ ASLEEP = 60.0       # seconds of sleep that are a hang
 class Server:
     """pytest_server.py."""
 
-    def __init__(self, lines_of=""):
-        """lines_of: the folder whose lines its tests record."""
-        changes = {"FIXEL_LINES_OF": str(lines_of), "PYTHONPATH": str(RECORDER)} if lines_of else {}
-        self._process = children.start([sys.executable, SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1,
+    def __init__(self, python, changes):
+        """python: that of the tests. changes: of their environment."""
+        self._process = children.start([python, SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1,
                                        env={**os.environ, "OPENBLAS_NUM_THREADS": "1", **changes})
 
     def _answer(self):
@@ -69,6 +69,23 @@ class Tree:
         self._said, self._report = folder / "said.txt", folder / "report.jsonl"
         self._server, self._time = None, int(time.time())
 
+    def record(self):
+        """From here on the tests record the lines of the tools that they execute. Their Python is one that imports the
+        recorder, also in a process that looks at no variable of the environment (python -I), as those of bounded.py."""
+        packages = pathlib.Path(sysconfig.get_path("purelib"))
+        venv = self.folder / ".venv"
+        venv.unlink()
+        made = venv / packages.relative_to(sys.prefix)
+        made.mkdir(parents=True)
+        (venv / "bin").mkdir()
+        (venv / "bin/python").symlink_to(sys._base_executable)
+        for command in pathlib.Path(sys.prefix, "bin").iterdir():
+            if not (venv / "bin" / command.name).exists():
+                (venv / "bin" / command.name).symlink_to(command)
+        (venv / "pyvenv.cfg").write_text(f"home = {pathlib.Path(sys._base_executable).parent}\n", encoding="utf-8")
+        (made / "recorder.pth").write_text(f"{packages}\n{RECORDER}\nimport sitecustomize\n", encoding="utf-8")
+        self._server = Server(venv / "bin/python", {"FIXEL_LINES_OF": str(self.folder / "tools/fixel")})
+
     def write(self, file, text):
         """Puts text into a file. What Python has compiled of it before is out of date for certain: it goes by seconds."""
         (self.folder / file).write_text(text, encoding="utf-8")
@@ -79,7 +96,7 @@ class Tree:
         """(exit code of pytest or words that say which limit it passed, the report of each test by pytest_server.py).
         lines: the folder for the lines that each executes, of each test only parameters that take enough seconds."""
         if self._server is None:
-            self._server = Server(self.folder / "tools" / "fixel" if lines else "")
+            self._server = Server(sys.executable, {})
         self._report.unlink(missing_ok=True)
         words = [*PLAIN, *options, f"--basetemp={self.folder}/tmp", *(f"host_tests/{test}" for test in tests)]
         code = self._server.run({"folder": str(self.folder), "words": words, "said": str(self._said),
