@@ -25,7 +25,8 @@ COMMANDS := all run view flash boot gdb compare report screen pictures wire lib 
     predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
-VARIABLES := $(sort $(shell sed -n 's/^[a-z-]*:.* \[\([A-Z].*\)\]$$/\1/p' Makefile | grep -o '[A-Z_]*=' | tr -d '='))
+VARIABLES := $(sort $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
+    for (i = 1; i <= NF; i++) if (sub(/=.*/, "", $$i)) print $$i}' Makefile))
 SETTINGS := V HOSTCC HOSTAR CROSS CMOCK_DIR UNITY_DIR
 SETTINGS_OF_TESTS := BUILD PY MAKE
 
@@ -126,6 +127,10 @@ endif
 
 # --- the parts ---------------------------------------------------------------
 
+# What is built, where something is. A command alone builds nothing itself, but calls a make for that: it needs no rules of
+# programs, which take make most of the time that it reads.
+BUILT_GOALS := $(filter-out help $(COMMANDS),$(MAKECMDGOALS))
+
 include $(wildcard lib/lib.mk)
 include $(wildcard firmware/firmware.mk)
 include $(wildcard host_tests/*/*.mk host_tests/*/*/*.mk)
@@ -141,7 +146,7 @@ APART := $(addprefix $(BUILD)/,host/unit host/fuzz host/coverage core/*/unit boa
 ifeq ($(filter-out $(BUILD)/host/ $(BOARDS:%=$(BUILD)/boards/%/),$(dir $(filter-out lib,$(MAKECMDGOALS)))),)
 UNREAD := $(foreach folder,$(APART),-path '$(folder)' -prune -o)
 endif
-ifneq ($(filter-out help $(filter-out lib,$(COMMANDS)),$(MAKECMDGOALS)),)
+ifneq ($(BUILT_GOALS)$(filter lib,$(MAKECMDGOALS)),)
 -include $(shell find $(BUILD) -name seeded_bugs -prune -o $(UNREAD) -name '*.d' -print 2>/dev/null)
 endif
 
@@ -296,20 +301,21 @@ TEST_BOARD := $(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN))
 # pixels; make boards runs them on every board.
 TEST_BOARDS_OF = $(foreach board,$(TARGET_BOARDS),$(if $(filter $(1),$(call CORE_SHARED,$(call CORE_NAME,$(board)))),$(board)))
 TEST_BOARD_OF = $(lastword $(shell printf '%s\n' $(foreach board,$(1),$(BOARD_BAND_BYTES.$(board)):$(board)) | sort -n | tr ':\n' '  '))
-TEST_BOARDS := $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
+TEST_BOARDS = $(eval TEST_BOARDS := $$(TEST_BOARDS_FOUND))$(TEST_BOARDS)
+TEST_BOARDS_FOUND = $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),\
     $(foreach core,$(CORES_SHARED),$(call TEST_BOARD_OF,$(call TEST_BOARDS_OF,$(core)))))
 # What the tests of the bench run.
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
-TEST_UNITS := $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
+TEST_UNITS = $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
 # What the tests of the tools run, and all that make boards links.
-TEST_PROGRAMS := $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
+TEST_PROGRAMS = $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board))))
 # For tools: a board, and what says which unit tests it has.
 UNIT_OPTIONS = $(foreach board,$(1),--units $(board) $(BOARD_UNITS.$(board)))
 # A folder and the names in it, not a path for each: Linux gives one command 128 KiB.
 HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units $(folder) $(notdir $(filter $(folder)%,$(UNITY_TESTS))))
 
-test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)
+$(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)))
 
 test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
 	@tools/setup.sh test

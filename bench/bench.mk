@@ -108,7 +108,7 @@ $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
 )
-$(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline))
+$(if $(BUILT_GOALS),$(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline)))
 endef
 
 # $(1): the core, $(2): what its flags are called here, $(3): a folder.
@@ -118,10 +118,10 @@ $(call LIB_RULES,$(BENCH_OUT)/$(1)/$(3)lib,$$(call FIRMWARE_COMPILE,$$($(2).$(1)
 endef
 
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_RULES,$(core)))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
+    $(if $(BUILT_GOALS),$(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC,))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_OS,os/))\
     $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL,small/))\
-    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL_LTO,small-lto/)))
+    $(eval $(call BENCH_LIB_RULES,$(core),BENCH_CC_SMALL_LTO,small-lto/))))
 
 # --- sizes -----------------------------------------------------------------------
 
@@ -171,9 +171,9 @@ $(foreach real,double float,
 $(BENCH_OUT)/$(1)/os/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC_OS.$(1)) -DLISTING_$(real)=1)
 )
-$(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
+$(if $(BUILT_GOALS),$(foreach flag,O2 Os,$(foreach renderer,$(BENCH_SIZED),$(call BENCH_SIZE_RULES,$(1),$(renderer),$(flag))$(newline)$(newline)))
 $(call BENCH_SIZE_RULES,$(1),fixel,small)
-$(call BENCH_SIZE_RULES,$(1),fixel,small-flto)
+$(call BENCH_SIZE_RULES,$(1),fixel,small-flto))
 endef
 $(foreach core,$(BENCH_CORES_HERE),$(eval $(call BENCH_CORE_SIZE_RULES,$(core))))
 
@@ -203,7 +203,7 @@ $(BENCH_OUT)/$(1)/$(2)/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(call COSTS_FLAGS,$(2)))
 endef
 $(foreach core,$(COSTED_CORES),$(foreach size,$(COSTS_SIZES),$(eval $(call COSTS_RULES,$(core),$(size)))\
-    $(eval $(call BENCH_PROGRAM_RULES,$(core),costs-$(size)))))
+    $(if $(BUILT_GOALS),$(eval $(call BENCH_PROGRAM_RULES,$(core),costs-$(size))))))
 COSTS_PROGRAMS := $(foreach core,$(COSTED_CORES),$(COSTS_SIZES:%=$(BENCH_OUT)/$(core)/costs-%.elf))
 # What the tool is told: NAME=rows:words:entries:more.
 COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COSTS_$(size))))

@@ -13,11 +13,11 @@ CLIPPERS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
 CLIPPERS_READ = $(shell awk -v kind='[[$(1)]]' '/^\[/ {here = $$0 == kind} \
     here && $$1 == "name" {name = $$3} here && $$1 == "record" {record = $$3} \
     here && $$1 == "$(2)" {print name ":" record ($$1 == "record" ? "" : ":" $$3)}' $(CLIPPERS_PLAN) | tr -d '"')
-CLIPPERS_CLIPPERS := $(call CLIPPERS_READ,clippers,record)
-CLIPPERS_HIDDEN := $(call CLIPPERS_READ,hidden,room)
+CLIPPERS_CLIPPERS = $(eval CLIPPERS_CLIPPERS := $$(call CLIPPERS_READ,clippers,record))$(CLIPPERS_CLIPPERS)
+CLIPPERS_HIDDEN = $(eval CLIPPERS_HIDDEN := $$(call CLIPPERS_READ,hidden,room))$(CLIPPERS_HIDDEN)
 CLIPPERS_PART = $(word $(2),$(subst :, ,$(1)))
 CLIPPERS_NAME = $(call CLIPPERS_PART,$(1),1)-$(call CLIPPERS_PART,$(2),1)
-CLIPPERS_COMBINATIONS := $(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
+CLIPPERS_COMBINATIONS = $(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
     $(call CLIPPERS_NAME,$(clipper),$(hidden))))
 # $(1): a clipper, $(2): what hides what.
 CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
@@ -31,6 +31,13 @@ CLIPPERS_LIB := $(LIB_NAMES:%=lib/%)
 CLIPPERS_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text memory_functions draw_combination frames path $(CLIPPERS_LIB))
 CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_visibility \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
+CLIPPERS_SIZED_OF = $(call BENCH_PLACES,$(1),$(CLIPPERS_LIB) memory_functions)
+# Found once for all programs of a core: the beginning of each, its parts, and what the linker reads beside.
+define CLIPPERS_CORE
+CLIPPERS_OBJECTS.$(1) := $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
+CLIPPERS_SIZED.$(1) := $(call CLIPPERS_SIZED_OF,$(1))
+endef
+$(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(eval $(call CLIPPERS_CORE,$(core)))))
 CLIPPERS_SIZE_LINK = $(CROSS)gcc $(BENCH_FLAGS.$(1)) -nostartfiles -nostdlib \
     -Wl,--gc-sections,--no-warn-rwx-segments,-Map,$(@:.elf=.map),-e,fxl_frame_draw $(CLIPPERS_ROOTS:%=-Wl,-u,%)
 
@@ -39,26 +46,26 @@ define CLIPPERS_PROGRAM_RULES
 $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o: bench/firmware/combination.c $(CLIPPERS_PLAN) bench/clippers.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_FAMILY_CFLAGS.$(1)) -ffreestanding $(call CLIPPERS_DEFINES,$(2),$(3)))
 $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).elf: $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o \
-        $(BENCH_OUT)/$(1)/$(call CLIPPERS_PREPARE,$(3)).o $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
+        $(BENCH_OUT)/$(1)/$(call CLIPPERS_PREPARE,$(3)).o $(CLIPPERS_OBJECTS.$(1))
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 $(BENCH_OUT)/$(1)/clippers/size/$(call CLIPPERS_NAME,$(2),$(3)).elf: \
-        $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(call BENCH_PLACES,$(1),$(CLIPPERS_LIB) memory_functions)
+        $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(3)).o $(CLIPPERS_SIZED.$(1))
 	$$(call FIRMWARE_LINK,$$(call CLIPPERS_SIZE_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 
 endef
-$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
-    $(eval $(call CLIPPERS_PROGRAM_RULES,$(core),$(clipper),$(hidden))))))
+$(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
+    $(eval $(call CLIPPERS_PROGRAM_RULES,$(core),$(clipper),$(hidden)))))))
 
 # $(1): the core, $(2): a clipper, with the first of what hides what.
 define CLIPPERS_OPERATIONS_RULES
 $(BENCH_OUT)/$(1)/clippers/operations/$(call CLIPPERS_PART,$(2),1).elf: $(BENCH_OUT)/$(1)/prepare_operations.o \
         $(BENCH_OUT)/$(1)/clippers/$(call CLIPPERS_NAME,$(2),$(firstword $(CLIPPERS_HIDDEN))).o \
-        $(call CLIPPERS_OBJECTS_OF,$(1)) $(call BENCH_PARTS_OF,$(1),fixel) $(call BOARD_LINK_SCRIPTS,$(BENCH_BOARD.$(1)))
+        $(CLIPPERS_OBJECTS.$(1))
 	$$(call FIRMWARE_LINK,$$(call BENCH_LINK,$(1)) $$(filter %.o,$$^) -lgcc)
 
 endef
-$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
-    $(eval $(call CLIPPERS_OPERATIONS_RULES,$(core),$(clipper)))))
+$(if $(BUILT_GOALS),$(foreach core,$(CLIPPERS_CORES),$(foreach clipper,$(CLIPPERS_CLIPPERS),\
+    $(eval $(call CLIPPERS_OPERATIONS_RULES,$(core),$(clipper))))))
 
 # --- the host ----------------------------------------------------------------------
 
@@ -86,11 +93,11 @@ $(COMPARISON_OUT)/$(call CLIPPERS_NAME,$(1),$(2)): $(COMPARISON_OUT)/$(call CLIP
 	$$(HOSTCC) $$(filter-out %.mk,$$^) -lm -o $$@
 
 endef
-$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
-    $(eval $(call COMPARISON_RULES,$(clipper),$(hidden)))))
+$(if $(BUILT_GOALS),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
+    $(eval $(call COMPARISON_RULES,$(clipper),$(hidden))))))
 
-CLIPPERS_HOST := $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
-CLIPPERS_BUILT := $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
+CLIPPERS_HOST = $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
+CLIPPERS_BUILT = $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
     $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf) \
     $(foreach clipper,$(CLIPPERS_CLIPPERS),$(BENCH_OUT)/$(core)/clippers/operations/$(call CLIPPERS_PART,$(clipper),1).elf))

@@ -97,8 +97,8 @@ $(foreach board,$(BOARDS),$(if $(filter $(call CORE_NAME,$(board)),$(CORES_READ)
 # The cores for which something is compiled. The bench measures the same objects (bench/bench.mk),
 # and its cores have an FPU: no float may become a double there.
 CORES_SHARED := $(filter-out host,$(sort $(call CORE_SHARED,$(CORES_READ))))
-$(foreach core,$(CORES_SHARED),$(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/lib,\
-    $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Wdouble-promotion -Ilib/include $$(CORE_TUNE.$(core))),firmware/firmware.mk)))
+$(if $(BUILT_GOALS),$(foreach core,$(CORES_SHARED),$(eval $(call LIB_RULES,$(CORE_OUT)/$(core)/lib,\
+    $$(call FIRMWARE_COMPILE,$$(CORE_CC.$(core)) -Wdouble-promotion -Ilib/include $$(CORE_TUNE.$(core))),firmware/firmware.mk))))
 
 # --- boards --------------------------------------------------------------------
 
@@ -161,7 +161,7 @@ DRIVERS_OF_PAGES := ssd1306 sh1106
 ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)),none),)
 $(error there is no DRIVER "$(DRIVER)"; the drivers are: $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES))
 endif
-ifneq ($(filter-out $(shell seq 8 8 1024),$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(ROWS))),)
+ifneq ($(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(filter-out $(shell seq 8 8 1024),$(ROWS))),)
 $(error DRIVER=$(DRIVER) takes pages of eight rows: ROWS=$(ROWS) must be a multiple of 8)
 endif
 ifeq ($(if $(DRIVER),$(BOARD_DRIVER_ROWS.$(BOARD_CHOSEN))),0)
@@ -252,10 +252,10 @@ TARGET_BOARDS := $(foreach board,$(BOARDS),$(if $(BOARD_HOSTED.$(board)),,$(boar
 $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
 
-$(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program)))))
-$(if $(WALK_CHOICE),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
-$(if $(WALK_METHODS),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
-$(if $(DRIVER),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))
+$(if $(BUILT_GOALS),$(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program))))))
+$(if $(and $(BUILT_GOALS),$(WALK_CHOICE)),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
+$(if $(and $(BUILT_GOALS),$(WALK_METHODS)),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
+$(if $(and $(BUILT_GOALS),$(DRIVER)),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
 

@@ -140,10 +140,10 @@ def play(commands, name, script):
     file.chmod(file.stat().st_mode | stat.S_IXUSR)
 
 
-def setup(machine, *what):
+def setup(machine, *what, **changes):
     return subprocess.run([str(machine / "checkout" / "tools" / "setup.sh"), *what],
                           stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                          check=False, env=environment(PATH=f"{machine}/bin:{machine}/others"))
+                          check=False, env=environment(PATH=f"{machine}/bin:{machine}/others", **changes))
 
 
 def test_nothing_missing_is_silent(machine):
@@ -211,7 +211,15 @@ def test_no_apt_at_all(machine):
     assert done.returncode == 1 and "qemu-system-arm" in done.stderr and "no apt-get" in done.stderr
 
 
+@pytest.mark.parametrize("words, code", [(["run"], 0), (["test", "probe"], 0), (["run", "fuzz"], 1)])
+def test_what_make_test_has_set_up_is_not_looked_for_again(machine, words, code):
+    """In its own checkout; QEMU is missing here."""
+    assert setup(machine, *words, FIXEL_SET_UP=str(machine / "checkout")).returncode == code
+    assert setup(machine, *words, FIXEL_SET_UP=str(machine)).returncode == 1
+
+
 def test_unknown_set_up(machine):
+    assert setup(machine, "everything", FIXEL_SET_UP=str(machine / "checkout")).returncode == 1
     assert "unknown set-up 'everything'" in setup(machine, "everything").stderr
 
 

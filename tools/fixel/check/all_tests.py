@@ -210,6 +210,7 @@ def command(options):
     """The command; its exit code."""
     # The tests start tools some thousand times: a tool that Python has compiled before starts a third faster.
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["FIXEL_SET_UP"] = os.getcwd()    # tools/setup.sh need not look again
     if options.whole:
         os.environ["FIXEL_WHOLE"] = "1"     # host_tests/conftest.py reads it
     outcomes, taken = run_all(all_jobs(options), max(1, options.workers))
