@@ -136,3 +136,25 @@ def test_a_program_that_fails_is_an_error_of_its_last_words(monkeypatch, tmp_pat
     assert refused.value.exit_code == ending.exit_status(ended) != 0 and "last words" in refused.value.words
     with pytest.raises(ToolError, match="nowhere is not built"):
         counter.run("a.elf", [], tmp_path / "nowhere", tmp_path)
+
+
+def test_each_line_of_the_plugins_file_by_hand():
+    counts = counter.parse("region 12\nnode 3 1 7 1f4\nblock 9 1a0 242\nvisit 3 9 5 2\nregion 4\ndone 2\n")
+    assert counts.regions == [12, 4]
+    assert counts.nodes == {3: (1, 7, 0x1F4)} and counts.blocks == {9: (0x1A0, [2, 4, 2])}
+    assert counts.visits == [(3, 9, 5, 2)]
+    assert counter.by_address(counts) == {0x1A0: (5, 0), 0x1A2: (5, 0), 0x1A6: (5, 2)}
+
+
+def test_code_is_read_to_its_last_instruction():
+    """A section of an instruction of two bytes, one of four, data, and one of two bytes at the end."""
+    code = object.__new__(MachineCode)
+    code.path, code.decoded = "x.elf", {}
+    code.sections = [(0x100, bytes.fromhex("00bf") + (0xF000).to_bytes(2, "little") + (0xF800).to_bytes(2, "little") +
+                      b"\x11\x22\x33\x44" + (0x4770).to_bytes(2, "little"))]
+    code.marks = [(0x100, "t"), (0x106, "d"), (0x10A, "t")]
+    assert [(address, found.size) for address, found in code.each_instruction()] == [(0x100, 2), (0x102, 4), (0x10A, 2)]
+    with pytest.raises(ToolError, match="no code at 0x10c"):
+        code.instruction(0x10C)
+    with pytest.raises(ToolError, match="no code at 0xfe"):
+        code.instruction(0xFE)

@@ -4,13 +4,15 @@
 from fractions import Fraction
 import math
 import random
+import types
 
 from conftest import run_cli
 from hypothesis import given, settings, strategies as st
+import numpy as np
 import pytest
 
 from fixel.image import image
-from fixel.scene import tree, tree_faces
+from fixel.scene import tree, tree_choice, tree_faces
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
 from fixel.image.image_tree import NONE, PLANARITY_MAX
@@ -383,3 +385,20 @@ def test_a_mesh_of_its_own_is_cut_too():
     crossed = scene([model], [(0, 0, 0)])
     counts = tree.plant(crossed, {0})
     assert counts.splits == 2 and counts.faces_out == 6
+
+
+def test_a_plane_divides_if_something_is_in_it_or_on_either_side():
+    unit = 65536
+    points = [(x * unit, y * unit, 0) for x in (10, 20) for y in (0, 1, 2)]
+    low, high, both = (types.SimpleNamespace(ring=ring) for ring in ([0, 1, 2], [3, 4, 5], [0, 1, 4, 3]))
+
+    def costs(*parts):
+        planes = [((1 << 30, 0, 0), (x * unit) << 30) for x in (5, 10, 15, 20, 30)]
+        return [int(cost) for cost in np.concatenate(tree_choice._costs(points, list(parts), planes), axis=None)]
+    none = tree_choice.COST_MAX
+    assert costs(low, high) == [none, 1, 0, 1, none]
+    assert costs(low, low, high) == [none, 1, 1, 2, none]
+    assert costs(low) == [none, 0, none, none, none] and costs(high) == [none, none, none, 0, none]
+    # One that crosses the plane is split.
+    assert costs(both) == [none, none, tree_choice.SPLIT_COST, none, none]
+    assert costs(both, high) == [none, none, tree_choice.SPLIT_COST + 1, 1, none]

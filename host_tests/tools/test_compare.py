@@ -14,6 +14,7 @@ from test_input_bounds import run_bounded
 
 from fixel.report import comparison
 from fixel.base import picture
+from fixel.base.errors import ToolError
 
 GREY = bytes(value for entry in range(256) for value in (entry, entry, entry))
 
@@ -313,3 +314,15 @@ def test_enlargement_stays_within_the_frame():
     differs[0, 399] = True
     y0, y1, x0, x1 = picture.differing_region(differs, 24)
     assert (y0, y1) == (0, 20) and x1 <= 400 and x0 <= 399 < x1
+
+
+@pytest.mark.parametrize("width, height, taken", [
+    (comparison.SIDE_MAX, 1, True), (1, comparison.SIDE_MAX, True), (comparison.SIDE_MAX + 1, 1, False),
+    (1, comparison.SIDE_MAX + 1, False), (comparison.SIDE_MAX, comparison.PIXELS_MAX // comparison.SIDE_MAX, True),
+    (comparison.SIDE_MAX, comparison.PIXELS_MAX // comparison.SIDE_MAX + 1, False)])
+def test_the_largest_picture(width, height, taken):
+    if taken:
+        comparison.check_size("a.png", width, height)
+        return
+    with pytest.raises(ToolError, match="pixels are too many"):
+        comparison.check_size("a.png", width, height)

@@ -4,12 +4,13 @@
 import os
 import signal
 import subprocess
+import types
 
 import pytest
 
 from board_programs import built
 from conftest import run_cli
-from fixel.check import kill_campaign
+from fixel.check import kill_campaign, killing
 from viewers import BOARDS
 
 KILLS, SEED = 8, 13
@@ -100,3 +101,23 @@ def test_tracebacks():
     text = "Traceback (most recent call last):\n  File ...\nValueError"
     assert kill_campaign.is_traceback(text) and not kill_campaign.is_traceback("error: no")
     assert os.environ.get(kill_campaign.MARK) is None
+
+
+@pytest.mark.parametrize("complaints, code", [([], 0), (["it is left"], 1)])
+def test_the_command_ends_with_what_it_found(monkeypatch, tmp_path, capsys, complaints, code):
+    """Also in the background, where a shell ignores a signal that the commands must get."""
+    seen = []
+
+    def carry_out(options, campaign):
+        seen.append((signal.getsignal(signal.SIGINT), options.kills, options.seed, campaign))
+        return [kill_campaign.Kill("run", signal.SIGKILL, 0.5, False, False, complaints=complaints)]
+    monkeypatch.setattr(killing, "carry_out", carry_out)
+    monkeypatch.setattr(killing, "make_campaign", lambda options, folder: folder.parent)
+    build, before = tmp_path / "new" / "build", signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        options = types.SimpleNamespace(kills="3", seed="5", build=str(build), commands=["run"])
+        assert killing.command(options) == code
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert seen == [(signal.default_int_handler, 3, 5, seen[0][3])] and build.is_dir()
+    assert f"{1 - len(complaints)} of 1 kills" in capsys.readouterr().out

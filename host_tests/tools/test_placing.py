@@ -245,3 +245,14 @@ def test_a_file_system_that_locks_no_folder(out, monkeypatch, journals):
     monkeypatch.setattr(fcntl, "flock", flock)
     write(out, "new", 1)
     assert texts(out) == result("new", 1) and str(journals / placing.LOCK) in locked
+
+
+def test_the_first_name_that_is_free(tmp_path):
+    out = tmp_path / "out"
+    assert placing._free_name(out).name == "out.old"
+    (tmp_path / "out.old").mkdir()
+    assert placing._free_name(out).name == "out.old-2"
+    (tmp_path / "out.old-2").symlink_to("nowhere")      # somebody's too
+    assert placing._free_name(out).name == "out.old-3"
+    (tmp_path / "out.old-4").touch()
+    assert placing._free_name(out).name == "out.old-3"

@@ -10,7 +10,7 @@ import xml.etree.ElementTree
 import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel.bench import bench_plan, counter, cycles, flame, places, thumb
+from fixel.bench import bench_plan, counter, cycles, debug_lines, flame, places, thumb
 from fixel.bench.debug_lines import DebugLines
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
@@ -260,7 +260,7 @@ def test_a_flame_graph_has_bars_as_wide_as_what_they_took():
     assert set(found) == {"main: 100 (100.00 %)", "a<b>: 74 (74.00 %)", "tiny: 24 (24.00 %)", "hair: 1 (1.00 %)"}
     main, inner, tiny = (found[name] for name in ("main: 100 (100.00 %)", "a<b>: 74 (74.00 %)", "tiny: 24 (24.00 %)"))
     assert [round(bar[2] / whole, 3) for bar in (main, inner, tiny)] == [1, 0.74, 0.24]
-    assert main[1] > inner[1] > tiny[1]         # callers below
+    assert main[1] - inner[1] == inner[1] - tiny[1] == flame.ROW      # callers below
     assert main[0] <= inner[0] and inner[0] + inner[2] <= main[0] + main[2]
 
 
@@ -294,3 +294,12 @@ def test_the_command_says_what_there_is(workload, core, words):
 
 
 assert set(cycles.LEAVING) <= set(thumb.KINDS)
+
+
+def test_a_line_belongs_to_the_addresses_up_to_the_next_row():
+    lines = object.__new__(debug_lines.DebugLines)
+    lines.rows, lines.files = [(0x100, 0x104, "a.c:1"), (0x104, 0x106, "a.c:2"), (0x200, 0x202, "b.S:9")], {"f": "a.c"}
+    lines.addresses = [row[0] for row in lines.rows]
+    assert [lines.line(address) for address in (0xFE, 0x100, 0x103, 0x104, 0x106, 0x1FF, 0x200, 0x202)] == \
+        [None, "a.c:1", "a.c:1", "a.c:2", None, None, "b.S:9", None]
+    assert [lines.file_of(name, address) for name, address in (("f", 0x200), ("g", 0x200), ("h", 0x300))] == ["a.c", "b.S", ""]

@@ -51,3 +51,25 @@ def test_the_names_that_there_are(tmp_path, table, row, use):
         compiler.compile_scene(str(file))
     there = str(refused.value).split(f"the scene's {table}: ")[1]
     assert there.isprintable() and len(there) <= MOST, there
+
+
+def test_files_outside_the_folder_of_a_name_are_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(reading, "_confined", None)
+    for name in ("here/x.toml", "here/below/y", "z"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(name)
+    (tmp_path / "here/in").symlink_to("below/y")
+    (tmp_path / "here/out").symlink_to("../z")
+    for folder, named, before in ((tmp_path / "here", "x.toml", ""), (tmp_path, "here/x.toml", "here/")):
+        monkeypatch.chdir(folder)
+        reading.confine(named)
+        for name in ("x.toml", "below/y", "in", "below/../x.toml"):
+            with reading.open_file(before + name) as file:
+                assert file.read()
+        for name in ("../z", "out"):
+            with pytest.raises(ToolError, match=f"is outside {'here' if before else '.'}, the folder of {named}"):
+                reading.open_file(before + name)
+    # What the user named may itself be a link.
+    reading.confine("here/out")
+    with reading.open_file("here/out") as file:
+        assert file.read() == b"z"

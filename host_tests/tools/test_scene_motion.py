@@ -63,6 +63,9 @@ def test_a_circle_may_face_along_its_way(tmp_path):
     assert motion.keys[0].angles[0] == 2 * QUARTER and motion.steps[0] == QUARTER // 2
     back = build(tmp_path, BOX + "motion = { circle = 2, degrees = -45, facing = true }\n").motions[0]
     assert back.keys[0].angles[0] == 3 * QUARTER
+    for words in ("", ", facing = false"):
+        still = build(tmp_path, BOX + f"motion = {{ circle = 2, degrees = 45, start = 90{words} }}\n").motions[0]
+        assert still.keys[0].angles == still.steps == (0, 0, 0) and still.circle == (QUARTER, QUARTER // 2)
 
 
 def test_a_way_goes_to_and_fro(tmp_path):
