@@ -337,6 +337,8 @@ def test_a_terrain_has_the_faces_and_all_are_turned_up(plan, tmp_path, faces, pa
               for item in made.objects for vertex in made.models[item.model].vertices}
     columns, rows = bench_terrain.sides(faces // 2)
     assert len(points) == (columns + 1) * (rows + 1)
+    steps = bench_terrain.WIDTH * bench_terrain.ONE // columns, bench_terrain.DEPTH * bench_terrain.ONE // rows
+    assert (min(y for _, y, _ in points), max(y for _, y, _ in points)) == (0, 7 * min(steps) // 32)
     # From above the faces cover the ground once, and each model has its origin in the middle of its patch.
     whole = 2 * bench_terrain.WIDTH * bench_terrain.DEPTH * bench_terrain.ONE ** 2
     areas = [double_area_from_above(model.vertices, face.corners) for model in made.models for face in model.faces]

@@ -194,6 +194,15 @@ def test_every_instruction_has_one_function_one_line_one_stack_and_one_stage():
     assert data["cycles_estimate"]["cortex-m3"] == [40 + 6 + 4 * 2, 40 + 6 + 4 * 4]
 
 
+@pytest.mark.parametrize("back, about", [(0x104, ("small (inlined)",)), (0x102, ()), (0x106, ())])
+def test_the_stack_of_a_call_has_what_is_inlined_about_the_call(back, about):
+    """The call stands before the address that it comes back to."""
+    counts = counter.Counts(regions=[20], nodes={1: (0, 0, 0), 2: (1, 1, back)}, blocks={1: (0x200, [2, 2])},
+                            visits=[(2, 1, 10, 10)])
+    taken = places.Profile(Code, counts, Debug, cycles.models("m3"))
+    assert {names: each.instructions for names, each in taken.stacks.items()} == {("outer", *about, "helper"): 20}
+
+
 FILES = {"frame": "lib/draw/render.c", "outline": "lib/raster/scan.c", "fxl_scan_outline": "lib/raster/scan.c",
          "next": "lib/raster/scan.c", "rows": "lib/raster/fill_armv7m.S", "product": "lib/math/arith.h",
          "divide": "lib/math/divide_wide.c", "main": "bench/firmware/frames.c", "new": "lib/draw/unheard_of.c"}

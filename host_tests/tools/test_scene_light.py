@@ -37,6 +37,14 @@ def test_each_key_becomes_a_number(tmp_path):
     assert light.points == [(ONE, 2 * ONE, 3 * ONE, 4 * ONE, Q30), (0, 0, 0, ONE // 2, Q30 // 8)]
 
 
+def test_the_least_range_of_a_point_light(tmp_path):
+    def points(reach):
+        return LIGHT + f"points = [{{ position = [0, 0, 0], range = {reach} }}]\n" + BOX
+    assert build(tmp_path, points(2 ** -16)).light.points == [(0, 0, 0, 1, Q30)]
+    with pytest.raises(ToolError, match="range"):
+        build(tmp_path, points(2 ** -16 - 2 ** -30))
+
+
 def test_what_is_not_given_has_a_default(tmp_path):
     light = build(tmp_path, LIGHT + BOX).light
     assert (light.ambient, light.strength) == (round(0.4 * Q30), round(0.6 * Q30))
