@@ -237,6 +237,37 @@ void test_a_target_is_chosen_after_init(void)
     }
 }
 
+/* RGB565 at an odd address, and bands of bytes, are refused, and no pixel is written. */
+void test_bands_that_are_not_of_the_target(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    for (uint32_t i = 0; i < TARGETS; i++) {
+        const bool is_rgb565 = ways[i].target->pixel_bits == 16;
+        uint8_t *odd = (uint8_t *)pixels + 1;
+        fxl_band band = {.pixels = odd,
+                         .width = DEPTH_SCENE_WIDTH,
+                         .stride = DEPTH_SCENE_WIDTH,
+                         .rows = DEPTH_SCENE_HEIGHT - 1,
+                         .palette = is_rgb565 ? colours : NULL};
+        start(&ways[i]);
+        memset(pixels, 0x5A, sizeof pixels);
+        if (is_rgb565) {
+            TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_render(&made->renderer, &depth_scene_eye, odd,
+                                                          DEPTH_SCENE_WIDTH));
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
+        TEST_ASSERT_EQUAL(is_rgb565 ? FXL_E_ALIGNMENT : FXL_OK,
+                          fxl_frame_draw(&made->renderer, &band));
+        if (is_rgb565) {
+            band.pixels = (uint8_t *)pixels;
+            band.palette = NULL;
+            TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&made->renderer, &band));
+            TEST_ASSERT_EQUAL_UINT32(3, made->renderer.workspace.counters.refused_calls);
+            TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, pixels, sizeof pixels);
+        }
+    }
+}
+
 /* A refused frame changes no pixel, and what was refused can be detached. */
 void test_after_a_refusal(void)
 {

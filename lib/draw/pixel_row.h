@@ -22,10 +22,10 @@ static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling
     fxl_fill_row(pixel, end, filling);
 }
 
-static inline bool fxl_is_band_of_pixels(const fxl_band *band)
+static inline fxl_status fxl_check_band(const fxl_band *band)
 {
     (void)band;
-    return true;
+    return FXL_OK;
 }
 
 #else
@@ -46,9 +46,18 @@ static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling
     fxl_fill_row_rgb565(pixel, end, filling);
 }
 
-static inline bool fxl_is_band_of_pixels(const fxl_band *band)
+static inline bool fxl_is_aligned_band(const fxl_band *band)
 {
-    return band->palette != NULL;
+    return ((uintptr_t)band->pixels & 1u) == 0;
+}
+
+/* FXL_E_ORDER: a band of bytes. FXL_E_ALIGNMENT: pixels at an odd address. */
+static inline fxl_status fxl_check_band(const fxl_band *band)
+{
+    if (band->palette == NULL) {
+        return FXL_E_ORDER;
+    }
+    return fxl_is_aligned_band(band) ? FXL_OK : FXL_E_ALIGNMENT;
 }
 
 #endif

@@ -212,8 +212,9 @@ static uint32_t memory_size(const fxl_lens *lens)
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
 {
-    if (!fxl_is_band_of_pixels(band)) {
-        return fxl_refuse(workspace, FXL_E_ORDER);
+    const fxl_status status = fxl_check_band(band);
+    if (status != FXL_OK) {
+        return fxl_refuse(workspace, status);
     }
     fxl_depth_draw_parts(renderer, workspace, band, FXL_TARGET_DEPTH_BITS / 8,
                          FXL_TARGET_PIXEL_BITS / 8);
@@ -240,8 +241,9 @@ static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint3
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
 {
-    if (!fxl_is_band_of_pixels(band)) {
-        return fxl_refuse(workspace, FXL_E_ORDER);
+    const fxl_status status = fxl_check_band(band);
+    if (status != FXL_OK) {
+        return fxl_refuse(workspace, status);
     }
     (void)fxl_draw_band(renderer, workspace, band);
     return FXL_OK;
@@ -251,9 +253,13 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
 
 #if FXL_TARGET_PIXEL_BITS == 16
 
+/* Pixels at an odd address stay: draw_band then says why. */
 static void fill(const fxl_band *band, uint8_t colour)
 {
     uint16_t *row = fxl_pixels_of_row(band, band->first_row);
+    if (!fxl_is_aligned_band(band)) {
+        return;
+    }
     for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
         fxl_fill_row_rgb565(row, row + band->width, band->palette[colour]);
     }

@@ -180,11 +180,12 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
                              const fxl_config *config, void *memory, size_t memory_size);
 
 /* Draws a whole frame as the eye sees it: clears pixels to the background, then draws. One
- * byte a pixel, or a uint16_t in RGB565, rows downward, row y at pixel y * stride. Requires stride >= width and
- * memory for height rows.
+ * byte a pixel, or a uint16_t in RGB565, rows downward, row y at pixel y * stride. Requires memory
+ * for height rows.
  * The display list is left empty, because one band is drawn in fewer instructions without it.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: eye or stride is out of range.
+ * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
  * FXL_E_COMBINATION: two things that the renderer has do not go together.
  * With each of these statuses: pixels untouched; counted in refused_calls. */
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride);
@@ -280,8 +281,9 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. Faces that the list had no room for are counted by the first band alone.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no frame begun, or frames of 16 bits a pixel.
+ * FXL_E_ORDER: no frame begun; or an RGB565 target, and a band without a palette.
  * FXL_E_RANGE: a band that is not of this screen.
+ * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
  * With each of these statuses: band untouched; counted in refused_calls. */
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 

@@ -39,4 +39,4 @@ def text(scene, name):
             table("uint16_t", f"{name}_billboard_map", [str(number) for number in scene.billboards.model_map],
                   "For each model its billboard, counted from 1; 0: none."),
             record("fxl_billboard_set", f"{name}_billboards", [f"{name}_boards, {len(boards)}, {name}_billboard_map"],
-                   "For fxl_renderer_set_billboards.")]
+                   "For fxl_attach_billboards.")]

@@ -172,7 +172,7 @@ def _motions(scene, name):
 
 
 def _light(scene, name):
-    """The light, for fxl_renderer_set_light, and its ramp."""
+    """The light, for fxl_attach_light, and its ramp."""
     light = scene.light
     if light is None:
         return []
@@ -182,7 +182,7 @@ def _light(scene, name):
     return [table("uint8_t", f"{name}_ramp", [str(entry) for level in light.ramp for entry in level],
                   "For each level from dark to full, 256 entries: the colour of each colour."),
             record("fxl_light_settings", f"{name}_light", entries,
-                   "For fxl_renderer_set_light: ambient, strength and direction in 2.30; point lights; their "
+                   "For fxl_attach_light: ambient, strength and direction in 2.30; point lights; their "
                    "count, fog's near and far in 16.16, ramp, levels.")]
 
 

@@ -67,4 +67,4 @@ def text(scene, name):
     entries = [", ".join([textures, looks, mapped, face_map, normals]), ", ".join(map(str, counts)),
                f"{blend}, {scene.surfaces.blend_first}, {len(scene.surfaces.blend)}"]
     return [*pieces, *(made for _, made, _ in tables if made),
-            record("fxl_surface_set", f"{name}_surfaces", entries, "For fxl_renderer_set_surfaces.")]
+            record("fxl_surface_set", f"{name}_surfaces", entries, "For fxl_attach_surfaces.")]
