@@ -82,8 +82,8 @@ def function_of(test):
 
 def observe(tree, file, names):
     """(CPU seconds and places of each test of functions that passed, parameters that were skipped) of a file of tests. A
-    run that takes too long is ended. If that was in a test, it counts with the lines it had executed; if it was in a fixture,
-    no function with this fixture is tried again. The next run begins with the function after that one."""
+    run that takes too long is ended, and the next one begins with the function in which that was, or behind it if the run
+    began with it. If it was in a fixture, no function with this fixture is tried again."""
     folder, uses = tree.folder / "lines", arguments_of((tree.folder / "host_tests" / file).read_text(encoding="utf-8"))
     read = functools.cache(lambda name: Functions((tree.folder / "tools/fixel" / name).read_text(encoding="utf-8")))
     seconds, places, skipped = {}, {}, []
@@ -99,9 +99,7 @@ def observe(tree, file, names):
         if not isinstance(code, str) or not (folder / "begun").exists():
             break
         begun, _, fixture = (folder / "begun").read_text(encoding="utf-8").partition("\n")
-        if not fixture and begun not in [each["test"] for each in report]:
-            seconds[begun], places[begun] = RUN, places_of(folder / str(len(report) + 1), read)
-        names = [name for name in names[names.index(function_of(begun)) + 1:] if fixture not in uses[name]]
+        names = [name for name in names[names.index(function_of(begun)) or 1:] if fixture not in uses[name]]
         if not names:
             break
     return seconds, places, skipped
