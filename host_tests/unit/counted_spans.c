@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "choices.h"
 #include "counted_spans.h"
 
 #include <string.h>
@@ -40,15 +41,15 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
 }
 
 static fxl_target painter;
-static fxl_visibility visibility;
-const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
+static choice counted;
+const choice *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count)
 {
     counted_writes = writes;
     counted_pixels = pixels;
     memset(writes, 0, count);
     painter = fxl_palette_spans;
     painter.flat = paint;
-    visibility = fxl_visibility_spans;
-    visibility.target = &painter;
-    return &visibility;
+    counted = choice_spans;
+    counted.target = &painter;
+    return &counted;
 }

@@ -3,6 +3,7 @@
 #ifndef COUNTED_SPANS_H
 #define COUNTED_SPANS_H
 
+#include "choices.h"
 #include "fixel/all.h"
 #include "study/span_buffer.h"
 
@@ -13,7 +14,7 @@ bool counted_span_buffer_draw(fxl_span_buffer *buffer, const fxl_trapezoid *trap
                               uint8_t colour, const fxl_band *band);
 
 /* From now on writes[], all 0 at first, says how often each of so many pixels was written.
- * Answers fxl_visibility_spans with the span buffer counted. */
-const fxl_visibility *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count);
+ * Answers choice_spans with the span buffer counted. */
+const choice *counted_begin(uint8_t *writes, const uint8_t *pixels, uint32_t count);
 
 #endif

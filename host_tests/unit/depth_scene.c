@@ -58,18 +58,32 @@ depth_scene *depth_scene_make(void)
     return made;
 }
 
-void depth_scene_start(depth_scene *made)
+static void start(depth_scene *made, const fxl_target *target, uint32_t depth_size)
 {
+    const fxl_painter *const painters[] = {FXL_SURFACES_OF(fxl_palette),
+                                           FXL_SURFACES_OF(fxl_palette_depth_16),
+                                           FXL_SURFACES_OF(fxl_palette_depth_32)};
+    made->config.target = target;
+    made->config.depth = made->cells;
+    made->config.depth_size = depth_size;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&made->renderer, &made->scene, &made->config,
                                                 made->memory, sizeof made->memory));
+    if (made->is_mapped) {
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_surfaces(&made->renderer, &made->surfaces, &made->set,
+                                              painters[target->depth_bits / 16u]));
+    }
 }
 
-void depth_scene_start_with(depth_scene *made, const fxl_visibility *method)
+void depth_scene_start(depth_scene *made)
 {
-    depth_scene_start(made);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&made->renderer, &made->depth, method,
-                                                     made->cells, sizeof made->cells));
+    start(made, &fxl_palette, 0);
+}
+
+void depth_scene_start_with(depth_scene *made, const fxl_target *target)
+{
+    start(made, target, sizeof made->cells);
 }
 
 void depth_scene_draw_in_bands(depth_scene *made, uint16_t rows, uint32_t list_words)
@@ -87,21 +101,20 @@ void depth_scene_draw_in_bands(depth_scene *made, uint16_t rows, uint32_t list_w
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
-void depth_scene_check_bands(depth_scene *made, const fxl_visibility *method)
+void depth_scene_check_bands(depth_scene *made, const fxl_target *target)
 {
     static const uint32_t sizes[] = {FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 32),
                                      FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 5, 16), sizeof made->cells};
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     for (uint32_t i = 0; i < 3; i++) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&made->renderer, &made->depth, method,
-                                                         made->cells, sizes[i]));
+        start(made, target, sizes[i]);
         for (uint32_t words = 0; words <= 128; words += 32) {
             depth_scene_draw_in_bands(made, 4, words);
             depth_scene_draw_in_bands(made, DEPTH_SCENE_HEIGHT, words);
             const bool whole =
                 sizes[i] >= FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, DEPTH_SCENE_HEIGHT, 16) &&
-                method == &fxl_visibility_depth;
+                target == &fxl_palette_depth_16;
             TEST_ASSERT_EQUAL(whole, made->renderer.workspace.counters.split_bands == 0);
         }
     }

@@ -25,7 +25,7 @@ typedef struct {
     fxl_surface_set set;
     fxl_renderer renderer;
     fxl_surfaces surfaces;
-    fxl_depth depth;
+    bool is_mapped; /* the start attaches the surfaces */
     FXL_ALIGN_8 uint8_t memory[1024];
     FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, DEPTH_SCENE_HEIGHT, 16)];
     FXL_ALIGN_8 uint8_t room[8192]; /* of clippers, beams, another workspace */
@@ -40,14 +40,14 @@ extern const fxl_pose depth_scene_eye;
  * which there is one. */
 depth_scene *depth_scene_make(void);
 
-/* Checks the scene and sets up the renderer; and its depth buffer. */
+/* Checks the scene and sets up the renderer; with a target of a palette and a depth buffer. */
 void depth_scene_start(depth_scene *made);
-void depth_scene_start_with(depth_scene *made, const fxl_visibility *method);
+void depth_scene_start_with(depth_scene *made, const fxl_target *target);
 
 /* Draws in bands of so many rows, with a display list of so many words: the pixels of `frame`. */
 void depth_scene_draw_in_bands(depth_scene *made, uint16_t rows, uint32_t list_words);
 
-/* The same, of a depth buffer of one row to all. Draws `frame`. */
-void depth_scene_check_bands(depth_scene *made, const fxl_visibility *method);
+/* The same, of a depth buffer of one row to all, after a start each. Draws `frame`. */
+void depth_scene_check_bands(depth_scene *made, const fxl_target *target);
 
 #endif

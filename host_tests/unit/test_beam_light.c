@@ -2,6 +2,7 @@
 /* A renderer with a light: what lies in the beam is lit, all else is as before, in bands as
  * whole, and no pixel between lit and dark is left out or drawn twice. */
 #include "../../lib/paint/lit_pieces.h"
+#include "choices.h"
 #include "painters.h"
 #include "tiny.h"
 #include "tiny_frames.h"
@@ -45,8 +46,8 @@ static void make(uint32_t words)
 
 static void light(uint32_t count, const uint8_t *colours)
 {
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_beams(&renderer, beams, count, colours, room, sizeof room));
+    const fxl_beam_set set = {beams, count, colours};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &set, room, sizeof room));
 }
 
 static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
@@ -157,9 +158,9 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
         const fxl_pose pose = any_pose();
         make(0);
         tiny->instances[1].centre.y = tiny->instances[2].centre.y = Q16(-7000);
-        fxl_visibility method = fxl_visibility_sorted;
+        choice method = choice_sorted;
         method.target = painter_counting(drawn, WIDTH, 255);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &method, NULL, 0));
         memset(drawn, 0, sizeof drawn);
         draw(whole, &pose, HEIGHT);
         memcpy(whole, drawn, sizeof whole);
@@ -179,16 +180,17 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
 /* Near to far, the pieces of a face are drawn as far to near. */
 void test_near_to_far_gives_the_same_pixels(void)
 {
-    fxl_visibility reverse = fxl_visibility_sorted;
+    choice reverse = choice_sorted;
     int bright = 0;
-    reverse.front_to_back = true;
     reverse.target = painter_under(0);
     for (int i = 0; i < UNIT_REPEAT / 200; i++) {
         const fxl_pose pose = any_pose();
         make(0);
         light(1u + (uint32_t)i % 2, lit);
         draw(whole, &pose, HEIGHT);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &reverse, NULL, 0));
+        make(0);
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &reverse, NULL, 0));
+        light(1u + (uint32_t)i % 2, lit);
         draw(other, &pose, HEIGHT);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         bright += lit_pixels(whole) > 0;
@@ -202,31 +204,29 @@ void test_what_makes_no_light_is_refused(void)
     const uint32_t needed = fxl_beam_light_workspace_size(beams, 2);
     TEST_ASSERT_TRUE(needed > 0 && needed <= sizeof room);
     TEST_ASSERT_EQUAL(0, fxl_beam_light_workspace_size(NULL, 2));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_beams(NULL, beams, 1, lit, room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_beams(&renderer, NULL, 1, lit, room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_beams(&renderer, beams, 1, NULL, room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_beams(&renderer, beams, 1, lit, NULL, sizeof room));
+    fxl_beam_set set = {beams, 1, lit};
+    const fxl_beam_set no_beams = {NULL, 1, lit}, no_colours = {beams, 1, NULL};
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_beams(NULL, &set, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_beams(&renderer, &no_beams, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_beams(&renderer, &no_colours, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_beams(&renderer, &set, NULL, sizeof room));
     for (int off = 1; off < 8; off *= 2) {
         TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
-                          fxl_renderer_set_beams(&renderer, beams, 1, lit, (uint8_t *)room + off,
-                                                 (uint32_t)(WORKSPACE - off)));
+                          fxl_attach_beams(&renderer, &set, (uint8_t *)room + off,
+                                           (uint32_t)(WORKSPACE - off)));
     }
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_renderer_set_beams(&renderer, beams, FXL_BEAMS_MAX + 1, lit,
-                                                          room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                      fxl_renderer_set_beams(&renderer, beams, 2, lit, room, needed - 1));
+    set.count = FXL_BEAMS_MAX + 1;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_attach_beams(&renderer, &set, room, sizeof room));
+    set.count = 2;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_attach_beams(&renderer, &set, room, needed - 1));
     TEST_ASSERT_EQUAL_UINT32(8, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_NULL(renderer.shader);
     beams[1].plane_count = 0;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT,
-                      fxl_renderer_set_beams(&renderer, beams, 2, lit, room, sizeof room));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, beams, 1, lit, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_attach_beams(&renderer, &set, room, sizeof room));
+    set.count = 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &set, room, sizeof room));
     TEST_ASSERT_NOT_NULL(renderer.shader);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, NULL, NULL, 0));
     TEST_ASSERT_NULL(renderer.shader);
 }
 
@@ -290,6 +290,7 @@ void test_a_face_of_too_many_corners_is_refused(void)
 void test_every_face_must_fit_the_beams(void)
 {
     static fxl_beam narrow[2];
+    const fxl_beam_set set = {narrow, 2, lit};
     narrow[1].plane_count = (uint8_t)((FXL_FACE_VERTICES_MAX - 3) / 3); /* each adds two vertices */
     narrow[0].plane_count = (uint8_t)(FXL_FACE_VERTICES_MAX - 3 - 2 * narrow[1].plane_count);
     for (uint32_t i = 0; i < FXL_BEAM_PLANES_MAX; i++) {
@@ -304,12 +305,12 @@ void test_every_face_must_fit_the_beams(void)
             tiny->faces[i].count = i == larger ? 4 : 3;
         }
         TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, size));
+                          fxl_attach_beams(&renderer, &set, room, size));
     }
     TEST_ASSERT_EQUAL_UINT32(12, renderer.workspace.counters.refused_calls);
     /* The face after those of the scene need not fit. */
     tiny->scene.face_count = 11;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, narrow, 2, lit, room, size));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &set, room, size));
 }
 
 /* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each

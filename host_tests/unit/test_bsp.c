@@ -2,6 +2,7 @@
 /* Drawing by a tree: what hides what, with cubes that move through a cube. */
 #include "fixel/stage/visibility.h"
 #include "bsp_sight.h"
+#include "choices.h"
 #include "frame_bands.h"
 #include "painters.h"
 
@@ -26,7 +27,7 @@ static fxl_bsp_workspace *bsp_workspace(void)
     return renderer.order_memory;
 }
 
-static void start_with(uint32_t words, const fxl_visibility *visibility, uint32_t pieces_size)
+static void start_with(uint32_t words, const choice *visibility, uint32_t pieces_size)
 {
     fxl_scene_fault fault = {"", 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -35,7 +36,7 @@ static void start_with(uint32_t words, const fxl_visibility *visibility, uint32_
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, visibility, room, sizeof room));
+                      choice_take(&renderer, visibility, room, sizeof room));
     if (visibility->order->memory_size != NULL && scene->bsp_nodes != NULL) {
         bsp_workspace()->pieces = pieces_size > 0 ? pieces : NULL;
         bsp_workspace()->pieces_size = pieces_size;
@@ -67,7 +68,7 @@ void test_what_a_ray_sees_first_is_seen(void)
     for (uint32_t round = 0; round < rounds; round++) {
         fxl_pose pose = shuffle();
         made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
-        start_with(0, &fxl_visibility_bsp, sizeof pieces);
+        start_with(0, &choice_tree, sizeof pieces);
         draw(whole, &pose);
         TEST_ASSERT_EQUAL_UINT32(0, bsp_workspace()->unsplit);
         TEST_ASSERT_EQUAL_UINT32(0, bsp_workspace()->refused);
@@ -102,7 +103,7 @@ void test_two_cubes_in_one_leaf(void)
                 (fxl_point){unit_between(-aside, aside), unit_between(-aside, aside),
                             nearer ? Q16(13) : Q16(17)};
         }
-        start_with(0, &fxl_visibility_bsp, size);
+        start_with(0, &choice_tree, size);
         draw(whole, &pose);
         TEST_ASSERT_EQUAL_UINT32(size > 0 ? 0 : bsp_workspace()->movers, bsp_workspace()->unsplit);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -131,7 +132,7 @@ void test_cubes_that_touch_the_planes(void)
             (fxl_point){Q16(0.5) * unit_between(-4, 4), Q16(0.5) * unit_between(-4, 4),
                         Q16(10) + Q16(0.5) * unit_between(-4, 4)};
         made->tiny->instances[2].centre = (fxl_point){Q16(100), 0, Q16(-100)};
-        start_with(0, &fxl_visibility_bsp, sizeof pieces);
+        start_with(0, &choice_tree, sizeof pieces);
         draw(whole, &pose);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
             bsp_sight seen = bsp_look(made, &pose, i % WIDTH, i / WIDTH);
@@ -153,10 +154,10 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
     for (uint32_t round = 0; round < rounds; round++) {
         const uint32_t workspace_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
         fxl_pose pose = shuffle();
-        start_with(0, &fxl_visibility_bsp, workspace_size);
+        start_with(0, &choice_tree, workspace_size);
         draw(whole, &pose);
         fxl_counters counters = renderer.workspace.counters;
-        start_with((uint32_t)unit_between(0, WORDS), &fxl_visibility_bsp, workspace_size);
+        start_with((uint32_t)unit_between(0, WORDS), &choice_tree, workspace_size);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         for (uint32_t row = 0, rows; row < HEIGHT; row += rows) {
             rows = 1 + unit_random() % (HEIGHT - row);
@@ -173,13 +174,12 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
 
 void test_near_to_far_is_the_reverse_of_far_to_near(void)
 {
-    fxl_visibility reverse = fxl_visibility_bsp;
-    reverse.front_to_back = true;
+    choice reverse = choice_tree;
     reverse.target = painter_under(BACKGROUND);
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         const uint32_t workspace_size = unit_random() % 4 ? sizeof pieces : unit_random() % 3000;
         fxl_pose pose = shuffle();
-        start_with(0, &fxl_visibility_bsp, workspace_size);
+        start_with(0, &choice_tree, workspace_size);
         draw(whole, &pose);
         const uint32_t unsplit = bsp_workspace()->unsplit;
         start_with(round % 2 ? WORDS : 0, &reverse, workspace_size);
@@ -192,7 +192,7 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
 /* Cut or not, a pixel of a convex object is drawn once: no gap, and nothing twice. */
 void test_pieces_leave_no_gap_and_do_not_overlap(void)
 {
-    fxl_visibility count_all = fxl_visibility_bsp;
+    choice count_all = choice_tree;
     uint32_t covered = 0, most = 0;
     count_all.target = painter_counting(times, WIDTH, 6); /* colours of objects that move */
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
@@ -233,13 +233,13 @@ void test_any_room_for_pieces(void)
     bsp_tilt(made, unit_random(), unit_random(), unit_random());
     made->tiny->instances[0].centre = (fxl_point){Q16(0.75), Q16(0.5), Q16(9.5)};
     made->tiny->instances[2].centre = (fxl_point){Q16(-0.5), Q16(-0.75), Q16(10.25)};
-    start_with(0, &fxl_visibility_bsp, sizeof pieces);
+    start_with(0, &choice_tree, sizeof pieces);
     draw(whole, &pose);
     const uint32_t used = bsp_workspace()->used;
     TEST_ASSERT_TRUE(used > 0 && used <= sizeof pieces);
     for (uint32_t bytes = 0; bytes <= used + 8; bytes += 1 + bytes % 7) {
         memset(pieces, 0xA5, sizeof pieces);
-        start_with(0, &fxl_visibility_bsp, bytes);
+        start_with(0, &choice_tree, bytes);
         draw(other, &pose);
         TEST_ASSERT_TRUE(bsp_workspace()->unsplit <= last);
         last = bsp_workspace()->unsplit;
@@ -251,11 +251,11 @@ void test_any_room_for_pieces(void)
     }
     TEST_ASSERT_EQUAL_UINT32(0, last);
     for (uint32_t less = 0; less < 2; less++) { /* what was used is the least that will do */
-        start_with(0, &fxl_visibility_bsp, used - less);
+        start_with(0, &choice_tree, used - less);
         draw(other, &pose);
         TEST_ASSERT_EQUAL(less, bsp_workspace()->unsplit > 0);
     }
-    start_with(0, &fxl_visibility_bsp, 0);
+    start_with(0, &choice_tree, 0);
     draw(other, &pose);
     TEST_ASSERT_EQUAL_UINT32(2, bsp_workspace()->unsplit);
 }
@@ -263,21 +263,21 @@ void test_any_room_for_pieces(void)
 void test_room_for_the_walk(void)
 {
     made = bsp_make();
-    start_with(0, &fxl_visibility_bsp, 0);
-    uint32_t needed = fxl_visibility_bsp.order->memory_size(&made->tiny->scene);
+    start_with(0, &choice_tree, 0);
+    uint32_t needed = choice_tree.order->memory_size(&made->tiny->scene);
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 8 + 4 * BSP_NODES + 2 * 12, needed);
     needed = (needed + 7) / 8 * 8;
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, choice_take(&renderer, &choice_tree,
                                                                   room, needed - 1));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, NULL, needed));
+                      choice_take(&renderer, &choice_tree, NULL, needed));
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, needed));
+                      choice_take(&renderer, &choice_tree, room, needed));
     made->tiny->instances[0].layer = made->tiny->instances[2].layer = 1; /* nothing moves */
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 4,
-                             fxl_visibility_bsp.order->memory_size(&made->tiny->scene));
+                             choice_tree.order->memory_size(&made->tiny->scene));
     made->tiny->scene.bsp_nodes = NULL;
-    TEST_ASSERT_EQUAL_UINT32(0, fxl_visibility_bsp.order->memory_size(&made->tiny->scene));
+    TEST_ASSERT_EQUAL_UINT32(0, choice_tree.order->memory_size(&made->tiny->scene));
 }
 
 /* --- counting, and scenes of another kind ------------------------------------- */
@@ -288,10 +288,10 @@ void test_counters_are_those_of_any_method(void)
     for (uint32_t round = 0; round < UNIT_REPEAT / 100; round++) {
         fxl_pose pose = shuffle();
         pose.yaw += round % 3 == 0 ? (fxl_angle)unit_random() : 0;
-        start_with(0, &fxl_visibility_sorted, 0);
+        start_with(0, &choice_sorted, 0);
         draw(other, &pose);
         fxl_counters counters = renderer.workspace.counters;
-        start_with(0, &fxl_visibility_bsp, round % 2 ? sizeof pieces : 0);
+        start_with(0, &choice_tree, round % 2 ? sizeof pieces : 0);
         draw(whole, &pose);
         TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
         counters.spilled = renderer.workspace.counters.spilled; /* each piece by itself */
@@ -325,13 +325,13 @@ void test_a_face_whose_second_polygon_is_refused(void)
         const uint32_t size = round % 8 < 4 ? sizeof pieces : 0;
         fxl_pose pose = shuffle();
         second = ends[round % 4];
-        start_with(0, &fxl_visibility_sorted, 0);
+        start_with(0, &choice_sorted, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &clipper, NULL, 0));
         draw(other, &pose);
         fxl_counters counters = renderer.workspace.counters;
-        start_with(0, &fxl_visibility_bsp, size);
+        start_with(0, &choice_tree, size);
         draw(whole, &pose);
-        start_with(0, &fxl_visibility_bsp, size);
+        start_with(0, &choice_tree, size);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &clipper, NULL, 0));
         draw(other, &pose);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
@@ -352,11 +352,11 @@ void test_without_a_tree_it_is_drawn_by_distance(void)
 {
     fxl_pose pose = shuffle();
     for (uint32_t i = 0; i < 20; i++, pose = shuffle()) {
-        start_with(0, &fxl_visibility_sorted, 0);
+        start_with(0, &choice_sorted, 0);
         draw(whole, &pose);
         made->tiny->scene.bsp_nodes = NULL;
         made->tiny->scene.bsp_node_count = made->tiny->scene.bsp_instance = 0;
-        start_with(0, &fxl_visibility_bsp, 0);
+        start_with(0, &choice_tree, 0);
         draw(other, &pose);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     }
@@ -370,7 +370,7 @@ void test_other_layers_and_a_tree_out_of_sight(void)
     made->tiny->instances[0].centre = (fxl_point){0, 0, Q16(18)};
     made->tiny->instances[2].centre = (fxl_point){0, 0, Q16(24)};
     made->tiny->instances[2].layer = 1; /* over the nearer one */
-    start_with(0, &fxl_visibility_bsp, sizeof pieces);
+    start_with(0, &choice_tree, sizeof pieces);
     draw(whole, &pose);
     TEST_ASSERT_EQUAL_UINT8(5, whole[WIDTH * HEIGHT / 2 + WIDTH / 2]);
     TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
@@ -379,7 +379,7 @@ void test_other_layers_and_a_tree_out_of_sight(void)
     made->tiny->instances[2].layer = 0;
     made->tiny->instances[0].layer = 2;
     made->tiny->instances[0].centre.x = Q16(0.5);
-    start_with(0, &fxl_visibility_bsp, sizeof pieces);
+    start_with(0, &choice_tree, sizeof pieces);
     draw(whole, &pose);
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.drawn);
 }

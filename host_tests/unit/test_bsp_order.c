@@ -2,6 +2,7 @@
 /* Drawing by a tree beside other layers, near to far, through the near plane, with a clipper that
  * gives several polygons a face, and with light. */
 #include "bsp_sight.h"
+#include "choices.h"
 #include "frame_bands.h"
 #include "painters.h"
 #include "study/clippers.h"
@@ -21,14 +22,14 @@ static fxl_renderer renderer;
 static fxl_clipper_workspace clip_room;
 static bsp_scene *made;
 
-static void start(const fxl_visibility *visibility, const fxl_lens *lens)
+static void start(const choice *visibility, const fxl_lens *lens)
 {
     const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
     fxl_scene *scene = &made->tiny->scene;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, lens, &memory));
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, visibility, workspace, sizeof workspace));
+        FXL_OK, choice_take(&renderer, visibility, workspace, sizeof workspace));
     if (visibility->order->memory_size != NULL && scene->bsp_nodes != NULL) {
         fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
@@ -47,8 +48,7 @@ void test_layers_come_in_reverse_near_to_far(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
-    fxl_visibility reverse = fxl_visibility_bsp;
-    reverse.front_to_back = true;
+    choice reverse = choice_tree;
     reverse.target = painter_under(BACKGROUND);
     for (uint32_t turn = 0; turn < 3; turn++) {
         made = bsp_make();
@@ -58,7 +58,7 @@ void test_layers_come_in_reverse_near_to_far(void)
             instance->centre =
                 (fxl_point){Q16(0.75) * instance->layer, Q16(0.5) * instance->layer, Q16(5)};
         }
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(whole, &pose, HEIGHT);
         TEST_ASSERT_EQUAL_UINT32(18, renderer.workspace.counters.in);
         start(&reverse, &lens);
@@ -82,10 +82,10 @@ void test_a_tree_through_the_near_plane_is_drawn(void)
     made = bsp_make();
     made->tiny->instances[0].layer = made->tiny->instances[2].layer = 1;
     made->tiny->instances[0].centre.z = made->tiny->instances[2].centre.z = Q16(-50);
-    start(&fxl_visibility_sorted, &lens);
+    start(&choice_sorted, &lens);
     draw(other, &pose, HEIGHT);
     TEST_ASSERT_NOT_NULL(memchr(other, 14, sizeof other));
-    start(&fxl_visibility_bsp, &lens);
+    start(&choice_tree, &lens);
     draw(whole, &pose, HEIGHT);
     TEST_ASSERT_EQUAL_UINT32(1u << FXL_PLANE_NEAR, order[0].instance.planes);
     TEST_ASSERT_EQUAL_MEMORY(other, whole, sizeof whole);
@@ -108,10 +108,10 @@ void test_a_clipper_of_several_polygons(void)
     uint32_t clipped = 0;
     for (uint32_t i = 0; i < 2; i++) {
         make_crossing();
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(whole, &poses[i], HEIGHT);
         const fxl_counters counters = renderer.workspace.counters;
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_triangles,
                                                            &clip_room, sizeof clip_room));
         draw(other, &poses[i], HEIGHT);
@@ -140,19 +140,20 @@ void test_pieces_are_lit(void)
     const fxl_pose pose = {{0, Q16(5), Q16(7)}, 0, DEGREES(-50), 0};
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     fxl_beam beam;
+    const fxl_beam_set beams = {&beam, 1, lit};
     uint32_t bright[2] = {0, 0}, dark[2] = {0, 0};
     for (uint32_t i = 0; i < 256; i++) {
         lit[i] = (uint8_t)(i + 100);
     }
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_direction(&down, window, 4, &beam));
     make_crossing();
-    start(&fxl_visibility_bsp, &lens);
+    start(&choice_tree, &lens);
     draw(whole, &pose, HEIGHT);
     TEST_ASSERT_EQUAL_UINT32(0, ((const fxl_bsp_workspace *)renderer.order_memory)->unsplit);
     for (uint32_t rows = HEIGHT; rows > 0; rows /= 4) {
-        start(&fxl_visibility_bsp, &lens);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, light_room,
-                                                         sizeof light_room));
+        start(&choice_tree, &lens);
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_beams(&renderer, &beams, light_room, sizeof light_room));
         draw(other, &pose, rows);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
             const uint32_t moves = whole[i] <= 6;
@@ -178,7 +179,7 @@ void test_what_touches_a_plane_is_not_cut(void)
         made = bsp_make();
         made->tiny->instances[0].centre = places[i];
         made->tiny->instances[2].layer = 1;
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(whole, &pose, HEIGHT);
         const fxl_bsp_workspace *tree = renderer.order_memory;
         uint32_t front = 0;
@@ -196,7 +197,7 @@ static uint32_t used_by(const fxl_point *centre, const fxl_pose *pose)
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     made->tiny->instances[0].centre = *centre;
     made->tiny->instances[2].layer = 1;
-    start(&fxl_visibility_bsp, &lens);
+    start(&choice_tree, &lens);
     draw(whole, pose, HEIGHT);
     const fxl_bsp_workspace *tree = renderer.order_memory;
     TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
@@ -212,7 +213,7 @@ void test_what_a_failed_cut_took_is_free_again(void)
     made = bsp_make();
     made->tiny->instances[0].centre = (fxl_point){Q16(1), 0, Q16(8)};
     made->tiny->instances[2].centre = (fxl_point){Q16(2), Q16(2), Q16(6)};
-    start(&fxl_visibility_bsp, &lens);
+    start(&choice_tree, &lens);
     fxl_bsp_workspace *tree = renderer.order_memory;
     draw(whole, &pose, HEIGHT);
     TEST_ASSERT_EQUAL_UINT32(0, tree->unsplit);
@@ -235,13 +236,13 @@ void test_room_for_trees_of_any_size(void)
         scene->bsp_node_count = nodes[i];
         made->tiny->instances[0].layer = made->tiny->instances[2].layer = 0;
         TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 2 * 12,
-                                 fxl_visibility_bsp.order->memory_size(scene));
+                                 choice_tree.order->memory_size(scene));
         made->tiny->instances[0].layer = 1;
         TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 12,
-                                 fxl_visibility_bsp.order->memory_size(scene));
+                                 choice_tree.order->memory_size(scene));
         made->tiny->instances[2].layer = 1;
         TEST_ASSERT_EQUAL_UINT32(record + 4 * words[i],
-                                 fxl_visibility_bsp.order->memory_size(scene));
+                                 choice_tree.order->memory_size(scene));
     }
 }
 
@@ -296,11 +297,11 @@ void test_nodes_without_faces_change_nothing(void)
     for (uint32_t round = 0; round < UNIT_REPEAT / 1000; round++) {
         made = bsp_make();
         const fxl_pose pose = bsp_shuffle(made);
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(whole, &pose, HEIGHT);
         const fxl_counters counters = renderer.workspace.counters;
         deepen();
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(other, &pose, HEIGHT);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
@@ -321,7 +322,7 @@ void test_what_moves_is_drawn_where_the_tree_is_not(void)
         if (is_deep) {
             deepen();
         }
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(whole, &pose, HEIGHT);
         TEST_ASSERT_EQUAL_UINT8(5, whole[WIDTH * HEIGHT / 2 + WIDTH / 2]);
         TEST_ASSERT_EQUAL_UINT8(BACKGROUND, whole[0]);
@@ -341,18 +342,18 @@ void test_the_workspace_is_large_enough(void)
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         make_crossing();
         const fxl_pose pose = {{Q16(2.5), Q16(2), Q16(7)}, DEGREES(-40), DEGREES(-30), 0};
-        start(&fxl_visibility_bsp, &lens);
+        start(&choice_tree, &lens);
         draw(whole, &pose, HEIGHT);
         deepen_to(counts[i]);
         fxl_scene *scene = &made->tiny->scene;
-        const uint32_t size = fxl_visibility_bsp.order->memory_size(scene);
+        const uint32_t size = choice_tree.order->memory_size(scene);
         const uint32_t rounded = (size + 7) / 8 * 8;
         TEST_ASSERT_TRUE(rounded + 32 <= sizeof room);
         memset(room, 0x5A, sizeof room);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
         TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, rounded));
+            FXL_OK, choice_take(&renderer, &choice_tree, room, rounded));
         fxl_bsp_workspace *tree = renderer.order_memory;
         memset(room + sizeof *tree, 0x5A, sizeof room - sizeof *tree);
         tree->pieces = pieces;

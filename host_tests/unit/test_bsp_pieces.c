@@ -3,6 +3,7 @@
  * cancel, bit for bit, and one outline is left. */
 #include "../../lib/order/bsp_cut.h"
 #include "bsp_sight.h"
+#include "choices.h"
 
 enum {
     WIDTH = 64,
@@ -104,7 +105,7 @@ void test_pieces_share_every_vertex(void)
         fxl_scene *scene = &make_scene()->tiny->scene;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree,
                                                               workspace, sizeof workspace));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &watching, NULL, 0));
         fxl_bsp_workspace *tree = renderer.order_memory;

@@ -2,6 +2,7 @@
 /* A tree whose nodes have spheres of their own, and nodes on both sides: what is out of sight is
  * left out and counted, and all else is drawn as without a tree. */
 #include "bsp_scene.h"
+#include "choices.h"
 #include "frame_bands.h"
 #include "painters.h"
 
@@ -85,14 +86,14 @@ static void make_spheres_of_one_size(uint32_t axis)
     tiny->scene.bsp_node_count = NODES;
 }
 
-static void start(const fxl_visibility *visibility, const fxl_lens *lens, uint32_t words)
+static void start(const choice *visibility, const fxl_lens *lens, uint32_t words)
 {
     const fxl_memory memory = {order, TINY_INSTANCES + 6, list, words, NULL, 0};
     fxl_scene_fault fault = {"", 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, lens, &memory));
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, visibility, workspace, sizeof workspace));
+        FXL_OK, choice_take(&renderer, visibility, workspace, sizeof workspace));
     if (visibility->order->memory_size != NULL) {
         fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
@@ -155,9 +156,9 @@ static void expect_as_without_a_tree(bool moving)
         pose.position.z = Q16(20) - pose.position.z;
         pose.yaw += 2 * FXL_ANGLE_QUARTER;
     }
-    start(&fxl_visibility_sorted, &lens, 0);
+    start(&choice_sorted, &lens, 0);
     const fxl_counters expected = draw(whole, &pose, HEIGHT);
-    start(&fxl_visibility_bsp, &lens, unit_random() % 3 * (uint32_t)unit_between(0, WORDS / 2));
+    start(&choice_tree, &lens, unit_random() % 3 * (uint32_t)unit_between(0, WORDS / 2));
     const fxl_counters counters = draw(other, &pose, (uint32_t)unit_between(1, HEIGHT));
     TEST_ASSERT_EQUAL_UINT32(18, counters.in);
     TEST_ASSERT_EQUAL_UINT32(expected.drawn, counters.drawn);
@@ -198,7 +199,7 @@ void test_a_smaller_sphere_about_the_same_centre(void)
     }
     tiny->instances[0].layer = tiny->instances[2].layer = 1;
     tiny->instances[0].centre = tiny->instances[2].centre = (fxl_point){0, Q16(-100), 0};
-    start(&fxl_visibility_bsp, &lens, 0);
+    start(&choice_tree, &lens, 0);
     const fxl_counters counters = draw(whole, &up, HEIGHT);
     TEST_ASSERT_EQUAL_UINT32(18, counters.in);
     TEST_ASSERT_EQUAL_UINT32(5, counters.backfacing);
@@ -230,7 +231,7 @@ void test_a_scene_moved_as_a_whole_looks_the_same(void)
         }
         pose.position.z -= Q16(3);
         for (int moved = 0; moved < 2; moved++) {
-            start(&fxl_visibility_bsp, &lens, 0);
+            start(&choice_tree, &lens, 0);
             ((fxl_bsp_workspace *)renderer.order_memory)->pieces_size = pieces_size;
             draw(moved ? other : whole, &pose, HEIGHT);
             for (int i = 0; i < TINY_INSTANCES; i++) {
@@ -253,8 +254,7 @@ void test_a_node_of_several_faces(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_pose pose = {{Q16(-5), 0, Q16(10)}, DEGREES(90), 0, 0};
-    fxl_visibility reverse = fxl_visibility_bsp;
-    reverse.front_to_back = true;
+    choice reverse = choice_tree;
     reverse.target = painter_under(BACKGROUND);
     for (int near_first = 0; near_first < 2; near_first++) {
         tiny = bsp_make()->tiny;
@@ -272,7 +272,7 @@ void test_a_node_of_several_faces(void)
         nodes[3] = node(5, FXL_BSP_NONE, FXL_BSP_NONE, 2);
         tiny->scene.bsp_nodes = nodes;
         tiny->scene.bsp_node_count = 4;
-        start(near_first ? &reverse : &fxl_visibility_bsp, &lens, 0);
+        start(near_first ? &reverse : &choice_tree, &lens, 0);
         const fxl_counters counters = draw(whole, &pose, HEIGHT);
         TEST_ASSERT_EQUAL_UINT8(13, whole[HEIGHT / 2 * WIDTH + WIDTH / 2]);
         TEST_ASSERT_NULL(memchr(whole, 11, sizeof whole));
@@ -305,7 +305,7 @@ void test_a_whole_cube_before_and_behind(void)
                             Q16(10) + sides[i].z * Q16(1) * out};
             tiny->instances[2].layer = 1; /* behind the eye, or beside it */
             tiny->instances[2].centre = (fxl_point){Q16(1000), Q16(1000), Q16(1000)};
-            start(&fxl_visibility_bsp, &lens, 0);
+            start(&choice_tree, &lens, 0);
             ((fxl_bsp_workspace *)renderer.order_memory)->pieces_size = 0;
             const fxl_counters counters = draw(whole, &pose, HEIGHT);
             const uint8_t seen = whole[HEIGHT / 2 * WIDTH + WIDTH / 2];
@@ -329,7 +329,7 @@ void test_what_moves_is_cut_on_any_layer(void)
             tiny->instances[2].layer = 1; /* beside the two, and in sight */
             tiny->instances[0].centre = (fxl_point){Q16(0.5), Q16(0.75), Q16(9.5)};
             tiny->instances[2].centre = (fxl_point){Q16(4), 0, Q16(12)};
-            start(&fxl_visibility_bsp, &lens, 0);
+            start(&choice_tree, &lens, 0);
             const fxl_counters counters = draw(whole, &pose, HEIGHT);
             const fxl_bsp_workspace *tree = renderer.order_memory;
             TEST_ASSERT_EQUAL_UINT32(18, counters.in);
@@ -350,7 +350,7 @@ void test_nothing_is_measured_inside(void)
         make();
         tiny->instances[0].layer = tiny->instances[2].layer = 1;
         tiny->instances[0].centre = tiny->instances[2].centre = (fxl_point){0, 0, Q16(-100)};
-        start(&fxl_visibility_bsp, &lens, 0);
+        start(&choice_tree, &lens, 0);
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, &counts, sizeof counts));
         counts = (fxl_clip_stats){0, 0, 0};
@@ -381,7 +381,7 @@ void test_faces_need_the_planes_of_their_node(void)
         make();
         tiny->models[1].radius = Q16(20);
         tiny->instances[0].centre = tiny->instances[2].centre = (fxl_point){0, 0, Q16(-100)};
-        start(&fxl_visibility_bsp, &lens, 0);
+        start(&choice_tree, &lens, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &noting, NULL, 0));
         faces_seen = planes_seen = 0;
         (void)draw(whole, &pose, HEIGHT);

@@ -105,13 +105,13 @@ static void check_frame(double resolution)
 
 void test_the_nearest_of_faces_that_intersect_is_seen(void)
 {
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     check_frame(33.0 / 32 / 4096); /* far is 1024 near: 11 octaves, 12 bits */
 }
 
 void test_32_bits_are_finer(void)
 {
-    depth_scene_start_with(made, &fxl_visibility_depth_32);
+    depth_scene_start_with(made, &fxl_palette_depth_32);
     check_frame(1.0 / 4096 / 32);
 }
 
@@ -127,17 +127,17 @@ static uint32_t count_different(void)
 
 void test_bands_lists_and_memory_give_the_same_pixels(void)
 {
-    depth_scene_start_with(made, &fxl_visibility_depth);
-    depth_scene_check_bands(made, &fxl_visibility_depth);
-    depth_scene_start_with(made, &fxl_visibility_depth_32);
-    depth_scene_check_bands(made, &fxl_visibility_depth_32);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
+    depth_scene_check_bands(made, &fxl_palette_depth_16);
+    depth_scene_start_with(made, &fxl_palette_depth_32);
+    depth_scene_check_bands(made, &fxl_palette_depth_32);
 }
 
 void test_every_clipper_gives_the_same_depths(void)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_world, &fxl_clipper_triangles,
                                                   &fxl_clipper_near};
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     for (uint32_t i = 0; i < 3; i++) {
@@ -159,7 +159,7 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
         PART_HEIGHT = 20
     };
     fxl_lens lens;
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&made->renderer.frame.view.lens, LEFT, TOP,
@@ -168,9 +168,7 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
         (fxl_order_entry *)(void *)made->memory, made->scene.order_needed, NULL, 0, NULL, 0};
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&made->renderer, &made->scene, &lens, &tables));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
-                                             made->cells, sizeof made->cells));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &made->config));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
     const fxl_band band = {.pixels = made->again, .width = PART_WIDTH, .stride = DEPTH_SCENE_WIDTH,
                            .first_row = 0, .rows = PART_HEIGHT};
@@ -191,12 +189,12 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
 void test_turned_instances_have_depth(void)
 {
     static const fxl_turn turns[DEPTH_SCENE_QUADS] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     made->scene.turns = turns;
     made->scene.turn_code = &fxl_turned_instances;
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
@@ -218,7 +216,7 @@ void test_pieces_of_light_beams_have_depth(void)
     for (uint32_t i = 0; i < sizeof lit; i++) {
         lit[i] = (uint8_t)(i + 1);
     }
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     const fxl_point lamp = {0, 8 * 65536, 3 * 65536};
@@ -227,8 +225,9 @@ void test_pieces_of_light_beams_have_depth(void)
                                  {2 * 65536, 0, 6 * 65536},
                                  {2 * 65536, 0, 65536}};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, outline, 4, &beam));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&made->renderer, &beam, 1, lit, made->room,
-                                                     sizeof made->room));
+    const fxl_beam_set beams = {&beam, 1, lit};
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_attach_beams(&made->renderer, &beams, made->room, sizeof made->room));
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     uint32_t bright = 0;
@@ -268,18 +267,15 @@ void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
     depth_scene_start(made);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
     made->surface = (fxl_surface){.flags = FXL_SURFACE_BLEND, .opacity = 16};
     made->set.blend = table;
     made->set.blend_count = 1;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
-                                             made->cells, sizeof made->cells));
+    made->is_mapped = true;
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
@@ -289,7 +285,7 @@ void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
 void test_two_workspaces_draw_halves_of_a_frame(void)
 {
     fxl_workspace other;
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL(FXL_OK,
@@ -307,53 +303,24 @@ void test_two_workspaces_draw_halves_of_a_frame(void)
     TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
 }
 
-/* Once another method is set, faces are drawn as ever. */
-void test_another_method_ends_the_depth(void)
-{
-    depth_scene_start(made);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
-                                             made->cells, sizeof made->cells));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
-    TEST_ASSERT_GREATER_THAN(50, count_different());
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&made->renderer, &fxl_visibility_sorted, NULL, 0));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
-    TEST_ASSERT_EQUAL_MEMORY(made->frame, made->again, sizeof made->frame);
-}
-
+/* A buffer of one row is the least. */
 void test_what_is_refused(void)
 {
+    const uint32_t least = FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16);
     depth_scene_start(made);
-    const fxl_visibility *const method = &fxl_visibility_depth;
-    fxl_renderer none;
-    memset(&none, 0, sizeof none);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(NULL, &made->depth, method,
-                                                             made->cells, sizeof made->cells));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(&made->renderer, NULL, method,
-                                                             made->cells, sizeof made->cells));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(&made->renderer, &made->depth, NULL,
-                                                             made->cells, sizeof made->cells));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_sorted,
-                                             made->cells, sizeof made->cells));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_depth(&made->renderer, &made->depth,
-                                                             &fxl_visibility_surfaces, made->cells,
-                                                             sizeof made->cells));
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_depth(&none, &made->depth, method, made->cells,
-                                                          sizeof made->cells));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_depth(&made->renderer, &made->depth, method,
-                                                              made->cells + 2, 1000));
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, method, made->cells,
-                                             FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16) - 1));
-    TEST_ASSERT_EQUAL(6, made->renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_TRUE(fxl_visibility_sorted.target == made->renderer.target && fxl_visibility_sorted.order == made->renderer.order);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, method, made->cells,
-                                             FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16)));
+    fxl_config config = made->config;
+    config.target = &fxl_palette_depth_16;
+    config.depth_size = least;
+    config.depth = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_choose(&made->renderer, &config));
+    config.depth = made->cells + 2;
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_choose(&made->renderer, &config));
+    config.depth = made->cells;
+    config.depth_size = least - 1;
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_choose(&made->renderer, &config));
+    TEST_ASSERT_EQUAL(3, made->renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL_PTR(&fxl_palette, made->renderer.target);
+    config.depth_size = least;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &config));
+    TEST_ASSERT_EQUAL_PTR(&fxl_palette_depth_16, made->renderer.target);
 }

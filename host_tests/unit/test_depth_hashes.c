@@ -40,8 +40,7 @@ static fxl_pose any_eye(uint32_t with)
 
 static uint32_t hash_of(uint32_t with)
 {
-    const fxl_visibility *method =
-        with & CODES_32 ? &fxl_visibility_depth_32 : &fxl_visibility_depth;
+    const fxl_target *target = with & CODES_32 ? &fxl_palette_depth_32 : &fxl_palette_depth_16;
     uint32_t hash = 0;
     for (uint32_t i = 0; i < FRAMES; i++) {
         depth_scene *made = depth_scene_make();
@@ -53,14 +52,11 @@ static uint32_t hash_of(uint32_t with)
         made->texture.flags = (uint8_t)unit_between(0, 3);
         made->surface.opacity = (uint8_t)(with & STIPPLE ? unit_between(1, 15) : 16);
         made->surface.division = (uint8_t)(i % 4);
-        depth_scene_start(made);
         if (with & TEXTURE) {
             made->face_map[i % DEPTH_SCENE_QUADS] = 1;
-            TEST_ASSERT_EQUAL(
-                FXL_OK, fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
+            made->is_mapped = true;
         }
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&made->renderer, &made->depth, method,
-                                                         made->cells, sizeof made->cells));
+        depth_scene_start_with(made, target);
         const fxl_pose eye = any_eye(with);
         TEST_ASSERT_EQUAL(FXL_OK,
                           fxl_render(&made->renderer, &eye, made->frame, DEPTH_SCENE_WIDTH));

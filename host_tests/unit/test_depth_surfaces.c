@@ -20,11 +20,8 @@ void tearDown(void)
 static void set_texture(uint32_t face)
 {
     made->face_map[face] = 1;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&made->renderer, &made->depth, &fxl_visibility_depth,
-                                             made->cells, sizeof made->cells));
+    made->is_mapped = true;
+    depth_scene_start_with(made, &fxl_palette_depth_16);
 }
 
 /* Pixels of the texture of face `face` are where the flat frame has its colour; a texel of the key
@@ -55,7 +52,8 @@ void test_textures_are_seen_where_they_are_nearest(void)
     for (uint32_t face = 0; face < DEPTH_SCENE_QUADS; face++) {
         memset(made->face_map, 0, sizeof made->face_map);
         made->texture.flags = 0;
-        depth_scene_start_with(made, &fxl_visibility_depth);
+        made->is_mapped = false;
+        depth_scene_start_with(made, &fxl_palette_depth_16);
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
         set_texture(face);
@@ -72,13 +70,13 @@ void test_textures_are_seen_where_they_are_nearest(void)
             TEST_ASSERT_EQUAL(plain[i] == 98, made->again[i] == 98);
         }
         memcpy(made->frame, made->again, sizeof made->frame);
-        depth_scene_check_bands(made, &fxl_visibility_depth);
+        depth_scene_check_bands(made, &fxl_palette_depth_16);
     }
 }
 
 void test_a_stippled_surface_keeps_depth_where_it_is_drawn(void)
 {
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     set_texture(1);
@@ -110,7 +108,7 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
     for (uint32_t i = 0; i < sizeof table; i++) {
         table[i] = (uint8_t)(i ^ 0x80);
     }
-    depth_scene_start_with(made, &fxl_visibility_depth);
+    depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     memset(made->texels, 99, sizeof made->texels);
@@ -139,7 +137,7 @@ void test_a_blended_surface_is_seen_over_what_is_behind_it(void)
     }
     TEST_ASSERT_GREATER_THAN(100, seen_through);
     memcpy(made->frame, made->again, sizeof made->frame);
-    depth_scene_check_bands(made, &fxl_visibility_depth);
+    depth_scene_check_bands(made, &fxl_palette_depth_16);
 }
 
 /* The floor, and of the two panes those that the bits of `shown` name. */
@@ -162,12 +160,8 @@ static void draw_panes(uint32_t shown, uint8_t *frame)
     fresh->set.blend = panes;
     fresh->set.blend_first = 20; /* the colours of the panes are 20 and 30 */
     fresh->set.blend_count = 11;
-    depth_scene_start(fresh);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_surfaces(&fresh->renderer, &fresh->surfaces, &fresh->set));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&fresh->renderer, &fresh->depth, &fxl_visibility_depth,
-                                             fresh->cells, sizeof fresh->cells));
+    fresh->is_mapped = true;
+    depth_scene_start_with(fresh, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_render(&fresh->renderer, &depth_scene_eye, frame, DEPTH_SCENE_WIDTH));
 }

@@ -244,6 +244,7 @@ void test_light_goes_with_beams(void)
                                  {Q16(0.75), Q16(0.75), -Q16(3)},
                                  {Q16(0.75), -Q16(0.75), -Q16(3)}};
     fxl_beam beam;
+    const fxl_beam_set beams = {&beam, 1, lit};
     fxl_light_settings of;
     uint32_t changed = 0, plain = 0;
     memset(&of, 0, sizeof of);
@@ -262,7 +263,7 @@ void test_light_goes_with_beams(void)
             TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         }
         TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, room, sizeof memory_of.beams));
+            FXL_OK, fxl_attach_beams(&renderer, &beams, room, sizeof memory_of.beams));
         draw(&pose, frames[light_first ? 1 : 0]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         draw(&pose, frames[2]);
@@ -280,7 +281,7 @@ void test_light_goes_with_beams(void)
         }
     }
     TEST_ASSERT_TRUE(changed > 3 && plain > 3);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, NULL, NULL, 0));
     TEST_ASSERT_TRUE(renderer.shader == &light.shader && light.shader.next == NULL);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Whole frames by lenses whose centre is not the middle of the screen: tiles of one picture, by
  * every clipper and by methods that decide in another order. */
+#include "choices.h"
 #include "clippers_list.h"
 #include "tiny.h"
 #include "tiny_frames.h"
@@ -42,7 +43,7 @@ static tiny_scene *checked_scene(void)
 }
 
 static void start(const fxl_lens *lens, const fxl_clipper *clipper,
-                  const fxl_visibility *visibility)
+                  const choice *visibility)
 {
     const fxl_memory memory = {order, 64, NULL, 0, cache, 8};
     TEST_ASSERT_EQUAL(FXL_OK,
@@ -52,7 +53,7 @@ static void start(const fxl_lens *lens, const fxl_clipper *clipper,
             FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &room, clipper->workspace_size));
     }
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, visibility, spans, sizeof spans));
+                      choice_take(&renderer, visibility, spans, sizeof spans));
 }
 
 /* Draws the frame into pixels of rows of WIDTH. */
@@ -69,7 +70,7 @@ static void draw(const fxl_pose *pose, uint8_t *pixels)
 
 /* Draws the picture of `whole` as tiles. */
 static void draw_tiles(const fxl_pose *pose, const fxl_clipper *clipper,
-                       const fxl_visibility *visibility)
+                       const choice *visibility)
 {
     const fxl_lens lens = whole_lens();
     for (int y = 0; y < HEIGHT; y += TILE_HEIGHT) {
@@ -86,7 +87,7 @@ static void draw_tiles(const fxl_pose *pose, const fxl_clipper *clipper,
 static uint32_t drawn, differing;
 
 static void compare(const fxl_pose *pose, const fxl_clipper *clipper,
-                    const fxl_visibility *visibility)
+                    const choice *visibility)
 {
     const fxl_lens lens = whole_lens();
     start(&lens, clipper, visibility);
@@ -105,7 +106,7 @@ void test_tiles_are_the_picture(void)
     drawn = differing = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = tiny_pose_between();
-        compare(&pose, NULL, &fxl_visibility_sorted);
+        compare(&pose, NULL, &choice_sorted);
     }
     TEST_ASSERT_EQUAL_UINT32(0, differing);
     TEST_ASSERT_TRUE(drawn > PIXELS);
@@ -117,7 +118,7 @@ void test_tiles_by_every_clipper(void)
         drawn = differing = 0;
         for (int round = 0; round < UNIT_REPEAT / 100; round++) {
             const fxl_pose pose = tiny_pose_between();
-            compare(&pose, clippers[which], &fxl_visibility_sorted);
+            compare(&pose, clippers[which], &choice_sorted);
         }
         TEST_ASSERT_EQUAL_UINT32(0, differing);
         TEST_ASSERT_TRUE(drawn > PIXELS / 4);
@@ -129,7 +130,7 @@ void test_tiles_by_the_clipper_in_the_world(void)
     drawn = differing = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = tiny_pose_between();
-        compare(&pose, &fxl_clipper_world, &fxl_visibility_sorted);
+        compare(&pose, &fxl_clipper_world, &choice_sorted);
     }
     TEST_ASSERT_TRUE(differing <= drawn / 1000);
     TEST_ASSERT_TRUE(drawn > PIXELS / 4);
@@ -137,8 +138,8 @@ void test_tiles_by_the_clipper_in_the_world(void)
 
 void test_tiles_by_other_visibility_methods(void)
 {
-    const fxl_visibility *const methods[] = {&fxl_visibility_box, &fxl_visibility_spans,
-                                             &fxl_visibility_spans_box};
+    const choice *const methods[] = {&choice_box, &choice_spans,
+                                             &choice_spans_box};
     for (int which = 0; which < 3; which++) {
         drawn = differing = 0;
         for (int round = 0; round < UNIT_REPEAT / 100; round++) {
@@ -161,9 +162,9 @@ void test_a_renderer_moves_its_centre(void)
         const fxl_q16_16 y = unit_between(Q16(-HEIGHT), Q16(2 * HEIGHT));
         fxl_lens moved = lens;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_set_centre(&moved, x, y));
-        start(&moved, NULL, &fxl_visibility_sorted);
+        start(&moved, NULL, &choice_sorted);
         draw(&pose, whole);
-        start(&lens, NULL, &fxl_visibility_sorted);
+        start(&lens, NULL, &choice_sorted);
         draw(&other, tiled);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, x, y));
         const fxl_band band = {.pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0,
@@ -174,7 +175,7 @@ void test_a_renderer_moves_its_centre(void)
         TEST_ASSERT_EQUAL(FXL_OK,
                           fxl_renderer_set_centre(&renderer, Q16(WIDTH / 2), Q16(HEIGHT / 2)));
         draw(&pose, tiled);
-        start(&lens, NULL, &fxl_visibility_sorted);
+        start(&lens, NULL, &choice_sorted);
         draw(&pose, whole);
         TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);
     }
@@ -185,13 +186,13 @@ void test_frames_go_on_counting(void)
 {
     const fxl_lens lens = whole_lens();
     const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
-    start(&lens, &fxl_clipper_normalised, &fxl_visibility_sorted);
+    start(&lens, &fxl_clipper_normalised, &choice_sorted);
     draw(&pose, tiled);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, Q16(10), Q16(12)));
     draw(&pose, tiled);
     TEST_ASSERT_EQUAL_UINT32(2, renderer.frame.view.frame);
     const fxl_lens moved = renderer.frame.view.lens;
-    start(&moved, &fxl_clipper_normalised, &fxl_visibility_sorted);
+    start(&moved, &fxl_clipper_normalised, &choice_sorted);
     draw(&pose, whole);
     TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);
 }
@@ -200,7 +201,7 @@ void test_a_wrong_centre_changes_nothing(void)
 {
     const fxl_lens lens = whole_lens();
     const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
-    start(&lens, NULL, &fxl_visibility_sorted);
+    start(&lens, NULL, &choice_sorted);
     draw(&pose, whole);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_centre(NULL, 0, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_set_centre(&renderer, Q16(2 * WIDTH) + 1, 0));

@@ -3,6 +3,7 @@
  * pixels that show them. */
 #include <math.h>
 
+#include "choices.h"
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"
@@ -24,7 +25,7 @@ static fxl_renderer renderer;
 static uint64_t spans[FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT) / 8 + 1];
 static tiny_scene *tiny;
 
-static void start(uint32_t words, const fxl_clipper *clipper, const fxl_visibility *visibility)
+static void start(uint32_t words, const fxl_clipper *clipper, const choice *visibility)
 {
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order, TINY_INSTANCES + 6, words > 0 ? list : NULL, words, NULL, 0};
@@ -32,7 +33,7 @@ static void start(uint32_t words, const fxl_clipper *clipper, const fxl_visibili
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, visibility, spans, sizeof spans));
+                      choice_take(&renderer, visibility, spans, sizeof spans));
 }
 
 static void draw(uint8_t frame[HEIGHT][WIDTH])
@@ -47,7 +48,7 @@ static void draw_alone(const fxl_pose *pose)
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
         tiny->instances[0] = i == 0 ? first : tiny->instances[i];
         tiny->scene.instance_count = 1;
-        start(0, &fxl_clipper_view, &fxl_visibility_sorted);
+        start(0, &fxl_clipper_view, &choice_sorted);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
         draw(alone[i]);
         tiny->instances[0] = first;
@@ -76,9 +77,9 @@ static uint32_t expect_pixel(uint32_t x, uint32_t y)
  */
 void test_a_pick_is_the_pixel_that_was_drawn(void)
 {
-    static const fxl_visibility *const methods[] = {&fxl_visibility_sorted, &fxl_visibility_box,
-                                                    &fxl_visibility_spans,
-                                                    &fxl_visibility_spans_box};
+    static const choice *const methods[] = {&choice_sorted, &choice_box,
+                                                    &choice_spans,
+                                                    &choice_spans_box};
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
     uint32_t seen = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
@@ -107,7 +108,7 @@ void test_picks_that_cannot_be_are_refused(void)
     fxl_picked picked = {1, 2, 3};
     const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
     tiny = tiny_make();
-    start(0, &fxl_clipper_view, &fxl_visibility_sorted);
+    start(0, &fxl_clipper_view, &choice_sorted);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pick_face(&renderer, 0, 0, &picked));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pick_face(NULL, 0, 0, &picked));
@@ -115,7 +116,7 @@ void test_picks_that_cannot_be_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pick_face(&renderer, WIDTH, 0, &picked));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pick_face(&renderer, 0, HEIGHT, &picked));
     TEST_ASSERT_EQUAL_UINT32(4, renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_pick_face(&renderer, 0, 0, &picked));
     TEST_ASSERT_TRUE(picked.instance == 1 && picked.face == 2 && picked.colour == 3);

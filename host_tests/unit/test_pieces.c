@@ -2,6 +2,7 @@
 /* Faces of which several polygons come: by their clipper, by their walk, by light. Counted
  * once, and in the list wholly or not at all. */
 #include "../../lib/draw/submit.h"
+#include "choices.h"
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_frames.h"
@@ -208,9 +209,9 @@ static bool walk_in_pieces(const fxl_traversal *on)
 
 void test_a_face_in_pieces_counts_once(void)
 {
-    static fxl_visibility in_pieces;
+    static choice in_pieces;
     uint32_t full = 0;
-    in_pieces = fxl_visibility_sorted;
+    in_pieces = choice_sorted;
     static const fxl_order by_pieces = {.submit = walk_in_pieces};
     in_pieces.order = &by_pieces;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
@@ -218,7 +219,7 @@ void test_a_face_in_pieces_counts_once(void)
         fxl_counters expected = draw_plainly(&pose);
         start((uint32_t)unit_between(0, LIST_WORDS));
         begin_count = 0;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &in_pieces, NULL, 0));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &in_pieces, NULL, 0));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_TRUE(renderer.frame.resume.instances == renderer.frame.visible_count ||
                          begins[(begin_count - 1) % 32] == renderer.frame.display_list.used);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bands that pass over what does not reach them: the same frames, and less work. */
 #include "study/study.h"
+#include "choices.h"
 #include "frame_bands.h"
 #include "tiny.h"
 
@@ -98,7 +99,7 @@ static uint64_t clipper_room[512], spans_room[2048];
 
 typedef struct {
     const fxl_clipper *clipper;
-    const fxl_visibility *visibility;
+    const choice *visibility;
     uint32_t spare, words;
 } setting;
 
@@ -109,7 +110,7 @@ static void start(const setting *with)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, with->clipper, clipper_room,
                                                        sizeof clipper_room));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, with->visibility, spans_room,
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, with->visibility, spans_room,
                                                           sizeof spans_room));
 }
 
@@ -155,7 +156,7 @@ static setting random_setting(void)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world,
                                                   &fxl_clipper_triangles};
-    static const fxl_visibility *const methods[] = {&fxl_visibility_sorted, &fxl_visibility_spans};
+    static const choice *const methods[] = {&choice_sorted, &choice_spans};
     const setting made = {clippers[unit_between(0, 2)], methods[unit_between(0, 1)],
                           (uint32_t)unit_between(0, 60), (uint32_t)unit_between(1, WORDS)};
     return made;
@@ -215,7 +216,7 @@ void test_the_next_frame_has_all_its_memory_again(void)
     height = 48;
     make_scene();
     for (uint32_t round = 0; round < UNIT_REPEAT / 50 + 8; round++) {
-        const setting with = {&fxl_clipper_view, &fxl_visibility_sorted, 60, 12};
+        const setting with = {&fxl_clipper_view, &choice_sorted, 60, 12};
         const fxl_pose pose = random_pose();
         fxl_counters expected;
         if (round == 0) {
@@ -239,7 +240,7 @@ void test_the_next_frame_has_all_its_memory_again(void)
 /* How often the clipper was asked for a frame in bands of three rows. */
 static uint32_t asked_in_bands(uint32_t words, uint32_t spare, const fxl_pose *pose)
 {
-    const setting with = {&counted, &fxl_visibility_sorted, spare, words};
+    const setting with = {&counted, &choice_sorted, spare, words};
     start(&with);
     asked = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
@@ -316,7 +317,7 @@ void test_a_whole_frame_is_not_measured(void)
     height = 96;
     for (uint32_t round = 0; round < 40; round++) {
         const fxl_pose pose = random_pose();
-        const setting with = {&counted, &fxl_visibility_sorted, 60, 1 + round};
+        const setting with = {&counted, &choice_sorted, 60, 1 + round};
         make_scene();
         start(&with);
         asked = 0;

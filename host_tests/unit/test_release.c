@@ -3,6 +3,7 @@
  * their pixels stay. */
 #include "fixel/all.h"
 #include "study/methods.h"
+#include "choices.h"
 #include "world_unit.h"
 
 enum {
@@ -60,16 +61,16 @@ static void expect_no_reads(fxl_renderer *by)
 
 void test_a_released_frame_reads_nothing_of_the_scene(void)
 {
-    static const fxl_visibility *const methods[] = {&fxl_visibility_sorted, &fxl_visibility_box,
-                                                    &fxl_visibility_spans,
-                                                    &fxl_visibility_spans_box};
+    static const choice *const methods[] = {&choice_sorted, &choice_box,
+                                                    &choice_spans,
+                                                    &choice_spans_box};
     tiny_scene *tiny = world_scene();
     tiny->scene.turns = &tilted;
     tiny->scene.first_turned = 2;
     tiny->scene.turn_code = &fxl_turned_instances;
     for (uint32_t i = 0; i < 8; i++) {
         init(0, &tiny->scene, LIST);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderers[0], methods[i / 2], spans,
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderers[0], methods[i / 2], spans,
                                                               sizeof spans));
         tiny->scene.turns = i % 2 ? NULL : &tilted;
         expect_no_reads(&renderers[0]);

@@ -2,6 +2,7 @@
 /* Frames whose scene is released, by the methods that need more than their polygons: what they read
  * beside the display list is not the scene's. */
 #include "bsp_scene.h"
+#include "choices.h"
 #include "depth_scene.h"
 #include "rgb565_scene.h"
 
@@ -33,30 +34,27 @@ void test_depth_and_textures_are_drawn_without_the_scene(void)
             made->set.blend_first = 0;
             made->set.blend_count = 31;
         }
+        made->is_mapped = true;
         depth_scene_start(made);
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_surfaces(&made->renderer, &made->surfaces, &made->set));
         expect_depth_unread(made); /* by surfaces alone */
-        made->renderer.scene = &made->scene;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_depth(&made->renderer, &made->depth,
-                                                         &fxl_visibility_depth, made->cells,
-                                                         sizeof made->cells));
+        depth_scene_start_with(made, &fxl_palette_depth_16);
         expect_depth_unread(made);
     }
 }
 
 void test_frames_of_16_bits_are_drawn_without_the_scene(void)
 {
-    const fxl_band_565 band = {.pixels = walls.again, .width = WIDTH, .stride = WIDTH,
-                               .first_row = 0, .rows = HEIGHT};
+    const fxl_band band = {.pixels = (uint8_t *)(void *)walls.again, .width = WIDTH,
+                           .stride = WIDTH, .first_row = 0, .rows = HEIGHT,
+                           .palette = walls.palette};
     walls_make();
     walls_begin();
     walls_draw(walls.pixels);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&walls.renderer));
     walls.renderer.scene = NULL;
-    fxl_fill_rgb565(&band, walls.palette[BACKGROUND]);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_rgb565(&walls.renderer, &band));
+    fxl_rgb565.fill(&band, BACKGROUND);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &band));
     TEST_ASSERT_EQUAL_MEMORY(walls.pixels, walls.again, sizeof walls.pixels);
 }
 
@@ -78,7 +76,7 @@ void test_a_tree_is_drawn_without_the_scene(void)
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&renderer, &made->tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp, room, sizeof room));
+        FXL_OK, choice_take(&renderer, &choice_tree, room, sizeof room));
     fxl_bsp_workspace *tree = (fxl_bsp_workspace *)renderer.order_memory;
     tree->pieces = pieces;
     tree->pieces_size = sizeof pieces;

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "choices.h"
 #include "tiny.h"
 
 enum {
@@ -246,7 +247,7 @@ void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(renderer, renderer->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0));
+                      choice_take(renderer, &choice_sorted, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(renderer, &fxl_clipper_view, NULL, 0));
     TEST_ASSERT_EQUAL_UINT32(2, renderer->workspace.counters.refused_calls);

@@ -2,6 +2,7 @@
 /* A scene whose tables are as long as their counts and stand apart from each other: no check and no
  * stage may read beyond one. The sanitizers watch over the host's run. */
 #include "bsp_scene.h"
+#include "choices.h"
 
 enum {
     WIDTH = 24,
@@ -66,7 +67,7 @@ void test_frames_read_no_more_than_the_tables(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &memory));
         if (kind & 2) {
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
+            TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree,
                                                                   workspace, sizeof workspace));
         }
         for (int place = 0; place < 3; place++) {

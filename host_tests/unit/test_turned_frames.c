@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Turned instances in a renderer: whole frames, with every clipper and method. */
+#include "choices.h"
 #include "clippers_list.h"
 #include "frame_bands.h"
 #include "study/study.h"
@@ -42,7 +43,7 @@ static void start(int which, uint32_t list_words, uint32_t entries, bool front_t
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_clipper(&renderer, clipper, &room, clipper->workspace_size));
     if (front_to_back) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans,
                                                               span_room, SPANS));
     }
 }

@@ -2,6 +2,7 @@
 /* Among a tree, in reach of a beam, and with clippers that work from points of the world, a turned
  * instance is drawn as a model of the rounded points would be. */
 #include "bsp_scene.h"
+#include "choices.h"
 #include "clippers_list.h"
 #include "frame_bands.h"
 #include "fixel/stage/visibility.h"
@@ -89,15 +90,15 @@ static void draw(fxl_scene *scene, const fxl_clipper *clipper, int method, bool 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &clipper_room,
                                                        clipper->workspace_size));
     if (method > 0) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_bsp,
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree,
                                                               bsp_room, sizeof bsp_room));
         fxl_bsp_workspace *workspace = renderer.order_memory;
         workspace->pieces = method == 1 ? pieces : NULL;
         workspace->pieces_size = method == 1 ? sizeof pieces : 0;
     }
     if (is_lit) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_beams(&renderer, &beam, 1, lit, light_room,
-                                                         sizeof light_room));
+        const fxl_beam_set beams = {&beam, 1, lit};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &beams, light_room, sizeof light_room));
     }
     frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }

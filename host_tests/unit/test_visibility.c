@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What hides what: front to back is back to front turned round, and the picture the same. */
 #include "../../lib/draw/submit.h"
+#include "choices.h"
 #include "counted_spans.h"
 #include "frame_bands.h"
 #include "tiny.h"
@@ -18,7 +19,7 @@ enum {
 
 /* What a frame is drawn with. */
 typedef struct {
-    const fxl_visibility *hidden;
+    const choice *hidden;
     uint32_t words, intervals;
 } way;
 
@@ -35,7 +36,7 @@ static void start(const way *by)
     tiny = tiny_make();
     tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, by->hidden, room,
+                      choice_take(&renderer, by->hidden, room,
                                                   FXL_SPAN_BUFFER_BYTES(HEIGHT, by->intervals)));
 }
 
@@ -67,12 +68,12 @@ static void expect_counters(const fxl_counters *a, const fxl_counters *b)
 /* Any list, any bands, any pool. */
 void test_the_span_buffer_draws_the_same_picture(void)
 {
-    static const fxl_visibility *const methods[] = {&fxl_visibility_spans,
-                                                    &fxl_visibility_spans_box};
+    static const choice *const methods[] = {&choice_spans,
+                                                    &choice_spans_box};
     const uint32_t rounds = UNIT_REPEAT / 100;
     uint32_t split = 0, drawn = 0, spilled = 0;
     for (uint32_t round = 0; round < rounds; round++) {
-        const way sorted = {&fxl_visibility_sorted, 0, 0};
+        const way sorted = {&choice_sorted, 0, 0};
         const way spans = {methods[round % 2],
                            (uint32_t)unit_between(0, round % 3 ? LIST_WORDS : 30),
                            (uint32_t)unit_between(FXL_SPAN_BUFFER_ROW(WIDTH), 12)};
@@ -95,7 +96,7 @@ void test_each_pixel_is_written_once(void)
     const uint32_t rounds = UNIT_REPEAT / 200;
     uint32_t covered = 0, over = 0;
     for (uint32_t round = 0; round < rounds; round++) {
-        const way sorted = {&fxl_visibility_sorted, 0, 0};
+        const way sorted = {&choice_sorted, 0, 0};
         fxl_pose pose = tiny_pose_before();
         (void)draw(&sorted, &pose, frames[0], HEIGHT);
         const way spans = {counted_begin(writes, frames[1], sizeof writes),
@@ -121,8 +122,8 @@ void test_front_to_back_is_the_exact_reverse(void)
     static fxl_screen_point firsts[MOST];
     uint32_t compared = 0;
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
-        const way sorted = {&fxl_visibility_sorted, LIST_WORDS, 0};
-        const way spans = {&fxl_visibility_spans, LIST_WORDS, INTERVALS};
+        const way sorted = {&choice_sorted, LIST_WORDS, 0};
+        const way spans = {&choice_spans, LIST_WORDS, INTERVALS};
         const fxl_rows all = {0, HEIGHT};
         fxl_pose pose = tiny_pose_before();
         fxl_display_list_record record;
@@ -148,7 +149,7 @@ void test_front_to_back_is_the_exact_reverse(void)
 /* The least pool splits bands, a larger one fewer, and the picture stays. */
 void test_a_full_pool_splits_the_band(void)
 {
-    const way sorted = {&fxl_visibility_sorted, 0, 0};
+    const way sorted = {&choice_sorted, 0, 0};
     const uint32_t rounds = UNIT_REPEAT / 100;
     uint32_t split = 0, twice = 0;
     for (uint32_t round = 0; round < rounds; round++) {
@@ -157,7 +158,7 @@ void test_a_full_pool_splits_the_band(void)
         uint32_t before = UINT32_MAX;
         for (uint32_t intervals = FXL_SPAN_BUFFER_ROW(WIDTH); intervals < 2 * HEIGHT;
              intervals *= 2) {
-            const way spans = {&fxl_visibility_spans, 0, intervals};
+            const way spans = {&choice_spans, 0, intervals};
             fxl_counters counters = draw(&spans, &pose, frames[1], HEIGHT);
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
             TEST_ASSERT_TRUE(counters.split_bands <= before);
@@ -174,26 +175,26 @@ void test_a_full_pool_splits_the_band(void)
 /* Refused: too little room, none, or at an odd place; the renderer goes on as it was. */
 void test_refusals(void)
 {
-    const way sorted = {&fxl_visibility_sorted, 0, 0};
+    const way sorted = {&choice_sorted, 0, 0};
     const uint32_t least = FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT);
     fxl_pose pose = tiny_pose_before();
     fxl_counters counters = draw(&sorted, &pose, frames[0], HEIGHT);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_visibility(NULL, &fxl_visibility_spans, room, least));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, NULL, room, least));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, NULL, least));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
-                                                                   (uint8_t *)room + 4, least));
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans,
-                                                                  room, least - 1));
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_palette_spans);
+    config.depth = room;
+    config.depth_size = least;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_choose(NULL, &config));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_choose(&renderer, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, choice_take(&renderer, &choice_spans, NULL, least));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
+                      choice_take(&renderer, &choice_spans, (uint8_t *)room + 4, least));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, choice_take(&renderer, &choice_spans, room, least - 1));
     counters.refused_calls = 4;
     TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
     TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order == &fxl_by_distance);
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, room, least));
+                      choice_take(&renderer, &choice_spans, room, least));
     const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
                            .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
@@ -201,7 +202,7 @@ void test_refusals(void)
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
+                      choice_take(&renderer, &choice_sorted, NULL, 0));
 }
 
 /* Two renderers, two methods, frame about. */
@@ -209,7 +210,7 @@ void test_two_renderers_do_not_know_of_each_other(void)
 {
     static fxl_renderer other;
     static fxl_order_entry others[ORDER];
-    const way spans = {&fxl_visibility_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)};
+    const way spans = {&choice_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)};
     const fxl_memory memory = {others, ORDER, NULL, 0, NULL, 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     start(&spans);
@@ -235,9 +236,9 @@ void test_two_renderers_do_not_know_of_each_other(void)
 void test_a_renderer_is_moved_within_a_frame(void)
 {
     static fxl_renderer moved;
-    const way ways[] = {{&fxl_visibility_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)},
-                        {&fxl_visibility_spans, LIST_WORDS, FXL_SPAN_BUFFER_ROW(WIDTH)},
-                        {&fxl_visibility_box, LIST_WORDS, 0}};
+    const way ways[] = {{&choice_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)},
+                        {&choice_spans, LIST_WORDS, FXL_SPAN_BUFFER_ROW(WIDTH)},
+                        {&choice_box, LIST_WORDS, 0}};
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_pose pose = tiny_pose_before();
         fxl_band upper = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
@@ -261,9 +262,9 @@ void test_a_renderer_is_moved_within_a_frame(void)
 /* Testing every pixel of a polygon's box draws the same picture. */
 void test_boxes_draw_the_same_picture(void)
 {
-    const way sorted = {&fxl_visibility_sorted, LIST_WORDS, 0};
+    const way sorted = {&choice_sorted, LIST_WORDS, 0};
     for (int round = 0; round < UNIT_REPEAT / 1000; round++) {
-        const way boxes = {&fxl_visibility_box, (uint32_t)unit_between(0, LIST_WORDS), 0};
+        const way boxes = {&choice_box, (uint32_t)unit_between(0, LIST_WORDS), 0};
         fxl_pose pose = tiny_pose_before();
         fxl_counters expected = draw(&sorted, &pose, frames[0], HEIGHT);
         fxl_counters counters = draw(&boxes, &pose, frames[1], (uint32_t)unit_between(1, HEIGHT));
@@ -297,8 +298,8 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uin
 void test_how_a_band_is_halved(void)
 {
     static const fxl_target picky = {
-        .draw_band = fxl_band_split_draw, .begin_band = note_rows, .flat = is_low_enough};
-    static fxl_visibility method;
+        .pixel_bits = 8, .fill = fxl_fill_band, .draw_band = fxl_band_split_draw, .begin_band = note_rows, .flat = is_low_enough};
+    static choice method;
     static const uint32_t rows[][20] = {
         {16, 8, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
         {16, 8, 4, 2, 2, 2, 2, 2, 2, 2, 2},
@@ -307,13 +308,13 @@ void test_how_a_band_is_halved(void)
         {3, 2, 1, 1, 1},
         {3}};
     static const uint32_t most[] = {1, 2, 4, 2, 1, 3}, halvings[] = {4, 3, 2, 2, 2, 0};
-    const way sorted = {&fxl_visibility_sorted, 0, 0};
+    const way sorted = {&choice_sorted, 0, 0};
     const fxl_pose pose = {{0, 0, Q16(-1.5)}, 0, 0, 0}; /* a face over all of the screen */
-    method = fxl_visibility_sorted;
+    method = choice_sorted;
     method.target = &picky;
     for (int i = 0; i < 6; i++) {
         start(&sorted);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, NULL, 0));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &method, NULL, 0));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         begun_count = 0;
         rows_at_most = most[i];

@@ -4,6 +4,7 @@
 #include "fixel/all.h"
 #include "study/clippers.h"
 #include "study/methods.h"
+#include "choices.h"
 #include "tiny.h"
 
 enum {
@@ -141,7 +142,7 @@ void test_a_second_workspace_has_memory_of_its_own(void)
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_clipper(&renderer, &counting, &counts, sizeof counts));
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
+        FXL_OK, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
     const size_t least = fxl_workspace_size(&renderer);
     TEST_ASSERT_TRUE(least > counting.workspace_size && least <= ROOM);
     memset(rooms[1], 0x5A, ROOM);
@@ -178,15 +179,15 @@ void test_a_workspace_of_other_settings_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw_with(NULL, &second, &band));
 }
 
-void test_a_clipper_and_a_method_of_zeros_are_refused(void)
+void test_a_clipper_of_zeros_and_no_target_are_refused(void)
 {
     static const fxl_clipper no_clipper;
-    static const fxl_visibility no_method;
+    const fxl_config no_target = fxl_config_for(WIDTH, HEIGHT, NULL);
     start();
     const fxl_clipper *clipper = renderer.clipper;
     const fxl_target *target = renderer.target;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_clipper(&renderer, &no_clipper, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_visibility(&renderer, &no_method, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_choose(&renderer, &no_target));
     TEST_ASSERT_EQUAL_PTR(clipper, renderer.clipper);
     TEST_ASSERT_EQUAL_PTR(target, renderer.target);
     TEST_ASSERT_EQUAL_UINT32(2, renderer.workspace.counters.refused_calls);
@@ -326,12 +327,13 @@ void test_settings_of_a_renderer_that_is_not_initialised(void)
 {
     static const fxl_beam beam;
     static const uint8_t lit[256];
+    const fxl_beam_set beams = {&beam, 1, lit};
     memset(&renderer, 0, sizeof renderer);
     TEST_ASSERT_EQUAL(
-        FXL_E_ORDER, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
+        FXL_E_ORDER, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_ORDER,
-                      fxl_renderer_set_beams(&renderer, &beam, 1, lit, rooms[0], ROOM));
+                      fxl_attach_beams(&renderer, &beams, rooms[0], ROOM));
     TEST_ASSERT_EQUAL_UINT32(3, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_TRUE(renderer.target == NULL && renderer.order == NULL);
     TEST_ASSERT_NULL(renderer.clipper);
@@ -367,7 +369,7 @@ void test_when_a_workspace_can_be_set_up(void)
         }
         if (settings & 2) {
             TEST_ASSERT_EQUAL(
-                FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
+                FXL_OK, choice_take(&renderer, &choice_sorted, NULL, 0));
         }
         TEST_ASSERT_EQUAL(both, fxl_workspace_size(&renderer) > 0);
         TEST_ASSERT_EQUAL(both ? FXL_OK : FXL_E_ORDER,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How memory for a workspace, or for a visibility method, is divided into parts. */
 #include "../../lib/draw/renderer.h"
+#include "choices.h"
 #include "tiny.h"
 #include "study/methods.h"
 
@@ -59,15 +60,14 @@ static uint32_t forty_bytes(const fxl_lens *lens)
     return 40;
 }
 
-/* The submit function's part of the memory comes first, rounded up to a multiple of 8, and is
- * zeroed. The rest is the target's. */
-void test_a_method_with_two_workspaces(void)
+/* The order's memory is rounded up to a multiple of 8, and is zeroed. */
+void test_an_order_and_a_target_with_memory(void)
 {
     static fxl_target backend;
-    static fxl_visibility both;
+    static choice both;
     backend = fxl_palette;
     backend.memory_size = forty_bytes;
-    both = fxl_visibility_sorted;
+    both = choice_sorted;
     static fxl_order eleven;
     eleven = fxl_by_distance;
     eleven.memory_size = eleven_bytes;
@@ -77,11 +77,11 @@ void test_a_method_with_two_workspaces(void)
     memset(rooms[0], 0x5A, ROOM);
     for (uint32_t size = 0; size < 56; size++) {
         TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          fxl_renderer_set_visibility(&renderer, &both, rooms[0], size));
+                          choice_take(&renderer, &both, rooms[0], size));
     }
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0], ROOM);
     for (uint32_t size = 56; size < 64; size++) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &both, rooms[0], size));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &both, rooms[0], size));
         TEST_ASSERT_EQUAL_PTR(rooms[0], renderer.order_memory);
         TEST_ASSERT_EQUAL_PTR(rooms[0] + 16, renderer.workspace.target_memory);
         TEST_ASSERT_EQUAL_UINT32(size - 16, renderer.workspace.target_memory_size);
@@ -89,7 +89,7 @@ void test_a_method_with_two_workspaces(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[0], 16);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0] + 16, ROOM - 16);
     TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 0));
+                      choice_take(&renderer, &choice_sorted, NULL, 0));
     TEST_ASSERT_NULL(renderer.workspace.target_memory);
     TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.target_memory_size);
 }
@@ -101,10 +101,10 @@ void test_the_parts_of_a_workspace_follow_each_other(void)
     static const fxl_clipper one = {.clip = fxl_clip_by_view, .workspace_size = 1};
     static const fxl_clipper nine = {.clip = fxl_clip_by_view, .workspace_size = 9};
     static fxl_target backend;
-    static fxl_visibility method;
+    static choice method;
     backend = fxl_palette;
     backend.memory_size = forty_bytes;
-    method = fxl_visibility_sorted;
+    method = choice_sorted;
     method.target = &backend;
     start();
     const size_t faces = fxl_workspace_size(&renderer), vertices = 2 * sizeof(fxl_cached_vertex);
@@ -113,7 +113,7 @@ void test_the_parts_of_a_workspace_follow_each_other(void)
     TEST_ASSERT_EQUAL_HEX8(0, rooms[0][0]);
     TEST_ASSERT_EQUAL_HEX8(0x5A, rooms[0][1]);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &nine, rooms[0], 9));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &method, rooms[0] + 16, 40));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &method, rooms[0] + 16, 40));
     const size_t least = faces + 16 + 40, size = least + 4 * vertices;
     TEST_ASSERT_EQUAL(least, fxl_workspace_size(&renderer));
     TEST_ASSERT_TRUE(size <= ROOM);
@@ -142,7 +142,7 @@ void test_the_rest_is_the_target_s(void)
     start();
     const size_t order_bytes = fxl_workspace_size(&renderer);
     TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_spans, rooms[0], ROOM));
+        FXL_OK, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
     const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
     TEST_ASSERT_TRUE(least > order_bytes && least + 8 * vertex <= ROOM);
     for (size_t n = 0; n <= 2; n++) {
@@ -155,16 +155,9 @@ void test_the_rest_is_the_target_s(void)
     }
 }
 
-/* A single byte is memory too: it must be there, and be aligned. */
-void test_a_workspace_of_one_byte(void)
+void test_the_memory_of_a_clipper_is_aligned(void)
 {
     start();
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, NULL, 1));
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_renderer_set_visibility(
-                                           &renderer, &fxl_visibility_sorted, rooms[0] + 4, 1));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, &fxl_visibility_sorted, rooms[0], 1));
     for (uint32_t off = 1; off < 8; off++) {
         TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
                           fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, rooms[0] + off,

@@ -2,6 +2,7 @@
 /* A world whose scene has a BSP tree: the tree keeps its instance, and cubes that come and go are
  * cut by it. */
 #include "bsp_scene.h"
+#include "choices.h"
 #include "fixel/all.h"
 #include "world_unit.h"
 
@@ -23,7 +24,7 @@ static bsp_scene *start(void)
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&world_renderer, &world.scene, &lens, &tables));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_attach(&world, &world_renderer));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&world_renderer, &fxl_visibility_bsp,
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&world_renderer, &choice_tree,
                                                           room, sizeof room));
     fxl_bsp_workspace *tree = world_renderer.order_memory;
     tree->pieces = pieces;
@@ -109,7 +110,7 @@ void test_a_tree_cuts_what_comes_and_goes(void)
         scene.bsp_instance = world.scene.bsp_instance;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&anew, &scene, &lens, &tables));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&anew, &fxl_visibility_bsp,
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&anew, &choice_tree,
                                                               other_room, sizeof other_room));
         world_draw(&world_renderer, &pose, world_frames[0]);
         cut += ((fxl_bsp_workspace *)world_renderer.order_memory)->used > 0;
