@@ -121,6 +121,9 @@ def test_a_bug_that_applies_no_more_is_named(root, text, more, words):
 def test_all_bugs_that_apply_no_more_are_named(root):
     (root / bugs.BUGS).write_text(entry("one", line="gone") + entry("two") + entry("three", function="gone"))
     assert [words.split("'")[1] for words in bugs.stale(root, bugs.entries(root))] == ["one", "three"]
+    with pytest.raises(ToolError, match="2 of 3 bugs do not apply") as refused:
+        bugs.read(root)
+    assert refused.value.words.splitlines() == bugs.stale(root, bugs.entries(root))
 
 
 def test_a_bug_that_changes_nothing_is_named(root):

@@ -36,6 +36,20 @@ def test_the_files_that_a_job_read_are_known(tmp_path):
     assert reading.identity(tmp_path / "in") in reading.opened()
 
 
+def test_a_job_reads_no_file_outside_the_folder_of_its_subject(tmp_path):
+    folder = tmp_path / "scenes"
+    folder.mkdir()
+    for file in (folder / "in", tmp_path / "out"):
+        file.write_text("x")
+    body = "from fixel.base import reading\nreturn reading.read_all({!r}).decode()"
+    assert run(folder, body.format(str(folder / "in")), subject=str(folder / "x.toml")) == "x"
+    outside = body.format(str(tmp_path / "out"))
+    with pytest.raises(ToolError, match="is outside .*, the folder of .*x.toml"):
+        run(folder, outside, subject=str(folder / "x.toml"))
+    allowed = bounded.Limits(cpu=1, memory=200, outside=True)
+    assert run(folder, outside, allowed, subject=str(folder / "x.toml")) == "x"
+
+
 def test_a_refusal_comes_as_it_is(tmp_path):
     with pytest.raises(ToolError) as refused:
         run(tmp_path, 'raise errors.ToolError("x.toml: is wrong", 1, "words\\nof another")')

@@ -267,3 +267,17 @@ def test_the_palette_holds_any_number_of_colours(count, random):
     worst = max(max(abs(a - b) for a, b in zip(c, colours[i]))
                 for c, i in indices.items() if c != 17)
     assert worst <= 96
+
+
+@pytest.mark.parametrize("away", [(0, 0, 0), (1000 << 16, 0, 0), (0, -1000 << 16, 700 << 16)])
+def test_a_point_before_any_face_of_a_large_model_is_seen(away):
+    """Also far from the origin, and before a face that is not among those that are looked at first."""
+    ball = mesh.shape(solids.make("sphere", {"sides": 24, "rings": 12}, "ball"), ONE, "ball")
+    vertices = [tuple(c + by for c, by in zip(vertex, away)) for vertex in ball.vertices]
+    assert convex.is_convex(vertices, ball.faces)
+    for face in ball.faces[::7]:
+        corners = [vertices[corner] for corner in face.corners]
+        middle = [sum(corner[axis] for corner in corners) / len(corners) for axis in range(3)]
+        for height, is_convex in ((200, False), (-200, True)):
+            point = tuple(round(c + height * n / 2 ** 30) for c, n in zip(middle, face.normal))
+            assert convex.is_convex([*vertices, point], ball.faces) == is_convex
