@@ -4,7 +4,6 @@
 #define BENCH_BANDS_H
 
 #include "fixel/render.h"
-#include "fixel/stage/fill.h"
 
 #define NOT_CLEARED (-1)
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Compiled once for each combination: bench/clippers.mk says which. */
 #include "combination.h"
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "study/study.h"
 

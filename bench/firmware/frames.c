@@ -10,7 +10,6 @@
 #include "contract/system.h"
 #include "draw.h"
 #include "fixel/motion.h"
-#include "fixel/stage/fill.h"
 #include "path.h"
 #include "region.h"
 #include "start.h"

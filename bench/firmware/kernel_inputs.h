@@ -4,6 +4,7 @@
 #ifndef BENCH_KERNEL_INPUTS_H
 #define BENCH_KERNEL_INPUTS_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 #define KERNEL_COUNT 64u  /* of each kind of input, a power of two */

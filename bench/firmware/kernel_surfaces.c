@@ -3,8 +3,9 @@
  * face cost; and workload W4, a whole frame without the clear. */
 #include "kernel_surfaces.h"
 
-#include "fixel/all.h"
 #include "../../host_tests/unit/mapped_quad.h"
+#include "draw/stages.h"
+#include "fixel/all.h"
 #include "paint/paint_polygon.h"
 
 enum {

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "fixel/stage/lens.h"
+#include "draw/stages.h"
 
 /* A kernel's test: all its boundary inputs, then `rounds` random ones. */
 typedef struct {

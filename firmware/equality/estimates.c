@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that decide by an estimate, mostly where it hardly decides. */
 #include "estimates.h"
+#include "view/sphere.h"
+#include "view/view.h"
 
 #include "equality.h"
 #include "sides.h"
 
-#include "fixel/stage/view.h"
 
 static int32_t within(int32_t limit)
 {

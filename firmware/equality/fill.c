@@ -2,9 +2,9 @@
 /* The kernels of fill. Each side draws into memory of its own. All of that memory must be equal,
  * also what lies around the band. */
 #include "fill.h"
+#include "raster/fill.h"
 
 #include "equality.h"
-#include "fixel/stage/fill.h"
 #include "sides.h"
 
 #define WIDTH_MAX FXL_SCREEN_MAX

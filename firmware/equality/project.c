@@ -2,9 +2,9 @@
 /* Compares the kernel with the portable one, and both with the long division that defines the
  * result. */
 #include "project.h"
+#include "view/project.h"
 
 #include "equality.h"
-#include "view/project_any.h"
 #include "sides.h"
 
 #define SIDE_MAX (((int64_t)1 << 61) - 1)

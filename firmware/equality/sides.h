@@ -5,11 +5,9 @@
 #ifndef SIDES_H
 #define SIDES_H
 
-#include "fixel/stage/clipper.h"
-#include "fixel/stage/scan.h"
+#include "draw/stages.h"
 #include "paint/segments.h"
 #include "raster/draw_outline.h"
-#include "view/front_faces.h"
 
 #define SIDES(side) \
     uint64_t side##multiply_u32(uint32_t a, uint32_t b); \

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Stages that have a different path with FXL_SMALL. Both sides get the same input, and must give
  * the same result. */
+#include "raster/scan.h"
 #include "small_stages.h"
+#include "view/order.h"
 
 #include "equality.h"
-#include "fixel/stage/order.h"
-#include "fixel/stage/scan.h"
 #include "sides.h"
 
 #define ENTRIES 24u

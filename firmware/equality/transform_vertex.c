@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "transform_vertex.h"
+#include "view/model_view.h"
+#include "view/outcode.h"
+#include "view/view.h"
 
-#include "../../lib/view/rotate.h"
 #include "equality.h"
 #include "sides.h"
 

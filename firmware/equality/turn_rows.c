@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the matrix of an instance that is turned. */
 #include "turn_rows.h"
+#include "view/turn.h"
 
 #include "equality.h"
 #include "sides.h"
-#include "view/turn_rows.h"
 
 #include <string.h>
 

@@ -113,11 +113,10 @@ constexpr fxl_q16_16 units = FXL_UNITS(-8), third = FXL_RATIO(1, 3);
 constexpr fxl_angle quarter = FXL_ANGLE_QUARTER, right = FXL_DEGREES(90);
 constexpr int64_t error = FXL_NORMAL_SQUARE_MAX_ERROR;
 constexpr fxl_planes planes = FXL_PLANES_ALL;
-constexpr fxl_q18_46 depth = FXL_PROJECT_DEPTH_MIN;
 uint32_t words(uint32_t vertices) { return FXL_DISPLAY_LIST_WORDS(vertices); }
 uint32_t bytes(uint16_t width, uint16_t height) { return FXL_SPAN_BUFFER_BYTES_LEAST(width, height); }
 static_assert(units == -8 * one && third == 21845 && quarter == right && most > one && error > 0
-              && planes > 0 && depth > 0, "values");
+              && planes > 0, "values");
 """, encoding="utf-8")
     commands = [[*header_command(compiler, standard, source), f"-I{CHECKOUT / 'lib'}"] for compiler in ("g++", clang_named("clang++"))
                 for standard in ("c++11", "c++20")]

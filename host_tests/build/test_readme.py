@@ -107,11 +107,11 @@ def test_the_changelog_says_nothing_twice():
 
 def test_a_lopsided_window_is_a_lens_for_a_renderer():
     """A renderer draws it by its lens, with any clipper; the planes of a window are for the function."""
-    lens = (ROOT / "lib" / "include" / "fixel" / "stage" / "lens.h").read_text(encoding="utf-8")
+    lens = (ROOT / "lib" / "include" / "fixel" / "camera.h").read_text(encoding="utf-8")
     assert "fxl_status fxl_lens_from_window(" in lens and "fxl_status fxl_lens_set_centre(" in lens
     advice = (ROOT / "docs" / "clipping.md").read_text(encoding="utf-8").split("## Which to choose", 1)[1]
     row = next(line for line in advice.splitlines() if "lopsided" in line)
-    assert "off-centre" in row and "lens.h" in row and "`half-spaces`" not in row
+    assert "off-centre" in row and "camera.h" in row and "`half-spaces`" not in row
     assert "lopsided" not in README.split("## What Fixel does not do", 1)[1]
 
 

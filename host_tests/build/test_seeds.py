@@ -64,9 +64,10 @@ def test_names_stand_where_the_page_says(number, cells):
 
 
 def public_headers():
-    """The text of what a program may include: the public headers, and with the study's archive its headers."""
+    """The text of what a program may include: the public headers, those of the study with its archive; and, by -Ilib as tests and
+    benches do, those of the stages."""
     lib = CHECKOUT / "lib"
-    files = [*sorted((lib / "include").rglob("*.h")), *sorted((lib / "study").glob("*.h"))]
+    files = [*sorted((lib / "include").rglob("*.h")), *sorted(lib.glob("*/*.h"))]
     return "\n".join(file.read_text(encoding="utf-8") for file in files)
 
 

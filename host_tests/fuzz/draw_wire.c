@@ -3,6 +3,7 @@
 
 #include "demand.h"
 #include "draw.h"
+#include "game/box.h"
 #include "record.h"
 
 enum {

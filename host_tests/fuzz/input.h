@@ -4,6 +4,7 @@
 #ifndef INPUT_H
 #define INPUT_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 typedef struct {

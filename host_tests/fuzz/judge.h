@@ -4,6 +4,7 @@
 #ifndef JUDGE_H
 #define JUDGE_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 /* A polygon clipped in the view lies inside every plane but for the clipper's

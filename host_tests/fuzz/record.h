@@ -4,6 +4,7 @@
 #ifndef RECORD_H
 #define RECORD_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 /* Adds to the hash. The bytes have no padding between them. */

@@ -4,6 +4,7 @@
 #ifndef STAGES_BRIDGE_H
 #define STAGES_BRIDGE_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "reference/camera.h"
 #include "reference/clip_view.h"

@@ -3,6 +3,7 @@
 #ifndef STAGES_MEASURE_H
 #define STAGES_MEASURE_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "stages/random.h"
 #include "stages/tally.h"

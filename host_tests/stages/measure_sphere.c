@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
+#include "game/box.h"
 #include "reference/box.h"
 #include "reference/sphere.h"
 #include "reference/transform.h"

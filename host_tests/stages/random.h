@@ -3,6 +3,7 @@
 #ifndef STAGES_RANDOM_H
 #define STAGES_RANDOM_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 typedef struct {

@@ -10,6 +10,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "stages/measure.h"
 #include "stages/random.h"

@@ -3,8 +3,8 @@
 #ifndef CLIPPERS_LIST_H
 #define CLIPPERS_LIST_H
 
+#include "fixel/records.h"
 #include "study/clippers.h"
-#include "fixel/stage/clipper.h"
 
 enum {
     CLIPPERS = 6

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "choices.h"
 #include "counted_spans.h"
+#include "raster/fill.h"
+#include "raster/scan.h"
 
 #include <string.h>
 
-#include "../../lib/raster/fill_row.h"
 
 static const uint8_t *counted_pixels;
 static uint8_t *counted_writes;

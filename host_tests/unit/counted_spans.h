@@ -4,6 +4,7 @@
 #define COUNTED_SPANS_H
 
 #include "choices.h"
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "study/span_buffer.h"
 

@@ -4,6 +4,7 @@
 #ifndef DEPTH_SCENE_H
 #define DEPTH_SCENE_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 enum {

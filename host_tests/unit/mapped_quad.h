@@ -4,6 +4,7 @@
 #ifndef MAPPED_QUAD_H
 #define MAPPED_QUAD_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 /* The tables of a scene. */

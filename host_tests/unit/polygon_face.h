@@ -4,7 +4,8 @@
 #ifndef POLYGON_FACE_H
 #define POLYGON_FACE_H
 
-#include "fixel/stage/clipper.h"
+#include "view/model_view.h"
+
 
 typedef struct {
     fxl_model_view model_view;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Drawing by a tree: what hides what, with cubes that move through a cube. */
-#include "fixel/stage/visibility.h"
 #include "bsp_sight.h"
 #include "choices.h"
+#include "clip/clip_by_view.h"
 #include "frame_bands.h"
 #include "painters.h"
 

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The rules of clipping in the view, worked out by hand; what a new vertex may
  * err by stands in test_clip_view_bounds.c. */
-#include "../../lib/clip/clip_stats.h"
+#include "clip/clip_view.h"
 #include "plane_cases.h"
 #include "unit.h"
+#include "view/outcode.h"
+#include "view/view.h"
 
 /* World units of the view, exactly. */
 #define V(units) ((fxl_q18_46)(units) * ((int64_t)1 << 46))

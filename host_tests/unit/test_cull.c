@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "view/facing.h"
-#include "fixel/stage/order.h"
 #include "tiny.h"
+#include "view/cull.h"
+#include "view/model_view.h"
+#include "view/order.h"
 
 static int64_t side_of(const fxl_face *face, const fxl_point *first, const fxl_point *eye)
 {

@@ -2,10 +2,11 @@
 /* Light and fog, against the definitions in double (docs/extras/light.md). */
 #include <math.h>
 
-#include "../../lib/paint/light_level.h"
-#include "fixel/all.h"
 #include "../../lib/draw/submit.h"
+#include "../../lib/paint/light_level.h"
+#include "draw/stages.h"
 #include "exact_light.h"
+#include "fixel/all.h"
 #include "tiny.h"
 #include "tiny_frames.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames whose scene is released (fxl_frame_release_scene): it changes while they are drawn, and
  * their pixels stay. */
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "study/methods.h"
 #include "choices.h"

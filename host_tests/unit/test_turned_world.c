@@ -5,8 +5,9 @@
 #include "choices.h"
 #include "clippers_list.h"
 #include "frame_bands.h"
-#include "fixel/stage/visibility.h"
+#include "scene/turn_code.h"
 #include "turns.h"
+#include "view/turn.h"
 
 enum {
     WIDTH = 48,

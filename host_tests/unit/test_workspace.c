@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bands of one frame drawn in several workspaces, in turn; and what setting up a renderer or a
  * workspace refuses. */
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "study/clippers.h"
 #include "study/methods.h"

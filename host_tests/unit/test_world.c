@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A world against a plain model of it: a list of instances that is searched. */
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "world_unit.h"
 

@@ -3,6 +3,7 @@
  * cut by it. */
 #include "bsp_scene.h"
 #include "choices.h"
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "world_unit.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Motions as data in a world: the player writes to a table of its own, and the program hands on
  * what it wrote. docs/extras/motion.md, section 5. */
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "world_unit.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a world promises and refuses, rule by rule. */
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "world_unit.h"
 

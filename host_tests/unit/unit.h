@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "unity.h"
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/project.h"
-#include "vertex_flags.h"
 #include "../math/family.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "clip_by_view.h"
 
 #if !FXL_KERNELS_ARMV7M
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/clipper.h states
+/* fxl_clip_by_view for Armv7-M and Armv8-M Mainline. lib/clip/clip_by_view.h states
  * what it requires and returns; it gives the same bits as
  * lib/clip/clip_by_view.c. */
 #include "../math/family.h"

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/clip_view.h"
 
 #include "../math/arith.h"
-#include "clip_stats.h"
-#include "copy_point.h"
+#include "clip_view.h"
 #include "cut_polygon.h"
 #include "intersect_edge.h"
 

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/clipper.h"
-#include "fixel/stage/project.h"
-
-#include "clip_stats.h"
-#include "copy_point.h"
-#include "vertex_flags.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "clip_by_view.h"
+#include "clip_view.h"
 
 FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_UNPROJECTED) == 0 &&
                       (FXL_PLANES_ALL | FXL_VERTEX_UNPROJECTED) <= FXL_VERTEX_OUTSIDE,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "fixel/line.h"
 #include "intersection.h"
 
 #include "../math/arith.h"

@@ -4,7 +4,7 @@
 #define FXL_INTERSECTION_H
 
 #include "../math/arith.h"
-#include "fixel/clip_record.h"
+#include "fixel/line.h"
 
 /* Returns floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside and a
  * difference below 2^63. Distances of points below 2^61 from one plane meet this. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/line.h"
+#include "volume.h"
 
 #include "intersection.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
 #include "fixel/line.h"
+#include "volume.h"
 
 /* 2^64 high + low. */
 typedef struct {

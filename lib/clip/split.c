@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/split.h"
 
 #include "../math/arith.h"
+#include "../math/plane.h"
 #include "intersection.h"
-#include "fixel/stage/plane.h"
+#include "split.h"
 
 /* from + (to - from) fraction / 2^64, rounded to the nearest, halves away from `from`. |to -
  * from| is below 2^31, so the part below 2^62 is good to 2 units of 2^-31, downward. The

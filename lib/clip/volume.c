@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/half_space.h"
 
 #include "../math/arith.h"
+#include "../view/view.h"
+#include "volume.h"
 
 /* floor(normal . point / 2^30), exactly: below 2^62. Requires |x| + |y| + |z| < 2^31 of the
  * normal and coordinates below 2^61. With v = 2^32 high + low the sum is 2^32 (normal . high) +

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "../scene/beam.h"
+#include "../scene/turn_code.h"
 #include "fixel/beam_light.h"
 
 #include "../math/arith.h"

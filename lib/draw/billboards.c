@@ -1,15 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* The order that draws billboards: its traversal takes the instances in their order,
  * and submits a rectangle of the screen for an instance whose model has a billboard. */
-#include "renderer.h"
-#include "submit_instance.h"
 #include "../math/aligned.h"
 #include "../math/arith.h"
 #include "../math/pixel_centre.h"
-#include "surface_polygon.h"
 #include "../paint/billboard_paint.h"
+#include "../scene/turn_code.h"
+#include "../view/model_view.h"
+#include "../view/project.h"
+#include "../view/view.h"
+#include "display_list.h"
 #include "fixel/billboards.h"
-#include "fixel/stage/transform.h"
+#include "renderer.h"
+#include "submit_instance.h"
+#include "surface_polygon.h"
 
 /* --- submission ------------------------------------------------------------------------- */
 

@@ -3,7 +3,6 @@
 
 #include "submit.h"
 #include "../paint/depth_row.h"
-#include "fixel/stage/fill.h"
 
 #define CLEARED_AT_ONCE 1024u /* bytes; the kernel that fills is fastest in long rows */
 

@@ -2,6 +2,7 @@
 /* With the normal n of a face in the view, its corner P, and the direction D of a pixel, the face
  * is seen at distance z = (n . P) focal / (n . D). So the depth near_z / z is the gradient of n .
  * D, times near_z / ((n . P) focal). */
+#include "../view/view.h"
 #include "depth_plane.h"
 
 #include "../math/arith.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/display_list.h"
 
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "display_list.h"
 
 /* A record: first row and, above it, end row, 16 bits each; a word that is the polygon's first:
  * colour, count, kind and reserved; then x and y of each point, read where they lie. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The display list of a renderer whose polygons are not all flat. */
 #include "../paint/billboard_paint.h"
+#include "display_list.h"
 #include "surface_polygon.h"
 
 bool fxl_mixed_draw_list(const fxl_traversal *on)

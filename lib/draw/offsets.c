@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Asserts what offsets.h says of the records. No code. */
 #include "../math/offsets.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
 
 #include "../math/family.h"
 #include "../paint/paint_texels.h"

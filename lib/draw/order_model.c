@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The order of the faces of a sorted model: find those that face the eye -> take out those that lie
  * outside -> sort. */
+#include "../view/order.h"
 #include "submit.h"
 
 bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
 #include "submit.h"
 
 void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on)

@@ -4,7 +4,7 @@
 #ifndef FXL_PIXEL_ROW_H
 #define FXL_PIXEL_ROW_H
 
-#include "../raster/fill_row.h"
+#include "../raster/fill.h"
 
 #if FXL_TARGET_PIXEL_BITS == 8
 
@@ -30,8 +30,8 @@ static inline fxl_status fxl_check_band(const fxl_band *band)
 
 #else
 
-#include "fixel/rgb565.h"
 #include "../paint/fill_row_rgb565.h"
+#include "fixel/rgb565.h"
 
 typedef uint16_t fxl_pixel;
 typedef uint16_t fxl_filling;

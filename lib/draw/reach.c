@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+#include "../view/cull.h"
+#include "../view/model_view.h"
+#include "display_list.h"
 #include "reach.h"
 
 #include "../scene/turn_code.h"
-#include "../view/facing.h"
 #include "submit_sorted.h"
 
 /* The rows that a face reaches, in units of 2^shift rows, rounded outward; end 0: none. They are

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* A renderer and its settings. */
 #include "../math/memory.h"
+#include "../scene/lens.h"
+#include "../view/model_view.h"
+#include "../view/view.h"
 #include "renderer.h"
 #include "submit.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A renderer whose lens moves its centre. A file of its own, so that a program whose lens stays as
  * it is links none of it. */
+#include "../view/view.h"
 #include "renderer.h"
 
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y)

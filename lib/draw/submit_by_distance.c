@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "../view/facing.h"
 #include "../scene/turn_code.h"
+#include "../view/cull.h"
+#include "../view/model_view.h"
 #include "submit_instance.h"
 
 static inline const fxl_instance *

@@ -4,6 +4,7 @@
 #ifndef FXL_SUBMIT_INSTANCE_H
 #define FXL_SUBMIT_INSTANCE_H
 
+#include "display_list.h"
 #include "submit_sorted.h"
 
 /* Whether the loops over a frame's instances and over a sorted model's faces measure rows and pass

@@ -4,6 +4,7 @@
 #ifndef FXL_SUBMIT_POLYGONS_H
 #define FXL_SUBMIT_POLYGONS_H
 
+#include "../raster/scan.h"
 #include "submit_sorted.h"
 #include "surface_polygon.h"
 

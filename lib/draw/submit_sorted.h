@@ -3,6 +3,7 @@
 #ifndef FXL_SUBMIT_SORTED_H
 #define FXL_SUBMIT_SORTED_H
 
+#include "display_list.h"
 #include "submit.h"
 
 static const fxl_rows fxl_no_rows = {UINT16_MAX, 0};

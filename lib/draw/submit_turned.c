@@ -2,8 +2,11 @@
 /* Instances that turn and scale. Only a scene with turns names this file's record. */
 #include "../scene/face_bounds.h"
 #include "../scene/turn_code.h"
-#include "../view/order_instance.h"
+#include "../view/order.h"
+#include "../view/sphere.h"
+#include "../view/turn.h"
 #include "../view/turned_view.h"
+#include "../view/view.h"
 #include "reach.h"
 #include "submit_instance.h"
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../view/model_view.h"
 #include "surface_polygon.h"
 
 #include "../math/arith.h"

@@ -10,10 +10,13 @@
 #ifndef FXL_TARGET_TEXT_H
 #define FXL_TARGET_TEXT_H
 
+#include "../raster/draw_outline.h"
+#include "../raster/fill.h"
+#include "../raster/scan.h"
+#include "../view/model_view.h"
+#include "pixel_row.h"
 #include "renderer.h"
 #include "submit.h"
-#include "../raster/draw_outline.h"
-#include "pixel_row.h"
 
 #if FXL_TARGET_DEPTH_BITS == 0 && FXL_TARGET_PIXEL_BITS == 8
 

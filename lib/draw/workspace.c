@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Workspaces beside the renderer's own: for another core that draws bands of the same frame. */
 #include "../math/memory.h"
+#include "../view/model_view.h"
 #include "renderer.h"
 
 /* A workspace's block of memory: how many bytes each part takes, in the order of the parts. */

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../scene/turn_code.h"
 #include "exact.h"
 
 /* The hit that is nearest so far. */

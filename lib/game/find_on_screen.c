@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
+#include "../view/model_view.h"
+#include "../view/project.h"
 #include "fixel/pick.h"
-#include "fixel/stage/transform.h"
 
 /* Whether a projected point lies on the screen: 0 <= x < width, 0 <= y < height. */
 static bool is_on_screen(const fxl_lens *lens, const fxl_screen_point *at)

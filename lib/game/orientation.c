@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Orientations from angles and from products. */
+#include "fixel/camera.h"
 #include "fixel/orientation.h"
 
 #include "../math/arith.h"
-#include "fixel/stage/camera.h"
 #include "orthonormal.h"
 
 static int64_t widened(fxl_q2_30 entry)

@@ -4,6 +4,7 @@
  * The shaders of surfaces and of depth leave the faces flat, since the target is not theirs. */
 #include "../draw/renderer.h"
 #include "../draw/submit.h"
+#include "../raster/scan.h"
 #include "fixel/pick.h"
 
 /* A band of one row, in which one pixel counts. `band` comes first, so a pointer to it is one to

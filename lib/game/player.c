@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "fixel/camera.h"
 #include "fixel/player.h"
 
 #include "../math/arith.h"
 #include "../scene/motion_limits.h"
-#include "fixel/stage/camera.h"
 
 /* +1 for the plus key, -1 for the minus key, 0 for neither or both. */
 static int32_t key_sign(uint32_t keys, uint32_t plus, uint32_t minus)

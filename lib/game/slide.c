@@ -3,6 +3,7 @@
  * then at least the radius away from its centre. Two such positions are at most the radius apart,
  * so on the way between them the centre keeps half the radius from every face. */
 #include "../math/square_root.h"
+#include "../scene/turn_code.h"
 #include "exact.h"
 
 enum {

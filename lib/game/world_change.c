@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What changes the instances of a world. */
 #include "../math/arith.h"
-#include "fixel/stage/turn.h"
 #include "world_place.h"
 
 /* --- handles --------------------------------------------------------------------------- */

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/angle.h"
 
 #include "arith.h"
 #include "sine.h"

@@ -1,13 +1,229 @@
 /* SPDX-License-Identifier: MIT */
-/* The arithmetic of this core's family, inline; and what every family makes of it. Internal. */
+/* The arithmetic of this core's family, inline, and what every family makes of it: products and
+ * divisions of 32 bits, and the count of leading zeros. All families give the same results.
+ * Internal. */
 #ifndef FXL_CORE_H
 #define FXL_CORE_H
 
+#include <stdint.h>
+
 #include "family.h"
-#if FXL_CORE_ARMV6M
-#include "core_armv6m.h"
+
+#if !FXL_CORE_ARMV6M
+
+static inline uint64_t fxl_multiply_u32(uint32_t a, uint32_t b)
+{
+    return (uint64_t)a * b;
+}
+
+static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+
+/* The same as fxl_multiply_s32; on some cores it is cheaper. Requires |a| <= 2^30 + 2^16 and
+ * |b| < 2^30. */
+static inline int64_t fxl_multiply_s31(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+
+/* The product of a signed and an unsigned number. It is below 2^63. */
+static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)
+{
+    return (int64_t)a * b;
+}
+
+/* The 64 lowest bits of a product. */
+static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
+{
+    return (int64_t)((uint64_t)a * (uint64_t)b);
+}
+
+/* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
+static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest)
+{
+    uint32_t quotient = numerator / denominator;
+    *rest = numerator - quotient * denominator;
+    return quotient;
+}
+
+/* floor(numerator / denominator). Requires 2^15 <= denominator <= 2^16. */
+static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
+{
+    return numerator / denominator;
+}
+
+/* The number of 0 bits above the highest 1 of value. Requires value > 0. */
+static inline unsigned fxl_leading_zeros(uint32_t value)
+{
+    return (unsigned)__builtin_clz(value);
+}
+
 #else
-#include "core_portable.h"
+
+/* Without long products, UDIV and CLZ. The products are four of 16 by 16 bits. They are in
+ * assembly because the compiler's code is twice as long. Each fits 32 bits, also if one or both
+ * factors are signed, because 2^15 (2^16 - 1) < 2^31. */
+
+/* low, high, one and other become the four products of the halves of a and b. SHIFT takes
+ * the upper halves. The product of a and b is 2^32 high + 2^16 (one + other) + low. */
+#define FXL_HALVES(SHIFT, a, b, low, one, other, high) \
+    __asm__(".syntax unified\n\tuxth %[l], %[p]\n\t" \
+            "uxth %[o], %[q]\n\t" SHIFT " %[p], %[p], #16\n\t" SHIFT " %[q], %[q], #16\n\t" \
+            "mov %[t], %[l]\n\t" \
+            "muls %[t], %[q]\n\t" \
+            "muls %[l], %[o]\n\t" \
+            "muls %[o], %[p]\n\t" \
+            "muls %[q], %[p]" \
+            : [p] "+l"(a), [q] "+l"(b), [l] "=&l"(low), [o] "=&l"(other), [t] "=&l"(one) \
+            : \
+            : "cc"); \
+    (high) = (uint32_t)(b)
+
+/* Adds 2^16 middle to 2^32 high + low. middle is overwritten. */
+#define FXL_ADD_MIDDLE(SHIFT, low, high, middle) \
+    do { \
+        uint32_t fxl_spare; \
+        __asm__(".syntax unified\n\tlsls %[s], %[m], #16\n\t" SHIFT " %[m], %[m], #16\n\t" \
+                "adds %[l], %[l], %[s]\n\t" \
+                "adcs %[h], %[m]" \
+                : [l] "+l"(low), [h] "+l"(high), [m] "+l"(middle), [s] "=&l"(fxl_spare) \
+                : \
+                : "cc"); \
+    } while (0)
+
+static inline uint64_t fxl_multiply_u32(uint32_t a, uint32_t b)
+{
+    uint32_t low, one, other, high;
+    FXL_HALVES("lsrs", a, b, low, one, other, high);
+    FXL_ADD_MIDDLE("lsrs", low, high, one);
+    FXL_ADD_MIDDLE("lsrs", low, high, other);
+    return (uint64_t)high << 32 | low;
+}
+
+static inline int64_t fxl_multiply_s32(int32_t a, int32_t b)
+{
+    uint32_t low, one, other, high;
+    FXL_HALVES("asrs", a, b, low, one, other, high);
+    FXL_ADD_MIDDLE("asrs", low, high, one);
+    FXL_ADD_MIDDLE("asrs", low, high, other);
+    return (int64_t)((uint64_t)high << 32 | low);
+}
+
+/* The same as fxl_multiply_s32, with two instructions less. Requires |a| <= 2^30 + 2^16 and
+ * |b| < 2^30: the sum of the two middle products is then below 2 (2^14 + 1) 2^16 and fits
+ * 32 bits. */
+static inline int64_t fxl_multiply_s31(int32_t a, int32_t b)
+{
+    uint32_t low, one, other, high;
+    FXL_HALVES("asrs", a, b, low, one, other, high);
+    one += other;
+    FXL_ADD_MIDDLE("asrs", low, high, one);
+    return (int64_t)((uint64_t)high << 32 | low);
+}
+
+/* The product of a signed and an unsigned number. It is below 2^63. A negative a, converted
+ * to unsigned, is larger by 2^32, so 2^32 b is subtracted. */
+static inline int64_t fxl_multiply_su32(int32_t a, uint32_t b)
+{
+    uint64_t wrapped = a < 0 ? (uint64_t)b << 32 : 0;
+    return (int64_t)(fxl_multiply_u32((uint32_t)a, b) - wrapped);
+}
+
+/* The 64 lowest bits of a product. */
+static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
+{
+    uint32_t a_low = (uint32_t)a, b_low = (uint32_t)b;
+    uint32_t cross = (uint32_t)(a >> 32) * b_low + a_low * (uint32_t)(b >> 32);
+    return (int64_t)(fxl_multiply_u32(a_low, b_low) + ((uint64_t)cross << 32));
+}
+
+/* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. It
+ * takes a step for each bit of the quotient; the quotients of an edge's slope have few. */
+static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest)
+{
+    uint32_t quotient = 0, bit = 1;
+    while (denominator <= numerator >> 1) {
+        denominator <<= 1;
+        bit <<= 1;
+    }
+    do {
+        if (numerator >= denominator) {
+            numerator -= denominator;
+            quotient |= bit;
+        }
+        denominator >>= 1;
+        bit >>= 1;
+    } while (bit != 0);
+    *rest = numerator;
+    return quotient;
+}
+
+/* Entry i is 2^23 / (2^15 + 2^9 i + 2^8), rounded: a reciprocal of 7 bits. */
+static const uint8_t fxl_reciprocals[65] = {
+    254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206, 204,
+    201, 199, 196, 194, 192, 189, 187, 185, 183, 181, 179, 177, 175, 173, 172, 170, 168,
+    166, 165, 163, 161, 160, 158, 157, 155, 154, 152, 151, 150, 148, 147, 146, 144, 143,
+    142, 141, 139, 138, 137, 136, 135, 134, 133, 132, 131, 130, 129, 128};
+
+/* 2^31 / value for 2^15 <= value <= 2^16, within 3 units (every value was tried). It starts
+ * from the table; two steps of Newton's method, 2 r - r^2 v, square the relative error
+ * each. 254^2 2^16 < 2^32. After the first step 2^31 - r v is below 2^18, so its product
+ * with r / 16 is below 2^30. */
+static inline uint32_t fxl_reciprocal_half(uint32_t value)
+{
+    uint32_t rough = fxl_reciprocals[(value >> 9) - 64u];
+    rough = (rough << 9) - (rough * rough * value >> 15);
+    int32_t error = (int32_t)(0x80000000u - rough * value);
+    return rough + (uint32_t)((int32_t)rough * (error >> 4) >> 27);
+}
+
+/* floor(numerator / denominator) for 2^15 <= denominator <= 2^16. The upper half of the
+ * numerator times the reciprocal gives the quotient to within 12. The rest, which includes
+ * the lower half, times the reciprocal gives the correction to within 1. */
+static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
+{
+    uint32_t reciprocal = fxl_reciprocal_half(denominator);
+    uint32_t quotient = (numerator >> 16) * reciprocal >> 15;
+    int32_t rest = (int32_t)(numerator - quotient * denominator);
+    int32_t more = rest >> 4;
+    more = more * (int32_t)(reciprocal >> 4) >> 23;
+    quotient += (uint32_t)more;
+    rest -= more * (int32_t)denominator;
+    while (rest < 0) {
+        rest += (int32_t)denominator;
+        quotient -= 1;
+    }
+    while (rest >= (int32_t)denominator) {
+        rest -= (int32_t)denominator;
+        quotient += 1;
+    }
+    return quotient;
+}
+
+/* The number of 0 bits above the highest 1 of value. Requires value > 0. It halves the range of
+ * bits three times, then looks up four of them. */
+static inline unsigned fxl_leading_zeros(uint32_t value)
+{
+    unsigned zeros = 0;
+    if (value >> 16 == 0) {
+        zeros += 16;
+        value <<= 16;
+    }
+    if (value >> 24 == 0) {
+        zeros += 8;
+        value <<= 8;
+    }
+    if (value >> 28 == 0) {
+        zeros += 4;
+        value <<= 4;
+    }
+    /* The table has 4 bits for each of 1..7: 3 2 2 1 1 1 1. The result is 0 from 8 on; the
+     * entry for 0 is not used. */
+    return zeros + (value >> 31 != 0 ? 0u : (0x11112230u >> (value >> 28) * 4u & 15u));
+}
+
 #endif
 
 /* floor(a * b / 2^64), from four products of 32 bits. Each middle sum is at

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/plane.h"
 
 #include "arith.h"
+#include "plane.h"
 
 fxl_plane fxl_plane_from_point(const fxl_point *point, const fxl_direction *normal,
                                fxl_q16_16 inset)

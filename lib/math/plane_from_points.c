@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/plane_from_points.h"
 
 #include "arith.h"
+#include "plane.h"
 #include "square_root.h"
-#include "fixel/stage/plane.h"
-#include "unit_cross.h"
 
 /* A vector whose components are differences of two products below 2^60 each: below 2^61. */
 typedef struct {

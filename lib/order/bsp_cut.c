@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/split.h"
+#include "../scene/turn_code.h"
+#include "../view/cull.h"
 #include "bsp_cut.h"
 
 #include "../math/arith.h"
-#include "fixel/stage/cull.h"
-#include "fixel/split.h"
 #include "../scene/bsp_node.h"
 
 /* The split plane: that of a node. */

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "../scene/turn_code.h"
+#include "../view/cull.h"
+#include "../view/model_view.h"
 #include "bsp_pieces.h"
 
-#include "../view/facing.h"
 #include "bsp_cut.h"
 #include "../scene/bsp_node.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include "../view/cull.h"
+#include "../view/sphere.h"
 #include "submit_by_bsp.h"
 
-#include "../view/facing.h"
 #include "../scene/bsp_node.h"
 #include "bsp_pieces.h"
 #include "../draw/renderer.h"

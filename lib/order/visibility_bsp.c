@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/bsp.h"
+#include "fixel/order.h"
 
 #include "submit_by_bsp.h"
 

@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
+#include "../scene/lens.h"
+#include "../view/cull.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "../view/sphere.h"
+#include "../view/view.h"
 #include "fixel/wire.h"
 
-#include "fixel/stage/cull.h"
-#include "fixel/stage/sphere.h"
-#include "fixel/stage/transform.h"
 #include "../math/memory.h"
 #include "../scene/turn_code.h"
 

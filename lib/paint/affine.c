@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "../view/project.h"
+#include "../view/view.h"
 #include "affine.h"
 
 #include "../math/arith.h"

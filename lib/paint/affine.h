@@ -3,6 +3,7 @@
 #ifndef FXL_AFFINE_H
 #define FXL_AFFINE_H
 
+#include "fixel/records.h"
 #include "gradients.h"
 
 #ifdef __cplusplus

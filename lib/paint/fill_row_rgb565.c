@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/fill.h"
 #include "fill_row_rgb565.h"
 
-#include "../raster/fill_row.h"
 
 /* Two pixels are one aligned word, but for the first and the last one. */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)

@@ -8,6 +8,7 @@
  *   A = a0 n + (a1 - a0) (E2 x P0) + (a2 - a0) (P0 x E1),
  *
  * and n . D is h focal / z, where h = n . P0. */
+#include "../view/view.h"
 #include "gradients.h"
 
 #include "../math/arith.h"

@@ -10,8 +10,8 @@
 #ifndef FXL_GRADIENTS_H
 #define FXL_GRADIENTS_H
 
+#include "fixel/records.h"
 #include "fixel/types.h"
-#include "fixel/stage/view.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/split.h"
+#include "../math/plane.h"
+#include "../scene/beam.h"
 #include "lit_pieces.h"
 
 #include "../math/arith.h"
-#include "fixel/stage/plane.h"
-#include "fixel/split.h"
 
 #define NONE UINT16_MAX
 

@@ -4,7 +4,8 @@
 #ifndef FXL_PAINT_POLYGON_H
 #define FXL_PAINT_POLYGON_H
 
-#include "../raster/fill_row.h"
+#include "../raster/fill.h"
+#include "../raster/scan.h"
 #include "segments.h"
 
 /* Paints some of the pixels x0 <= x < x1 of a row; with: the painter's own. */

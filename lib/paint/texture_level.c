@@ -8,6 +8,7 @@
  * focal^2 V / (|E1 x E2| z^3) pixels. In the view of an off-centre lens, which is sheared, V and
  * the focal length of the drawing give the same. The units of 2^-16 and 2^-46 of both sides are the
  * same. */
+#include "../view/view.h"
 #include "texture_level.h"
 
 #include "../math/arith.h"

@@ -4,7 +4,7 @@
 #ifndef FXL_ACTIVE_EDGES_H
 #define FXL_ACTIVE_EDGES_H
 
-#include "fixel/stage/scan.h"
+#include "fixel/records.h"
 
 /* Right of every crossing. */
 #define FXL_NO_CROSSING INT32_MAX

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "chains.h"
 
-#include "edge.h"
 #include "../math/family.h"
+#include "edge.h"
+#include "scan.h"
 
 #if !FXL_KERNELS_ARMV7M
 

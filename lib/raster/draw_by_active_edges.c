@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw_outline.h"
+#include "fill.h"
 
 #include "active_edges.h"
-#include "fixel/stage/fill.h"
 
 bool fxl_draw_by_active_edges(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                               fxl_scan *scan)

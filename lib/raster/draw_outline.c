@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw_outline.h"
+#include "fill.h"
+#include "scan.h"
 
 #include "../math/family.h"
-#include "fixel/stage/fill.h"
 
 #if !FXL_KERNELS_ARMV7M
 

@@ -4,7 +4,7 @@
 #ifndef FXL_DRAW_OUTLINE_H
 #define FXL_DRAW_OUTLINE_H
 
-#include "fixel/stage/scan.h"
+#include "fixel/records.h"
 
 #ifdef __cplusplus
 extern "C" {

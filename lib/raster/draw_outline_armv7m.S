@@ -2,7 +2,7 @@
 /* fxl_draw_outline for Armv7-M and Armv8-M Mainline. lib/raster/draw_outline.h states what it
  * requires and does; it writes the same bytes as lib/raster/draw_outline.c. The
  * arithmetic, with its bounds, is that of lib/raster/edge.h and
- * lib/raster/edge_divide_armv7m.h. An outline is drawn here if it is scanned between two chains,
+ * lib/raster/edge_divide.h. An outline is drawn here if it is scanned between two chains,
  * which survey in lib/raster/scan.c defines; fxl_draw_by_active_edges draws any other. */
 #include "../math/family.h"
 #include "../math/offsets.h"

@@ -3,14 +3,13 @@
 #ifndef FXL_EDGE_H
 #define FXL_EDGE_H
 
-#include "fixel/stage/scan.h"
-
 #include "../math/arith.h"
-#include "../math/pixel_centre.h"
-#include "edge_dividend.h"
-#include "edge_divide.h"
-#include "edge_near.h"
 #include "../math/core.h"
+#include "../math/pixel_centre.h"
+#include "edge_divide.h"
+#include "edge_dividend.h"
+#include "edge_near.h"
+#include "fixel/records.h"
 
 #ifdef __cplusplus
 extern "C" {

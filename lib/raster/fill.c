@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/fill.h"
 
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "fill.h"
+#include "fixel/target.h"
 
 /* In a library for size a row is a call of memset, and no trapezoid is filled here: 110 bytes less
  * on a Cortex-M3, and 240 with FXL_SMALL. */

@@ -3,6 +3,7 @@
  * entry, and the steps from row to row. Included once by each, where its code begins. */
 
 /* clang-format off */
+
     .syntax unified
     .thumb
 

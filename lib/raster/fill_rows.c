@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/fill.h"
 
 #include "../math/arith.h"
-#include "fill_row.h"
 #include "../math/family.h"
+#include "fill.h"
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 

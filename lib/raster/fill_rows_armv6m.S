@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_fill_trapezoid for Armv6-M. lib/include/fixel/stage/fill.h states what it requires and
+/* fxl_fill_trapezoid for Armv6-M. lib/raster/fill.h states what it requires and
  * does; it writes the same bytes as lib/raster/fill_rows.c.
  *
  * Both edges are kept as addresses: the row's address is added to x, and the stride is added

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_fill_trapezoid for Armv7-M and Armv8-M Mainline. lib/include/fixel/stage/fill.h states
+/* fxl_fill_trapezoid for Armv7-M and Armv8-M Mainline. lib/raster/fill.h states
  * what it requires and does; it writes the same bytes as lib/raster/fill_rows.c. The
  * rows are fxl_fill_rows, which fxl_draw_outline uses too.
  *
@@ -232,7 +232,7 @@ fxl_fill_rows:
 
     /* If both whole steps are 0 and no fraction will carry, every row has the same span. The
      * test pays from 32 bytes on. The step of an upright edge is 2^-32
-     * (lib/raster/edge_divide_portable.h). */
+     * (lib/raster/edge_divide.h). */
 .Ltest_upright:
     ldr     lr, [sp, #FRAME_STRIDE]
     cmp     left_step, lr

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/scan.h"
 
-#include "chains.h"
-#include "edge.h"
 #include "active_edges.h"
 #include "draw_outline.h"
+#include "edge.h"
+#include "scan.h"
 
 /* The result of one pass over the vertices of an outline. */
 typedef struct {

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "../math/plane.h"
+#include "beam.h"
 #include "fixel/beam.h"
 
 #include "../math/arith.h"
-#include "../math/unit_cross.h"
-#include "fixel/plane_from_points.h"
-#include "fixel/stage/plane.h"
 #include "../math/unit_vector.h"
 #include "../math/memory.h"
 

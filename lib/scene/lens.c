@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/lens.h"
 
 #include "../math/arith.h"
 #include "../math/sine.h"
-#include "off_centre_code.h"
+#include "lens.h"
 
 FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested at once");
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Lenses whose centre is not the middle of the screen. */
 #include "../math/arith.h"
-#include "off_centre_code.h"
+#include "lens.h"
 
 /* Offsets of the centre from the middle: at most three halves of an extent, and four focal lengths.
  * The extent is at most 2^10 and the focal length is below 2^29, so no product exceeds 2^31. */

@@ -5,7 +5,7 @@
 #include "../math/arith.h"
 #include "../math/square_root.h"
 #include "fault.h"
-#include "fixel/stage/turn.h"
+#include "turn_code.h"
 
 static bool is_scale(fxl_q16_16 scale)
 {

@@ -3,8 +3,8 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "fault.h"
+#include "fixel/camera.h"
 #include "fixel/scene.h"
-#include "fixel/stage/lens.h"
 #include "motion_limits.h"
 #include "scene_sections.h"
 

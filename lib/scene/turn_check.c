@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/turn.h"
 
 #include "../math/arith.h"
 #include "turn_code.h"

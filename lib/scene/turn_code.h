@@ -5,7 +5,7 @@
 #define FXL_TURN_CODE_H
 
 #include "../math/arith.h"
-#include "fixel/stage/turn.h"
+#include "fixel/records.h"
 
 struct fxl_camera;
 struct fxl_view_frustum;
@@ -50,6 +50,15 @@ struct fxl_turn_code {
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Added to scale * radius, in units of 1/65536: more than tolerated rows and all rounding move a
+ * point of an instance away from its centre. */
+#define FXL_TURN_SLACK 32
+
+/* The radius of a turned instance: scale * radius, rounded upward, and FXL_TURN_SLACK. No point of
+ * the instance is farther from its centre. Requires a scale within its range and
+ * scale * radius <= 2 * FXL_COORDINATE_MAX. */
+fxl_q16_16 fxl_turn_radius(const fxl_turn *turn, fxl_q16_16 radius);
 
 /* fxl_turn_code.check. */
 fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number);

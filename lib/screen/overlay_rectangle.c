@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/fill.h"
+#include "../raster/fill.h"
 #include "overlay_band.h"
 
 fxl_status fxl_overlay_check(const fxl_band *band)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/pixels.h"
 
-#include "../raster/fill_row.h"
 #include "../math/family.h"
+#include "../raster/fill.h"
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 

@@ -6,6 +6,9 @@
 #ifndef FXL_CLIP_COMMON_H
 #define FXL_CLIP_COMMON_H
 
+#include "../clip/volume.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
 #include "clippers.h"
 
 /* The steps in which the clippers differ. The clip_flags of a vertex have a bit for each plane

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
 #include "clip_once.h"
 
 #include "../math/arith.h"

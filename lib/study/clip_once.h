@@ -4,6 +4,7 @@
 #ifndef FXL_CLIP_ONCE_H
 #define FXL_CLIP_ONCE_H
 
+#include "../clip/volume.h"
 #include "normalised.h"
 
 #ifdef __cplusplus

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../clip/cut_polygon.h"
+#include "../clip/volume.h"
 #include "../math/arith.h"
 #include "clip_polygon.h"
 

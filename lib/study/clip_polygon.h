@@ -4,7 +4,7 @@
 #define FXL_CLIP_POLYGON_H
 
 #include "../clip/intersection.h"
-#include "fixel/half_space.h"
+#include "../clip/volume.h"
 #include "normalised.h"
 
 #ifdef __cplusplus

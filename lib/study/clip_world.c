@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/clip_view.h"
+#include "../math/plane.h"
+#include "../view/outcode.h"
 #include "clip_world.h"
 
 #include "../clip/cut_polygon.h"
 #include "../math/arith.h"
 #include "clip_world_by_planes.h"
-#include "fixel/stage/plane.h"
 
 /* inside / (inside - outside), rounded downward; requires inside >= 0 > outside. The difference
  * of two distances from one plane is the plane's normal times the difference of two points, so

@@ -4,7 +4,7 @@
 #ifndef FXL_CLIP_WORLD_H
 #define FXL_CLIP_WORLD_H
 
-#include "fixel/stage/clipper.h"
+#include "fixel/records.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -3,8 +3,8 @@
 #ifndef FXL_CLIP_WORLD_BY_PLANES_H
 #define FXL_CLIP_WORLD_BY_PLANES_H
 
-#include "../clip/clip_stats.h"
 #include "clip_world.h"
+#include "fixel/records.h"
 
 /* Clips as fxl_clip_world_to_frustum does, but tests only the planes whose bit is set in planes,
  * and those of then, too, once one has cut: rounding may have put a new vertex outside of any

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* A clipper whose outcodes and cuts use six homogeneous half-spaces, which need not form a
  * frustum. */
-#include "clip_polygon.h"
+#include "../clip/volume.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "../view/view.h"
 #include "clip_common.h"
-#include "../view/rotate.h"
+#include "clip_polygon.h"
 
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Clips to near, far and the left side of the screen, so no span begins left of it. The scan
  * shortens spans on the right and skips rows above and below. */
+#include "fixel/records.h"
 #include "guard_band.h"
 
 #define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR | 1u << FXL_PLANE_LEFT)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Clips to near and far alone. The scan clips to the sides of the screen. */
+#include "fixel/records.h"
 #include "guard_band.h"
 
 #define SCREEN (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)

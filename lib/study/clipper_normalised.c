@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
+#include "../view/outcode.h"
 #include "clip_polygon.h"
 #include "fetch_normalised.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define FXL_NORMALISED_WORKSPACE fxl_once_workspace
+#include "../clip/volume.h"
 #include "fetch_normalised.h"
 
 static fxl_varying_polygon *input(const fxl_model_view *model_view)

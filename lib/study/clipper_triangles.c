@@ -2,7 +2,12 @@
 /* Draws a face as a fan of triangles about its first vertex, and clips each triangle by itself.
  * An edge between two vertices is cut from its inside end, whichever triangle it belongs to, so
  * neighbours of the fan share every vertex. */
+#include "../clip/volume.h"
 #include "../math/arith.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "../view/view.h"
 #include "clip_common.h"
 
 #define DEPTHS (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/cull.h"
-#include "fixel/stage/project.h"
-#include "fixel/stage/transform.h"
 
+#include "../view/cull.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "../view/view.h"
+#include "clip_common.h"
 #include "clip_world_by_planes.h"
 #include "clippers.h"
-#include "clip_common.h"
-#include "../view/rotate.h"
 
 /* The planes of the world clip vertices before they are transformed. So entries of the vertex
  * cache have no outcodes here. */

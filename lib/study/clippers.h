@@ -5,9 +5,8 @@
 #ifndef FXL_CLIPPERS_H
 #define FXL_CLIPPERS_H
 
+#include "../clip/volume.h"
 #include "clip_once.h"
-#include "fixel/half_space.h"
-#include "fixel/stage/clipper.h"
 #include "triangle.h"
 
 /* The workspace of fxl_clipper_normalised. frame is the view's frame that the rest was made for;

@@ -5,6 +5,9 @@
 #ifndef FXL_FETCH_NORMALISED_H
 #define FXL_FETCH_NORMALISED_H
 
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/view.h"
 #include "clip_common.h"
 
 #ifndef FXL_NORMALISED_WORKSPACE

@@ -1,4 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
+#include "../view/model_view.h"
+#include "../view/outcode.h"
+#include "../view/project.h"
+#include "../view/view.h"
 #include "guard_band.h"
 
 #include "clip_polygon.h"

@@ -5,6 +5,7 @@
 #define FXL_GUARD_BAND_H
 
 #include "clippers.h"
+#include "fixel/records.h"
 
 /* Implements fxl_clipper.clip with an fxl_volume_workspace. screen: the planes at the border of
  * the screen, near and far among them. A workspace belongs to one clipper, so they are the same

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
 #include "half_space.h"
 
 #include "clip_polygon.h"

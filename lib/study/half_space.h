@@ -4,7 +4,7 @@
 #ifndef FXL_STUDY_HALF_SPACE_H
 #define FXL_STUDY_HALF_SPACE_H
 
-#include "fixel/half_space.h"
+#include "../clip/volume.h"
 
 #ifdef __cplusplus
 extern "C" {

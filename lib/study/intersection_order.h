@@ -4,7 +4,7 @@
 #define FXL_INTERSECTION_ORDER_H
 
 #include "../math/arith.h"
-#include "fixel/stage/frustum.h"
+#include "fixel/records.h"
 
 /* Where a plane cuts a line from one point to another, given as the distances of the two points
  * from the plane. Each is below 2^63, and one of the points counts as inside. */

@@ -3,7 +3,7 @@
 #ifndef FXL_STUDY_METHODS_H
 #define FXL_STUDY_METHODS_H
 
-#include "fixel/stage/visibility.h"
+#include "fixel/order.h"
 
 #ifdef __cplusplus
 extern "C" {

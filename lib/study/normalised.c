@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
+#include "../view/view.h"
 #include "normalised.h"
 
 #include "../math/arith.h"

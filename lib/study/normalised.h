@@ -4,7 +4,7 @@
 #ifndef FXL_NORMALISED_H
 #define FXL_NORMALISED_H
 
-#include "fixel/clip_record.h"
+#include "../clip/volume.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -4,7 +4,7 @@
 #ifndef FXL_SCAN_BOX_H
 #define FXL_SCAN_BOX_H
 
-#include "fixel/stage/scan.h"
+#include "fixel/types.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/fill.h"
 #include "span_buffer.h"
 
 #include "../math/arith.h"
-#include "../raster/fill_row.h"
 #include "../math/memory.h"
 
 FXL_STATIC_ASSERT(sizeof(fxl_covered) == 6, "docs/extras/spans.md");

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../clip/volume.h"
 #include "triangle.h"
 
 #include "../math/arith.h"

@@ -5,7 +5,7 @@
 #ifndef FXL_TRIANGLE_H
 #define FXL_TRIANGLE_H
 
-#include "fixel/half_space.h"
+#include "fixel/line.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "../math/arith.h"
 #include "../clip/intersection.h"
-#include "fixel/stage/project.h"
+#include "../clip/volume.h"
+#include "../math/arith.h"
+#include "../view/project.h"
 #include "triangle.h"
 
 #define MASK (FXL_TRIANGLE_QUEUE - 1u)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The raster backend that tests every pixel of a polygon's bounding box, for clippers that leave
  * the sides of the screen to the scan. */
-#include "fixel/stage/fill.h"
-#include "scan_box.h"
 #include "../draw/submit.h"
+#include "../raster/fill.h"
 #include "methods.h"
+#include "scan_box.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                   uint8_t colour, const fxl_band *band)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../order/submit_by_bsp.h"
+#include "fixel/order.h"
 #include "methods.h"
 
 const fxl_visibility fxl_visibility_bsp_spans = {.order = &fxl_by_tree,

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/scan.h"
 #include "visibility_spans.h"
 #include "../draw/renderer.h"
 

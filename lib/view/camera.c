@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Each entry of the matrix is a sum of two products. A table says which factors they have; written
  * out, the sums take 116 bytes more on a Cortex-M3. */
-#include "fixel/stage/camera.h"
 
 #include "../math/arith.h"
 #include "../math/sine.h"
+#include "fixel/camera.h"
 
 /* The factors, in units of 2^-31: cosines (C) and sines (S) of yaw (Y), pitch (P) and roll (R), the
  * negated sines, x and z of the view's up before roll, and constants. */

@@ -4,10 +4,11 @@
 #define FIND_FRONT     order_run
 
 #include "clusters.h"
+#include "cull.h"
+#include "order.h"
+#include "sphere.h"
 
 #include "../math/arith.h"
-#include "fixel/stage/sphere.h"
-#include "front_faces.h"
 
 static uint32_t planes_of(const fxl_cluster *cluster, const fxl_model_view *model_view);
 static uint32_t order_run(const fxl_scene *scene, const fxl_model *model, uint32_t first,

@@ -3,7 +3,7 @@
 #ifndef FXL_CLUSTERS_H
 #define FXL_CLUSTERS_H
 
-#include "fixel/stage/order.h"
+#include "fixel/records.h"
 
 /* fxl_order_front_faces for a model with clusters, without the faces of clusters outside the
  * frustum. If drops is true, it also takes out faces as fxl_order_drop_outside does. Returns the

@@ -6,6 +6,7 @@
 #define FIND_FRONT     tests->find_front
 
 #include "cluster_loop.h"
+#include "fixel/records.h"
 
 /* The length, in units of 2^-14, by which an eye that was rounded once must be farther into a cone:
  * more than twice its error of sqrt(3) / 2 units of 2^-16. With v = u + d, |d| no more than this

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/cull.h"
 
 #include "../math/arith.h"
 #include "../scene/face_bounds.h"
-#include "front_faces.h"
+#include "cull.h"
+#include "model_view.h"
 
 bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, const fxl_face *face,
                        const fxl_point *eye)

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "front_faces.h"
 
-#include "../scene/face_bounds.h"
 #include "../math/family.h"
+#include "../scene/face_bounds.h"
+#include "cull.h"
+#include "order.h"
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 

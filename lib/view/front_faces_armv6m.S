@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_front_faces for Armv6-M. lib/view/front_faces.h defines the sums and their bounds.
+/* fxl_front_faces for Armv6-M. lib/view/cull.h defines the sums and their bounds.
  *
  * Products of 16 by 16 bits decide most faces. Let s be the least number for which each
  * coordinate of eye / 2^s fits 16 bits with its sign, and

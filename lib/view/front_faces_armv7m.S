@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_front_faces for Armv7-M and Armv8-M Mainline. lib/view/front_faces.h defines the sums
+/* fxl_front_faces for Armv7-M and Armv8-M Mainline. lib/view/cull.h defines the sums
  * and their bounds. */
 #include "../math/family.h"
 #include "../math/offsets.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/frustum.h"
 
 #include "../math/arith.h"
-#include "fixel/stage/plane.h"
+#include "../math/plane.h"
 #include "../math/square_root.h"
+#include "view.h"
 
 /* Scales (a, b), 0 < a, b < 2^30, to unit length. Both are first shifted up until one of
  * them has 30 bits, so that the last unit of the root is below 2^-29 of it. */

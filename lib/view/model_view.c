@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/model_view.h"
 
-#include "rotate.h"
 
 /* What each new model view adds to the tags. The lower bits of a tag are the vertex's number. */
+#include "model_view.h"
+#include "outcode.h"
+
 #define TAG_INSTANCE ((uint32_t)1 << 16)
 
 FXL_STATIC_ASSERT(FXL_MODEL_VERTICES_MAX < TAG_INSTANCE, "a vertex number fits a tag");

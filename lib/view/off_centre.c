@@ -11,7 +11,9 @@
  * holds of this one: no coordinate, product or sum is larger. */
 #include "../math/arith.h"
 #include "../math/square_root.h"
-#include "../scene/off_centre_code.h"
+#include "../scene/lens.h"
+#include "project.h"
+#include "view.h"
 
 /* To the right and upward. */
 static int32_t offset_x(const fxl_lens *lens)

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/order.h"
 
 #include "../math/arith.h"
 #include "../scene/face_bounds.h"
-#include "front_faces.h"
-#include "order_instance.h"
+#include "cull.h"
+#include "model_view.h"
+#include "order.h"
+#include "outcode.h"
+#include "sphere.h"
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {

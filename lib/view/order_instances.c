@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A file of its own, so that the compiler does not spend registers of the loop on the choice. */
 #include "../scene/turn_code.h"
-#include "order_instance.h"
+#include "order.h"
 
 uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
                              const fxl_view_frustum *frustum, fxl_order_entry *entries,

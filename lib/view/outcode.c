@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/outcode.h"
-
-#include "fixel/stage/clip_view.h"
-#include "outside.h"
+#include "../clip/clip_view.h"
+#include "outcode.h"
 
 unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
                              const fxl_view_point *point)

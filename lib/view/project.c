@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/project.h"
 
 #include "../math/arith.h"
-#include "project_any.h"
+#include "project.h"
 
 /* The kernels' fast path requires a focal length below this: 1024 pixels. It also requires that no
  * point inside the frustum, or a few units outside, has a side (X or Y) of more than twice its

@@ -13,8 +13,8 @@
  * P + h - floor(e) d lies in 0..2 d - 1, so its lower 32 bits tell which of the two.
  * The offset found is below 2^27 units, which is within the range of screen coordinates. */
 #include "../math/arith.h"
-#include "project_any.h"
 #include "../math/family.h"
+#include "project.h"
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 

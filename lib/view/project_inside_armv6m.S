@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_project_inside for Armv6-M: products of 32 bits, no division, no CLZ.
  * lib/view/project_inside.c defines the letters and shows that nothing
- * overflows. The reciprocal of 16 bits is that of core_armv6m.h. */
+ * overflows. The reciprocal of 16 bits is that of core.h. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 
@@ -214,7 +214,7 @@ fxl_project_inside:
     .pool
     .size fxl_project_inside, . - fxl_project_inside
 
-/* fxl_reciprocals of core_armv6m.h. */
+/* fxl_reciprocals of core.h. */
     .section .rodata.reciprocals, "a", %progbits
 reciprocals:
     .byte   254, 250, 246, 243, 239, 236, 232, 229, 226, 223, 220, 217, 214, 211, 209, 206

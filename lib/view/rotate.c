@@ -1,4 +1,4 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
 #define FXL_HERE
-#include "rotate.h"
+#include "model_view.h"

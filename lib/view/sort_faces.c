@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/order.h"
 
 #include "../math/arith.h"
+#include "order.h"
 
 /* Sorts faces as instances of one layer, 0. */
 static void sort_as_instances(fxl_order_entry *entries, uint32_t count)

@@ -21,10 +21,10 @@
  * Both errors together are below 5.1. The slack that is added to the radius, floored, is 9,
  * so at least 8 remain for the errors. So the test never rejects an instance of which a
  * face would be drawn. */
-#include "fixel/stage/sphere.h"
 
-#include "rotate.h"
 #include "estimate.h"
+#include "model_view.h"
+#include "sphere.h"
 
 #define SLACK 9
 

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/transform.h"
-
-#include "rotate.h"
+#include "model_view.h"
 
 void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view)
 {

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/model_view.h"
 
-#include "outside.h"
-#include "rotate.h"
 #include "../math/family.h"
+#include "model_view.h"
+#include "outcode.h"
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 

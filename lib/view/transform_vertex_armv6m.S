@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_transform_vertex for Armv6-M. lib/math/arith.h (fxl_dot) and
- * lib/view/outside.h define the sums and derive their bounds. A product of 32 by 32 bits
+ * lib/view/outcode.h define the sums and derive their bounds. A product of 32 by 32 bits
  * is made of four products of 16 by 16. One factor is at most 2^30 and the other is below
- * 2^30, so the sum of the two middle products fits 32 bits (core_armv6m.h). */
+ * 2^30, so the sum of the two middle products fits 32 bits (core.h). */
 #include "../math/family.h"
 #include "../math/offsets.h"
 

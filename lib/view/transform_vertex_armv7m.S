@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_transform_vertex for Armv7-M and Armv8-M Mainline. lib/math/arith.h (fxl_dot) and
- * lib/view/outside.h define the sums and derive their bounds.
+ * lib/view/outcode.h define the sums and derive their bounds.
  *
  * If the upper words of a distance do not decide a sign, fxl_outcode computes the outcode. */
 #include "../math/family.h"

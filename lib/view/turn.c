@@ -5,11 +5,9 @@
  * fxl_multiply_s31 allows for both factors: where the upper half of a factor is 2^14 or more, its
  * lower half is below 2^6, and where it is -2^14 - 1, the middle products add up to more than
  * -2^31. */
-#include "fixel/stage/turn.h"
 
 #include "../math/arith.h"
-#include "turn_eye.h"
-#include "turn_rows.h"
+#include "turn.h"
 
 /* floor(value * scale / 2^32). |value| < 2^61 and scale <= 2^24: the result is below 2^53. */
 static int64_t scaled(int64_t value, fxl_q16_16 scale)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A file of its own, so that fxl_turn_eye keeps no registers for it. */
-#include "turn_eye.h"
 
 #include "../math/arith.h"
+#include "turn.h"
 
 /* value / (scale 2^(14 + shift)), rounded: floor((value + half) / divisor), in two exact floors.
  * half is below 2^24 2^23. Returns false if the quotient exceeds 2^30. */

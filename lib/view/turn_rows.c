@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "turn_rows.h"
+#include "turn.h"
+#include "turn.h"
 
 #include "../math/arith.h"
 #include "../math/family.h"

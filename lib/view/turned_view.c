@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/order.h"
 #include "../scene/face_bounds.h"
 #include "../scene/turn_code.h"
-#include "front_faces.h"
+#include "cull.h"
+#include "model_view.h"
+#include "order.h"
+#include "outcode.h"
+#include "sphere.h"
+#include "turn.h"
 #include "turned_view.h"
 
 /* Moves the vertex to translation + 2^shift (matrix . vertex). Exact: the difference is matrix .

@@ -4,8 +4,7 @@
 #define FXL_TURNED_VIEW_H
 
 #include "../math/arith.h"
-#include "fixel/stage/order.h"
-#include "fixel/stage/turn.h"
+#include "model_view.h"
 
 /* A turned view. The caller owns it. */
 typedef struct {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "fixel/stage/view.h"
-
-#include "../scene/off_centre_code.h"
+#include "../scene/lens.h"
+#include "project.h"
+#include "view.h"
 
 void fxl_view_set_lens(fxl_view *view, const fxl_lens *lens)
 {

@@ -6,6 +6,7 @@
 
 #include "board_double.h"
 #include "contract/system.h"
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "mock_clock.h"
 #include "mock_display.h"

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 typedef struct {

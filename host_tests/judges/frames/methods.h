@@ -3,6 +3,7 @@
 #ifndef FRAMES_METHODS_H
 #define FRAMES_METHODS_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 typedef struct {

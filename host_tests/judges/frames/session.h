@@ -4,9 +4,10 @@
 #ifndef FRAMES_SESSION_H
 #define FRAMES_SESSION_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
-#include "study/clippers.h"
 #include "lights/named.h"
+#include "study/clippers.h"
 
 /* How frames are drawn. In session_reserve: the largest that session_set_up is given. */
 typedef struct {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "oracle/claim.h"
 #include "oracle/turns.h"

@@ -3,6 +3,7 @@
  * on small screens also those of the reference renderer. */
 #include <string.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "oracle/claim.h"
 #include "oracle/cover.h"

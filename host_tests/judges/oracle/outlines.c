@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "oracle/cover.h"
 

@@ -4,6 +4,7 @@
 #ifndef ORACLE_SETUP_H
 #define ORACLE_SETUP_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "oracle/claim.h"
 

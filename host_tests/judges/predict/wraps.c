@@ -2,19 +2,23 @@
 /* Counts of what every scene may have: instances, faces, polygons, light and surfaces. */
 #include <math.h>
 
-#include "predict/wrapped.h"
-#include "clip/clip_stats.h"
+#include "clip/clip_by_view.h"
+#include "clip/clip_view.h"
 #include "clip/intersect_edge.h"
+#include "draw/display_list.h"
 #include "draw/reach.h"
+#include "predict/wrapped.h"
 #include "raster/draw_outline.h"
+#include "raster/scan.h"
 #include "scene/turn_code.h"
+#include "view/model_view.h"
+#include "view/order.h"
+#include "view/project.h"
 #include "view/turned_view.h"
 
 #include "paint/light_level.h"
 #include "paint/segments.h"
 #include "draw/surface_polygon.h"
-#include "fixel/stage/fill.h"
-#include "fixel/stage/project.h"
 
 predict_counts counted;
 

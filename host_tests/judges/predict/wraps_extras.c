@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: MIT */
 /* Counts of what a scene may ask for: a depth buffer, billboards, beams of light; and of turned
  * faces that are placed in the world for those and for light. */
-#include "paint/lit_pieces.h"
+#include "clip/split.h"
+#include "draw/depth_draw.h"
+#include "draw/depth_plane.h"
+#include "draw/submit.h"
+#include "math/plane.h"
 #include "paint/billboard_paint.h"
 #include "paint/billboard_walk.h"
 #include "paint/depth_row.h"
-#include "draw/depth_draw.h"
-#include "draw/depth_plane.h"
-#include "fixel/split.h"
-#include "fixel/stage/plane.h"
-#include "fixel/stage/transform.h"
-#include "fixel/stage/turn.h"
 #include "paint/depth_run.h"
+#include "paint/lit_pieces.h"
 #include "predict/wrapped.h"
-#include "draw/submit.h"
+#include "raster/scan.h"
+#include "scene/beam.h"
+#include "view/model_view.h"
+#include "view/turn.h"
 
 /* --- depth buffer --------------------------------------------------------------------------- */
 

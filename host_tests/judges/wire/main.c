@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "frames/dump.h"
 #include "frames/moving_reference.h"

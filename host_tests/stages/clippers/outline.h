@@ -3,6 +3,7 @@
 #ifndef CLIPPERS_OUTLINE_H
 #define CLIPPERS_OUTLINE_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "reference/volume.h"
 

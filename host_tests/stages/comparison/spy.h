@@ -3,6 +3,7 @@
 #ifndef COMPARISON_SPY_H
 #define COMPARISON_SPY_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 
 /* What of a polygon reaches the scan. */

@@ -4,6 +4,7 @@
 #ifndef DESIGNS_INPUT_H
 #define DESIGNS_INPUT_H
 
+#include "draw/stages.h"
 #include "fixel/all.h"
 #include "oracle/claim.h"
 

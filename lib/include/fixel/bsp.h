@@ -5,7 +5,7 @@
 #ifndef FXL_BSP_H
 #define FXL_BSP_H
 
-#include "fixel/stage/visibility.h"
+#include "fixel/order.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -7,12 +7,22 @@
 #ifndef FXL_COLLIDE_H
 #define FXL_COLLIDE_H
 
-#include "fixel/box.h"
 #include "fixel/scene.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* An axis-aligned box of the world: least <= point <= most in each coordinate. */
+typedef struct {
+    fxl_point least, most;
+} fxl_box;
+
+/* Makes the smallest box that holds all vertices of an instance, in world coordinates. Exact; of an
+ * instance that is turned, given its points, each rounded once.
+ * Reads every vertex of the model once, so a caller should keep the box of an instance that does
+ * not move. Requires an instance of a checked scene. */
+void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, fxl_box *box);
 
 /* A sphere of the world. */
 typedef struct {

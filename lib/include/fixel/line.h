@@ -4,11 +4,35 @@
 #ifndef FXL_LINE_H
 #define FXL_LINE_H
 
-#include "fixel/half_space.h"
+#include "fixel/records.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* How many varyings a vertex may carry: texture coordinates, colours, light. */
+#define FXL_CARRIED_MAX 6
+
+/* A vertex and its varyings. A varying is within 16383 either way. The clipper cuts it by the
+ * same fraction as the position. */
+typedef struct {
+    fxl_view_point position; /* each below 2^61 */
+    fxl_q16_16 carried[FXL_CARRIED_MAX];
+} fxl_varying_vertex;
+
+/* A point (x, y, z, 1) of the view is inside where
+ *   normal . (x, y, z) + offset >= 0.
+ * The normal need not have unit length: |x| + |y| + |z| < 2^31. |offset| < 2^62, in units of
+ * 2^-46. The plane is exactly what these integers say. */
+typedef struct {
+    fxl_direction normal;
+    fxl_q18_46 offset;
+} fxl_half_space;
+
+/* Six half-spaces in the order of FXL_PLANE_... They need not form a frustum. */
+typedef struct {
+    fxl_half_space planes[FXL_PLANE_COUNT];
+} fxl_volume;
 
 /* A line between two points of the view. Its varyings are cut with it. */
 typedef struct {

@@ -4,7 +4,7 @@
 #ifndef FXL_ORIENTATION_H
 #define FXL_ORIENTATION_H
 
-#include "fixel/stage/turn.h"
+#include "fixel/scene.h"
 
 #ifdef __cplusplus
 extern "C" {

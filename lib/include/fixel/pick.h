@@ -5,7 +5,6 @@
 #define FXL_PICK_H
 
 #include "fixel/render.h"
-#include "fixel/stage/view.h"
 
 #ifdef __cplusplus
 extern "C" {

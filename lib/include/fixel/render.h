@@ -8,13 +8,8 @@
 #ifndef FXL_RENDER_H
 #define FXL_RENDER_H
 
-#include "fixel/stage/clipper.h"
-#include "fixel/stage/display_list.h"
-#include "fixel/stage/fill.h"
-#include "fixel/stage/lens.h"
-#include "fixel/stage/order.h"
-#include "fixel/stage/scan.h"
-#include "fixel/stage/visibility.h"
+#include "fixel/order.h"
+#include "fixel/records.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -446,6 +446,16 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
 
+/* Whether an instance at a centre, whose model has a radius, may be turned so. Its time does not
+ * depend on the model.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a scale outside FXL_SCALE_MIN..FXL_SCALE_MAX; a radius outside 0..FXL_RADIUS_MAX;
+ * or a coordinate of the centre beyond FXL_COORDINATE_MAX less fxl_turn_radius.
+ * FXL_E_TURN: rows that are no rotation.
+ * All six products of two rows may differ from those of a rotation by less than 2^-28; SPEC.md,
+ * section 8.1, has the exact test. A mirror image is no rotation. */
+fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius);
+
 #ifdef __cplusplus
 }
 #endif

@@ -12,7 +12,7 @@ extern "C" {
 
 typedef struct fxl_renderer fxl_renderer;
 struct fxl_workspace;           /* fixel/render.h */
-struct fxl_display_list_record; /* fixel/stage/display_list.h */
+struct fxl_display_list_record; /* fixel/records.h */
 struct fxl_config;              /* fixel/render.h */
 struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
 
@@ -66,6 +66,9 @@ extern const fxl_target fxl_palette_depth_32;
 extern const fxl_target fxl_rgb565;
 extern const fxl_target fxl_rgb565_depth_16;
 extern const fxl_target fxl_rgb565_depth_32;
+
+/* Sets every pixel of the band. The bytes between width and stride are untouched. */
+void fxl_fill_band(const fxl_band *band, uint8_t colour);
 
 #ifdef __cplusplus
 }

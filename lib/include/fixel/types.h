@@ -232,7 +232,7 @@ typedef struct {
     fxl_angle yaw, pitch, roll;
 } fxl_pose;
 
-/* What a view needs of an off-centre lens (fixel/stage/lens.h). Members are internal. */
+/* What a view needs of an off-centre lens (fixel/camera.h). Members are internal. */
 typedef struct fxl_off_centre_code fxl_off_centre_code;
 
 /* The screen, and the part of the world that it shows. fxl_lens_from_fov makes one. Its centre is
@@ -327,13 +327,6 @@ typedef struct {
     uint16_t first, end;
 } fxl_rows;
 
-/* Whether two ranges have a row in common. Requires that neither is empty, or that first is not
- * below the other's end where one is. */
-static inline bool fxl_rows_meet(fxl_rows a, fxl_rows b)
-{
-    return a.first < b.end && b.first < a.end;
-}
-
 /* An edge on a row's line of pixel centres, and its step to the next row. Both are
  * 32.32 numbers. x is the row's first pixel whose centre is not left of the edge.
  * The record holds for the rows of its trapezoid, and x is exact on each of them. */
@@ -387,6 +380,16 @@ typedef struct {
                                in parts; 65535: or more */
     uint16_t rounded;       /* turned instances in sight whose points were rounded in the world */
 } fxl_counters;
+
+/* --- sines ------------------------------------------------------------------------------ */
+
+/* The sine of an angle, as 2.30. Takes any angle. sin(-a) == -sin(a) for every a.
+ * Error: at most 0.51 unit of 2^-30; exact at the quarter turns. */
+fxl_q2_30 fxl_sin(fxl_angle angle);
+
+/* The cosine of an angle, as 2.30: fxl_sin(angle + FXL_ANGLE_QUARTER). Takes any angle.
+ * Error: at most 0.51 unit of 2^-30; exact at the quarter turns. */
+fxl_q2_30 fxl_cos(fxl_angle angle);
 
 #ifdef __cplusplus
 }

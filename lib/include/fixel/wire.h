@@ -6,8 +6,6 @@
 #define FXL_WIRE_H
 
 #include "fixel/line.h"
-#include "fixel/scene.h"
-#include "fixel/stage/view.h"
 #include "fixel/render.h"
 
 #ifdef __cplusplus

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/* Orders, and visibility methods: an order in which faces are submitted, and a target into which
+ * they are drawn. Each is one constant record in a file of its own, so a program links only those
+ * that it names. */
+#ifndef FXL_ORDER_H
+#define FXL_ORDER_H
+
+#include "fixel/scene.h"
+#include "fixel/target.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct fxl_traversal fxl_traversal; /* lib/draw/submit.h, which is internal */
+
+/* An order of drawing. Members are internal. */
+typedef struct fxl_order {
+    /* Submits every face from the traversal's resume point on, in the order of drawing, or, if the
+     * renderer draws near_first, in its exact reverse. Returns false if it was stopped: the resume
+     * point is then the face for which there was no space. */
+    bool (*submit)(const fxl_traversal *on);
+    /* The least size of its memory, in bytes. Null: it needs none. */
+    uint32_t (*memory_size)(const fxl_scene *scene);
+    /* Gives a renderer the order, and the target. Null: the order needs no memory. */
+    fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
+    /* fxl_renderer.check of a renderer that is initialised. Null: there is nothing to check. */
+    fxl_status (*check)(fxl_renderer *renderer);
+} fxl_order;
+
+/* Instances by layer and distance, the faces of a sorted model by distance, far to near. */
+extern const fxl_order fxl_by_distance;
+
+/* A visibility method. */
+typedef struct {
+    const fxl_order *order;
+    const fxl_target *target;
+    bool front_to_back; /* if false, a later polygon covers an earlier one */
+} fxl_visibility;
+
+/* The default: by distance, into a palette. A later polygon covers an earlier one. */
+extern const fxl_visibility fxl_visibility_sorted;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

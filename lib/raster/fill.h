@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* Fills pixels with a colour. Internal. */
+#ifndef FXL_FILL_H
+#define FXL_FILL_H
+
+#include "fixel/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Sets the pixels of a trapezoid, and no other byte, with aligned stores only.
+ * Requires a trapezoid that scan returned for this band. It is a kernel: each family
+ * of cores has its own, and all write the same bytes. */
+void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
+
+/* Sets the pixels of a span, and no other byte.
+ * Requires a span that scan returned for this band. */
+void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour);
+
+typedef uint32_t __attribute__((may_alias)) fxl_word;
+
+/* Fills the bytes from pixel (included) to end (not included). `four` has the colour in each of its
+ * four bytes. */
+static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
+{
+    while (pixel != end && ((uintptr_t)pixel & 3u) != 0) {
+        *pixel++ = (uint8_t)four;
+    }
+    for (; end - pixel >= 16; pixel += 16) {
+        fxl_word *words = (fxl_word *)(void *)pixel;
+        words[0] = four;
+        words[1] = four;
+        words[2] = four;
+        words[3] = four;
+    }
+    for (; end - pixel >= 4; pixel += 4) {
+        *(fxl_word *)(void *)pixel = four;
+    }
+    while (pixel != end) {
+        *pixel++ = (uint8_t)four;
+    }
+}
+
+/* Moves an edge to the next row. The carry of the fraction is a pixel. */
+static inline void fxl_edge_step(fxl_edge *edge)
+{
+    uint64_t fraction = (uint64_t)edge->fraction + edge->step_fraction;
+    edge->fraction = (uint32_t)fraction;
+    edge->x += edge->step + (int32_t)(fraction >> 32);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* The model view of an instance in one frame: what its faces share, and its vertices
+ * in the view. A vertex is transformed when a face first fetches it. Internal. */
+#ifndef FXL_MODEL_VIEW_H
+#define FXL_MODEL_VIEW_H
+
+#include "../math/arith.h"
+#include "fixel/records.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A clip flag: the vertex was not projected yet, so `screen` has no meaning. */
+#define FXL_VERTEX_UNPROJECTED 0x80u
+
+/* The clip flags that are planes, and the one above. These bits are 0 for a vertex that is inside
+ * all planes and projected. */
+#define FXL_VERTEX_OUTSIDE 0xFFu
+
+/* A bit beside the planes of a model view: fxl_transform_vertex calls scale_vertex. */
+#define FXL_MODEL_VIEW_SCALED 0x80u
+
+/* Sets up a cache in memory of the caller. Its number of entries is the largest power of two that
+ * is at most entry_count and at most 65536; where entry_count is 0, one within the cache, and
+ * entries is not looked at. The record holds no pointer to itself. clipper_workspace stays. */
+void fxl_vertex_cache_init(fxl_vertex_cache *cache, fxl_cached_vertex *entries,
+                           uint32_t entry_count);
+
+/* Sets up the model view of an instance. All entries of the cache become stale.
+ * Its planes are all; to save time the caller takes out those that no vertex lies outside of.
+ * Requires a checked scene and a view with a pose. Exact. */
+void fxl_model_view_of_instance(fxl_model_view *model_view, const fxl_scene *scene,
+                                const fxl_instance *instance, const fxl_view *view,
+                                fxl_vertex_cache *cache);
+
+/* Sets up the model view of a polygon of the world: its vertices are points, and its face is any
+ * whose first_index is 0. All entries of the cache become stale.
+ * Planes as for an instance.
+ * Requires at most FXL_POLYGON_CAPACITY points, each within FXL_COORDINATE_MAX, that outlive
+ * *model_view. Exact. */
+void fxl_model_view_of_polygon(fxl_model_view *model_view, const fxl_point *points,
+                               const fxl_view *view, fxl_vertex_cache *cache);
+
+/* A vertex of the model relative to the eye, along the world's axes, in world units. Exact: the
+ * vertex in the world and the eye are within FXL_COORDINATE_MAX, so each
+ * coordinate is below 2^30. */
+static inline fxl_point fxl_model_view_vertex(const fxl_model_view *model_view, uint32_t number)
+{
+    const fxl_point *vertex = &model_view->vertices[number];
+    const fxl_point *offset = &model_view->offset;
+    fxl_point moved = {vertex->x + offset->x, vertex->y + offset->y, vertex->z + offset->z};
+    return moved;
+}
+
+/* Transforms a vertex of the model into an entry of the cache: tag, position and clip flags. The
+ * vertex becomes unprojected. It is a kernel: each family of cores has its own, and
+ * all give the same bits. Exact, given the camera's matrix. */
+void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
+                          fxl_cached_vertex *entry);
+
+/* Returns a vertex of the model in the view, from the cache or transformed. The pointer is valid
+ * until the next fetch. The caller may change clip_flags and screen, and nothing else. */
+static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_view, uint32_t number)
+{
+    fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
+    if (entry->tag != model_view->tag + number) {
+        fxl_transform_vertex(model_view, number, entry);
+    }
+    return entry;
+}
+
+/* *sum = *origin + axes . point: three exact sums. sum may be origin. Requires each coordinate of
+ * the point below 2^30. Then each product with an axis is below 2^61 (fxl_dot), and *origin must
+ * leave room for it. */
+FXL_IN_PLACE void fxl_rotate(const fxl_axes *axes, const fxl_point *point,
+                             const fxl_view_point *origin, fxl_view_point *sum)
+#if FXL_IS_SMALL && !defined(FXL_HERE)
+    ;
+#else
+{
+    sum->x = origin->x + fxl_dot(&axes->right, point->x, point->y, point->z);
+    sum->y = origin->y + fxl_dot(&axes->up, point->x, point->y, point->z);
+    sum->z = origin->z + fxl_dot(&axes->forward, point->x, point->y, point->z);
+}
+#endif
+
+/* A vertex of the model in the view: translation + axes . vertex. The translation is the rotated
+ * offset, so the sum is that of the vertex relative to the eye, to the bit, and below 2^61. A
+ * vertex is within FXL_COORDINATE_MAX, so a partial sum is below 2^61 + 2^60. */
+static inline void fxl_model_view_position(const fxl_model_view *model_view, uint32_t number,
+                                           fxl_view_point *position)
+{
+    fxl_rotate(model_view->axes, &model_view->vertices[number], &model_view->translation, position);
+}
+
+/* Transforms a point: *view becomes the point relative to the eye along right, up and
+ * forward. Requires |point| <= FXL_COORDINATE_MAX in each coordinate.
+ * Exact, given the camera's matrix: three sums in 64 bits, below 2^61 units of 2^-46.
+ * Source: A6 (Listing 65.3, TransformPoint). */
+void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view);
+
+/* Transforms every vertex of a polygon as fxl_transform_point does, and copies colour
+ * and count. Source: A6. */
+void fxl_transform_polygon(const fxl_camera *camera, const fxl_polygon *polygon,
+                           fxl_view_polygon *view);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

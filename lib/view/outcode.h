@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* The outcode: the planes of the frustum that a point of the view lies outside of. As an inline
+ * function too, for the kernels that compute it together with something else: most signs follow
+ * from the upper words of the distances. Internal. */
+#ifndef FXL_OUTCODE_H
+#define FXL_OUTCODE_H
+
+#include "../math/arith.h"
+#include "fixel/records.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Those of the given planes that the point lies outside of.
+ * Requires |x|, |y|, |z| < 2^61 units.
+ * Exact: the bit of a given plane n is set if fxl_view_distance of plane n is negative.
+ * Source: A10. */
+fxl_planes fxl_outcode(const fxl_view_frustum *frustum, fxl_planes planes,
+                       const fxl_view_point *point);
+
+/* Those of a pair of side planes, plane and plane + 1, that a point is outside of. Exact: it uses
+ * all bits of the distances. */
+unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
+                             const fxl_view_point *point);
+
+/* floor(side * floor(across / 2^32) / 2^32): the term side * across of a distance, in
+ * units of 2^-12. It is too small by less than 1.25: the part of across that is cut off is
+ * below 1 unit, and side is at most 2^30. */
+static inline int32_t fxl_upper_term(fxl_q2_30 side, fxl_q18_46 across)
+{
+    return (int32_t)(fxl_multiply_s31(side, (int32_t)((uint64_t)across >> 32)) >> 32);
+}
+
+/* Whether a distance computed from upper words does not decide the sign. */
+static inline bool fxl_is_open(int32_t distance)
+{
+    return (uint32_t)distance + 4u < 8u;
+}
+
+/* The outcode's bits of a pair of side planes, plane and plane + 1. Their distances are
+ * depth + across and depth - across; depth has the inset, rounded downward, subtracted
+ * already. Each true term exceeds the computed one by 0 to 1.25, and the true inset exceeds
+ * the rounded one by 0 to 1. So the true distance lies within -2.25..2.5 of the computed
+ * one, and the two have the same sign if the computed one is not within -4..3. The sums are
+ * below 2^29. */
+static inline unsigned fxl_pair_outside(const fxl_view_frustum *frustum, int plane, int32_t across,
+                                        int32_t depth, const fxl_view_point *point)
+{
+    int32_t first = depth + across, second = depth - across;
+    if (fxl_is_open(first) || fxl_is_open(second)) {
+        return fxl_outside_of_pair(frustum, plane, point);
+    }
+    return ((uint32_t)first >> 31 | (uint32_t)second >> 31 << 1) << plane;
+}
+
+/* The same as fxl_outcode. Exact. */
+static inline fxl_planes fxl_outside(const fxl_view_frustum *frustum, fxl_planes planes,
+                                     const fxl_view_point *point)
+{
+    unsigned outside = 0;
+    int32_t inset = (int32_t)(frustum->inset >> 34);
+    if (planes & (1u << FXL_PLANE_LEFT | 1u << FXL_PLANE_RIGHT)) {
+        outside |=
+            fxl_pair_outside(frustum, FXL_PLANE_LEFT, fxl_upper_term(frustum->x_side, point->x),
+                             fxl_upper_term(frustum->x_depth, point->z) - inset, point);
+    }
+    if (planes & (1u << FXL_PLANE_BOTTOM | 1u << FXL_PLANE_TOP)) {
+        outside |=
+            fxl_pair_outside(frustum, FXL_PLANE_BOTTOM, fxl_upper_term(frustum->y_side, point->y),
+                             fxl_upper_term(frustum->y_depth, point->z) - inset, point);
+    }
+    outside |= (unsigned)(point->z < frustum->near_z) << FXL_PLANE_NEAR;
+    outside |= (unsigned)(point->z > frustum->far_z) << FXL_PLANE_FAR;
+    return (fxl_planes)(outside & planes);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
