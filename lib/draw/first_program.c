@@ -45,11 +45,10 @@ static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
 {
     const fxl_order *order = fxl_order_of(config);
     const fxl_target *target = config->target;
-    if (order->choose != NULL) {
-        return order->choose(renderer, config);
-    }
-    if (target->choose != NULL) {
-        return target->choose(renderer, config);
+    fxl_status (*own)(fxl_renderer *, const fxl_config *) =
+        order->choose != NULL ? order->choose : target->choose;
+    if (own != NULL) {
+        return own(renderer, config);
     }
     renderer->order = order;
     renderer->target = target;
@@ -95,16 +94,13 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (eye == NULL || pixels == NULL) {
-        return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
-    }
     const fxl_lens *lens = &renderer->frame.view.lens;
     const fxl_band whole = {.pixels = (uint8_t *)pixels, .width = lens->width, .stride = stride,
                             .first_row = 0, .rows = lens->height, .palette = renderer->palette};
-    if (stride < lens->width) {
-        return fxl_refuse(&renderer->workspace, FXL_E_RANGE);
+    if (pixels == NULL || stride < lens->width) {
+        return fxl_refuse(&renderer->workspace, pixels == NULL ? FXL_E_ARGUMENT : FXL_E_RANGE);
     }
-    fxl_status status = fxl_begin(renderer, eye, false);
+    const fxl_status status = fxl_begin_one_band(renderer, eye);
     if (status != FXL_OK) {
         return status;
     }

@@ -115,7 +115,7 @@ fxl_status fxl_render_rgb565(fxl_renderer *renderer, const fxl_pose *eye, uint16
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
-    status = fxl_begin(renderer, eye, false);
+    status = fxl_begin_one_band(renderer, eye);
     if (status != FXL_OK) {
         return status;
     }

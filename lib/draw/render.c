@@ -101,7 +101,7 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
     return look_at_still(renderer, pose, culled);
 }
 
-fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands)
+fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 {
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
@@ -131,20 +131,11 @@ fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands
                               .counters = &workspace->counters,
                               .way = way_of(renderer, true)};
     frame->state = FXL_FRAME_BEGUN;
-    const uint32_t capacity = frame->display_list.capacity;
-    frame->display_list.capacity = in_bands ? capacity : 0;
-    const bool is_whole = renderer->order->submit(&on);
-    frame->display_list.capacity = capacity;
-    if (!is_whole && in_bands && measures_rows(renderer)) {
+    if (!renderer->order->submit(&on) && measures_rows(renderer)) {
         fxl_reach_measure(&on, frame);
         workspace->rest_counted = true;
     }
     return FXL_OK;
-}
-
-fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
-{
-    return fxl_begin(renderer, pose, true);
 }
 
 /* --- a face ----------------------------------------------------------------------------- */

@@ -185,7 +185,7 @@ fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *conf
     renderer->order = order;
     renderer->target = target;
     renderer->near_first = target->near_first;
-    renderer->check = order->check;
+    renderer->check = NULL;
     renderer->palette = config->palette;
     if (target->depth != NULL) {
         renderer->draw_list = target->depth->draw_list; /* it draws flat records, too */

@@ -8,10 +8,17 @@
 /* Counts a call that is refused; answers its status. */
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
 
-/* fxl_frame_begin. in_bands: the frame will be drawn in several bands. Then it pays to measure the
- * rows of what the display list had no room for. A frame of one band leaves the list empty: to
- * write a polygon and read it once costs more instructions than to draw it at once. */
-fxl_status fxl_begin(fxl_renderer *renderer, const fxl_pose *pose, bool in_bands);
+/* fxl_frame_begin of a frame that is drawn in one band. It leaves the display list empty: to write a
+ * polygon and read it once costs more instructions than to draw it at once. */
+static inline fxl_status fxl_begin_one_band(fxl_renderer *renderer, const fxl_pose *pose)
+{
+    fxl_display_list *list = &renderer->frame.display_list;
+    const uint32_t capacity = list->capacity;
+    list->capacity = 0;
+    const fxl_status status = fxl_frame_begin(renderer, pose);
+    list->capacity = capacity;
+    return status;
+}
 
 /* fxl_target.choose, and what that of an order calls: gives a renderer the order, the target and the
  * memory of a configuration. Requires a target. FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_CAPACITY: its

@@ -346,6 +346,9 @@ static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
 {
     const uint32_t least = (uint32_t)fxl_aligned(fxl_bsp_workspace_size(renderer->scene));
     const fxl_status status = fxl_choose_with_memory(renderer, config);
+    if (status == FXL_OK) {
+        renderer->check = fxl_check_combination;
+    }
     if (status == FXL_OK && least > 0) {
         fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)config->tree;
         workspace->pieces = (uint8_t *)config->tree + least;
@@ -356,5 +359,4 @@ static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
 
 const fxl_order fxl_by_tree = {.submit = fxl_submit_by_bsp,
                                .memory_size = fxl_bsp_workspace_size,
-                               .choose = choose,
-                               .check = fxl_check_combination};
+                               .choose = choose};

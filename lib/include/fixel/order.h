@@ -24,8 +24,6 @@ typedef struct fxl_order {
     uint32_t (*memory_size)(const fxl_scene *scene);
     /* Gives a renderer the order, and the target. Null: the order needs no memory. */
     fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
-    /* fxl_renderer.check of a renderer that is initialised. Null: there is nothing to check. */
-    fxl_status (*check)(fxl_renderer *renderer);
 } fxl_order;
 
 /* Instances by layer and distance, the faces of a sorted model by distance, far to near. */
