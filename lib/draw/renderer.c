@@ -216,7 +216,7 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
                              .palette = renderer->palette,
                              .tree = workspace,
                              .tree_size = has_room ? size : workspace_size};
-        config.depth = (uint8_t *)workspace + (has_room ? size : 0);
+        config.depth = has_room && size > 0 ? (uint8_t *)workspace + size : workspace;
         config.depth_size = has_room ? workspace_size - size : 0;
         status = fxl_choose_with_memory(renderer, &config);
     }
