@@ -4,10 +4,13 @@
 import json
 import re
 import subprocess
+import types
 
 import pytest
 from board_programs import BOARD, ROOT, built, fake_qemu
-from conftest import dry_run, run_cli
+from conftest import dry_run, dump_bytes, random_frames, run_cli
+
+from fixel.board import dump, fleet
 
 KEYS = {"name": str, "core": str, "flash_bytes": int, "ram_bytes": int, "stack_bytes": int,
         "instructions_per_frame": int, "frames": int, "hash_equal": bool, "unit_tests_passed": int,
@@ -155,3 +158,31 @@ def test_no_file_but_a_boards_own_names_it():
             if file.is_file() and file.suffix in (".c", ".h", ".mk", ".ld", ".py", ".sh"):
                 found = [match for match in names.findall(file.read_text(encoding="utf-8")) if match != BOARD]
                 assert not found, f"{file} names {found[0]}"
+
+
+@pytest.mark.parametrize("change, different", [(None, None), (2, 2), (0, 0)])
+def test_the_first_frame_that_differs_from_the_hosts_is_known(monkeypatch, tmp_path, change, different):
+    frames = random_frames(4)
+    host = dump.parse_dump(dump_bytes(frames), "host")
+    if change is not None:
+        frames[change] = frames[change] ^ 1
+
+    def run(board, image, elf, file, timeout):
+        file.write_bytes(dump_bytes(frames))
+        return types.SimpleNamespace(output="stack: 500 of 2048 bytes")
+    monkeypatch.setattr(fleet.flash_memory, "flash", lambda board, elf, scene, image: image.touch())
+    monkeypatch.setattr(fleet.emulator, "run", run)
+    result = fleet.Walk("tiny")
+    fleet._run(result, "a-board", "walk.elf", fleet.Scene("tiny", tmp_path / "tiny.fxls", host), tmp_path)
+    assert result == fleet.Walk("tiny", frames=4, instructions_per_frame=1002, hash_equal=different is None,
+                                first_different=different, stack_bytes=500, stack_reserved=2048)
+    assert not list(tmp_path.iterdir())
+
+
+def test_dumps_of_another_size_palette_or_length_differ():
+    frames = random_frames(3)
+    whole = dump.parse_dump(dump_bytes(frames), "host")
+    others = {0: dump_bytes(random_frames(3, 24, 31)), 1: dump_bytes(frames[:1]), 3: dump_bytes([*frames, frames[0]])}
+    for number, other in others.items():
+        assert fleet.first_difference(dump.parse_dump(other, "x"), whole) == number
+    assert fleet.first_difference(dump.parse_dump(dump_bytes(frames, palette=bytes(768)), "x"), whole) == 0

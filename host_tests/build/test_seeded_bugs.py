@@ -14,7 +14,7 @@ import pytest
 from conftest import CHECKOUT, run_cli
 
 from fixel.base import sampling
-from fixel.check import bugs
+from fixel.check import bugs, seeded_bugs
 from fixel.base.errors import ToolError
 
 SAMPLE = 5
@@ -231,3 +231,14 @@ def test_a_sample_of_seeded_bugs_is_caught(tmp_path):
     done = run_cli("seeded-bugs", "--sample", SAMPLE, "--build", tmp_path)
     assert done.returncode == 0, done.stdout + done.stderr
     assert f"{SAMPLE} of {SAMPLE} bugs caught" in done.stdout + done.stderr
+
+
+def test_a_bug_with_a_test_that_is_not_there_is_refused_before_anything_is_built(root):
+    (root / bugs.BUGS).write_text(entry().replace("tests = []", "tests = ['test_a', 'test_gone', 'equality/m3']"))
+    (root / "host_tests/unit").mkdir()
+    (root / "host_tests/unit/test_a.c").touch()
+    with pytest.raises(ToolError, match="there is no test_gone$"):
+        seeded_bugs.main(["--root", str(root), "--build", str(root / "build")])
+    with pytest.raises(ToolError, match="no bug has 'nothing'"):
+        seeded_bugs.main(["--root", str(root), "--build", str(root / "build"), "--only", "nothing"])
+    assert not (root / "build").exists()

@@ -6,7 +6,8 @@ import subprocess
 
 import branches
 import pytest
-from fixel.check import corpus
+from fixel.base.errors import ToolError
+from fixel.check import corpus, fuzz
 
 TARGETS = list(corpus.HARNESSES)
 LEAST = 90          # per cent of the branches of lib/
@@ -64,3 +65,36 @@ def test_corpus_reaches_the_branches_of_the_library(build, inputs, tmp_path):
 
 def test_corpus_is_small():
     assert sum(corpus.archive_of(target).stat().st_size for target in TARGETS) <= SIZE_MAX
+
+
+def test_a_fuzzer_starts_on_a_folder_that_the_next_one_uses_too(monkeypatch, tmp_path):
+    started = []
+    monkeypatch.setattr(fuzz.corpus, "unpacked", lambda target, build: build / "inputs")
+    monkeypatch.setattr(fuzz.children, "start", lambda command, **options: started.append(command))
+    for number in (0, 1):
+        worker = fuzz.start_worker("scene", number, tmp_path / "build", 5)
+        assert worker.target == "scene" and (tmp_path / f"build/fuzz/scene-{number}.log").exists()
+    assert [list(map(str, command[:4])) for command in started] == 2 * [[
+        str(tmp_path / "build" / name) for name in ("host/fuzz/fuzz_scene", "fuzz/corpus/scene", "inputs")] + ["-max_total_time=5"]]
+    assert (tmp_path / "build/fuzz/corpus/scene").is_dir() and (tmp_path / "build/fuzz/findings").is_dir()
+
+
+def test_an_input_is_added_once(monkeypatch, tmp_path, capsys):
+    harness = TARGETS[0]
+    file, inputs, record = tmp_path / "input", {}, {}
+    file.write_bytes(b"abc")
+    name = corpus.name_of(b"abc")
+    monkeypatch.setattr(corpus, "read", lambda archive: dict(inputs))
+    monkeypatch.setattr(corpus, "write", lambda archive, made: inputs.update(made))
+    monkeypatch.setattr(corpus, "read_record", lambda harness: dict(record))
+    monkeypatch.setattr(corpus, "write_record", lambda harness, made: record.update(made))
+    monkeypatch.setattr(corpus, "replayed", lambda harness, build, files: {file.name: "1" for file in files})
+    monkeypatch.setattr(corpus, "with_answers", lambda harness, answers: {**record, **answers})
+    corpus.add(harness, file, tmp_path)
+    assert inputs == {name: b"abc"} and list(record.values()) == ["1"]
+    record[name] = "1"
+    with pytest.raises(ToolError, match="has this input already"):
+        corpus.add(harness, file, tmp_path)
+    del record[name]        # an input without an answer is no input yet
+    corpus.add(harness, file, tmp_path)
+    assert "1 inputs in all" in capsys.readouterr().out

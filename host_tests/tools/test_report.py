@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """make report: the same seed gives the same report, a claim that fails fails it, and the page opens."""
 
+import dataclasses
 import html.parser
 import json
 import math
@@ -16,6 +17,7 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
 
 from fixel.report import report_claims, report_frames, report_page, report_plots, report_scale, report_shards, report_stages
+from fixel.image import image
 from fixel.base.errors import ToolError
 
 SAMPLES = 4000
@@ -153,6 +155,39 @@ def test_frames(result):
         assert set(frame) == {"scene", "frame", "pixels_differing", "pixels_unexplained", "pixels_tied",
                               "max_edge_distance_px"}
         assert frame["pixels_unexplained"] == 0
+
+
+@dataclasses.dataclass
+class Model:
+    vertices: list
+
+
+@dataclasses.dataclass
+class Placed:
+    centre: tuple
+    layer: int = 7
+
+
+@dataclasses.dataclass
+class Scene:
+    """As much of a scene as has a length."""
+    near: int = 2
+    far: int = 3
+    inset: int = 5
+    models: tuple = (Model([(1, 2, 3), (4, 5, 6)]),)
+    objects: tuple = (Placed((7, 8, 9)),)
+    path_kind: int = image.POSES
+    path: tuple = ((1, 2, 3, 4, 5, 6),)
+    start: tuple = (10, 11, 12, 13, 14, 15)
+    gait: tuple = (16, 17, 18, 19)
+
+
+def test_a_scene_of_another_scale_has_other_lengths_and_the_same_angles():
+    assert report_scale.scaled(Scene(), 4) == Scene(
+        8, 12, 20, [Model([(4, 8, 12), (16, 20, 24)])], [Placed((28, 32, 36))], image.POSES, [(4, 8, 12, 4, 5, 6)],
+        (40, 44, 48, 13, 14, 15), (64, 68, 72, 19))
+    strides = Scene(path_kind=image.STRIDES, path=((1, 3),))
+    assert report_scale.scaled(strides, 4).path == ((1, 3),)
 
 
 def test_a_board_that_does_not_count_is_no_division_by_zero(monkeypatch, tmp_path):
@@ -348,7 +383,8 @@ def test_oracle_that_fails_leaves_nothing(built, tmp_path):
 
 
 @pytest.mark.parametrize("option, value, word", [("--samples", "0", "SAMPLES"), ("--samples", "many", "SAMPLES"),
-                                                 ("--seed", "-1", "SEED")])
+                                                 ("--seed", "-1", "SEED"), ("--processes", "1025", "--processes"),
+                                                 ("--processes", "-1", "--processes")])
 def test_bad_numbers(option, value, word):
     assert_one_sentence(run_cli("report", f"{option}={value}"), word, value)
 
