@@ -47,11 +47,16 @@ void tearDown(void)
 {
 }
 
+static fxl_status attach(void)
+{
+    return fxl_attach_billboards(&renderer, &billboards, &set, FXL_SPRITES_OF(fxl_palette));
+}
+
 static void start(uint32_t words)
 {
     const fxl_memory memory = {order, TINY_INSTANCES, list, words, NULL, 0};
     tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    TEST_ASSERT_EQUAL(FXL_OK, attach());
 }
 
 static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step, fxl_workspace *by)
@@ -355,7 +360,7 @@ static void expect_refusal(fxl_status status, const char *what, uint32_t index)
     TEST_ASSERT_EQUAL_UINT32(index, fault.index);
     const uint32_t refused = renderer.workspace.counters.refused_calls;
     const fxl_order *was = renderer.order;
-    TEST_ASSERT_EQUAL(status, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    TEST_ASSERT_EQUAL(status, attach());
     TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_EQUAL_PTR(was, renderer.order);
     setUp();
@@ -425,15 +430,17 @@ void test_tables_off_their_alignment_are_refused(void)
 void test_null_pointers_are_refused(void)
 {
     start(0);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_billboards(NULL, &billboards, &set));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_billboards(&renderer, NULL, &set));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_attach_billboards(NULL, &billboards, &set, FXL_SPRITES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
+                      fxl_attach_billboards(&renderer, NULL, &set, FXL_SPRITES_OF(fxl_palette)));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_billboards_check(NULL, &tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_billboards_check(&set, NULL, NULL));
-    TEST_ASSERT_TRUE(fxl_visibility_billboards.target == renderer.target && fxl_visibility_billboards.order == renderer.order);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-    TEST_ASSERT_TRUE(fxl_visibility_sorted.target == renderer.target && fxl_visibility_sorted.order == renderer.order);
+    TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order != &fxl_by_distance);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, NULL, NULL, NULL));
+    TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order == &fxl_by_distance);
     memset(&renderer, 0, sizeof renderer);
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, attach());
 }
 
 /* The picture of a moved centre is that of the middle, moved by as much, in whole pixels here. */
@@ -449,7 +456,7 @@ void test_an_off_centre_lens_shows_the_same_sprite(void)
                                                     Q16(1000), 0, &lens));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+        TEST_ASSERT_EQUAL(FXL_OK, attach());
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         draw(whole, HEIGHT, &renderer.workspace);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, Q16(WIDTH / 2) + dx * 65536,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Billboards with surfaces and with a depth buffer, and the methods that they do not go with
+/* Billboards with surfaces and with a depth buffer, and what they do not go with
  * (docs/extras/billboards.md, section 4). */
+#include "choices.h"
 #include "frame_bands.h"
 #include "tiny.h"
 #include "tiny_board.h"
@@ -33,7 +34,6 @@ static uint16_t face_map[7];
 static uint8_t blend[FXL_BLEND_TABLE_BYTES(8)];
 static fxl_surface_set surface_set;
 static fxl_surfaces surfaces;
-static fxl_depth depth;
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32)];
 static tiny_scene *tiny;
 static fxl_turn turns[1];
@@ -86,22 +86,31 @@ static void start(uint32_t words)
     tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
-/* A method; null: fxl_visibility_sorted. */
-static void choose(const fxl_visibility *method, bool with_surfaces)
+/* A target, and what draws into it. */
+typedef struct {
+    const choice *pair;
+    const fxl_painter *surfaces;
+    const fxl_sprite_painter *sprites;
+} way;
+
+#define WAY(pair, target) {&pair, FXL_SURFACES_OF(target), FXL_SPRITES_OF(target)}
+
+static const way ways[] = {WAY(choice_sorted, fxl_palette),
+                           WAY(choice_depth_16, fxl_palette_depth_16),
+                           WAY(choice_depth_32, fxl_palette_depth_32)};
+
+static void choose(const way *into, bool with_surfaces)
 {
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, into->pair, cells, sizeof cells));
     if (with_surfaces) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set));
-    }
-    if (method != NULL) {
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_depth(&renderer, &depth, method, cells, sizeof cells));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &surface_set, into->surfaces));
     }
 }
 
-static fxl_status add(const fxl_visibility *method)
+static fxl_status add(const way *into)
 {
-    return method != NULL ? fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set)
-                          : fxl_renderer_set_billboards(&renderer, &billboards, &set);
+    return fxl_attach_billboards(&renderer, &billboards, &set, into->sprites);
 }
 
 static void draw(uint8_t *frame, const fxl_pose *pose, uint16_t step)
@@ -118,7 +127,7 @@ static bool is_sprite(uint8_t pixel)
 
 /* A billboard that a cube intersects is seen where its stand-in, a face across the line of sight,
  * is seen. */
-static void expect_depth_of_stand_in(const fxl_visibility *method)
+static void expect_depth_of_stand_in(const way *into)
 {
     uint32_t shown = 0, hidden = 0;
     for (uint32_t i = 0; i < UNIT_REPEAT / 200 + 4; i++) {
@@ -128,9 +137,9 @@ static void expect_depth_of_stand_in(const fxl_visibility *method)
                                0,
                                0};
         start(i % 2 * LIST_WORDS);
-        choose(method, i % 3 == 0);
+        choose(into, i % 3 == 0);
         draw(other, &pose, HEIGHT);
-        TEST_ASSERT_EQUAL(FXL_OK, add(method));
+        TEST_ASSERT_EQUAL(FXL_OK, add(into));
         draw(whole, &pose, (uint16_t)(i % 4 == 0 ? 3 : HEIGHT));
         for (uint32_t k = 0; k < WIDTH * HEIGHT; k++) {
             TEST_ASSERT_EQUAL(other[k] == STAND_IN, is_sprite(whole[k]));
@@ -146,8 +155,8 @@ static void expect_depth_of_stand_in(const fxl_visibility *method)
 
 void test_a_billboard_has_the_depth_of_its_instance(void)
 {
-    expect_depth_of_stand_in(&fxl_visibility_depth);
-    expect_depth_of_stand_in(&fxl_visibility_depth_32);
+    expect_depth_of_stand_in(&ways[1]);
+    expect_depth_of_stand_in(&ways[2]);
 }
 
 /* With a blended surface depth goes far to near, and in two passes. */
@@ -165,13 +174,13 @@ void test_depth_with_blended_surfaces(void)
         face_map[i] = 1;
     }
     start(LIST_WORDS);
-    choose(NULL, true);
-    TEST_ASSERT_EQUAL(FXL_OK, add(NULL));
+    choose(&ways[0], true);
+    TEST_ASSERT_EQUAL(FXL_OK, add(&ways[0]));
     draw(whole, &pose, HEIGHT);
     TEST_ASSERT_TRUE(is_sprite(whole[HEIGHT / 2 * WIDTH + WIDTH / 2]));
     start(0);
-    choose(&fxl_visibility_depth, true);
-    TEST_ASSERT_EQUAL(FXL_OK, add(&fxl_visibility_depth));
+    choose(&ways[1], true);
+    TEST_ASSERT_EQUAL(FXL_OK, add(&ways[1]));
     draw(other, &pose, 8);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
     /* Its middle is behind the sprite, its front before it. */
@@ -190,8 +199,6 @@ void test_depth_with_blended_surfaces(void)
  * sprite. */
 void test_every_method_draws_the_same(void)
 {
-    static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
-                                                    &fxl_visibility_depth_32};
     uint32_t shown = 0;
     tiny->instances[0].centre.z = Q16(9);
     for (uint32_t i = 0; i < UNIT_REPEAT / 200 + 4; i++) {
@@ -203,15 +210,15 @@ void test_every_method_draws_the_same(void)
         sprite.key = (uint16_t)(100 + unit_random() % sizeof texels);
         turns[0].scale = unit_between(Q16(0.5), Q16(1.5));
         start(0);
-        TEST_ASSERT_EQUAL(FXL_OK, add(NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, add(&ways[0]));
         draw(whole, &pose, HEIGHT);
         for (uint32_t k = 0; k < WIDTH * HEIGHT; k++) {
             shown += is_sprite(whole[k]);
         }
         for (uint32_t k = 0; k < 6; k++) {
             start(unit_random() % LIST_WORDS);
-            choose(methods[k % 3], k >= 3);
-            TEST_ASSERT_EQUAL(FXL_OK, add(methods[k % 3]));
+            choose(&ways[k % 3], k >= 3);
+            TEST_ASSERT_EQUAL(FXL_OK, add(&ways[k % 3]));
             draw(other, &pose, 6);
             TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         }
@@ -222,14 +229,13 @@ void test_every_method_draws_the_same(void)
 /* A frame whose scene is released draws its billboards without the scene. */
 void test_a_released_frame_draws_its_billboards(void)
 {
-    static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth};
     const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
     for (uint32_t i = 0; i < 4; i++) {
         const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0,
                                .rows = HEIGHT};
         start(LIST_WORDS);
-        choose(methods[i / 2], i % 2);
-        TEST_ASSERT_EQUAL(FXL_OK, add(methods[i / 2]));
+        choose(&ways[i / 2], i % 2);
+        TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i / 2]));
         draw(whole, &pose, HEIGHT);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderer));
         renderer.scene = NULL;
@@ -242,16 +248,14 @@ void test_a_released_frame_draws_its_billboards(void)
 /* With surfaces, depth and billboards a renderer may be moved too. */
 void test_a_moved_renderer_draws_the_same(void)
 {
-    static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
-                                                    &fxl_visibility_depth_32};
     static fxl_renderer moved;
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};
     const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0,
                            .rows = HEIGHT};
     for (uint32_t i = 0; i < 6; i++) {
         start(i % 2 * LIST_WORDS);
-        choose(methods[i % 3], true);
-        TEST_ASSERT_EQUAL(FXL_OK, add(methods[i % 3]));
+        choose(&ways[i % 3], true);
+        TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i % 3]));
         draw(whole, &pose, HEIGHT);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         moved = renderer;
@@ -266,20 +270,19 @@ void test_a_moved_renderer_draws_the_same(void)
 /* Taken away, the method and its memory are as before. */
 void test_billboards_are_taken_away(void)
 {
-    static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth};
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};
     for (uint32_t i = 0; i < 2; i++) {
         start(LIST_WORDS);
-        choose(methods[i], true);
+        choose(&ways[i], true);
         const fxl_order *before = renderer.order;
         void *const memory = renderer.workspace.target_memory;
         draw(whole, &pose, HEIGHT);
-        TEST_ASSERT_EQUAL(FXL_OK, add(methods[i]));
-        TEST_ASSERT_EQUAL(FXL_OK, add(methods[i])); /* twice is once */
+        TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i]));
+        TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i])); /* twice is once */
         TEST_ASSERT_EQUAL_PTR(memory, renderer.workspace.target_memory);
         draw(other, &pose, HEIGHT);
         TEST_ASSERT_TRUE(memcmp(whole, other, sizeof whole) != 0);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, NULL, NULL, NULL));
         TEST_ASSERT_EQUAL_PTR(before, renderer.order);
         TEST_ASSERT_EQUAL_PTR(memory, renderer.workspace.target_memory);
         draw(other, &pose, HEIGHT);
@@ -296,89 +299,52 @@ static void expect_refused(fxl_status status, fxl_status answer)
     renderer.workspace.counters.refused_calls = 0;
 }
 
-static void expect_no_method(const fxl_visibility *method)
+/* Begins no frame. */
+static void expect_conflict(const char *with)
 {
-    start(0);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, cells, sizeof cells));
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
-    TEST_ASSERT_TRUE(method->target == renderer.target && method->order == renderer.order);
-}
-
-static bool no_submit(const fxl_traversal *on)
-{
-    (void)on;
-    return true;
-}
-
-void test_other_methods_take_no_billboards(void)
-{
-    expect_no_method(&fxl_visibility_spans);
-    expect_no_method(&fxl_visibility_box);
-    fxl_visibility own = fxl_visibility_sorted; /* another order, over what was drawn before */
-    static const fxl_order none = {.submit = no_submit};
-    own.order = &none;
-    expect_no_method(&own);
-    start(0);
-    choose(&fxl_visibility_depth, false);
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &set));
-    TEST_ASSERT_TRUE(fxl_visibility_depth.target == renderer.target && fxl_visibility_depth.order == renderer.order);
-    start(0);
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
-    choose(NULL, true);
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
-    TEST_ASSERT_TRUE(fxl_visibility_surfaces.target == renderer.target && fxl_visibility_surfaces.order == renderer.order);
-}
-
-/* A call that takes billboards away where there are none, on a frame that has begun. */
-static void expect_nothing_to_take(void)
-{
-    static fxl_renderer before;
     const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-    before = renderer;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-    TEST_ASSERT_EQUAL_MEMORY(&before, &renderer, sizeof before);
+    const char *names[2];
+    expect_refused(FXL_E_COMBINATION, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_TRUE(fxl_renderer_conflict(&renderer, names));
+    TEST_ASSERT_EQUAL_STRING(with, names[0]);
+    TEST_ASSERT_EQUAL_STRING("billboards", names[1]);
 }
 
-static void expect_removal_keeps(const fxl_visibility *method)
+void test_what_billboards_do_not_go_with(void)
 {
-    start(0);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, cells, sizeof cells));
-    expect_nothing_to_take();
+    static const struct {
+        const choice *pair;
+        const char *name;
+    } others[] = {{&choice_spans, "a target of the study"},
+                  {&choice_box, "a target of the study"},
+                  {&choice_tree, "the order by tree"}};
+    for (uint32_t i = 0; i < 3; i++) {
+        start(0);
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, others[i].pair, cells, sizeof cells));
+        TEST_ASSERT_EQUAL(FXL_OK, add(&ways[0]));
+        expect_conflict(others[i].name);
+    }
 }
 
-/* The second removal of two, and a removal from a method that draws none. */
+/* The second removal of two, and a removal where there were none: a frame that has begun stays. */
 void test_a_removal_where_there_are_none_changes_nothing(void)
 {
-    expect_removal_keeps(&fxl_visibility_sorted);
-    expect_removal_keeps(&fxl_visibility_spans);
-    expect_removal_keeps(&fxl_visibility_box);
-    expect_removal_keeps(&fxl_visibility_outlined);
-    fxl_visibility own = fxl_visibility_sorted;
-    expect_removal_keeps(&own);
-    for (int with_surfaces = 0; with_surfaces < 2; with_surfaces++) {
-        const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
-                                                 &fxl_visibility_depth_32};
-        for (uint32_t i = 0; i < 3; i++) {
-            start(0);
-            choose(methods[i], with_surfaces != 0);
-            expect_nothing_to_take();
-            const fxl_order *const before = renderer.order;
-            TEST_ASSERT_EQUAL(FXL_OK, add(methods[i]));
-            TEST_ASSERT_TRUE(before != renderer.order);
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
+    const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
+    for (uint32_t i = 0; i < 6; i++) {
+        start(0);
+        choose(&ways[i % 3], i >= 3);
+        const fxl_order *const before = renderer.order;
+        for (uint32_t removals = 0; removals < 2; removals++) {
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, NULL, NULL, NULL));
+            TEST_ASSERT_EQUAL(FXL_FRAME_BEGUN, renderer.frame.state);
             TEST_ASSERT_EQUAL_PTR(before, renderer.order);
-            expect_nothing_to_take();
+            TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i % 3]));
+            TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
+            TEST_ASSERT_TRUE(before != renderer.order);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, NULL, NULL, NULL));
         }
     }
-    fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const fxl_memory memory = {order, TINY_INSTANCES, list, 0, NULL, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, &tiny->scene, &lens, &memory));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-    TEST_ASSERT_TRUE(renderer.target == NULL && renderer.order == NULL);
-    memset(&renderer, 0, sizeof renderer);
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, NULL, NULL));
 }
 
 /* The faces of every model are looked at, with the number that they have in the scene. */
@@ -396,17 +362,16 @@ void test_surfaces_of_the_last_model_are_checked(void)
 
 void test_wrong_arguments_with_depth(void)
 {
+    const fxl_sprite_painter *const sprites = ways[1].sprites;
     start(0);
-    choose(&fxl_visibility_depth, false);
-    expect_refused(FXL_E_ARGUMENT, fxl_renderer_set_billboards_by_depth(&renderer, NULL, &set));
-    expect_refused(FXL_E_ARGUMENT,
-                   fxl_renderer_set_billboards_by_depth(&renderer, &billboards, NULL));
+    choose(&ways[1], false);
+    expect_refused(FXL_E_ARGUMENT, fxl_attach_billboards(&renderer, NULL, &set, sprites));
+    expect_refused(FXL_E_ARGUMENT, fxl_attach_billboards(&renderer, &billboards, &set, NULL));
     fxl_billboards *const odd = (fxl_billboards *)(void *)((uint8_t *)&billboards + 1);
-    expect_refused(FXL_E_ALIGNMENT, fxl_renderer_set_billboards_by_depth(&renderer, odd, &set));
+    expect_refused(FXL_E_ALIGNMENT, fxl_attach_billboards(&renderer, odd, &set, sprites));
     sprite.bits = 3;
-    expect_refused(FXL_E_RANGE, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_renderer_set_billboards_by_depth(NULL, &billboards, &set));
+    expect_refused(FXL_E_RANGE, fxl_attach_billboards(&renderer, &billboards, &set, sprites));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_billboards(NULL, &billboards, &set, sprites));
     memset(&renderer, 0, sizeof renderer);
-    expect_refused(FXL_E_ORDER, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
+    expect_refused(FXL_E_ORDER, fxl_attach_billboards(&renderer, &billboards, &set, sprites));
 }

@@ -14,12 +14,13 @@ static uint8_t outlined[HEIGHT][WIDTH], plain[HEIGHT][WIDTH], bands[HEIGHT][WIDT
 static fxl_order_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static fxl_outline_style style;
+static fxl_outlines outlines;
 static tiny_scene *tiny;
 
 static uint32_t list[200];
 
 /* A display list of some words, or none. */
-static void start(const fxl_visibility *visibility)
+static void start(bool has_outlines)
 {
     const uint32_t words = unit_random() % 2 ? 0 : unit_random() % 200;
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -27,8 +28,9 @@ static void start(const fxl_visibility *visibility)
     lens.inset = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_visibility(&renderer, visibility, &style, sizeof style));
+    if (has_outlines) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
+    }
 }
 
 static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step)
@@ -36,10 +38,9 @@ static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step)
     frame_draw_bands(&renderer, frame[0], step, BACKGROUND);
 }
 
-static void draw_pose(const fxl_visibility *visibility, const fxl_pose *pose,
-                      uint8_t frame[HEIGHT][WIDTH])
+static void draw_pose(bool has_outlines, const fxl_pose *pose, uint8_t frame[HEIGHT][WIDTH])
 {
-    start(visibility);
+    start(has_outlines);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     draw(frame, HEIGHT);
 }
@@ -64,8 +65,8 @@ void test_lines_lie_over_the_usual_picture(void)
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = random_pose();
         tiny = tiny_make();
-        draw_pose(&fxl_visibility_sorted, &pose, plain);
-        draw_pose(&fxl_visibility_outlined, &pose, outlined);
+        draw_pose(false, &pose, plain);
+        draw_pose(true, &pose, outlined);
         draw(bands, steps[unit_random() % 5]);
         TEST_ASSERT_EQUAL_MEMORY(outlined, bands, sizeof bands);
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -88,10 +89,10 @@ void test_edges_behind_a_face_are_hidden(void)
     style.keeps_colours = false;
     tiny = tiny_make();
     tiny->scene.instance_count = 1;
-    draw_pose(&fxl_visibility_outlined, &pose, plain);
+    draw_pose(true, &pose, plain);
     tiny->scene.instance_count = TINY_INSTANCES;
     tiny->instances[1].centre.x = Q16(7); /* half of it is beside the first */
-    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    draw_pose(true, &pose, outlined);
     uint32_t others = 0;
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         const uint8_t both = outlined[i / WIDTH][i % WIDTH], front = plain[i / WIDTH][i % WIDTH];
@@ -110,7 +111,7 @@ void test_a_face_and_its_outline(void)
     tiny->scene.instance_count = 1;
     style.line = 1;
     style.fill = 2;
-    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    draw_pose(true, &pose, outlined);
     for (int32_t row = 0; row < HEIGHT; row++) {
         for (int32_t column = 0; column < WIDTH; column++) {
             const bool within = column >= 8 && column < 24 && row >= 4 && row < 20;
@@ -128,7 +129,7 @@ void test_sides_of_the_screen_are_no_edges(void)
     tiny = tiny_make();
     style.line = 1;
     style.fill = 2;
-    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    draw_pose(true, &pose, outlined);
     TEST_ASSERT_EACH_EQUAL_UINT8(2, outlined, sizeof outlined);
 }
 
@@ -142,7 +143,7 @@ void test_another_workspace_takes_the_style(void)
     tiny = tiny_make();
     style.line = LINE;
     style.keeps_colours = true;
-    draw_pose(&fxl_visibility_outlined, &pose, outlined);
+    draw_pose(true, &pose, outlined);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&workspace, &renderer, memory, sizeof memory));
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, &workspace, &band));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a pick answers with each visibility method (docs/extras/pick.md, section 2.4). */
+#include "choices.h"
 #include "tiny.h"
 #include "tiny_frames.h"
 #include "study/methods.h"
@@ -23,8 +24,6 @@ static fxl_order_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static uint64_t room[FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT) / 8 + 1];
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, 4, 32)];
-static fxl_depth depth;
-static fxl_rgb565_frame frames_565;
 static fxl_surfaces surfaces;
 static fxl_billboards billboards;
 static tiny_scene *tiny;
@@ -77,20 +76,26 @@ static void start(void)
     tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
-static void choose(const fxl_visibility *method)
+static void choose(const choice *method)
 {
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, method, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, method, room, sizeof room));
 }
 
-static void choose_depth(const fxl_visibility *method, bool with_surfaces)
+static void attach_surfaces(const fxl_painter *painter)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &surface_set, painter));
+}
+
+static void choose_depth(uint32_t bits, bool with_surfaces)
 {
     start();
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, bits == 32 ? &choice_depth_32 : &choice_depth_16,
+                                          cells, sizeof cells));
     if (with_surfaces) {
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set));
+        attach_surfaces(bits == 32 ? FXL_SURFACES_OF(fxl_palette_depth_32)
+                                   : FXL_SURFACES_OF(fxl_palette_depth_16));
     }
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_set_depth(&renderer, &depth, method, cells, sizeof cells));
 }
 
 static void draw(const fxl_pose *pose)
@@ -110,7 +115,7 @@ static void pick(uint16_t x, uint16_t y, fxl_picked *picked)
 /* What every method has to answer: the picks of the default one. They are what it has drawn. */
 static void pick_by_order(const fxl_pose *pose)
 {
-    choose(&fxl_visibility_sorted);
+    choose(&choice_sorted);
     draw(pose);
     for (uint16_t y = 0; y < HEIGHT; y++) {
         for (uint16_t x = 0; x < WIDTH; x++) {
@@ -142,8 +147,8 @@ static uint32_t expect_picks(void)
 
 void test_methods_of_the_order_alone_show_what_is_picked(void)
 {
-    static const fxl_visibility *const methods[] = {&fxl_visibility_box, &fxl_visibility_spans,
-                                                    &fxl_visibility_spans_box};
+    static const choice *const methods[] = {&choice_box, &choice_spans,
+                                                    &choice_spans_box};
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_pose pose = random_pose();
         pick_by_order(&pose);
@@ -156,15 +161,15 @@ void test_methods_of_the_order_alone_show_what_is_picked(void)
 /* An outline is in front of its neighbours, and a fill of one colour is no face's. */
 void test_an_outlined_face_is_picked_whatever_is_drawn_on_it(void)
 {
-    static fxl_outline_style style;
+    static fxl_outlines outlines;
     for (uint32_t keeps = 0; keeps < 2; keeps++) {
         const fxl_pose pose = random_pose();
         uint32_t lines = 0;
         pick_by_order(&pose);
         start();
-        style = (fxl_outline_style){.line = LINE, .fill = BACKGROUND, .keeps_colours = keeps == 1};
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_visibility(&renderer, &fxl_visibility_outlined,
-                                                              &style, sizeof style));
+        const fxl_outline_style style = {
+            .line = LINE, .fill = BACKGROUND, .keeps_colours = keeps == 1};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
         draw(&pose);
         const uint32_t others = expect_picks();
         for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -199,8 +204,7 @@ void test_a_face_with_a_texture_is_picked_in_its_holes_too(void)
     fxl_pose pose = random_pose();
     pick_by_order(&pose);
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set));
-    TEST_ASSERT_TRUE(fxl_visibility_surfaces.target == renderer.target && fxl_visibility_surfaces.order == renderer.order);
+    attach_surfaces(FXL_SURFACES_OF(fxl_palette));
     draw(&pose);
     expect_face_and_holes(expect_picks());
 }
@@ -210,16 +214,16 @@ void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
     const fxl_pose pose = random_pose();
     pick_by_order(&pose);
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_rgb565(&renderer, &frames_565, palette, 0));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces_rgb565(&renderer, &surfaces, &surface_set));
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_rgb565);
+    config.palette = palette;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
+    attach_surfaces(FXL_SURFACES_OF(fxl_rgb565));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     for (uint16_t y = 0; y < HEIGHT; y++) {
-        const fxl_band_565 band = {.pixels = row_565, .width = WIDTH, .stride = WIDTH,
-                                   .first_row = y, .rows = 1};
-        for (uint32_t x = 0; x < WIDTH; x++) {
-            row_565[x] = BACKGROUND;
-        }
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_rgb565(&renderer, &band));
+        const fxl_band band = {.pixels = (uint8_t *)(void *)row_565, .width = WIDTH,
+                               .stride = WIDTH, .first_row = y, .rows = 1, .palette = palette};
+        fxl_rgb565.fill(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         for (uint32_t x = 0; x < WIDTH; x++) {
             frame[y][x] = (uint8_t)row_565[x];
         }
@@ -232,13 +236,11 @@ void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
  */
 void test_a_depth_buffer_is_picked_by_the_order(void)
 {
-    static const fxl_visibility *const methods[] = {&fxl_visibility_depth,
-                                                    &fxl_visibility_depth_32};
     const fxl_pose eye = {{0, 0, Q16(-3.5)}, 0, 0, 0};
     tiny->instances[1].centre = (fxl_point){Q16(1.2), Q16(1.2), Q16(-0.4)};
     pick_by_order(&eye);
     for (uint32_t i = 0; i < 4; i++) {
-        choose_depth(methods[i % 2], i >= 2);
+        choose_depth(i % 2 ? 32 : 16, i >= 2);
         draw(&eye);
         TEST_ASSERT_GREATER_THAN(5, expect_picks());
     }
@@ -246,7 +248,7 @@ void test_a_depth_buffer_is_picked_by_the_order(void)
     for (uint32_t i = 0; i < 2; i++) {
         const fxl_pose pose = random_pose();
         pick_by_order(&pose);
-        choose_depth(methods[i], false);
+        choose_depth(i ? 32 : 16, false);
         draw(&pose);
         TEST_ASSERT_EQUAL_UINT32(0, expect_picks());
     }
@@ -270,9 +272,9 @@ void test_trees_and_billboards_are_refused(void)
     static const uint16_t model_map[2] = {0, 1};
     static const fxl_billboard_set set = {&board, 1, model_map};
     const fxl_pose pose = random_pose();
-    choose(&fxl_visibility_bsp);
+    choose(&choice_tree);
     expect_refused(&pose);
-    choose(&fxl_visibility_bsp_spans);
+    choose(&choice_tree_spans);
     expect_refused(&pose);
     /* A billboard stands for a model of one face. */
     tiny->models[1].face_count = 1;
@@ -281,13 +283,16 @@ void test_trees_and_billboards_are_refused(void)
     tiny->scene.face_bounds = NULL;
     tiny->scene.face_bounds_count = 0;
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
+                                                    FXL_SPRITES_OF(fxl_palette)));
     expect_refused(&pose);
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards(&renderer, &billboards, &set));
+    attach_surfaces(FXL_SURFACES_OF(fxl_palette));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
+                                                    FXL_SPRITES_OF(fxl_palette)));
     expect_refused(&pose);
-    choose_depth(&fxl_visibility_depth, false);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set));
+    choose_depth(16, false);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
+                                                    FXL_SPRITES_OF(fxl_palette_depth_16)));
     expect_refused(&pose);
 }

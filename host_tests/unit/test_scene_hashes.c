@@ -2,6 +2,7 @@
 /* Frames of moving cubes, by every way to draw them, and what was counted, are the same on every
  * core: hashes on record, as in test_surface_hashes.c. */
 #include "bsp_sight.h"
+#include "choices.h"
 #include "cluster_scene.h"
 #include "frame_bands.h"
 #include "study/study.h"
@@ -25,8 +26,7 @@ static fxl_renderer renderer;
 static FXL_ALIGN_8 fxl_clipper_workspace clipper_room;
 static FXL_ALIGN_8 uint8_t room[ROOM], pieces[3072], beam_room[4608];
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32)];
-static fxl_depth depth;
-static fxl_outline_style style;
+static fxl_outlines outlines;
 static fxl_light light;
 static fxl_billboards billboards;
 static fxl_sprite sprite;
@@ -61,7 +61,8 @@ enum {
     BILLBOARD = 8,
     BEAMS = 16,
     LIGHT = 32,
-    OFF_CENTRE = 64
+    OFF_CENTRE = 64,
+    OUTLINES = 128
 };
 
 /* Instance 2 is turned and scaled, and so is instance 1 where it has no tree. */
@@ -155,27 +156,14 @@ static void add_light(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &settings));
 }
 
-static bool is_depth(const fxl_visibility *method)
+static void set_method(const choice *method)
 {
-    return method == &fxl_visibility_depth || method == &fxl_visibility_depth_32;
+    const bool has_depth = method->target->depth_bits != 0;
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, method, has_depth ? cells : room,
+                                          has_depth ? sizeof cells : sizeof room));
 }
 
-static void set_method(const fxl_visibility *method)
-{
-    if (is_depth(method)) {
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_depth(&renderer, &depth, method, cells, sizeof cells));
-    } else if (method == &fxl_visibility_outlined) {
-        style = (fxl_outline_style){.line = 1, .fill = 2, .keeps_colours = true};
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_visibility(&renderer, method, &style, sizeof style));
-    } else {
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_renderer_set_visibility(&renderer, method, room, sizeof room));
-    }
-}
-
-static void add_extras(const fxl_visibility *method, uint32_t with)
+static void add_extras(const choice *method, uint32_t with)
 {
     if (with & TREE) {
         fxl_bsp_workspace *tree = renderer.order_memory;
@@ -183,18 +171,23 @@ static void add_extras(const fxl_visibility *method, uint32_t with)
         tree->pieces_size = (uint32_t)unit_between(0, sizeof pieces / 4) * 4;
     }
     if (with & BILLBOARD) {
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          is_depth(method)
-                              ? fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &set)
-                              : fxl_renderer_set_billboards(&renderer, &billboards, &set));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
+                                                        method->target == &fxl_palette_depth_32
+                                                            ? FXL_SPRITES_OF(fxl_palette_depth_32)
+                                                            : FXL_SPRITES_OF(fxl_palette)));
     }
     if (with & BEAMS) {
         make_beams();
+        static const fxl_beam_set beam_set = {beams, 2, lit};
         TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_renderer_set_beams(&renderer, beams, 2, lit, beam_room, sizeof beam_room));
+            FXL_OK, fxl_attach_beams(&renderer, &beam_set, beam_room, sizeof beam_room));
     }
     if (with & LIGHT) {
         add_light();
+    }
+    if (with & OUTLINES) {
+        const fxl_outline_style style = {.line = 1, .fill = 2, .keeps_colours = true};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
     }
 }
 
@@ -210,7 +203,7 @@ static fxl_lens make_lens(uint32_t with)
     return lens;
 }
 
-static void start(const fxl_clipper *clipper, const fxl_visibility *method, uint32_t with)
+static void start(const fxl_clipper *clipper, const choice *method, uint32_t with)
 {
     const fxl_lens lens = make_lens(with);
     const uint32_t words = unit_between(0, 3) ? (uint32_t)unit_between(0, LIST_WORDS) : 0;
@@ -232,7 +225,7 @@ static uint32_t draw(const fxl_pose *pose)
                             sizeof renderer.workspace.counters);
 }
 
-static uint32_t hash_of(const fxl_clipper *clipper, const fxl_visibility *method, uint32_t with)
+static uint32_t hash_of(const fxl_clipper *clipper, const choice *method, uint32_t with)
 {
     uint32_t hash = 0;
     for (uint32_t i = 0; i < FRAMES; i++) {
@@ -249,10 +242,10 @@ static uint32_t hash_of(const fxl_clipper *clipper, const fxl_visibility *method
 
 void test_frames_are_those_on_record(void)
 {
-    static const fxl_visibility *const sorted = &fxl_visibility_sorted;
+    static const choice *const sorted = &choice_sorted;
     static const struct {
         const fxl_clipper *clipper;
-        const fxl_visibility *method;
+        const choice *method;
         uint32_t with, hash;
     } record[] = {
         {&fxl_clipper_view, sorted, 0, 0xB76C657A},
@@ -270,28 +263,28 @@ void test_frames_are_those_on_record(void)
         {&fxl_clipper_view, sorted, TURN | LIGHT, 0xDC7A16E7},
         {&fxl_clipper_view, sorted, BILLBOARD, 0x285422D4},
         {&fxl_clipper_world, sorted, BILLBOARD | TURN | LIGHT, 0x65BDB371},
-        {&fxl_clipper_view, &fxl_visibility_bsp, TREE, 0x11DDEE9C},
-        {&fxl_clipper_view, &fxl_visibility_bsp, TREE | TURN, 0x99C60DD4},
-        {&fxl_clipper_view, &fxl_visibility_bsp, TREE | TURN | LIGHT, 0x0ED8B4B4},
-        {&fxl_clipper_view, &fxl_visibility_bsp, TREE | TURN | BEAMS, 0x16D339C8},
-        {&fxl_clipper_triangles, &fxl_visibility_bsp, TREE | TURN, 0xD53F3897},
-        {&fxl_clipper_view, &fxl_visibility_bsp_spans, TREE | TURN, 0x170A8249},
-        {&fxl_clipper_near, &fxl_visibility_bsp_spans, TREE | TURN | BEAMS, 0x41B52A8B},
-        {&fxl_clipper_view, &fxl_visibility_spans, TURN | CLUSTERED, 0x29394181},
-        {&fxl_clipper_once, &fxl_visibility_spans, TURN | BEAMS, 0xE6514092},
-        {&fxl_clipper_view, &fxl_visibility_spans_box, TURN | LIGHT, 0x8B77AE31},
-        {&fxl_clipper_view, &fxl_visibility_box, TURN, 0x868D87BB},
-        {&fxl_clipper_view, &fxl_visibility_outlined, TURN, 0x2840FE04},
-        {&fxl_clipper_left, &fxl_visibility_outlined, CLUSTERED | LIGHT, 0xCAB25BE7},
-        {&fxl_clipper_view, &fxl_visibility_depth, TURN | BEAMS, 0x6016489A},
-        {&fxl_clipper_once, &fxl_visibility_depth, TURN | CLUSTERED | OFF_CENTRE, 0xD0877E37},
-        {&fxl_clipper_triangles, &fxl_visibility_depth_32, TURN | BEAMS, 0xD1A7A78D},
-        {&fxl_clipper_view, &fxl_visibility_depth_32, TURN | BILLBOARD | LIGHT, 0x3F88B336},
+        {&fxl_clipper_view, &choice_tree, TREE, 0x11DDEE9C},
+        {&fxl_clipper_view, &choice_tree, TREE | TURN, 0x99C60DD4},
+        {&fxl_clipper_view, &choice_tree, TREE | TURN | LIGHT, 0x0ED8B4B4},
+        {&fxl_clipper_view, &choice_tree, TREE | TURN | BEAMS, 0x16D339C8},
+        {&fxl_clipper_triangles, &choice_tree, TREE | TURN, 0xD53F3897},
+        {&fxl_clipper_view, &choice_tree_spans, TREE | TURN, 0x170A8249},
+        {&fxl_clipper_near, &choice_tree_spans, TREE | TURN | BEAMS, 0x41B52A8B},
+        {&fxl_clipper_view, &choice_spans, TURN | CLUSTERED, 0x29394181},
+        {&fxl_clipper_once, &choice_spans, TURN | BEAMS, 0xE6514092},
+        {&fxl_clipper_view, &choice_spans_box, TURN | LIGHT, 0x8B77AE31},
+        {&fxl_clipper_view, &choice_box, TURN, 0x868D87BB},
+        {&fxl_clipper_view, sorted, TURN | OUTLINES, 0x2840FE04},
+        {&fxl_clipper_left, sorted, CLUSTERED | LIGHT | OUTLINES, 0xCAB25BE7},
+        {&fxl_clipper_view, &choice_depth_16, TURN | BEAMS, 0x6016489A},
+        {&fxl_clipper_once, &choice_depth_16, TURN | CLUSTERED | OFF_CENTRE, 0xD0877E37},
+        {&fxl_clipper_triangles, &choice_depth_32, TURN | BEAMS, 0xD1A7A78D},
+        {&fxl_clipper_view, &choice_depth_32, TURN | BILLBOARD | LIGHT, 0x3F88B336},
         {&fxl_clipper_view, sorted, TURN | CLUSTERED | OFF_CENTRE, 0x4BE9AB07},
         {&fxl_clipper_triangles, sorted, TURN | BEAMS | OFF_CENTRE, 0xD9982D40},
         {&fxl_clipper_left, sorted, TURN | BILLBOARD | OFF_CENTRE, 0xCF692EDA},
-        {&fxl_clipper_normalised, &fxl_visibility_spans, TURN | OFF_CENTRE, 0xA0462869},
-        {&fxl_clipper_world, &fxl_visibility_bsp, TREE | TURN | OFF_CENTRE, 0x87A7A0B7},
+        {&fxl_clipper_normalised, &choice_spans, TURN | OFF_CENTRE, 0xA0462869},
+        {&fxl_clipper_world, &choice_tree, TREE | TURN | OFF_CENTRE, 0x87A7A0B7},
     };
     uint32_t wrong = 0;
     for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {

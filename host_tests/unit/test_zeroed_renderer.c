@@ -19,14 +19,18 @@ void test_settings_of_a_zeroed_renderer(void)
     const fxl_clipper *const clipper = &fxl_clipper_view;
     expect(FXL_E_ORDER, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     expect(FXL_E_ORDER, fxl_renderer_set_centre(&renderer, 0, 0));
-    const fxl_visibility *const methods[] = {&fxl_visibility_sorted,    &fxl_visibility_box,
-                                             &fxl_visibility_spans,     &fxl_visibility_bsp,
-                                             &fxl_visibility_spans_box, &fxl_visibility_bsp_spans,
-                                             &fxl_visibility_depth,     &fxl_visibility_billboards,
-                                             &fxl_visibility_outlined,  &fxl_visibility_surfaces};
-    for (uint32_t i = 0; i < sizeof methods / sizeof methods[0]; i++) {
-        expect(FXL_E_ORDER,
-               fxl_renderer_set_visibility(&renderer, methods[i], memory, sizeof memory));
+    const fxl_target *const targets[] = {&fxl_palette,          &fxl_palette_box,
+                                         &fxl_palette_spans,    &fxl_palette_spans_box,
+                                         &fxl_palette_depth_16, &fxl_palette_depth_32,
+                                         &fxl_rgb565,           &fxl_rgb565_depth_16};
+    static const uint16_t palette[256];
+    for (uint32_t i = 0; i < 2 * sizeof targets / sizeof targets[0]; i++) {
+        fxl_config config = fxl_config_for(1, 1, targets[i / 2]);
+        config.order = i % 2 ? &fxl_by_tree : &fxl_by_distance;
+        config.palette = palette;
+        config.depth = config.tree = memory;
+        config.depth_size = config.tree_size = sizeof memory;
+        expect(FXL_E_ORDER, fxl_renderer_choose(&renderer, &config));
     }
 }
 
@@ -35,28 +39,27 @@ void test_extras_of_a_zeroed_renderer(void)
 {
     static fxl_light light;
     static fxl_surfaces surfaces;
-    static fxl_depth depth;
     static fxl_billboards billboards;
-    static fxl_rgb565_frame frame;
-    static const uint16_t palette[256];
+    static fxl_lit_surfaces lit;
+    static fxl_outlines outlines;
+    const fxl_outline_style style = {.line = 1};
     const fxl_light_settings settings = {.ramp = memory, .levels = 2};
     const fxl_surface_set surface_set = {.surface_count = 0};
     const fxl_billboard_set billboard_set = {.count = 0};
     expect(FXL_E_ORDER, fxl_attach_light(&renderer, &light, &settings));
     expect(FXL_E_ORDER, fxl_attach_light(&renderer, &light, NULL));
     expect(FXL_E_ORDER, fxl_attach_light(&renderer, NULL, NULL));
-    expect(FXL_E_ORDER, fxl_renderer_light_surfaces(&renderer, NULL));
-    expect(FXL_E_ORDER, fxl_renderer_set_surfaces(&renderer, &surfaces, &surface_set));
-    expect(FXL_E_ORDER, fxl_renderer_set_surfaces(&renderer, &surfaces, NULL));
-    expect(FXL_E_ORDER, fxl_renderer_set_surfaces_rgb565(&renderer, &surfaces, NULL));
-    expect(FXL_E_ORDER, fxl_renderer_set_rgb565(&renderer, &frame, palette, 0));
-    expect(FXL_E_ORDER,
-           fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth, memory, sizeof memory));
-    expect(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, &billboards, &billboard_set));
-    expect(FXL_E_ORDER, fxl_renderer_set_billboards(&renderer, NULL, NULL));
-    expect(FXL_E_ORDER,
-           fxl_renderer_set_billboards_by_depth(&renderer, &billboards, &billboard_set));
-    expect(FXL_E_ORDER, fxl_renderer_set_beams(&renderer, NULL, 0, NULL, NULL, 0));
+    expect(FXL_E_ORDER, fxl_attach_lit(&renderer, &lit));
+    expect(FXL_E_ORDER, fxl_attach_lit(&renderer, NULL));
+    expect(FXL_E_ORDER, fxl_attach_surfaces(&renderer, &surfaces, &surface_set,
+                                            FXL_SURFACES_OF(fxl_palette)));
+    expect(FXL_E_ORDER, fxl_attach_surfaces(&renderer, &surfaces, NULL, NULL));
+    expect(FXL_E_ORDER, fxl_attach_billboards(&renderer, &billboards, &billboard_set,
+                                              FXL_SPRITES_OF(fxl_palette)));
+    expect(FXL_E_ORDER, fxl_attach_billboards(&renderer, NULL, NULL, NULL));
+    expect(FXL_E_ORDER, fxl_attach_beams(&renderer, NULL, NULL, 0));
+    expect(FXL_E_ORDER, fxl_attach_outlines(&renderer, &outlines, &style));
+    expect(FXL_E_ORDER, fxl_attach_outlines(&renderer, NULL, NULL));
 }
 
 /* A world counts the calls that it refuses in itself. */
@@ -83,14 +86,10 @@ void test_frames_of_a_zeroed_renderer(void)
 {
     const fxl_pose pose = {.position = {0, 0, 0}};
     const fxl_band band = {.pixels = memory, .width = 1, .stride = 1, .first_row = 0, .rows = 1};
-    const fxl_band_565 colours = {.pixels = (uint16_t *)(void *)memory, .width = 1, .stride = 1,
-                                  .first_row = 0, .rows = 1};
     fxl_picked picked;
     expect(FXL_E_ORDER, fxl_frame_begin(&renderer, &pose));
     expect(FXL_E_ORDER, fxl_render(&renderer, &pose, memory, 1));
-    expect(FXL_E_ORDER, fxl_render_rgb565(&renderer, &pose, colours.pixels, 1));
     expect(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
-    expect(FXL_E_ORDER, fxl_frame_draw_rgb565(&renderer, &colours));
     expect(FXL_E_ORDER, fxl_pick_face(&renderer, 0, 0, &picked));
     TEST_ASSERT_EQUAL_UINT32(0, fxl_workspace_size(&renderer));
 }
