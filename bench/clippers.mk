@@ -8,10 +8,11 @@
 
 CLIPPERS_PLAN := bench/clippers.toml
 CLIPPERS_CORES := $(filter m0 m3,$(BENCH_CORES_HERE))
-# name:record of each clipper, name:record:room of each method: a program for each pair, even for
+# name:record of each clipper, name:order:target:room of each method: a program for each pair, even for
 # those that the plan does not compare.
 CLIPPERS_READ = $(shell awk -v kind='[[$(1)]]' '/^\[/ {here = $$0 == kind} \
-    here && $$1 == "name" {name = $$3} here && $$1 == "record" {record = $$3} \
+    here && $$1 == "name" {name = $$3} here && ($$1 == "record" || $$1 == "order") {record = $$3} \
+    here && $$1 == "target" {record = record ":" $$3} \
     here && $$1 == "$(2)" {print name ":" record ($$1 == "record" ? "" : ":" $$3)}' $(CLIPPERS_PLAN) | tr -d '"')
 CLIPPERS_CLIPPERS = $(eval CLIPPERS_CLIPPERS := $$(call CLIPPERS_READ,clippers,record))$(CLIPPERS_CLIPPERS)
 CLIPPERS_HIDDEN = $(eval CLIPPERS_HIDDEN := $$(call CLIPPERS_READ,hidden,room))$(CLIPPERS_HIDDEN)
@@ -21,7 +22,8 @@ CLIPPERS_COMBINATIONS = $(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,
     $(call CLIPPERS_NAME,$(clipper),$(hidden))))
 # $(1): a clipper, $(2): what hides what.
 CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
-    -DCOMBINATION_HIDDEN=$(call CLIPPERS_PART,$(2),2) -DCOMBINATION_ROOM=$(call CLIPPERS_PART,$(2),3)u
+    -DCOMBINATION_ORDER=$(call CLIPPERS_PART,$(2),2) -DCOMBINATION_TARGET=$(call CLIPPERS_PART,$(2),3) \
+    -DCOMBINATION_ROOM=$(call CLIPPERS_PART,$(2),4)u
 
 # What a method wants beside its room.
 CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(1),1)),prepare_tree,prepare_plain)
@@ -29,7 +31,7 @@ CLIPPERS_PREPARE = $(if $(filter tree%,$(call CLIPPERS_PART,$(1),1)),prepare_tre
 # The plan names the clippers and what hides what.
 CLIPPERS_LIB := $(LIB_NAMES:%=lib/%)
 CLIPPERS_OBJECTS_OF = $(call BENCH_PLACES,$(1),region start text memory_functions draw_combination frames path $(CLIPPERS_LIB))
-CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_set_visibility \
+CLIPPERS_ROOTS := combination_chosen fxl_renderer_init_bare_for_polygons_of_32 fxl_renderer_set_clipper fxl_renderer_choose \
     fxl_frame_begin fxl_frame_draw fxl_fill_band
 CLIPPERS_SIZED_OF = $(call BENCH_PLACES,$(1),$(CLIPPERS_LIB) memory_functions)
 # Found once for all programs of a core: the beginning of each, its parts, and what the linker reads beside.

@@ -5,5 +5,5 @@
 #include "fixel/all.h"
 #include "study/study.h"
 
-const combination combination_chosen = {&COMBINATION_CLIPPER, &COMBINATION_HIDDEN,
-                                        COMBINATION_ROOM};
+const combination combination_chosen = {&COMBINATION_CLIPPER, &COMBINATION_ORDER,
+                                        &COMBINATION_TARGET, COMBINATION_ROOM};

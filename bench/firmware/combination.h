@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The clipper and the visibility method of a program of `make clippers`. */
+/* The clipper, the order and the target of a program of `make clippers`. */
 #ifndef BENCH_COMBINATION_H
 #define BENCH_COMBINATION_H
 
@@ -7,8 +7,9 @@
 
 typedef struct {
     const fxl_clipper *clipper;
-    const fxl_visibility *hidden;
-    uint32_t room; /* bytes for the visibility method, where it needs a workspace */
+    const fxl_order *order;
+    const fxl_target *target;
+    uint32_t room; /* bytes for the target, where it needs memory */
 } combination;
 
 extern const combination combination_chosen;

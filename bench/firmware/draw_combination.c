@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws with Fixel, any clipper and any visibility method, the frame in one band. */
+/* Draws with Fixel, any clipper, order and target, the frame in one band. */
 #include "combination.h"
 #include "contract/system.h"
 #include "fixel/beam_light.h"
@@ -19,27 +19,34 @@ static uint64_t light_room[LIGHT_BYTES / 8u];
 static fxl_renderer renderer;
 static uint32_t order_used, hidden_used, pieces_used, light_used;
 
-/* The bytes of the workspace of the visibility method: the chosen size, or the least. */
-static uint32_t room_for_hidden(const fxl_scene_image *image)
+/* The order and the target, and their memory: of the target the chosen size, or the least. */
+static fxl_config choice_for(const fxl_scene_image *image)
 {
-    const fxl_visibility *hidden = combination_chosen.hidden;
-    uint32_t walk = 0, paint = 0;
-    if (hidden->order->memory_size != NULL) {
-        walk = (hidden->order->memory_size(&image->scene) + 7u) & ~7u;
+    fxl_config config =
+        fxl_config_for(image->lens.width, image->lens.height, combination_chosen.target);
+
+    config.order = combination_chosen.order;
+    if (config.order->memory_size != NULL) {
+        config.tree_size = (config.order->memory_size(&image->scene) + 7u) & ~7u;
     }
-    if (hidden->target->memory_size != NULL) {
-        paint = hidden->target->memory_size(&image->lens);
-        paint = paint < combination_chosen.room ? combination_chosen.room : paint;
+    if (config.target->memory_size != NULL) {
+        const uint32_t least = config.target->memory_size(&image->lens);
+
+        config.depth_size = least < combination_chosen.room ? combination_chosen.room : least;
     }
-    return walk + paint;
+    config.tree = hidden_room;
+    config.depth = (uint8_t *)hidden_room + config.tree_size;
+    return config;
 }
 
 int draw_open(const fxl_scene_image *image)
 {
     const fxl_memory memory = {order, ORDER_ENTRIES, NULL, 0, cache, CACHE_ENTRIES};
+    const fxl_config config = choice_for(image);
+    const fxl_beam_set beams = {image->scene.beams, image->scene.beam_count, image->scene.lit};
 
     order_used = image->scene.order_needed;
-    hidden_used = room_for_hidden(image);
+    hidden_used = config.tree_size + config.depth_size;
     light_used = image->scene.beam_count > 0
                      ? fxl_beam_light_workspace_size(image->scene.beams, image->scene.beam_count)
                      : 0;
@@ -52,13 +59,11 @@ int draw_open(const fxl_scene_image *image)
     if (fxl_renderer_init_bare(&renderer, &image->scene, &image->lens, &memory) != FXL_OK ||
         fxl_renderer_set_clipper(&renderer, combination_chosen.clipper, clipper_room,
                                  combination_chosen.clipper->workspace_size) != FXL_OK ||
-        fxl_renderer_set_visibility(&renderer, combination_chosen.hidden, hidden_room,
-                                    hidden_used) != FXL_OK) {
+        fxl_renderer_choose(&renderer, &config) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
     if (light_used > 0 &&
-        fxl_renderer_set_beams(&renderer, image->scene.beams, image->scene.beam_count,
-                               image->scene.lit, light_room, light_used) != FXL_OK) {
+        fxl_attach_beams(&renderer, &beams, light_room, light_used) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
     combination_prepare(&renderer);

@@ -133,10 +133,10 @@ def test_the_measure_sees_what_rounding_in_the_world_costs(build, tmp_path):
 
 def test_every_clipper_and_method_of_the_library_is_compared(plan):
     assert {each["record"] for each in plan.clippers.values()} == records("fxl_clipper")
-    # The span buffer with the other scan, which is nothing new; and methods that draw other pictures.
-    left_out = {"fxl_visibility_depth", "fxl_visibility_depth_32", "fxl_visibility_surfaces",
-                "fxl_visibility_billboards", "fxl_visibility_spans_box", "fxl_visibility_outlined"}
-    assert {each["record"] for each in plan.hidden.values()} == records("fxl_visibility") - left_out
+    # With a depth buffer, RGB565 or outlines another picture is drawn. The span buffer with the other scan is nothing new.
+    assert {each["target"] for each in plan.hidden.values()} == {"fxl_palette", "fxl_palette_box", "fxl_palette_spans"}
+    assert records("fxl_target") == {"fxl_palette_box", "fxl_palette_spans", "fxl_palette_spans_box", "fxl_palette_outlined"}
+    assert {each["order"] for each in plan.hidden.values()} == {"fxl_by_distance", "fxl_by_tree"}
 
 
 def test_the_plan_names_what_is_to_be_compared(plan):

@@ -31,15 +31,19 @@ static int fail(const char *what, const char *why)
 /* Bytes for the raster backend: what was chosen, or what it wants at the least. */
 static uint32_t raster_bytes(const fxl_lens *lens)
 {
-    const fxl_target *target = combination_chosen.hidden->target;
+    const fxl_target *target = combination_chosen.target;
     const uint32_t least = target && target->memory_size ? target->memory_size(lens) : 0;
     return least > 0 && least < combination_chosen.room ? combination_chosen.room : least;
 }
 
 static fxl_status set_up(session *run)
 {
+    static fxl_visibility visibility;
+    visibility.order = combination_chosen.order;
+    visibility.target = combination_chosen.target;
+    visibility.front_to_back = combination_chosen.target->near_first;
     const session_settings settings = {.clipper = combination_chosen.clipper,
-                                       .visibility = combination_chosen.hidden,
+                                       .visibility = &visibility,
                                        .without_surfaces = true,
                                        .cache_entries = CACHE_ENTRIES,
                                        .raster_bytes = raster_bytes(&run->image.lens),
