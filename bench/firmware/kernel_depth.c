@@ -10,7 +10,6 @@ static mapped_quad wall;
 
 typedef struct {
     fxl_renderer renderer;
-    fxl_depth depth;
     FXL_ALIGN_8 uint8_t memory[1024];
 } workload;
 
@@ -51,13 +50,14 @@ static void run_clear(const kernel_inputs *in)
 
 static bool prepare(workload *of, bool has_surfaces)
 {
-    const fxl_config config = fxl_config_default(SURFACE_WIDTH, SURFACE_HEIGHT);
+    fxl_config config = fxl_config_for(SURFACE_WIDTH, SURFACE_HEIGHT, &fxl_palette_depth_16);
+    config.depth = cells;
+    config.depth_size = sizeof cells;
     return fxl_renderer_init(&of->renderer, &wall.scene, &config, of->memory, sizeof of->memory) ==
                FXL_OK &&
            (!has_surfaces ||
-            fxl_renderer_set_surfaces(&of->renderer, &surfaces, &wall.set) == FXL_OK) &&
-           fxl_renderer_set_depth(&of->renderer, &of->depth, &fxl_visibility_depth, cells,
-                                  sizeof cells) == FXL_OK;
+            fxl_attach_surfaces(&of->renderer, &surfaces, &wall.set,
+                                FXL_SURFACES_OF(fxl_palette_depth_16)) == FXL_OK);
 }
 
 bool kernel_depth_prepare(void)

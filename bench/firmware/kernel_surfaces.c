@@ -110,7 +110,8 @@ bool kernel_surfaces_prepare(void)
     return fxl_scene_check(&floor_scene.scene, NULL) == FXL_OK &&
            fxl_renderer_init(&renderer, &floor_scene.scene, &config, memory, sizeof memory) ==
                FXL_OK &&
-           fxl_renderer_set_surfaces(&renderer, &surfaces, &floor_scene.set) == FXL_OK;
+           fxl_attach_surfaces(&renderer, &surfaces, &floor_scene.set,
+                               FXL_SURFACES_OF(fxl_palette)) == FXL_OK;
 }
 
 #define PIXELS (SURFACE_WIDTH * SURFACE_HEIGHT)

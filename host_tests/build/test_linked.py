@@ -29,7 +29,7 @@ def test_the_library_needs_nothing_of_the_study(build):
     library, study = build / "host" / "libfixel.a", build / "host" / "libfixel_study.a"
     ours, theirs = symbols(library, DEFINED), symbols(study, DEFINED)
     assert {"fxl_clipper_view", "fxl_line_by_codes", "fxl_split_piece", "fxl_box_planes", "fxl_plane_from_points"} <= ours
-    assert {"fxl_clipper_near", "fxl_clipper_world", "fxl_visibility_spans", "fxl_visibility_box"} <= theirs
+    assert {"fxl_clipper_near", "fxl_clipper_world", "fxl_palette_spans", "fxl_palette_box"} <= theirs
     assert not ours & theirs and not symbols(library, UNDEFINED) & theirs
 
 
@@ -52,7 +52,7 @@ def test_a_scene_without_tree_beams_and_clusters_links_nothing_of_them(build, tm
 def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_path):
     source, program = tmp_path / "draw.c", tmp_path / "draw"
     call = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL)"
-    for named, text in ((False, call), (True, call + " + fxl_renderer_set_light(NULL, NULL, NULL)")):
+    for named, text in ((False, call), (True, call + " + fxl_attach_light(NULL, NULL, NULL)")):
         source.write_text("#include <stddef.h>\n#include <fixel/light.h>\n" + PROGRAM.replace("NAME", text),
                           encoding="utf-8")
         subprocess.run(["gcc", "-std=c11", "-I", build.parent / "lib" / "include", source,
@@ -63,9 +63,9 @@ def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_p
 
 
 @pytest.mark.parametrize("call, other", [
-    ("fxl_renderer_set_surfaces(NULL, NULL, NULL) + fxl_renderer_set_depth(NULL, NULL, &fxl_visibility_depth, NULL, 0)",
-     ("fxl_billboard", "fxl_sprite")),
-    ("fxl_renderer_set_billboards(NULL, NULL, NULL)", ("fxl_depth", "fxl_surface", "fxl_renderer_set_billboards_by_depth"))])
+    ("fxl_attach_surfaces(NULL, NULL, NULL, FXL_SURFACES_OF(fxl_palette_depth_16)) + "
+     "fxl_renderer_choose(NULL, &(fxl_config){.target = &fxl_palette_depth_16})", ("fxl_billboard", "fxl_sprite")),
+    ("fxl_attach_billboards(NULL, NULL, NULL, FXL_SPRITES_OF(fxl_palette))", ("fxl_depth", "fxl_surface"))])
 def test_billboards_surfaces_and_depth_do_not_link_each_other(build, tmp_path, call, other):
     source, program = tmp_path / "draw.c", tmp_path / "draw"
     text = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL) + " + call

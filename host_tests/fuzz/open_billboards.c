@@ -26,7 +26,8 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
     fxl_billboards billboards;
     DEMAND(renderer != NULL && pixels != NULL && memory.order != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &opened->scene, lens, &memory) == FXL_OK);
-    DEMAND(fxl_renderer_set_billboards(renderer, &billboards, set) == FXL_OK);
+    DEMAND(fxl_attach_billboards(renderer, &billboards, set, FXL_SPRITES_OF(fxl_palette)) ==
+           FXL_OK);
     fxl_fill_band(&band, BACKGROUND);
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);

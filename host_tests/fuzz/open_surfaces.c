@@ -47,7 +47,7 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
     fxl_surfaces surfaces;
     DEMAND(order != NULL && renderer != NULL && pixels != NULL);
     DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);
-    DEMAND(fxl_renderer_set_surfaces(renderer, &surfaces, set) == FXL_OK);
+    DEMAND(fxl_attach_surfaces(renderer, &surfaces, set, FXL_SURFACES_OF(fxl_palette)) == FXL_OK);
     fxl_fill_band(&band, 0);
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);

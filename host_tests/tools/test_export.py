@@ -289,11 +289,11 @@ int main(void)
     }
 #ifdef SURFACES
     static fxl_surfaces surfaces;
-    if (fxl_renderer_set_surfaces(&renderer, &surfaces, &OF(_surfaces)) != FXL_OK) { return 6; }
+    if (fxl_attach_surfaces(&renderer, &surfaces, &OF(_surfaces), FXL_SURFACES_OF(fxl_palette)) != FXL_OK) { return 6; }
 #endif
 #ifdef BILLBOARDS
     static fxl_billboards billboards;
-    if (fxl_renderer_set_billboards(&renderer, &billboards, &OF(_billboards)) != FXL_OK) { return 7; }
+    if (fxl_attach_billboards(&renderer, &billboards, &OF(_billboards), FXL_SPRITES_OF(fxl_palette)) != FXL_OK) { return 7; }
 #endif
 #ifdef PATH
     unsigned most = 0;

@@ -72,7 +72,6 @@ int depth_sample_read(const oracle_input *input, depth_sample *sample)
 static int colour_of(const depth_sample *sample, int wide)
 {
     static fxl_renderer renderer;
-    static fxl_depth depth;
     static uint8_t pixels[FXL_SCREEN_MAX];
     static uint64_t cells[FXL_DEPTH_BYTES(FXL_SCREEN_MAX, 1, 32) / 8];
     fxl_order_entry order[2 * DEPTH_FACES];
@@ -80,10 +79,12 @@ static int colour_of(const depth_sample *sample, int wide)
     const uint16_t width = sample->lens.width;
     const fxl_band band = {.pixels = pixels, .width = width, .stride = width,
                            .first_row = (uint16_t)sample->pixel[1], .rows = 1};
+    fxl_config config =
+        fxl_config_for(width, 1, wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16);
+    config.depth = cells;
+    config.depth_size = FXL_DEPTH_BYTES(width, 1, wide ? 32 : 16);
     if (fxl_renderer_init_with(&renderer, &sample->scene, &sample->lens, &memory) != FXL_OK ||
-        fxl_renderer_set_depth(&renderer, &depth,
-                               wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth, cells,
-                               FXL_DEPTH_BYTES(width, 1, wide ? 32 : 16)) != FXL_OK) {
+        fxl_renderer_choose(&renderer, &config) != FXL_OK) {
         return 0;
     }
     fxl_fill_band(&band, 0);

@@ -135,6 +135,7 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
     static fxl_renderer renderer;
     static fxl_surfaces surfaces;
     static fxl_light lamp;
+    static fxl_lit_surfaces lit;
     static const uint16_t face_map[1] = {1};
     fxl_order_entry order[2];
     const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
@@ -153,9 +154,9 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
                                  .face_count = 1,
                                  .normal_count = normals ? 3 : 0};
     if (fxl_renderer_init_with(&renderer, &sample->scene, &sample->lens, &memory) != FXL_OK ||
-        fxl_renderer_set_surfaces(&renderer, &surfaces, &set) != FXL_OK ||
-        (light && (fxl_renderer_set_light(&renderer, &lamp, light) != FXL_OK ||
-                   fxl_renderer_light_surfaces(&renderer, &lamp) != FXL_OK))) {
+        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)) != FXL_OK ||
+        (light && (fxl_attach_light(&renderer, &lamp, light) != FXL_OK ||
+                   fxl_attach_lit(&renderer, &lit) != FXL_OK))) {
         return -1;
     }
     const int shown = draw_over(&renderer, sample, 0);
