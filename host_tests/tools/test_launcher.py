@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """fixel COMMAND: the tools as one program."""
 
+import os
 import re
 import subprocess
 import sys
@@ -46,6 +47,27 @@ def test_help_lists_each_command_once():
         for name, (_, what) in members.items():
             line, = [line for line in text.splitlines() if line.startswith(f"  {name} ")]
             assert line.endswith(what)
+
+
+@pytest.mark.parametrize("options", [(), ("-u",)], ids=["at the end", "at once"])
+@pytest.mark.parametrize("words, code", [(("--help",), 141), (("info", "SCENE"), 141), (("run", "--help"), 0)])
+def test_a_command_whose_output_nobody_reads_ends_without_a_word(tmp_path, words, code, options):
+    """fixel ... | head. Help of one command comes from argparse, which itself passes over that nobody reads it."""
+    scene = tmp_path / "tiny.fxls"
+    if "SCENE" in words:
+        assert fixel("build", str(CHECKOUT / "scenes/tiny.toml"), "-o", str(scene)).returncode == 0
+    reader, writer = os.pipe()
+    os.close(reader)
+    done = subprocess.run([sys.executable, *options, str(LAUNCHER), *(str(scene) if word == "SCENE" else word for word in words)],
+                          stdin=subprocess.DEVNULL, stdout=writer, stderr=subprocess.PIPE, text=True, check=False, env=environment())
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (code, "")
+
+
+def test_another_pipe_that_is_broken_is_no_end_of_the_reader():
+    program = "import sys; sys.path.insert(0, 'tools')\nfrom fixel.base.errors import run_main\ndef main(_): raise BrokenPipeError\nrun_main(main)"
+    done = subprocess.run([sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=False, env=environment())
+    assert done.returncode == 1 and "BrokenPipeError" in done.stderr
 
 
 def test_no_command_is_a_request_for_help():

@@ -10,9 +10,11 @@ What exit codes mean, for every tool:
   124     a board's program hung: nothing new came within its limit of CPU time
   129, 130, 143  ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM
   134     the core locked up
+  141     what read its output has ended (SIGPIPE, as of any Unix tool): "fixel ... | head"
 """
 
 import os
+import select
 import signal
 import sys
 import time
@@ -136,11 +138,31 @@ def _finish():
     signal.setitimer(signal.ITIMER_REAL, 0)
 
 
+def _is_unread(stream):
+    """Whether nobody is left who could read what is written to a stream."""
+    asked = select.poll()
+    asked.register(stream, 0)
+    return bool(asked.poll(0))
+
+
+def _end_unread():
+    """Nobody reads the output any more. What is left of it goes nowhere, without a word. The exit code."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())
+    os.close(nowhere)
+    return 128 + signal.SIGPIPE
+
+
 def run_main(main):
     """Runs a tool's main(argv) -> exit code and turns ToolError into a sentence."""
     try:
         _begin()
         code = main(sys.argv[1:])
+        sys.stdout.flush()      # where nobody reads it, that is known here, not when Python ends
+    except BrokenPipeError:
+        if not _is_unread(sys.stdout.fileno()):
+            raise       # another pipe, and a mistake of the tool
+        code = _end_unread()
     except ToolError as error:
         print(f"error: {error.shown()}", file=sys.stderr)
         code = error.exit_code
