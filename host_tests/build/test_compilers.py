@@ -219,7 +219,7 @@ STUDY = """#include <fixel.h>
 #include <study/study.h>
 int main(void)
 {
-    return fxl_clipper_near.workspace_size != sizeof(fxl_volume_workspace) || fxl_visibility_spans.target == 0;
+    return fxl_clipper_near.workspace_size != sizeof(fxl_volume_workspace) || fxl_palette_spans.flat == 0;
 }
 """
 

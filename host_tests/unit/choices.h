@@ -20,8 +20,8 @@ static const choice choice_depth_32 = {&fxl_by_distance, &fxl_palette_depth_32};
 static const choice choice_tree = {&fxl_by_tree, &fxl_palette};
 static const choice choice_tree_spans = {&fxl_by_tree, &fxl_palette_spans};
 
-/* Gives a renderer an order and a target, which share the memory: the least that the order needs, so
- * without pieces of a tree, and the rest for the target. */
+/* Gives a renderer an order and a target, which share the memory: the least that the order needs,
+ * so without pieces of a tree, and the rest for the target. */
 static inline fxl_status choice_take(fxl_renderer *renderer, const choice *pair, void *memory,
                                      uint32_t size)
 {

@@ -5,7 +5,8 @@
 
 #include "unit.h"
 
-/* Near to far, what comes first keeps its pixels: only pixels of the background's colour are painted. */
+/* Near to far, what comes first keeps its pixels: only pixels of the background's colour are
+ * painted. */
 const fxl_target *painter_under(uint8_t background);
 
 /* Paints nothing. Counts how often each pixel of a frame, of so many bytes a row, is painted with

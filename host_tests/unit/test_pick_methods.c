@@ -90,8 +90,8 @@ static void attach_surfaces(const fxl_painter *painter)
 static void choose_depth(uint32_t bits, bool with_surfaces)
 {
     start();
-    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, bits == 32 ? &choice_depth_32 : &choice_depth_16,
-                                          cells, sizeof cells));
+    const choice *const pair = bits == 32 ? &choice_depth_32 : &choice_depth_16;
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, pair, cells, sizeof cells));
     if (with_surfaces) {
         attach_surfaces(bits == 32 ? FXL_SURFACES_OF(fxl_palette_depth_32)
                                    : FXL_SURFACES_OF(fxl_palette_depth_16));

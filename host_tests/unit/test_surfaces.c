@@ -71,16 +71,21 @@ static void check_frame(double tolerance)
     TEST_ASSERT_GREATER_THAN(WIDTH * HEIGHT / 3, textured);
 }
 
+static fxl_status attach(void)
+{
+    return fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette));
+}
+
 void test_a_floor_divided_at_each_pixel(void)
 {
     quad.surface.division = FXL_DIVIDE_1;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_OK, attach());
     check_frame(1.0 / 256);
 }
 
 void test_a_floor_divided_every_16_pixels(void)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_OK, attach());
     check_frame(0.5 + 1.0 / 256);
 }
 
@@ -98,7 +103,7 @@ void test_surfaces_are_counted_as_flat_faces(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
         const fxl_counters flat = renderer.workspace.counters;
         TEST_ASSERT_TRUE(flat.drawn > 0 && flat.clipped > 0);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette)));
+        TEST_ASSERT_EQUAL(FXL_OK, attach());
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, again, WIDTH));
         TEST_ASSERT_EQUAL_MEMORY(&flat, &renderer.workspace.counters, sizeof flat);
     }
@@ -112,7 +117,7 @@ void test_surfaces_are_counted_as_flat_faces(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, NULL, NULL, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &near, frame, WIDTH));
         const fxl_counters flat = renderer.workspace.counters;
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette)));
+        TEST_ASSERT_EQUAL(FXL_OK, attach());
         TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &near, again, WIDTH));
         TEST_ASSERT_EQUAL_MEMORY(&flat, &renderer.workspace.counters, sizeof flat);
     }
@@ -120,7 +125,7 @@ void test_surfaces_are_counted_as_flat_faces(void)
 
 void test_bands_and_lists_give_the_same_pixels(void)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &quad.set, FXL_SURFACES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_OK, attach());
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
     for (uint32_t words = 0; words < 2; words++) {
         renderer.frame.display_list.capacity = words * 64;

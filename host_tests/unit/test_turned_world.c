@@ -99,7 +99,8 @@ static void draw(fxl_scene *scene, const fxl_clipper *clipper, int method, bool 
     }
     if (is_lit) {
         const fxl_beam_set beams = {&beam, 1, lit};
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &beams, light_room, sizeof light_room));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_attach_beams(&renderer, &beams, light_room, sizeof light_room));
     }
     frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }

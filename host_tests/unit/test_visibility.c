@@ -297,8 +297,11 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uin
  * the larger. Each halving is counted. */
 void test_how_a_band_is_halved(void)
 {
-    static const fxl_target picky = {
-        .pixel_bits = 8, .fill = fxl_fill_band, .draw_band = fxl_band_split_draw, .begin_band = note_rows, .flat = is_low_enough};
+    static const fxl_target picky = {.pixel_bits = 8,
+                                     .fill = fxl_fill_band,
+                                     .draw_band = fxl_band_split_draw,
+                                     .begin_band = note_rows,
+                                     .flat = is_low_enough};
     static choice method;
     static const uint32_t rows[][20] = {
         {16, 8, 4, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
