@@ -64,6 +64,12 @@ def test_a_command_whose_output_nobody_reads_ends_without_a_word(tmp_path, words
     assert (done.returncode, done.stderr) == (code, "")
 
 
+def test_a_command_needs_no_output():
+    done = subprocess.run(["sh", "-c", f"exec {sys.executable} {LAUNCHER} --help >&-"], capture_output=True, text=True, check=False,
+                          env=environment())
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_another_pipe_that_is_broken_is_no_end_of_the_reader():
     program = "import sys; sys.path.insert(0, 'tools')\nfrom fixel.base.errors import run_main\ndef main(_): raise BrokenPipeError\nrun_main(main)"
     done = subprocess.run([sys.executable, "-c", program], cwd=CHECKOUT, capture_output=True, text=True, check=False, env=environment())

@@ -145,6 +145,16 @@ def _is_unread(stream):
     return bool(asked.poll(0))
 
 
+def _flush():
+    """That nobody reads the output is known here, not when Python ends. Of a full disk Python tells as it ends."""
+    try:
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            raise
+
+
 def _end_unread():
     """Nobody reads the output any more. What is left of it goes nowhere, without a word. The exit code."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -158,7 +168,7 @@ def run_main(main):
     try:
         _begin()
         code = main(sys.argv[1:])
-        sys.stdout.flush()      # where nobody reads it, that is known here, not when Python ends
+        _flush()
     except BrokenPipeError:
         if not _is_unread(sys.stdout.fileno()):
             raise       # another pipe, and a mistake of the tool
