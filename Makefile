@@ -320,7 +320,7 @@ $(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_UNITS)
 test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
 	@tools/setup.sh test
 	@$(MAKE) test-programs
-	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(TOOL) test $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) $(TEST_BOARD:%=--board %)
+	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(TOOL) test --json $(BUILD)/tests.json $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) $(TEST_BOARD:%=--board %)
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 

@@ -3,10 +3,12 @@
 
 A server imports what most tools import, and runs nothing. For each command it forks: the copy gets the command's words,
 environment and output, runs the tool's program, and ends as a program does. So no command sees what another,
-or a test, has changed. test_warm_start.py compares such processes with those that Python starts from nothing."""
+or a test, has changed. test_warm_start.py compares such processes with those that Python starts from nothing.
+Under make test the server is a fork of the process that has imported all this already (fixel.check.pytest_server)."""
 
 import atexit
 import contextlib
+import gc
 import json
 import os
 import pathlib
@@ -27,20 +29,26 @@ READ_AT_START = ("PYTHON", "LC_", "LANG", "OPENBLAS", "LD_")
 
 # --- the server ---------------------------------------------------------------
 
-def _serve(channel):
+def preload():
+    """Imports what most tools import."""
     sys.path.insert(0, str(TOOLS))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     for name in PRELOADED:
         __import__(name)
+    gc.freeze()     # what a fork collects, it copies
+
+
+def serve(channel):
+    """Answers requests until the channel ends. It comes back in the fork that has run a tool's program alone."""
     while True:
         request, handles, _, _ = socket.recv_fds(channel, 2 * REQUEST_MAX, 2)
         if not request:
-            return
+            os._exit(0)     # to put all modules away takes a tenth of a second
         asked = json.loads(request)
         child = os.fork()
         if child == 0:
             channel.close()
-            _become(asked, handles)     # ends this process, as the tool does
+            _become(asked, handles)     # where it does not end this process, as a tool does, the caller does
             return
         for handle in handles:
             os.close(handle)
@@ -69,21 +77,40 @@ class _Client:
     """The server of this process, started when it is first asked."""
 
     def __init__(self):
-        self.guard, self.channel, self.owner = threading.Lock(), None, None
+        self.guard, self.channel, self.owner, self.wait = threading.Lock(), None, None, None
 
     def _open(self):
         if self.channel is None or self.owner != os.getpid():
             self.channel, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-            self.server = subprocess.Popen([sys.executable, __file__, str(theirs.fileno())], stdin=subprocess.DEVNULL,
-                                           stdout=subprocess.DEVNULL, pass_fds=[theirs.fileno()])
+            server = subprocess.Popen([sys.executable, __file__, str(theirs.fileno())], stdin=subprocess.DEVNULL,
+                                      stdout=subprocess.DEVNULL, pass_fds=[theirs.fileno()])
             theirs.close()
-            self.owner = os.getpid()
-            atexit.register(self.close)
+            self._have(server.wait)
+
+    def branch(self):
+        """Forks: this process asks the fork, which gets the channel that it is to serve."""
+        self.channel, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        process = os.fork()
+        if process:
+            theirs.close()
+            self._have(lambda: os.waitpid(process, 0))
+            return None
+        self.channel.close()
+        self.channel = None
+        nothing = os.open(os.devnull, os.O_RDWR)
+        for stream in range(3):
+            os.dup2(nothing, stream)
+        os.close(nothing)
+        return theirs
+
+    def _have(self, wait):
+        self.owner, self.wait = os.getpid(), wait
+        atexit.register(self.close)
 
     def close(self):
         if self.owner == os.getpid() and self.channel is not None:
             self.channel.close()
-            self.server.wait()
+            self.wait()
             self.channel = None
 
     def ask(self, request, handles):
@@ -95,6 +122,7 @@ class _Client:
 
 
 _client = _Client()
+branch = _client.branch
 
 
 def can_run(environment):
@@ -127,4 +155,5 @@ def run(words, folder, environment, program=None):
 
 
 if __name__ == "__main__":
-    _serve(socket.socket(fileno=int(sys.argv[1])))
+    preload()
+    serve(socket.socket(fileno=int(sys.argv[1])))

@@ -2,18 +2,20 @@
 """All tests: units on the host, the same units on emulated boards, the tools."""
 
 import concurrent.futures
+import contextlib
 import dataclasses
 import os
 import pathlib
+import queue
 import re
 import sys
 import threading
 import time
 import xml.etree.ElementTree
 
-from fixel.base import limits, scratch, spent
+from fixel.base import limits, output, scratch, spent
 from fixel.board import unit_tests
-from fixel.check import units
+from fixel.check import pytest_client, units
 from fixel.base.table import coloured
 
 HOST_CPU = 300          # seconds of CPU time for one program of the host
@@ -68,20 +70,44 @@ def run_board(argument):
             for file in unit_tests.run(elf, names, every)}
 
 
-def run_pytest(file):
-    """One file of pytest tests."""
-    with scratch.folder("test") as folder:
-        report = folder / "report.xml"
-        # The plug-in takes half a second, and says more only of tests that use Hypothesis.
-        plugins = [] if "hypothesis" in file.read_text(encoding="utf-8") else ["-p", "no:hypothesispytest"]
-        command = [sys.executable, "-m", "pytest", str(file), *plugins, "-q", "--tb=long", "--color=no",
-                   "-rs", "-p", "no:cacheprovider", f"--junitxml={report}",
-                   f"--basetemp={folder}/tmp"]
+class Pytest:
+    """Runs files of tests for pytest, each in a process of its own, which is a fork of one that has imported their packages."""
+
+    def __init__(self):
+        self._idle, self._clients = queue.SimpleQueue(), []
+
+    def start(self, count):
+        """To be called before run, by a thread that outlives all runs (children.py). count: how many run at a time."""
+        self._clients = [pytest_client.Client(warm=TESTS / "tools") for _ in range(count)]
+        for client in self._clients:
+            self._idle.put(client)
+
+    def close(self):
+        for client in self._clients:
+            client.close()
+
+    def run(self, file):
+        """One file of pytest tests."""
+        client = self._idle.get()
         try:
-            done = limits.run(command, PYTEST_CPU, merge=True, text=True)
-        except limits.LimitError as error:
-            return Outcome(failed=1, output=f"{error.output}\n{error}")
-        return dataclasses.replace(_pytest_outcome(report, done.returncode, done.stdout), cpu=done.cpu)
+            with scratch.folder("test") as folder:
+                said, report = folder / "said.txt", folder / "report.xml"
+                # The plug-in takes long to import, and says more only of tests that use Hypothesis.
+                plugins = [] if "hypothesis" in file.read_text(encoding="utf-8") else ["-p", "no:hypothesispytest"]
+                words = [str(file), *plugins, "-q", "--tb=long", "--color=no", "-rs", "-p", "no:cacheprovider",
+                         "-W", "ignore::pytest.PytestAssertRewriteWarning",     # hypothesis is imported already
+                         f"--junitxml={report}", f"--basetemp={folder}/tmp"]
+                try:
+                    code, cpu = client.run({"folder": os.getcwd(), "words": words, "said": str(said)}, PYTEST_CPU)
+                except limits.LimitError as error:
+                    return Outcome(failed=1, output=f"{_read(said)}\n{error}")
+                return dataclasses.replace(_pytest_outcome(report, code, _read(said)), cpu=cpu)
+        finally:
+            self._idle.put(client)
+
+
+def _read(file):
+    return file.read_text(encoding="utf-8", errors="replace") if file.exists() else ""
 
 
 def _pytest_outcome(report, code, text):
@@ -115,7 +141,7 @@ def board_jobs(options):
                       f"{board}/{elf.stem}")
 
 
-def all_jobs(options):
+def all_jobs(options, run_pytest):
     """The tests for pytest first, which take longest, then those of the host, then those of boards."""
     jobs = [Job((f"{file.parent.name}/{file.stem}",), run_pytest, file) for file in sorted(TESTS.glob("*/test_*.py"))]
     jobs += [Job((f"host/{name}",), run_host, pathlib.Path(folder) / name)
@@ -177,8 +203,17 @@ class Printer:
                 self.last = time.monotonic()
 
 
-def run_all(jobs, workers):
+def run_all(options):
     """{suite: Outcome} of all jobs, run side by side, and {job: CPU seconds}."""
+    tests, workers = Pytest(), max(1, options.workers)
+    jobs = all_jobs(options, tests.run)
+    with contextlib.closing(tests):
+        tests.start(min(workers, sum(job.function == tests.run for job in jobs)))
+        return run_jobs(jobs, workers)
+
+
+def run_jobs(jobs, workers):
+    """As run_all."""
     printer = Printer([name for job in jobs for name in job.names])
 
     def one(job):
@@ -213,13 +248,15 @@ def command(options):
     os.environ["FIXEL_SET_UP"] = os.getcwd()    # tools/setup.sh need not look again
     if options.whole:
         os.environ["FIXEL_WHOLE"] = "1"     # host_tests/conftest.py reads it
-    outcomes, taken = run_all(all_jobs(options), max(1, options.workers))
+    outcomes, taken = run_all(options)
     print_left_out(options, outcomes)
     passed, failed, skipped = (sum(getattr(outcome, name) for outcome in outcomes.values())
                                for name in ("passed", "failed", "skipped"))
     if passed + failed == 0:
         print("no test ran", file=sys.stderr)
     print_slowest(taken)
+    if options.json:
+        output.write_json(options.json, {name: round(taken[name], 2) for name in sorted(taken, key=taken.get, reverse=True)})
     spent.tell()
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or passed == 0 else 0

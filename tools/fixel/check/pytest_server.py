@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Runs tests for pytest in processes that need not import pytest and other large packages: each is a fork of this one.
 
-A program, which fixel.check.trees starts. It imports nothing of the tools, so that a fork can run the tools of any
-checkout. Each line of its input asks for a run: {"folder", "words", "said", "report", "lines", "enough"}. It answers with two
-lines: the number of the process, then its exit code. A run puts its output into the file "said", and adds a line for
-each test to the file "report": {"test", "passed", "skipped", "cpu", "number"}. Where "lines" names a folder, its file
-"number" has the lines that the test executed, and its file "begun" the test that began last, and its fixture
-that does; parameters of a test are skipped once others took "enough" CPU seconds.
+A program, which fixel.check.pytest_client starts. It imports nothing of the tools, so that a fork can run the tools of any
+checkout, unless it is started with the folder of warm_start.py: then its runs are of that checkout, and so are the servers
+of warm_start.py that they ask, which are forks too. Each line of its input asks for a run: {"folder", "words", "said"}. It
+answers with two lines: the number of the process, then its exit code and its CPU seconds with those of all that it waited
+for. A run puts its output into the file "said". A run with "report" adds a line for each test to that file: {"test",
+"passed", "skipped", "cpu", "number"}. Where "lines" names a folder, its file "number" has the lines that the test executed,
+and its file "begun" the test that began last, and its fixture that does; parameters of a test are skipped once others took
+"enough" CPU seconds. Such a run ends without what a program does at its end.
 """
 
 import ctypes
+import gc
 import json
 import os
 import pathlib
@@ -81,34 +84,54 @@ class Report:
 
 
 def run(asked):
-    """What a fork does; it does not come back."""
+    """What a fork does; its exit code."""
     import pytest
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, int(signal.SIGKILL))
+    said = os.open(asked["said"], os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+    os.dup2(said, 1)
+    os.dup2(said, 2)
+    os.chdir(asked["folder"])
+    return int(pytest.main(asked["words"], plugins=[Report(asked)] if "report" in asked else []))
+
+
+def end(asked):
+    """Runs in a fork, and ends it."""
+    if "report" not in asked:
+        sys.exit(run(asked))
     code = 3
     try:
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, int(signal.SIGKILL))
-        said = os.open(asked["said"], os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-        os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
-        os.dup2(said, 1)
-        os.dup2(said, 2)
-        os.chdir(asked["folder"])
-        code = int(pytest.main(asked["words"], plugins=[Report(asked)]))
+        code = run(asked)
         sys.stdout.flush()
     finally:
         os._exit(code)
 
 
-def main():
-    for name in PRELOADED:
-        __import__(name)
+def answer():
+    """Runs what is asked for. In the fork that serves the run as warm_start.py does: the channel that it reads."""
     for line in sys.stdin:
         process = os.fork()
         if process == 0:
-            run(json.loads(line))
+            channel = warm_start.branch() if warm_start else None
+            if channel is None:
+                end(json.loads(line))
+            return channel
         print(process, flush=True)
-        _, status = os.waitpid(process, 0)
-        print(os.waitstatus_to_exitcode(status), flush=True)
+        _, status, used = os.wait4(process, 0)
+        print(os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime, flush=True)
+    return None
 
 
 if __name__ == "__main__":
     sys.path.pop(0)     # this folder
-    main()
+    for name in PRELOADED:
+        __import__(name)
+    warm_start = None
+    if sys.argv[1:]:
+        sys.path.append(sys.argv[1])
+        import warm_start
+        warm_start.preload()
+    gc.freeze()     # what a fork collects, it copies
+    served = answer()
+    if served:
+        warm_start.serve(served)    # comes back in the process of a tool, to end as a program does

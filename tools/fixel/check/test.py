@@ -22,6 +22,7 @@ def parser():
     units.add_options(made)
     made.add_argument("--board", default="", help="run only the suites of this board")
     made.add_argument("--only", default="", help="run only suites with this word in their name")
+    made.add_argument("--json", help="a file for the CPU seconds of each file of tests, or program of such on a board")
     made.add_argument("--whole", action="store_true", help="run all of what is otherwise sampled")
     # One more than processors: some suites wait, for a browser or for time to pass.
     made.add_argument("--workers", type=int, default=(os.cpu_count() or 1) + 1)

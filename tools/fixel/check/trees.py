@@ -4,53 +4,19 @@
 import json
 import os
 import pathlib
-import select
 import shutil
-import subprocess
 import sys
 import sysconfig
 import time
 
-from fixel.base import children, limits
-from fixel.base.errors import ToolError
+from fixel.base import limits
+from fixel.check.pytest_client import Client
 
-SERVER = pathlib.Path(__file__).with_name("pytest_server.py")
 RECORDER = pathlib.Path(__file__).with_name("recorder")
 COPIED = ("tools", "host_tests")
 UNCOPIED = shutil.ignore_patterns("__pycache__")
 PLAIN = ["-q", "-p", "no:cacheprovider", "-p", "no:hypothesispytest", "--no-header", "--tb=line"]
 ASLEEP = 60.0       # seconds of sleep that are a hang
-
-
-class Server:
-    """pytest_server.py."""
-
-    def __init__(self, python, changes):
-        """python: that of the tests. changes: of their environment."""
-        self._process = children.start([python, SERVER], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1,
-                                       env={**os.environ, "OPENBLAS_NUM_THREADS": "1", **changes})
-
-    def _answer(self):
-        line = self._process.stdout.readline()
-        if not line:
-            raise ToolError("the process that runs the tests has ended; run the command again")
-        return int(line)
-
-    def run(self, request, cpu):
-        """The exit code of a run, or words that say which limit it passed."""
-        self._process.stdin.write(json.dumps(request) + "\n")
-        process, words = self._answer(), None
-        try:
-            limits.wait_until(lambda: select.select([self._process.stdout], [], [], 0)[0], process, cpu, ASLEEP, "its end")
-        except limits.LimitError as error:
-            words = str(error)
-            limits.kill_tree(process)
-        code = self._answer()
-        return words or code
-
-    def close(self):
-        self._process.stdin.close()
-        self._process.wait()
 
 
 class Tree:
@@ -84,7 +50,7 @@ class Tree:
                 (venv / "bin" / command.name).symlink_to(command)
         (venv / "pyvenv.cfg").write_text(f"home = {pathlib.Path(sys._base_executable).parent}\n", encoding="utf-8")
         (made / "recorder.pth").write_text(f"{packages}\n{RECORDER}\nimport sitecustomize\n", encoding="utf-8")
-        self._server = Server(venv / "bin/python", {"FIXEL_LINES_OF": str(self.folder / "tools/fixel")})
+        self._server = Client(venv / "bin/python", FIXEL_LINES_OF=str(self.folder / "tools/fixel"))
 
     def write(self, file, text):
         """Puts text into a file. What Python has compiled of it before is out of date for certain: it goes by seconds."""
@@ -96,11 +62,14 @@ class Tree:
         """(exit code of pytest or words that say which limit it passed, the report of each test by pytest_server.py).
         lines: the folder for the lines that each executes, of each test only parameters that take enough seconds."""
         if self._server is None:
-            self._server = Server(sys.executable, {})
+            self._server = Client()
         self._report.unlink(missing_ok=True)
         words = [*PLAIN, *options, f"--basetemp={self.folder}/tmp", *(f"host_tests/{test}" for test in tests)]
-        code = self._server.run({"folder": str(self.folder), "words": words, "said": str(self._said),
-                                 "report": str(self._report), "lines": lines and str(lines), "enough": enough}, cpu)
+        try:
+            code, _ = self._server.run({"folder": str(self.folder), "words": words, "said": str(self._said),
+                                        "report": str(self._report), "lines": lines and str(lines), "enough": enough}, cpu, ASLEEP)
+        except limits.LimitError as error:
+            code = str(error)
         report = self._report.read_text(encoding="utf-8").splitlines() if self._report.exists() else []
         return code, [json.loads(line) for line in report]
 
