@@ -140,10 +140,20 @@ $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VI
 endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
 WALK_CLIPPER := $(if $(CLIPPER),fxl_clipper_$(subst -,_,$(CLIPPER)))
-WALK_VISIBILITY := $(if $(VISIBILITY),fxl_visibility_$(subst -,_,$(VISIBILITY:tree%=bsp%)))
-WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(WALK_VISIBILITY:%=-DWALK_VISIBILITY=%) \
-    $(if $(filter depth%,$(VISIBILITY)),-DWALK_DEPTH) $(if $(filter tree%,$(VISIBILITY)),-DWALK_TREE) \
-    $(if $(filter surfaces,$(VISIBILITY)),-DWALK_SURFACES)
+# What draws: targets of the study, and defines by which firmware/walk/methods.c chooses.
+WALK_TARGET.box := fxl_palette_box
+WALK_TARGET.spans := fxl_palette_spans
+WALK_TARGET.tree-spans := fxl_palette_spans
+WALK_TARGET.spans-box := fxl_palette_spans_box
+WALK_DRAWS.sorted := WALK_TARGET=fxl_palette WALK_FLAT
+WALK_DRAWS.tree := WALK_TARGET=fxl_palette WALK_FLAT WALK_TREE
+WALK_DRAWS.tree-spans := WALK_STUDY WALK_TREE
+WALK_DRAWS.surfaces := WALK_PALETTE WALK_SURFACES
+WALK_DRAWS.depth := WALK_DEPTH_16
+WALK_DRAWS.depth-32 := WALK_DEPTH_32
+WALK_TARGET := $(WALK_TARGET.$(VISIBILITY))
+WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(VISIBILITY:%=-DWALK_TARGET_IS_CHOSEN) \
+    $(addprefix -D,$(WALK_TARGET:%=WALK_TARGET=%) $(or $(WALK_DRAWS.$(VISIBILITY)),$(WALK_TARGET:%=WALK_STUDY)))
 WALK_METHODS_FILES := methods surfaces
 # A board's memory.ld may ask for it: a program with surfaces is larger.
 WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
@@ -171,7 +181,7 @@ WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
 WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
 
 # What was chosen, as the library calls it.
-WALK_RECORDS := $(WALK_CLIPPER) $(WALK_VISIBILITY) $(DRIVER:%=fxl_%)
+WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(DRIVER:%=fxl_%)
 
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))

@@ -18,7 +18,8 @@ BOARD_CACHE_ENTRIES := 8
 # Speed is the library's: the programs are small so that the game, too, fits into its 128 KiB.
 BOARD_OWN_FLAGS := -Os
 
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u
+# Depth buffers of 32 bits a pixel would take 7 KiB of flash more than there is.
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=16000000u WALK_WITHOUT_DEPTH_32
 
 BOARD_SOURCES := boards/microbit/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv6m_fault.c no_protect.c stack.c \

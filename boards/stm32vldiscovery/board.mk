@@ -28,8 +28,8 @@ BOARD_OWN_FLAGS := -Os
 
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
 # 16 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 16 KiB less (memory.ld). Billboards
-# would take 4 KiB.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH
+# would take 4 KiB, RGB565 more.
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH WALK_WITHOUT_RGB565
 
 BOARD_SOURCES := boards/stm32vldiscovery/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \

@@ -3,7 +3,6 @@
 
 #include "contract/system.h"
 #include "fixel/all.h"
-#include "methods.h"
 
 #if defined WALK_WITHOUT_BILLBOARDS
 
@@ -13,10 +12,11 @@ uint32_t walk_billboards_bytes(const fxl_scene_image *image)
     return 0;
 }
 
-fxl_status walk_billboards_open(const fxl_scene_image *image, fxl_renderer *renderer,
-                                uint8_t *memory)
+fxl_status walk_billboards_open(const fxl_scene_image *image, const fxl_sprite_painter *painter,
+                                fxl_renderer *renderer, uint8_t *memory)
 {
     (void)image;
+    (void)painter;
     (void)renderer;
     (void)memory;
     return FXL_OK;
@@ -39,8 +39,8 @@ uint32_t walk_billboards_bytes(const fxl_scene_image *image)
                : 0;
 }
 
-fxl_status walk_billboards_open(const fxl_scene_image *image, fxl_renderer *renderer,
-                                uint8_t *memory)
+fxl_status walk_billboards_open(const fxl_scene_image *image, const fxl_sprite_painter *painter,
+                                fxl_renderer *renderer, uint8_t *memory)
 {
     billboard_memory *const own = (billboard_memory *)(void *)memory;
     const uint32_t count = image->billboards.count;
@@ -51,15 +51,15 @@ fxl_status walk_billboards_open(const fxl_scene_image *image, fxl_renderer *rend
     if (image->billboards.model_map == NULL) {
         return FXL_OK;
     }
-    status = fxl_billboards_open(image, sprites, boards, count, &own->set, NULL);
-    if (status == FXL_OK) {
-        status = walk_methods_add_billboards(renderer, &own->billboards, &own->set);
-    }
-    if (status == FXL_E_ORDER) {
+    if (painter == NULL) {
         system_text("walk: the scene has billboards, which VISIBILITY=sorted, surfaces, depth and "
                     "depth-32 draw\n");
+        return FXL_E_COMBINATION;
     }
-    return status;
+    status = fxl_billboards_open(image, sprites, boards, count, &own->set, NULL);
+    return status == FXL_OK
+               ? fxl_attach_billboards(renderer, &own->billboards, &own->set, painter)
+               : status;
 }
 
 #endif

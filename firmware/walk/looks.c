@@ -24,7 +24,8 @@ uint32_t walk_looks_bytes(const fxl_scene_image *image)
     return beam_bytes(&image->scene) + light_bytes(image) + walk_surface_bytes(&image->surfaces);
 }
 
-fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer, uint8_t *memory)
+fxl_status walk_looks_open(const fxl_scene_image *image, const fxl_painter *painter,
+                           fxl_renderer *renderer, uint8_t *memory)
 {
     const fxl_scene *scene = renderer->scene;
     uint8_t *const lights = memory + beam_bytes(&image->scene);
@@ -32,17 +33,18 @@ fxl_status walk_looks_open(const fxl_scene_image *image, fxl_renderer *renderer,
     fxl_status status = FXL_OK;
 
     if (scene->beam_count > 0) {
-        status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,
-                                        memory, beam_bytes(&image->scene));
+        const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};
+
+        status = fxl_attach_beams(renderer, &set, memory, beam_bytes(&image->scene));
     }
     if (status == FXL_OK && light != NULL) {
         fxl_light_settings settings;
 
         fxl_light_settings_of(&image->light, &settings);
-        status = fxl_renderer_set_light(renderer, light, &settings);
+        status = fxl_attach_light(renderer, light, &settings);
     }
-    if (status == FXL_OK && image->surfaces.face_map != NULL) {
-        status = walk_surfaces_open(image, renderer, lights + light_bytes(image), light);
+    if (status == FXL_OK && image->surfaces.face_map != NULL && painter != NULL) {
+        status = walk_surfaces_open(image, painter, renderer, lights + light_bytes(image));
     }
     return status;
 }

@@ -8,92 +8,104 @@
 #define WALK_CLIPPER fxl_clipper_view
 #endif
 
+#if defined WALK_WITHOUT_SURFACES && !defined WALK_SURFACES
+#define SURFACES(painter) NULL
+#else
+#define SURFACES(painter) (painter)
+#endif
+#if defined WALK_WITHOUT_BILLBOARDS
+#define SPRITES(painter) NULL
+#else
+#define SPRITES(painter) (painter)
+#endif
+
+/* What fxl_renderer_init_with has chosen already: a small program chooses nothing. */
+#if defined WALK_WITHOUT_BSP && defined WALK_WITHOUT_DEPTH && defined WALK_WITHOUT_RGB565 && \
+    !defined WALK_TARGET_IS_CHOSEN
+#define ONLY_THE_RENDERERS_OWN
+#endif
+
+/* --- targets: the one that was chosen, or those that a scene may ask for ------------------------ */
+
+static const walk_target targets[] = {
+#if defined WALK_STUDY
+    {&WALK_TARGET, NULL, NULL},
+#elif defined WALK_FLAT
+    {&WALK_TARGET, NULL, SPRITES(FXL_SPRITES_OF(fxl_palette))},
+#elif defined WALK_PALETTE
+    {&fxl_palette, SURFACES(FXL_SURFACES_OF(fxl_palette)), SPRITES(FXL_SPRITES_OF(fxl_palette))},
+#elif defined WALK_DEPTH_16
+    {&fxl_palette_depth_16, FXL_SURFACES_OF(fxl_palette_depth_16),
+     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_16))},
+#elif defined WALK_DEPTH_32
+    {&fxl_palette_depth_32, FXL_SURFACES_OF(fxl_palette_depth_32),
+     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_32))},
+#else
+    {&fxl_palette, SURFACES(FXL_SURFACES_OF(fxl_palette)), SPRITES(FXL_SPRITES_OF(fxl_palette))},
+#if !defined WALK_WITHOUT_DEPTH
+    {&fxl_palette_depth_16, SURFACES(FXL_SURFACES_OF(fxl_palette_depth_16)),
+     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_16))},
+#endif
+#if !defined WALK_WITHOUT_DEPTH && !defined WALK_WITHOUT_DEPTH_32
+    {&fxl_palette_depth_32, SURFACES(FXL_SURFACES_OF(fxl_palette_depth_32)),
+     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_32))},
+#endif
+#if !defined WALK_WITHOUT_DEPTH && !defined WALK_WITHOUT_RGB565
+    {&fxl_rgb565_depth_16, SURFACES(FXL_SURFACES_OF(fxl_rgb565_depth_16)),
+     SPRITES(FXL_SPRITES_OF(fxl_rgb565_depth_16))},
+#endif
+#if !defined WALK_WITHOUT_DEPTH && !defined WALK_WITHOUT_DEPTH_32 && !defined WALK_WITHOUT_RGB565
+    {&fxl_rgb565_depth_32, SURFACES(FXL_SURFACES_OF(fxl_rgb565_depth_32)),
+     SPRITES(FXL_SPRITES_OF(fxl_rgb565_depth_32))},
+#endif
+#if !defined WALK_WITHOUT_RGB565
+    {&fxl_rgb565, SURFACES(FXL_SURFACES_OF(fxl_rgb565)), SPRITES(FXL_SPRITES_OF(fxl_rgb565))},
+#endif
+#endif
+};
+
+enum {
+    TARGETS = sizeof targets / sizeof *targets
+};
+
+/* The target that a scene asks for; null: the board has none of the kind. */
+static const walk_target *target_of(const fxl_scene_image *image)
+{
+    uint32_t i;
+
+    for (i = 0; i < TARGETS; i++) {
+        const fxl_target *target = targets[i].target;
+
+        if (TARGETS == 1 || (target->pixel_bits == image->pixel_bits &&
+                             target->depth_bits == image->depth_bits)) {
+            return &targets[i];
+        }
+    }
+    return NULL;
+}
+
+/* Null: the board has no room for a tree. */
+static const fxl_order *order_of(const fxl_scene_image *image)
+{
+#if defined WALK_TREE
+    (void)image;
+    return &fxl_by_tree;
+#elif defined WALK_TARGET_IS_CHOSEN
+    (void)image;
+    return &fxl_by_distance;
+#elif defined WALK_WITHOUT_BSP
+    return image->scene.bsp_nodes == NULL || image->by_distance ? &fxl_by_distance : NULL;
+#else
+    return image->scene.bsp_nodes == NULL || image->by_distance ? &fxl_by_distance : &fxl_by_tree;
+#endif
+}
+
+/* --- memory --------------------------------------------------------------------------------------- */
+
 static uint32_t aligned(uint32_t bytes)
 {
     return (bytes + 7u) & ~7u;
 }
-
-static const fxl_visibility *visibility_of(const fxl_scene_image *image)
-{
-#if defined WALK_VISIBILITY
-    (void)image;
-    return &WALK_VISIBILITY;
-#else
-    if (image->depth_bits != 0) {
-#if defined WALK_WITHOUT_DEPTH
-        return NULL;
-#else
-        return &fxl_visibility_depth;
-#endif
-    }
-    if (image->scene.bsp_nodes == NULL && image->surfaces.face_map == NULL) {
-        return &fxl_visibility_sorted;
-    }
-    if (image->scene.bsp_nodes == NULL) {
-#if defined WALK_WITHOUT_SURFACES
-        return NULL;
-#else
-        return &fxl_visibility_surfaces;
-#endif
-    }
-#if defined WALK_WITHOUT_BSP
-    return NULL;
-#else
-    return &fxl_visibility_bsp;
-#endif
-#endif
-}
-
-static bool draws_by_bsp(const walk_methods *methods, const fxl_scene *scene)
-{
-#if defined WALK_WITHOUT_BSP && !defined WALK_TREE
-    (void)methods;
-    (void)scene;
-    return false;
-#else
-    return scene->bsp_nodes != NULL &&
-           methods->visibility->order->memory_size == fxl_visibility_bsp.order->memory_size;
-#endif
-}
-
-#if defined WALK_DEPTH || (!defined WALK_VISIBILITY && !defined WALK_WITHOUT_DEPTH)
-#define HAS_DEPTH
-
-static fxl_depth depth;
-
-static bool is_depth(const fxl_visibility *visibility)
-{
-#if defined WALK_DEPTH
-    (void)visibility;
-    return true;
-#else
-    return visibility == &fxl_visibility_depth;
-#endif
-}
-
-static fxl_status set_depth(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory)
-{
-    return fxl_renderer_set_depth(renderer, &depth, methods->visibility, memory,
-                                  methods->visibility_bytes);
-}
-
-#else
-
-static bool is_depth(const fxl_visibility *visibility)
-{
-    (void)visibility;
-    return false;
-}
-
-static fxl_status set_depth(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory)
-{
-    (void)methods;
-    (void)renderer;
-    (void)memory;
-    return FXL_E_ARGUMENT;
-}
-
-#endif
 
 /* Whether instances are to be cut to the leaves of the tree. */
 static bool has_movers(const fxl_scene *scene)
@@ -116,6 +128,7 @@ static uint32_t share_of(uint32_t room, uint32_t used)
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room)
 {
     const fxl_scene *scene = &image->scene;
+    const walk_target *draws = target_of(image);
 
 #if defined WALK_WITHOUT_BILLBOARDS
     if (image->billboards.model_map != NULL) {
@@ -123,74 +136,85 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, ui
     }
 #endif
     methods->clipper = &WALK_CLIPPER;
-    methods->visibility = visibility_of(image);
-    if (methods->visibility == NULL) {
+    methods->order = order_of(image);
+    if (draws == NULL || methods->order == NULL) {
         return false;
     }
+    methods->draws = *draws;
+#if !defined WALK_TARGET_IS_CHOSEN
+    if (image->surfaces.face_map != NULL && draws->surfaces == NULL) {
+        return false;
+    }
+#endif
     methods->clipper_bytes = aligned(methods->clipper->workspace_size);
-    methods->visibility_bytes = 0;
-    methods->piece_bytes = 0;
-    if (methods->visibility->order->memory_size != NULL) {
-        methods->visibility_bytes = aligned(methods->visibility->order->memory_size(scene));
+    methods->palette_bytes = draws->target->pixel_bits == 16 ? 256u * sizeof(uint16_t) : 0;
+    methods->depth_bytes = 0;
+    methods->tree_bytes = 0;
+    if (draws->target->memory_size != NULL) {
+        methods->depth_bytes = aligned(draws->target->memory_size(&image->lens));
+        methods->depth_bytes += share_of(room, walk_methods_bytes(methods));
     }
-    if (methods->visibility->target->memory_size != NULL) {
-        methods->visibility_bytes +=
-            aligned(methods->visibility->target->memory_size(&image->lens));
-        methods->visibility_bytes += share_of(room, walk_methods_bytes(methods));
-    }
-    if (draws_by_bsp(methods, scene) && has_movers(scene)) {
-        methods->piece_bytes = share_of(room, walk_methods_bytes(methods));
+    if (methods->order->memory_size != NULL) {
+        methods->tree_bytes = aligned(methods->order->memory_size(scene));
+        if (scene->bsp_nodes != NULL && has_movers(scene)) {
+            methods->tree_bytes += share_of(room, walk_methods_bytes(methods));
+        }
     }
     return true;
 }
 
 uint32_t walk_methods_bytes(const walk_methods *methods)
 {
-    return methods->clipper_bytes + methods->visibility_bytes + methods->piece_bytes;
+    return methods->clipper_bytes + methods->palette_bytes + methods->depth_bytes +
+           methods->tree_bytes;
 }
 
-fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory)
+/* The palette in RGB565. */
+static const uint16_t *make_palette(const fxl_scene_image *image, uint8_t *memory)
 {
-    uint8_t *const visibility = memory + methods->clipper_bytes;
-    fxl_status status =
+    uint16_t *const palette = (uint16_t *)(void *)memory;
+    uint32_t i;
+
+    for (i = 0; i < 256; i++) {
+        const uint8_t *colour = image->palette + 3 * i;
+        palette[i] = FXL_RGB565(colour[0], colour[1], colour[2]);
+    }
+    return palette;
+}
+
+fxl_status walk_methods_set(const walk_methods *methods, const fxl_scene_image *image,
+                            fxl_renderer *renderer, uint8_t *memory)
+{
+    uint8_t *const palette = memory + methods->clipper_bytes;
+    uint8_t *const depth = palette + methods->palette_bytes;
+    const fxl_config config = {
+        .order = methods->order,
+        .target = methods->draws.target,
+        .palette = methods->palette_bytes > 0 ? make_palette(image, palette) : NULL,
+        .depth = depth,
+        .depth_size = methods->depth_bytes,
+        .tree = depth + methods->depth_bytes,
+        .tree_size = methods->tree_bytes};
+    const fxl_status status =
         fxl_renderer_set_clipper(renderer, methods->clipper, memory, methods->clipper_bytes);
 
-    if (status == FXL_OK) {
-        status = is_depth(methods->visibility)
-                     ? set_depth(methods, renderer, visibility)
-                     : fxl_renderer_set_visibility(renderer, methods->visibility, visibility,
-                                                   methods->visibility_bytes);
-    }
-    if (status == FXL_OK && draws_by_bsp(methods, renderer->scene)) {
-        fxl_bsp_workspace *const bsp = renderer->order_memory;
-        bsp->pieces = visibility + methods->visibility_bytes;
-        bsp->pieces_size = methods->piece_bytes;
-    }
+#if defined ONLY_THE_RENDERERS_OWN
+    (void)config;
     return status;
-}
-
-#if !defined WALK_WITHOUT_BILLBOARDS
-
-fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
-                                       const fxl_billboard_set *set)
-{
-#if defined HAS_DEPTH
-    if (renderer->target->depth_bits != 0) {
-        return fxl_renderer_set_billboards_by_depth(renderer, billboards, set);
-    }
-#endif
-#if defined WALK_DEPTH
-    return FXL_E_ORDER;
 #else
-    return fxl_renderer_set_billboards(renderer, billboards, set);
+    return status == FXL_OK ? fxl_renderer_choose(renderer, &config) : status;
 #endif
 }
-
-#endif
 
 uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer)
 {
-    return draws_by_bsp(methods, renderer->scene)
+#if defined WALK_WITHOUT_BSP && !defined WALK_TREE
+    (void)methods;
+    (void)renderer;
+    return 0;
+#else
+    return methods->order == &fxl_by_tree && renderer->scene->bsp_nodes != NULL
                ? ((const fxl_bsp_workspace *)renderer->order_memory)->unsplit
                : 0;
+#endif
 }

@@ -1,40 +1,47 @@
 /* SPDX-License-Identifier: MIT */
-/* The clipper and the visibility method that the walk draws with. They are chosen when it is
- * built: `make run CLIPPER= VISIBILITY=`. */
+/* The clipper, the order and the target that the walk draws with: what the scene asks for, or what
+ * was chosen when the walk was built, by `make run CLIPPER= VISIBILITY=`. */
 #ifndef WALK_METHODS_H
 #define WALK_METHODS_H
 
 #include "fixel/billboards.h"
 #include "fixel/render.h"
 #include "fixel/scene.h"
+#include "fixel/surfaces.h"
 
-/* What the methods want of memory, in bytes, each a multiple of 8. */
+/* A target, and what draws surfaces and billboards into it; null: nothing does. */
+typedef struct {
+    const fxl_target *target;
+    const fxl_painter *surfaces;
+    const fxl_sprite_painter *sprites;
+} walk_target;
+
+/* What is chosen, and what it wants of memory, in bytes, each a multiple of 8. */
 typedef struct {
     const fxl_clipper *clipper;
-    const fxl_visibility *visibility;
+    const fxl_order *order;
+    walk_target draws;
     uint32_t clipper_bytes;
-    uint32_t visibility_bytes; /* what it needs at least, and more where more saves time */
-    uint32_t piece_bytes;      /* for the pieces of instances that move among a BSP tree */
+    uint32_t palette_bytes; /* of RGB565 */
+    uint32_t depth_bytes;   /* what the target needs at least, and more where more saves time */
+    uint32_t tree_bytes;    /* with the pieces of instances that move among a BSP tree */
 } walk_methods;
 
-/* Chooses the methods for a scene, where the board has set room bytes aside for them. Without
- * VISIBILITY=, a scene that asks for a depth buffer is drawn with one, another that has a BSP tree
- * by it, and any other by distance, with its surfaces if it has some. What the methods want may be
- * more than room: then they don't fit. False if the scene wants a tree, surfaces, billboards or a
- * depth buffer, and the board has too little memory for it: it sets WALK_WITHOUT_BSP,
- * WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS or WALK_WITHOUT_DEPTH. */
+/* Chooses the methods for a scene, where the board has set room bytes aside for them. A scene is
+ * drawn with the target that it asks for; by its BSP tree if it has one, unless it asks for the
+ * order by distance. What the methods want may be more than room: then they don't fit. False if the
+ * scene wants a tree, surfaces, billboards, a depth buffer or RGB565, and the board has too little
+ * memory for it: it sets WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS,
+ * WALK_WITHOUT_DEPTH, WALK_WITHOUT_DEPTH_32 (16 bits alone) or WALK_WITHOUT_RGB565. */
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room);
 
 /* Bytes that the methods want together. */
 uint32_t walk_methods_bytes(const walk_methods *methods);
 
-/* Sets a renderer's methods; memory has walk_methods_bytes, aligned to 8. */
-fxl_status walk_methods_set(const walk_methods *methods, fxl_renderer *renderer, uint8_t *memory);
-
-/* Has the renderer, whose methods are set, draw billboards too. FXL_E_ORDER: its visibility method
- * draws none. */
-fxl_status walk_methods_add_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
-                                       const fxl_billboard_set *set);
+/* Gives a renderer the methods, before anything is attached; memory has walk_methods_bytes, aligned
+ * to 8. */
+fxl_status walk_methods_set(const walk_methods *methods, const fxl_scene_image *image,
+                            fxl_renderer *renderer, uint8_t *memory);
 
 /* How many instances of the last frame were drawn in a wrong order, because the memory for their
  * pieces was too small. */

@@ -11,13 +11,13 @@ uint32_t walk_surface_bytes(const fxl_scene_surfaces *surfaces)
     return 0;
 }
 
-fxl_status walk_surfaces_open(const fxl_scene_image *image, fxl_renderer *renderer, uint8_t *memory,
-                              const fxl_light *light)
+fxl_status walk_surfaces_open(const fxl_scene_image *image, const fxl_painter *painter,
+                              fxl_renderer *renderer, uint8_t *memory)
 {
     (void)image;
+    (void)painter;
     (void)renderer;
     (void)memory;
-    (void)light;
     return FXL_OK;
 }
 
@@ -31,6 +31,7 @@ static uint32_t aligned(size_t bytes)
 /* What surfaces want; a record of each texture follows. */
 typedef struct {
     fxl_surfaces surfaces;
+    fxl_lit_surfaces lit;
     fxl_surface_set set;
 } surface_memory;
 
@@ -41,8 +42,8 @@ uint32_t walk_surface_bytes(const fxl_scene_surfaces *surfaces)
                : 0;
 }
 
-fxl_status walk_surfaces_open(const fxl_scene_image *image, fxl_renderer *renderer, uint8_t *memory,
-                              const fxl_light *light)
+fxl_status walk_surfaces_open(const fxl_scene_image *image, const fxl_painter *painter,
+                              fxl_renderer *renderer, uint8_t *memory)
 {
     surface_memory *const own = (surface_memory *)(void *)memory;
     const uint32_t count = image->surfaces.texture_count;
@@ -50,10 +51,13 @@ fxl_status walk_surfaces_open(const fxl_scene_image *image, fxl_renderer *render
     fxl_status status = fxl_surfaces_open(image, textures, count, &own->set, NULL);
 
     if (status == FXL_OK) {
-        status = fxl_renderer_set_surfaces(renderer, &own->surfaces, &own->set);
+        status = fxl_attach_surfaces(renderer, &own->surfaces, &own->set, painter);
     }
-    return status == FXL_OK && light != NULL ? fxl_renderer_light_surfaces(renderer, light)
-                                             : status;
+    if (status == FXL_OK && image->light.base != NULL) {
+        own->lit.dark = image->dark;
+        status = fxl_attach_lit(renderer, &own->lit);
+    }
+    return status;
 }
 
 #endif

@@ -24,7 +24,7 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 #else
 #define BAND_BYTES WALK_BAND_BYTES
 #endif
-static uint8_t band_pixels[BAND_BYTES];
+static _Alignas(4) uint8_t band_pixels[BAND_BYTES];
 static fxl_order_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
 static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* methods and beams take of it */
@@ -130,6 +130,18 @@ static int open_scene(fxl_scene_image *image)
     return SYSTEM_EXIT_DONE;
 }
 
+/* How many rows of a band fit into its memory, or fewer if the build says so. */
+static uint32_t band_rows(uint16_t width)
+{
+    const uint32_t most = (uint32_t)BAND_BYTES / (width * (methods.draws.target->pixel_bits / 8u));
+
+#ifdef WALK_ROWS_MAX
+    return most < WALK_ROWS_MAX ? most : WALK_ROWS_MAX;
+#else
+    return most;
+#endif
+}
+
 /* How the list's memory is shared: what the act wants, what the scene's looks want, its billboards,
  * then what the methods want; the rest is the list. In bytes, multiples of 8. */
 typedef struct {
@@ -146,10 +158,14 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->taken = of->act + of->looks + of->billboards;
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree, with surfaces or with a "
-                    "depth buffer (VISIBILITY=sorted) or billboards\n");
+                    "depth buffer (VISIBILITY=sorted), billboards or RGB565\n");
         if (image->surfaces.face_map != NULL && walk_surface_bytes(&image->surfaces) == 0) {
             system_text("walk: VISIBILITY=surfaces builds a program that draws surfaces\n");
         }
+        return SYSTEM_EXIT_CAPACITY;
+    }
+    if (band_rows(image->lens.width) == 0) {
+        system_text("walk: this board's band holds no row of so wide a screen in RGB565\n");
         return SYSTEM_EXIT_CAPACITY;
     }
     of->taken += walk_methods_bytes(&methods);
@@ -202,13 +218,15 @@ static int open_renderer(fxl_scene_image *image)
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK) {
-        status = walk_looks_open(image, &renderer, bytes + of.act);
+        status = walk_methods_set(&methods, image, &renderer,
+                                  bytes + of.act + of.looks + of.billboards);
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer, bytes + of.act + of.looks + of.billboards);
+        status = walk_looks_open(image, methods.draws.surfaces, &renderer, bytes + of.act);
     }
     if (status == FXL_OK) {
-        status = walk_billboards_open(image, &renderer, bytes + of.act + of.looks);
+        status = walk_billboards_open(image, methods.draws.sprites, &renderer,
+                                      bytes + of.act + of.looks);
     }
     if (status == FXL_OK) {
         status = act_attach(&renderer);
@@ -217,18 +235,6 @@ static int open_renderer(fxl_scene_image *image)
         return fail_status("renderer", status, SYSTEM_EXIT_RENDER);
     }
     return SYSTEM_EXIT_DONE;
-}
-
-/* How many rows of a band fit into its memory, or fewer if the build says so. */
-static uint32_t band_rows(uint16_t width)
-{
-    const uint32_t most = (uint32_t)BAND_BYTES / width;
-
-#ifdef WALK_ROWS_MAX
-    return most < WALK_ROWS_MAX ? most : WALK_ROWS_MAX;
-#else
-    return most;
-#endif
 }
 
 /* Draws the frame in bands as high as memory allows. */
@@ -249,8 +255,9 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
         band.stride = width;
         band.first_row = (uint16_t)row;
         band.rows = (uint16_t)rows;
+        band.palette = renderer.palette;
         stopwatch_start(watch);
-        fxl_fill_band(&band, image->background);
+        methods.draws.target->fill(&band, image->background);
         status = fxl_frame_draw(&renderer, &band);
         if (status == FXL_OK) {
             status = act_draw_over(&band, &image->lens);
@@ -335,7 +342,8 @@ int walk(void)
         system_text("walk: the journal could not be opened\n");
         return SYSTEM_EXIT_JOURNAL;
     }
-    if (!display_open(image.lens.width, image.lens.height, 8, image.palette)) {
+    if (!display_open(image.lens.width, image.lens.height, methods.draws.target->pixel_bits,
+                      image.palette)) {
         system_text("walk: the display could not be opened\n");
         return SYSTEM_EXIT_DISPLAY;
     }

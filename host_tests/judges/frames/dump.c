@@ -23,19 +23,20 @@ static void put_number(dump *to, uint64_t value, int size)
     put(to, bytes, (size_t)size);
 }
 
-void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames)
+void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames,
+                uint8_t pixel_bits)
 {
-    *to = (dump){.file = file, .crc = UINT32_MAX};
+    *to = (dump){.file = file, .crc = UINT32_MAX, .pixel_bits = pixel_bits};
     put(to, "FXLD", 4);
     put_number(to, 3, 2);
     put_number(to, image->lens.width, 2);
     put_number(to, image->lens.height, 2);
-    put_number(to, 8, 2); /* bits of a pixel */
+    put_number(to, pixel_bits, 2);
     put_number(to, frames, 4);
     put(to, image->palette, 768);
 }
 
-void dump_frame(dump *to, const fxl_pose *pose, const uint8_t *pixels, size_t area,
+void dump_frame(dump *to, const fxl_pose *pose, const void *pixels, size_t area,
                 const fxl_counters *counters, uint32_t clamped)
 {
     const uint32_t numbers[] = {(uint32_t)pose->position.x,
@@ -54,7 +55,7 @@ void dump_frame(dump *to, const fxl_pose *pose, const uint8_t *pixels, size_t ar
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         put_number(to, numbers[i], 4);
     }
-    put(to, pixels, area);
+    put(to, pixels, area * (to->pixel_bits / 8u)); /* on a little-endian host */
     for (size_t i = 0; i < sizeof counted / sizeof *counted; i++) {
         put_number(to, counted[i], 4);
     }

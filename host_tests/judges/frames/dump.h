@@ -11,11 +11,13 @@
 typedef struct {
     FILE *file;
     uint32_t crc, frames;
+    uint8_t pixel_bits;
     bool failed;
 } dump;
 
-void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames);
-void dump_frame(dump *to, const fxl_pose *pose, const uint8_t *pixels, size_t area,
+void dump_begin(dump *to, FILE *file, const fxl_scene_image *image, uint32_t frames,
+                uint8_t pixel_bits);
+void dump_frame(dump *to, const fxl_pose *pose, const void *pixels, size_t area,
                 const fxl_counters *counters, uint32_t clamped);
 
 /* False where something could not be written. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] [--frames N] [--rows N]
- *     [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES] [--light NAME]
+ *     [--pixels palette|rgb565] [--list WORDS] [--cache ENTRIES] [--sliver UNITS] [--pieces BYTES] [--light NAME]
  *
  * Draws a scene's path by a clipper and a visibility method into a frame dump, in bands of
  * --rows rows (0: whole frames), and prints the sums of the counters as JSON. The unit of
@@ -21,6 +21,7 @@ typedef struct {
     const named_clipper *clipper;
     const named_visibility *visibility; /* null: that of the scene */
     const named_light *light;
+    uint8_t pixel_bits; /* 0: as the scene asks */
     uint32_t frames, rows, list, cache, sliver, pieces;
 } options;
 
@@ -66,6 +67,13 @@ static bool parse(int count, char **arguments, options *wanted)
         } else if (strcmp(name, "--hidden") == 0) {
             wanted->visibility = find_visibility(value);
             if (!wanted->visibility) {
+                return false;
+            }
+        } else if (strcmp(name, "--pixels") == 0) {
+            wanted->pixel_bits = strcmp(value, "rgb565") == 0    ? 16
+                                 : strcmp(value, "palette") == 0 ? 8
+                                                                 : 0;
+            if (wanted->pixel_bits == 0) {
                 return false;
             }
         } else if (strcmp(name, "--light") == 0) {
@@ -114,6 +122,7 @@ static const char *open_scene(const options *wanted, session *run)
     const session_settings settings = {
         .clipper = wanted->clipper->clipper,
         .visibility = &visibility,
+        .pixel_bits = wanted->pixel_bits ? wanted->pixel_bits : run->image.pixel_bits,
         .without_surfaces = wanted->visibility && !wanted->visibility->draws_surfaces,
         .display_list_words = wanted->list,
         .cache_entries = wanted->cache,
@@ -134,7 +143,7 @@ static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32
 {
     const size_t area = (size_t)run->image.lens.width * run->image.lens.height;
     const fxl_counters *counters = &run->renderer.workspace.counters;
-    uint8_t *pixels = session_memory(area);
+    void *pixels = session_memory(2 * area);
     walk_path path;
     walk_path_begin(&path, &run->image, false);
     for (uint32_t i = 0; i < frames; i++) {
@@ -162,7 +171,7 @@ int main(int count, char **arguments)
     options wanted;
     if (!parse(count, arguments, &wanted)) {
         return fail("usage", "frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] "
-                             "[--frames N] [--rows N] [--list WORDS] [--cache ENTRIES] "
+                             "[--pixels palette|rgb565] [--frames N] [--rows N] [--list WORDS] [--cache ENTRIES] "
                              "[--sliver UNITS] [--pieces BYTES]");
     }
     const char *wrong = open_scene(&wanted, &run);
@@ -177,7 +186,7 @@ int main(int count, char **arguments)
     }
     dump to;
     sums counted = {0};
-    dump_begin(&to, file, &run.image, frames);
+    dump_begin(&to, file, &run.image, frames, session_pixel_bits(&run));
     fxl_status status = draw_all(&wanted, &run, &to, frames, &counted);
     if (status != FXL_OK) {
         fclose(file);

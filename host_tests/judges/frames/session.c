@@ -49,10 +49,11 @@ const char *session_open(session *run, const char *path)
 
 const fxl_visibility *session_visibility(const session *run)
 {
-    return run->image.depth_bits != 0 ? &fxl_visibility_depth
-           : run->image.scene.bsp_nodes != NULL        ? &fxl_visibility_bsp
-           : run->image.surfaces.face_map              ? &fxl_visibility_surfaces
-                                                       : &fxl_visibility_sorted;
+    const fxl_scene_image *image = &run->image;
+    return image->depth_bits == 32                                 ? &fxl_visibility_depth_32
+           : image->depth_bits != 0                                ? &fxl_visibility_depth
+           : image->scene.bsp_nodes != NULL && !image->by_distance ? &fxl_visibility_bsp
+                                                                   : &fxl_visibility_sorted;
 }
 
 void session_play(const session *run, uint32_t frame)
@@ -84,43 +85,86 @@ void session_reserve(session *run, const session_settings *most)
                                most->display_list_words,
                                session_memory(most->cache_entries * sizeof(fxl_cached_vertex)),
                                most->cache_entries};
-    run->workspace =
-        session_memory(session_submit_bytes(run, most->visibility) + (size_t)most->raster_bytes);
-    run->pieces = session_memory(most->pieces_bytes);
+    run->tree = session_memory(session_submit_bytes(run, most->visibility) + most->pieces_bytes);
+    run->depth = session_memory(most->raster_bytes);
     run->beam_light = session_memory(beam_light_bytes(scene));
-}
-
-static bool goes_by_bsp(const session *run, const fxl_visibility *visibility)
-{
-    return run->image.scene.bsp_nodes &&
-           visibility->order->memory_size == fxl_visibility_bsp.order->memory_size;
 }
 
 /* Lights flat faces and surfaces. */
 static fxl_status light_all(session *run, const fxl_light_settings *settings)
 {
-    const fxl_status status = fxl_renderer_set_light(&run->renderer, &run->light, settings);
-    return status == FXL_OK && run->has_surfaces
-               ? fxl_renderer_light_surfaces(&run->renderer, &run->light)
-               : status;
+    fxl_renderer *renderer = &run->renderer;
+    const fxl_status status = fxl_attach_light(renderer, &run->light, settings);
+    run->lit.dark = run->image.dark;
+    return status == FXL_OK ? fxl_attach_lit(renderer, &run->lit) : status;
 }
 
-static bool has_depth(const fxl_visibility *visibility)
-{
-    return visibility->target == fxl_visibility_depth.target ||
-           visibility->target == fxl_visibility_depth_32.target;
-}
+/* The six targets, and what draws into them. */
+static const struct {
+    const fxl_target *target;
+    const fxl_painter *surfaces;
+    const fxl_sprite_painter *sprites;
+} painters[] = {
+    {&fxl_palette, &fxl_palette_surfaces, &fxl_palette_sprites},
+    {&fxl_palette_depth_16, &fxl_palette_depth_16_surfaces, &fxl_palette_depth_16_sprites},
+    {&fxl_palette_depth_32, &fxl_palette_depth_32_surfaces, &fxl_palette_depth_32_sprites},
+    {&fxl_rgb565, &fxl_rgb565_surfaces, &fxl_rgb565_sprites},
+    {&fxl_rgb565_depth_16, &fxl_rgb565_depth_16_surfaces, &fxl_rgb565_depth_16_sprites},
+    {&fxl_rgb565_depth_32, &fxl_rgb565_depth_32_surfaces, &fxl_rgb565_depth_32_sprites},
+};
 
-/* After the visibility method is set. */
-static fxl_status add_billboards(session *run)
+enum {
+    TARGETS = sizeof painters / sizeof *painters
+};
+
+static const fxl_target *target_of(const session_settings *settings)
 {
-    if (!run->image.billboards.model_map) {
-        return FXL_OK;
+    const fxl_target *named = settings->visibility->target;
+    for (int i = 0; settings->pixel_bits == 16 && i < TARGETS; i++) {
+        const fxl_target *target = painters[i].target;
+        if (target->pixel_bits == 16 && target->depth_bits == named->depth_bits) {
+            return target;
+        }
     }
-    return run->renderer.target->depth_bits > 0
-               ? fxl_renderer_set_billboards_by_depth(&run->renderer, &run->billboards,
-                                                      &run->billboard_set)
-               : fxl_renderer_set_billboards(&run->renderer, &run->billboards, &run->billboard_set);
+    return named;
+}
+
+static fxl_status choose(session *run, const session_settings *settings)
+{
+    const fxl_visibility *visibility = settings->visibility;
+    const uint32_t tree = session_submit_bytes(run, visibility);
+    const fxl_config config = {.order = visibility->order,
+                               .target = target_of(settings),
+                               .palette = run->palette,
+                               .depth = run->depth,
+                               .depth_size = settings->raster_bytes,
+                               .tree = run->tree,
+                               .tree_size = tree > 0 ? tree + settings->pieces_bytes : 0};
+    for (int i = 0; i < 256; i++) {
+        const uint8_t *colour = run->image.palette + 3 * i;
+        run->palette[i] = FXL_RGB565(colour[0], colour[1], colour[2]);
+    }
+    return fxl_renderer_choose(&run->renderer, &config);
+}
+
+/* Surfaces, where the order is not that of a tree; and billboards. A target of the study draws
+ * neither. */
+static fxl_status attach_pictures(session *run, bool without_surfaces)
+{
+    fxl_status status = FXL_OK;
+    for (int i = 0; i < TARGETS; i++) {
+        if (run->renderer.target == painters[i].target && run->image.surfaces.face_map &&
+            !without_surfaces) {
+            status = fxl_attach_surfaces(&run->renderer, &run->surfaces, &run->surface_set,
+                                         painters[i].surfaces);
+        }
+        if (run->renderer.target == painters[i].target && run->image.billboards.model_map &&
+            status == FXL_OK) {
+            status = fxl_attach_billboards(&run->renderer, &run->billboards, &run->billboard_set,
+                                           painters[i].sprites);
+        }
+    }
+    return status;
 }
 
 fxl_status session_set_up(session *run, const session_settings *settings)
@@ -135,29 +179,16 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         status = fxl_renderer_set_clipper(renderer, settings->clipper, &run->clipper_workspace,
                                           sizeof run->clipper_workspace);
     }
-    run->has_surfaces = run->image.surfaces.face_map && !settings->without_surfaces;
-    if (status == FXL_OK && run->has_surfaces) {
-        status = fxl_renderer_set_surfaces(renderer, &run->surfaces, &run->surface_set);
-    }
-    if (status == FXL_OK && has_depth(settings->visibility)) {
-        status = fxl_renderer_set_depth(renderer, &run->depth, settings->visibility, run->workspace,
-                                        settings->raster_bytes);
-    } else if (status == FXL_OK) {
-        status = fxl_renderer_set_visibility(renderer, settings->visibility, run->workspace,
-                                             session_submit_bytes(run, settings->visibility) +
-                                                 settings->raster_bytes);
+    if (status == FXL_OK) {
+        status = choose(run, settings);
     }
     if (status == FXL_OK) {
-        status = add_billboards(run);
+        status = attach_pictures(run, settings->without_surfaces ||
+                                          settings->visibility->order->memory_size != NULL);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
-        status = fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit,
-                                        run->beam_light, beam_light_bytes(scene));
-    }
-    if (status == FXL_OK && goes_by_bsp(run, settings->visibility)) {
-        fxl_bsp_workspace *bsp = run->workspace;
-        bsp->pieces = run->pieces;
-        bsp->pieces_size = settings->pieces_bytes;
+        const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};
+        status = fxl_attach_beams(renderer, &set, run->beam_light, beam_light_bytes(scene));
     }
     if (status == FXL_OK && run->image.light.base) {
         fxl_light_settings light;
@@ -190,20 +221,29 @@ fxl_status session_light(session *run, const named_light *light)
     return status == FXL_OK ? light_all(run, &settings) : status;
 }
 
-fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
-                              uint8_t *pixels, session_band_drawer *draw, void *with)
+/* palette: of frames of 16 bits a pixel; else null. */
+static fxl_status draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
+                             const uint16_t *palette, uint8_t *pixels, session_band_drawer *draw,
+                             void *with)
 {
+    const size_t row_bytes = (size_t)lens->width * (palette ? 2 : 1);
     fxl_status status = FXL_OK;
     rows = rows > 0 ? rows : lens->height;
     for (uint32_t row = 0; status == FXL_OK && row < lens->height; row += rows) {
         const uint32_t left = lens->height - row;
-        const fxl_band band = {.pixels = pixels + (size_t)row * lens->width, .width = lens->width,
+        const fxl_band band = {.pixels = pixels + row * row_bytes, .width = lens->width,
                                .stride = lens->width, .first_row = (uint16_t)row,
-                               .rows = (uint16_t)(rows < left ? rows : left)};
-        fxl_fill_band(&band, background);
+                               .rows = (uint16_t)(rows < left ? rows : left), .palette = palette};
+        (palette ? fxl_rgb565.fill : fxl_palette.fill)(&band, background);
         status = draw(with, &band);
     }
     return status;
+}
+
+fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
+                              uint8_t *pixels, session_band_drawer *draw, void *with)
+{
+    return draw_bands(lens, rows, background, NULL, pixels, draw, with);
 }
 
 fxl_status session_draw_band(void *renderer, const fxl_band *band)
@@ -211,11 +251,17 @@ fxl_status session_draw_band(void *renderer, const fxl_band *band)
     return fxl_frame_draw(renderer, band);
 }
 
-fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8_t background,
-                        uint8_t *pixels)
+uint8_t session_pixel_bits(const session *run)
 {
+    return run->renderer.target->pixel_bits;
+}
+
+fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8_t background,
+                        void *pixels)
+{
+    const uint16_t *palette = session_pixel_bits(run) == 16 ? run->palette : NULL;
     fxl_status status = fxl_frame_begin(&run->renderer, pose);
-    return status == FXL_OK ? session_draw_bands(&run->image.lens, rows, background, pixels,
-                                                 session_draw_band, &run->renderer)
+    return status == FXL_OK ? draw_bands(&run->image.lens, rows, background, palette, pixels,
+                                         session_draw_band, &run->renderer)
                             : status;
 }

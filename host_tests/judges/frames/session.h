@@ -12,11 +12,12 @@
 /* How frames are drawn. In session_reserve: the largest that session_set_up is given. */
 typedef struct {
     const fxl_clipper *clipper;
-    const fxl_visibility *visibility;
-    bool without_surfaces; /* faces are drawn in their own colours */
+    const fxl_visibility *visibility; /* its order, and its target where the pixels are a palette's */
+    uint8_t pixel_bits;               /* 16: the target of RGB565 with the same depth; else 0 or 8 */
+    bool without_surfaces;            /* faces are drawn in their own colours, as by a tree */
     uint32_t display_list_words, cache_entries;
     uint32_t raster_bytes; /* for the raster backend */
-    uint32_t pieces_bytes; /* for the pieces of movers, if the scene has a BSP tree */
+    uint32_t pieces_bytes; /* for the pieces of movers, if the scene has a BSP tree; a multiple of 8 */
 } session_settings;
 
 typedef struct {
@@ -27,13 +28,13 @@ typedef struct {
     fxl_memory memory;
     fxl_surface_set surface_set; /* if the image has surfaces */
     fxl_surfaces surfaces;
-    bool has_surfaces; /* the renderer draws with them */
     fxl_light light;
-    fxl_depth depth;
+    fxl_lit_surfaces lit;
     fxl_billboard_set billboard_set; /* if the image has billboards */
     fxl_billboards billboards;
     uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
-    void *workspace, *pieces, *beam_light; /* the visibility method's, the tree's, the beams' */
+    void *tree, *depth, *beam_light; /* memory of the order, the target, the beams */
+    uint16_t palette[256];           /* in RGB565 */
 } session;
 
 /* Zeroed memory that lives until the program ends. Without memory, the program ends with 2. */
@@ -62,11 +63,11 @@ fxl_status session_light(session *run, const named_light *light);
 /* Bytes of the workspace that stand before the raster backend's. */
 uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility);
 
-/* Draws a frame into pixels, which are as large as the lens says: begins it, fills each band of
+/* Draws a frame into pixels, uint8_t or uint16_t, as large as the lens says: begins it, fills each band of
  * so many rows (0: the whole frame) with the background, and draws the band. Ends at the first
  * status that is not FXL_OK. */
 fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8_t background,
-                        uint8_t *pixels);
+                        void *pixels);
 
 /* The bands alone, drawn by any function: with the renderer of a frame that has begun,
  * session_draw_band; with a wire, fxl_wire_draw. */
@@ -74,5 +75,8 @@ typedef fxl_status session_band_drawer(void *with, const fxl_band *band);
 fxl_status session_draw_band(void *renderer, const fxl_band *band);
 fxl_status session_draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t background,
                               uint8_t *pixels, session_band_drawer *draw, void *with);
+
+/* Bits of a pixel that the renderer draws. */
+uint8_t session_pixel_bits(const session *run);
 
 #endif

@@ -106,15 +106,23 @@ static void put_u32(uint8_t *bytes, uint32_t value)
     }
 }
 
-bool judge_dump_like(const judge_dump *board, judge_dump *reference)
+bool judge_dump_like(const judge_dump *board, int pixel_bits, judge_dump *made)
 {
-    *reference = *board;
-    reference->bytes = malloc(board->size);
-    if (!reference->bytes) {
-        memset(reference, 0, sizeof *reference);
+    *made = *board;
+    made->pixel_bits = pixel_bits;
+    made->frame_size = PIXELS_AT + pixel_bytes(made) + COUNTERS_SIZE;
+    made->size = HEAD_SIZE + made->frame_count * made->frame_size + TAIL_SIZE;
+    made->bytes = calloc(made->size, 1);
+    if (!made->bytes) {
+        memset(made, 0, sizeof *made);
         return false;
     }
-    memcpy(reference->bytes, board->bytes, board->size);
+    memcpy(made->bytes, board->bytes, HEAD_SIZE);
+    made->bytes[10] = (uint8_t)pixel_bits;
+    for (uint32_t i = 0; i < made->frame_count; i++) {
+        memcpy(frame_at(made, i), frame_at(board, i), PIXELS_AT);
+    }
+    memcpy(made->bytes + made->size - TAIL_SIZE, board->bytes + board->size - TAIL_SIZE, TAIL_SIZE);
     return true;
 }
 

@@ -26,10 +26,11 @@ ref_pose judge_dump_pose(const judge_dump *dump, uint32_t frame);
 uint16_t judge_dump_pixel(const judge_dump *dump, uint32_t frame, size_t number);
 const uint8_t *judge_dump_palette(const judge_dump *dump);
 
-/* Makes a dump for another renderer's pixels and counters. It has the same head and poses.
+/* Makes a dump for another renderer's pixels of so many bits, and its counters. It has the same
+ * head and poses otherwise.
  * Instructions, refused calls, spilled polygons and clamped steps are 0. Returns false where
  * memory is short. */
-bool judge_dump_like(const judge_dump *board, judge_dump *twin);
+bool judge_dump_like(const judge_dump *board, int pixel_bits, judge_dump *twin);
 void judge_dump_put(judge_dump *dump, uint32_t frame, const uint16_t *pixels,
                     const ref_counters *counters);
 

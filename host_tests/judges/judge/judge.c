@@ -248,8 +248,8 @@ static int judge(options *wanted, session *run)
         judge_light(&run->image, wanted->light, &run->light);
     }
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
-    if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, &run->twin)) ||
-        (wanted->names && !judge_dump_like(&run->dump, &run->names)) ||
+    if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, run->dump.pixel_bits, &run->twin)) ||
+        (wanted->names && !judge_dump_like(&run->dump, 8, &run->names)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
                       wanted->flat, wanted->depth_bits, wanted->distance, run->frames,
                       wanted->twin ? &run->twin : NULL, wanted->names ? &run->names : NULL)) {

@@ -129,8 +129,9 @@ int main(int count, char **arguments)
                              "CACHE_ENTRIES LIST_MOST FRAMES");
     }
     const char *wrong = session_open(&run, arguments[1]);
-    if (wrong == NULL && run.image.scene.bsp_nodes != NULL) {
-        wrong = "the scene has a BSP tree; costs of BSP trees and of RGB565 are not known, and make "
+    if (wrong == NULL && ((run.image.scene.bsp_nodes != NULL && !run.image.by_distance) ||
+                          run.image.pixel_bits == 16)) {
+        wrong = "the scene has a BSP tree or asks for RGB565; costs of BSP trees and of RGB565 are not known, and make "
                 "run counts the instructions";
     }
     const uint32_t taken = wrong == NULL ? taken_bytes(&run.image) : 0;

@@ -117,7 +117,7 @@ static int save(const char *out, const session *run, const ref_lens *lens, movin
     if (!file) {
         return fail(out, strerror(errno));
     }
-    dump_begin(&to, file, &run->image, frames);
+    dump_begin(&to, file, &run->image, frames, 8);
     const bool done = draw_all(run, lens, moving, &to, frames, found);
     const bool saved = dump_end(&to);
     if (fclose(file) != 0 || !saved) {

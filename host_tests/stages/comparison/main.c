@@ -115,7 +115,7 @@ static int run(spy_sides sides, const char *scene, const char *out, uint32_t fra
     }
     frames = frames > 0 ? frames : run.image.frame_count;
     dump to;
-    dump_begin(&to, file, &run.image, frames);
+    dump_begin(&to, file, &run.image, frames, 8);
     status = draw_all(&run, &to, frames);
     const bool saved = dump_end(&to);
     if (fclose(file) != 0 || !saved) {

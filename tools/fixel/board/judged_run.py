@@ -76,10 +76,10 @@ def check_verdict(verdict, drawn, twin):
 
 def names_told(options, scene):
     """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
-    knows. None where they tell colours."""
+    knows, and in RGB565 two entries of the palette may be one colour. None where they tell colours."""
     if scene.surfaces and methods.shows_surfaces(options):
         return "opaque"
-    return "all" if scene.surfaces or scene.beams else None
+    return "all" if scene.surfaces or scene.beams or scene.pixel_bits == 16 else None
 
 
 def count_wrong_order(programs, image, folder, frames, names):

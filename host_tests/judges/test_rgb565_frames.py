@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""Frames of RGB565: what the library draws on the host is explained by the reference renderer, and what is one off is not."""
+
+import struct
+import zlib
+
+import numpy
+import pytest
+from conftest import CHECKOUT
+from test_surface_frames import built, drawn, judged
+
+from fixel.board import dump
+
+SCENES = ("gallery", "room", "car", "grove")    # textures, levels and smooth light; holes; blended glass; billboards
+METHODS = ((), ("--hidden", "depth"), ("--hidden", "depth-32"))
+BLENDED = """
+[screen]
+width = 64
+height = 48
+[view]
+pixels = "rgb565"
+near = 1
+far = 32
+[light]
+levels = 16
+direction = [0, -1, 1]
+dark = "#301008"
+[[objects]]
+solid = "box"
+colour = "gold"
+scale = 2
+smooth = true
+[[objects]]
+solid = "box"
+colour = "teal"
+blend = true
+smooth = true
+scale = [1, 3, 0.5]
+position = [0, 0, -2]
+[path]
+orbit = { centre = [0, 0, 0], radius = 6, height = 2, frames = 6 }
+"""
+
+
+@pytest.mark.parametrize("method", METHODS, ids=lambda words: words[-1] if words else "by-distance")
+@pytest.mark.parametrize("name", SCENES)
+def test_each_pixel_is_explained(build, tmp_path, name, method):
+    image_file = built(CHECKOUT / "scenes" / f"{name}.toml", tmp_path)
+    shown = drawn(build, image_file, "shown", "--pixels", "rgb565", "--frames", "3", *method)
+    verdict = judged(build, image_file, shown, *method)
+    assert verdict["pixels_unexplained"] == 0
+    assert dump.read_dump(shown).frames[0].pixels.dtype.itemsize == 2
+
+
+def test_bands_and_lists_make_no_difference(build, tmp_path):
+    image_file = built(CHECKOUT / "scenes" / "gallery.toml", tmp_path)
+    options = ("--pixels", "rgb565", "--frames", "2", "--hidden", "depth")
+    whole = dump.read_dump(drawn(build, image_file, "whole", *options)).frames
+    for number, more in enumerate((("--rows", "7"), ("--rows", "16", "--list", "600"), ("--list", "0"))):
+        bands = dump.read_dump(drawn(build, image_file, f"bands-{number}", *options, *more)).frames
+        assert [frame.sha256 for frame in bands] == [frame.sha256 for frame in whole]
+
+
+def with_pixel(data, frame_bytes, frame, place, change):
+    """A dump with another value of one pixel, and the checksum made right."""
+    at = dump.HEAD.size + dump.PALETTE_BYTES + frame * frame_bytes + dump.FRAME_HEAD.size + 2 * place
+    value, = struct.unpack_from("<H", data, at)
+    data = data[:at] + struct.pack("<H", value ^ change) + data[at + 2:]
+    return data[:-4] + struct.pack("<I", zlib.crc32(data[:-4]))
+
+
+@pytest.mark.parametrize("method", METHODS[:2], ids=("by-distance", "depth"))
+def test_a_blended_lit_pixel_is_explained_and_one_that_is_off_is_not(build, tmp_path, method):
+    """Two layers: each channel may be what the light's rounding leaves, and no more than that."""
+    scene = tmp_path / "blended.toml"
+    scene.write_text(BLENDED)
+    image_file = built(scene, tmp_path)
+    shown = drawn(build, image_file, "shown", *method)
+    assert judged(build, image_file, shown, *method)["pixels_unexplained"] == 0
+    read = dump.read_dump(shown)
+    head = dump.parse_head(shown.read_bytes(), "shown")
+    colours, counts = numpy.unique(read.frames[0].pixels, return_counts=True)
+    assert len(colours) > 8
+    middle = int(numpy.flatnonzero((read.frames[0].pixels == colours[counts.argsort()[-2]]).ravel())[0])
+    for change in (2 << 11, 2 << 5, 2):
+        other = tmp_path / "other.fxld"
+        other.write_bytes(with_pixel(shown.read_bytes(), head.frame_bytes, 0, middle, change))
+        verdict = judged(build, image_file, other, *method)
+        assert (verdict["pixels_unexplained"], verdict["pixels_inexplicable"]) == (1, 1)
