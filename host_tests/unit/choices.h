@@ -3,8 +3,9 @@
 #ifndef CHOICES_H
 #define CHOICES_H
 
+#include "draw/stages.h"
+#include "fixel/all.h"
 #include "study/methods.h"
-#include "unit.h"
 
 typedef struct {
     const fxl_order *order;
