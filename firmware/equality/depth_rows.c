@@ -4,7 +4,7 @@
 #include "depth_rows.h"
 
 #include "equality.h"
-#include "paint/depth_run.h"
+#include "paint/depth_cells.h"
 #include "sides.h"
 
 #define COUNT_MAX 40u

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that decide by an estimate, mostly where it hardly decides. */
 #include "estimates.h"
-#include "view/sphere.h"
+#include "view/outcode.h"
 #include "view/view.h"
 
 #include "equality.h"

@@ -2,9 +2,9 @@
 /* Compares the place where an edge crosses a plane. */
 #include "intersect.h"
 
+#include "clip/intersection.h"
 #include "equality.h"
 #include "sides.h"
-#include "clip/intersect_edge.h"
 
 #define DISTANCE_MAX   (((uint64_t)1 << 62) - 1)
 #define COORDINATE_MAX (((uint64_t)1 << 61) - 1)

@@ -17,8 +17,8 @@ MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
 INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
 SCREEN = CHECKOUT / "lib" / "screen"
-LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "ili9341", "mono", "pages", "pixels", "rgb332", "rgb565",
-                                            "row_to_16", "sh1106", "ssd1306", "st7735", "st7789")]
+LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "mono", "pages", "pixels", "rgb332", "rgb565",
+                                            "row_to_16")]
 # A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
 OLED = """
 #include <stdio.h>

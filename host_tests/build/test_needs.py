@@ -56,5 +56,5 @@ def test_a_walk_is_built_without_what_it_never_calls(tmp_path):
     done = subprocess.run(["make", "-n", "V=1", f"BUILD={tmp_path}", f"{tmp_path}/boards/mps2-an385/walk.elf"], cwd=CHECKOUT,
                           capture_output=True, text=True, check=True)
     assert "/render.c" in done.stdout and "/offsets.c" in done.stdout and "/fill_rows_armv7m.S" in done.stdout
-    for name in ("slide.c", "clip_once.c", "st7789.c", "world_change.c", "fill_rows_armv6m.S"):
+    for name in ("slide.c", "clip_once.c", "pages.c", "world_change.c", "fill_rows_armv6m.S"):
         assert f"/{name}" not in done.stdout

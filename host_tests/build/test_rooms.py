@@ -100,9 +100,9 @@ def test_no_room_includes_a_later_one():
 @pytest.mark.parametrize("room, line, wrong", [
     ("math", '#include "../view/model_view.h"', True), ("view", '#include "../math/arith.h"', False),
     ("paint", '#include "../draw/submit.h"', True), ("draw", '#include "../paint/paint.h"', False),
-    ("draw", '#include "../order/bsp_cut.h"', True), ("order", '#include "../draw/submit.h"', False),
+    ("draw", '#include "../order/bsp_pieces.h"', True), ("order", '#include "../draw/submit.h"', False),
     ("screen", '#include "../game/exact.h"', True), ("game", '  #  include "../study/normalised.h"', True),
-    ("study", '#include "../order/submit_by_bsp.h"', False), ("clip", '#include "fixel/render.h"', True),
+    ("study", '#include "../order/bsp_pieces.h"', False), ("clip", '#include "fixel/render.h"', True),
     ("raster", '#include "fixel/records.h"', False), ("math", '/* #include "fixel/scene.h" */', False)])
 def test_an_include_that_points_back_is_seen(monkeypatch, tmp_path, room, line, wrong):
     """In a library with the real headers, and one file more."""

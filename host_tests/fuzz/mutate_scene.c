@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../../lib/scene/crc.h"
+#include "../../lib/scene/scene_header.h"
 
 enum {
     HEADER_SIZE = 92,

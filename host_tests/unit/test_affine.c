@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Corners whose attributes become linear on the screen: all on it, or none of them changes. */
 #include "clip_views.h"
-#include "paint/affine.h"
+#include "paint/gradients.h"
 
 enum {
     WIDTH = 40,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Divisions and the square root by what they promise, up to the ends of their ranges. */
 #include "../../lib/math/arith.h"
-#include "../../lib/math/ratio.h"
-#include "../../lib/math/square_root.h"
+#include "../../lib/math/divide_wide.h"
+#include "../../lib/math/unit_vector.h"
 #include "unit.h"
 
 void setUp(void)
@@ -87,7 +87,7 @@ void test_a_root_is_the_nearest(void)
 }
 
 /* Of numbers of all lengths. Double's own error is far below the unit by which both bounds are
- * wider than those of ratio.h. */
+ * wider than those of divide_wide.h. */
 void test_a_ratio_keeps_its_bounds(void)
 {
     uint32_t found = 0, refused = 0;

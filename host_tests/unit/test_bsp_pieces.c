@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The pieces of an object that a tree has cut have every vertex of their neighbours: their edges
  * cancel, bit for bit, and one outline is left. */
-#include "../../lib/order/bsp_cut.h"
+#include "../../lib/order/bsp_pieces.h"
 #include "bsp_sight.h"
 #include "choices.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Scanning between two chains: the same pixels as the walk of every crossing,
  * which test_scan.c holds against the definition. */
-#include "raster/active_edges.h"
 #include "raster/edge.h"
 #include "raster/scan.h"
 #include "unit.h"

@@ -5,7 +5,6 @@
 
 #include "paint/depth_cells.h"
 #include "paint/depth_code.h"
-#include "paint/depth_run.h"
 
 #include "unit.h"
 

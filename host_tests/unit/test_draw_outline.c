@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Outlines drawn in one call: the pixels of the definition, and whether they reach the band. */
 #include "picture.h"
-#include "raster/active_edges.h"
 #include "raster/draw_outline.h"
+#include "raster/scan.h"
 
 enum {
     WIDTH = 20,

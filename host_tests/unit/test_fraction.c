@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
-#include "raster/edge_divide.h"
 #include "math/divide_wide.h"
-#include "math/square_root.h"
+#include "math/unit_vector.h"
+#include "raster/edge_divide.h"
 #include "unit.h"
 #include "wide.h"
 

@@ -6,7 +6,7 @@
 #include "bsp_scene.h"
 #include "depth_scene.h"
 #include "draw/renderer.h"
-#include "scene/crc.h"
+#include "scene/scene_header.h"
 #include "unit.h"
 #include "unity.h"
 

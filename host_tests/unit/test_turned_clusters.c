@@ -2,10 +2,10 @@
 /* Clusters of turned instances: their spheres, and cones before an eye that was rounded. */
 #include "cluster_scene.h"
 #include "scene/turn_code.h"
-#include "view/clusters.h"
-#include "view/turned_view.h"
 #include "study/clippers.h"
 #include "turns.h"
+#include "view/clusters.h"
+#include "view/turn.h"
 
 enum {
     WIDTH = 48,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The turned view of an instance: vertices, facing, order and the sphere test. */
-#include "view/turned_view.h"
 #include "turns.h"
+#include "view/turn.h"
 #include "wide.h"
 
 enum {

@@ -5,8 +5,8 @@
 
 #include "picture.h"
 #include "polygon_face.h"
-#include "view/turned_view.h"
 #include "turns.h"
+#include "view/turn.h"
 
 /* The outline around both: all edges but those that one walks one way and the
  * other the other. Its winding number says what the two must cover. */

@@ -3,7 +3,7 @@
 #include "../math/arith.h"
 #include "clip_view.h"
 #include "cut_polygon.h"
-#include "intersect_edge.h"
+#include "intersection.h"
 
 /* The upper 32 bits. Compilers optimise the unsigned shift away. */
 static inline int32_t upper(int64_t value)

@@ -5,6 +5,11 @@
 
 #include "../math/arith.h"
 #include "fixel/line.h"
+#include "fixel/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* Returns floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside and a
  * difference below 2^63. Distances of points below 2^61 from one plane meet this. */
@@ -39,5 +44,17 @@ void fxl_intersection_vertex(const fxl_varying_vertex *inside, const fxl_varying
 
 /* Copies a vertex with only the varyings that are used. */
 void fxl_copy_vertex(const fxl_varying_vertex *from, uint32_t carried, fxl_varying_vertex *to);
+
+/* *point = from + (to - from) fraction / 2^64, each coordinate rounded towards from, where fraction
+ * is floor(2^64 inside / (inside - outside)). Error: less than one unit, and what the fraction's
+ * error is of the edge's length. *inside and *outside are the distances of from and to.
+ * Requires 0 < *inside and *outside < 0, both below 2^62, and coordinates whose difference is below
+ * 2^62. */
+void fxl_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
+                        const fxl_q18_46 *inside, const fxl_q18_46 *outside, fxl_view_point *point);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

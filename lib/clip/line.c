@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
+#include "../math/arith.h"
 #include "fixel/line.h"
+#include "intersection.h"
 #include "volume.h"
 
-#include "intersection.h"
-
 /* Moves the outside end onto the plane, along the line from the inside end. */
-static void move(const fxl_varying_vertex *inside, fxl_varying_vertex *outside, fxl_q18_46 in,
+static void move_end(const fxl_varying_vertex *inside, fxl_varying_vertex *outside, fxl_q18_46 in,
                  fxl_q18_46 out, uint32_t carried, uint32_t *intersections)
 {
     fxl_varying_vertex intersection;
@@ -24,9 +24,9 @@ bool fxl_line_by_planes(fxl_clip_line *line, const fxl_volume *volume, uint32_t 
             return false;
         }
         if (from < 0) {
-            move(&line->to, &line->from, to, from, line->carried, intersections);
+            move_end(&line->to, &line->from, to, from, line->carried, intersections);
         } else if (to < 0) {
-            move(&line->from, &line->to, from, to, line->carried, intersections);
+            move_end(&line->from, &line->to, from, to, line->carried, intersections);
         }
     }
     return true;
@@ -58,11 +58,150 @@ bool fxl_line_by_codes(fxl_clip_line *line, const fxl_volume *volume, uint32_t *
             return false;
         }
         if (moves_from) {
-            move(&line->to, &line->from, to, from, line->carried, intersections);
+            move_end(&line->to, &line->from, to, from, line->carried, intersections);
             from_moved |= (uint32_t)1 << plane;
         } else {
-            move(&line->from, &line->to, from, to, line->carried, intersections);
+            move_end(&line->from, &line->to, from, to, line->carried, intersections);
             to_moved |= (uint32_t)1 << plane;
         }
     }
+}
+
+/* 2^64 high + low. */
+typedef struct {
+    uint64_t high, low;
+} wide;
+
+/* An exact distance in units of 2^-76: 2^30 whole + rest, rest below 2^30. */
+typedef struct {
+    int64_t whole;
+    uint32_t rest;
+} exact;
+
+#define REST_BITS 30
+
+/* fxl_half_space_distance drops the last 30 bits of the exact sum. They are those of the sum of the
+ * products' last 32 bits. */
+static exact distance_of(const fxl_half_space *plane, const fxl_view_point *point)
+{
+    const uint32_t last = (uint32_t)plane->normal.x * (uint32_t)point->x +
+                          (uint32_t)plane->normal.y * (uint32_t)point->y +
+                          (uint32_t)plane->normal.z * (uint32_t)point->z;
+    const exact distance = {fxl_half_space_distance(plane, point),
+                            last & (((uint32_t)1 << REST_BITS) - 1u)};
+    return distance;
+}
+
+static bool is_zero(const exact *value)
+{
+    return value->whole == 0 && value->rest == 0;
+}
+
+/* The distance without the offset is between -2^62 and 2^62, so the difference of two is below
+ * 2^63: it does not depend on the offset. */
+static exact difference(const exact *a, const exact *b)
+{
+    const bool borrow = a->rest < b->rest;
+    const exact made = {a->whole - b->whole - borrow,
+                        a->rest - b->rest + ((uint32_t)borrow << REST_BITS)};
+    return made;
+}
+
+/* Below 2^94: |whole| is at most 2^63, and the rest adds less than one. */
+static wide magnitude(const exact *value)
+{
+    const bool negative = value->whole < 0;
+    const uint64_t whole = fxl_magnitude(value->whole) - (negative && value->rest != 0);
+    const uint32_t rest =
+        negative && value->rest != 0 ? ((uint32_t)1 << REST_BITS) - value->rest : value->rest;
+    const wide made = {whole >> (64 - REST_BITS), whole << REST_BITS | rest};
+    return made;
+}
+
+static bool is_less(const wide *a, const wide *b)
+{
+    return a->high != b->high ? a->high < b->high : a->low < b->low;
+}
+
+/* The next `bits` bits of rest / whole, the highest first; *rest becomes the remainder. Requires
+ * rest < whole < 2^127. */
+static uint64_t quotient_bits(wide *rest, const wide *whole, unsigned bits)
+{
+    uint64_t quotient = 0;
+    for (unsigned i = 0; i < bits; i++) {
+        rest->high = rest->high << 1 | rest->low >> 63;
+        rest->low <<= 1;
+        quotient <<= 1;
+        if (!is_less(rest, whole)) {
+            rest->high -= whole->high + (rest->low < whole->low);
+            rest->low -= whole->low;
+            quotient |= 1u;
+        }
+    }
+    return quotient;
+}
+
+/* A parameter of the line without its sign: whole + fraction / 2^64, rounded downward. */
+typedef struct {
+    uint32_t whole; /* below 2^31 */
+    uint64_t fraction;
+} parameter;
+
+/* part / all. Returns false where it is 2^31 or more. Requires all > 0. The division begins with
+ * all times 2^31, below 2^125, and the dividend must be below that. */
+static bool divide(const wide *part, const wide *all, parameter *quotient)
+{
+    const wide limit = {all->high << 31 | all->low >> 33, all->low << 31};
+    wide rest = *part;
+    if (!is_less(part, &limit)) {
+        return false;
+    }
+    /* part / (2^31 all) has the whole part as its first 31 bits. */
+    wide scaled = limit;
+    quotient->whole = (uint32_t)quotient_bits(&rest, &scaled, 31);
+    quotient->fraction = quotient_bits(&rest, &scaled, 64);
+    return true;
+}
+
+/* from + (to - from) t, or - for a negative t. The extent is below 2^62. Returns false where the
+ * result is 2^61 or more either way. */
+static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negative,
+                 fxl_q18_46 *moved)
+{
+    const uint64_t limit = (uint64_t)1 << 61;
+    const uint64_t extent = fxl_magnitude(to - from);
+    const uint64_t part = fxl_multiply_high(extent, t->fraction); /* below 2^62 */
+    if (fxl_multiply_high(extent, t->whole) != 0 || extent * t->whole >= 2 * limit) {
+        return false; /* from is below 2^61, so the result would not be */
+    }
+    const int64_t way = (int64_t)(extent * t->whole + part); /* below 2^63 */
+    const bool down = (to < from) != negative;
+    if (way >= (int64_t)(2 * limit)) {
+        return false; /* out of range too, and the sum might overflow */
+    }
+    *moved = down ? from - way : from + way;
+    return fxl_magnitude(*moved) < limit;
+}
+
+fxl_line_relation fxl_line_meet_plane(const fxl_view_point *from, const fxl_view_point *to,
+                                      const fxl_half_space *plane, fxl_line_meeting *meeting)
+{
+    const exact at_from = distance_of(plane, from), at_to = distance_of(plane, to);
+    const exact change = difference(&at_from, &at_to);
+    if (is_zero(&change)) {
+        return is_zero(&at_from) ? FXL_LINE_LIES_IN : FXL_LINE_IS_PARALLEL;
+    }
+    const wide part = magnitude(&at_from), all = magnitude(&change);
+    const bool negative = (at_from.whole < 0) != (change.whole < 0);
+    parameter t;
+    fxl_view_point point;
+    if (!divide(&part, &all, &t) || !move(from->x, to->x, &t, negative, &point.x) ||
+        !move(from->y, to->y, &t, negative, &point.y) ||
+        !move(from->z, to->z, &t, negative, &point.z)) {
+        return FXL_LINE_MEETS_FAR;
+    }
+    const int64_t size = (int64_t)((uint64_t)t.whole << 32 | t.fraction >> 32);
+    meeting->parameter = negative ? -size : size;
+    meeting->point = point;
+    return FXL_LINE_MEETS;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The order that draws billboards: its traversal takes the instances in their order,
  * and submits a rectangle of the screen for an instance whose model has a billboard. */
-#include "../math/aligned.h"
 #include "../math/arith.h"
+#include "../math/memory.h"
 #include "../math/pixel_centre.h"
 #include "../paint/billboard_paint.h"
 #include "../scene/turn_code.h"

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames of 16 bits a pixel: the calls. */
+#include "../math/memory.h"
+#include "../paint/rgb565_colour.h"
+#include "fixel/rgb565.h"
 #include "renderer.h"
 #include "submit.h"
-#include "../math/aligned.h"
 #include "surface_polygon.h"
-#include "../paint/fill_row_rgb565.h"
-#include "fixel/rgb565.h"
 
 #define STRIDE_MAX 32767u /* twice of it, in bytes, fits a band */
 

@@ -30,7 +30,7 @@ static inline fxl_status fxl_check_band(const fxl_band *band)
 
 #else
 
-#include "../paint/fill_row_rgb565.h"
+#include "../paint/rgb565_colour.h"
 #include "fixel/rgb565.h"
 
 typedef uint16_t fxl_pixel;

@@ -19,7 +19,6 @@
 #include "../view/order.h"
 #include "../view/outcode.h"
 #include "../view/project.h"
-#include "../view/sphere.h"
 #include "../view/turn.h"
 #include "../view/view.h"
 #include "display_list.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The shader of surfaces: a face that has one goes, after the clipper, with its gradients to the
  * display list or into the band. */
+#include "../paint/gradients.h"
+#include "../paint/texture_level.h"
 #include "renderer.h"
 #include "submit.h"
-#include "../paint/affine.h"
 #include "surface_light.h"
 #include "surface_polygon.h"
-#include "../paint/texture_level.h"
 
 bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
                         const fxl_instance *instance)

@@ -2,7 +2,6 @@
 /* The player of motions (docs/extras/motion.md). */
 #include "fixel/motion.h"
 
-#include "../math/aligned.h"
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../math/sine.h"

@@ -3,7 +3,6 @@
 #include "fixel/world.h"
 
 #include "../draw/renderer.h"
-#include "../math/aligned.h"
 #include "../math/memory.h"
 #include "world_place.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../draw/renderer.h"
 #include "../draw/submit.h"
-#include "../math/aligned.h"
+#include "../math/memory.h"
 #include "fixel/wire.h"
 
 /* The target of the palette stands in the renderer, or in its place the one that outlines. */

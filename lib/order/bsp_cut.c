@@ -2,7 +2,7 @@
 #include "../clip/split.h"
 #include "../scene/turn_code.h"
 #include "../view/cull.h"
-#include "bsp_cut.h"
+#include "bsp_pieces.h"
 
 #include "../math/arith.h"
 #include "../scene/bsp_node.h"

@@ -4,8 +4,8 @@
 #include "../view/model_view.h"
 #include "bsp_pieces.h"
 
-#include "bsp_cut.h"
 #include "../scene/bsp_node.h"
+#include "bsp_pieces.h"
 
 uint32_t fxl_bsp_movers(const fxl_scene *scene)
 {

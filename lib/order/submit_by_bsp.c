@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "../view/cull.h"
-#include "../view/sphere.h"
-#include "submit_by_bsp.h"
+#include "../view/outcode.h"
+#include "bsp_pieces.h"
 
+#include "../draw/renderer.h"
 #include "../scene/bsp_node.h"
 #include "bsp_pieces.h"
-#include "../draw/renderer.h"
 
 /* What is done at a node so far. */
 enum {

@@ -2,6 +2,6 @@
 #include "fixel/bsp.h"
 #include "fixel/order.h"
 
-#include "submit_by_bsp.h"
+#include "bsp_pieces.h"
 
 const fxl_visibility fxl_visibility_bsp = {.order = &fxl_by_tree, .target = &fxl_palette};

@@ -1,10 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* The cells of a depth buffer, of 16 or of 32 bits, and the loops over a row of them. Internal. */
+/* The depth test of a run of pixels, in a depth buffer of 16 bits front to back. Kernels: each
+ * family of cores has its own. Internal. */
 #ifndef FXL_DEPTH_CELLS_H
 #define FXL_DEPTH_CELLS_H
 
-#include "depth_run.h"
+#include <stdint.h>
+
 #include "fixel/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The code of pixel i is code + i step, modulo 2^32. A pixel is visible if its code / 2^16, rounded
+ * down, is above its cell.
+ *
+ * Returns how many pixels from the first on, of count, are visible, and keeps their codes / 2^16 in
+ * the cells. */
+uint32_t fxl_depth_keep_visible(uint16_t *cells, uint32_t count, uint32_t code, uint32_t step);
+
+/* Returns how many pixels from the first on, of count, are not visible. */
+uint32_t fxl_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t code, uint32_t step);
 
 /* How cells are compared; constant where the functions below are called. */
 typedef struct {
@@ -71,5 +87,9 @@ static inline int32_t fxl_depth_hidden_end(const void *cells, int32_t x, int32_t
     }
     return x;
 }
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

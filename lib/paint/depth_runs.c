@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth_run.h"
 #include "../math/family.h"
+#include "depth_cells.h"
 
 #if !FXL_KERNELS_ARMV7M
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_depth_keep_visible and fxl_depth_skip_hidden for Armv7-M and Armv8-M Mainline.
- * lib/paint/depth_run.h states what they require and do. A visible pixel takes 6 instructions, a
+ * lib/paint/depth_cells.h states what they require and do. A visible pixel takes 6 instructions, a
  * hidden one 4, and eight of them 3 more. */
 #include "../math/family.h"
 

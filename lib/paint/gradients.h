@@ -82,6 +82,12 @@ typedef struct {
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients);
 
+/* Where all three corners are on the screen, puts them into the plane of the screen, so that their
+ * weight is constant and their attributes are linear on the screen. Corners that are on one line
+ * there stay as they are. A corner is on the screen if it can be projected, with
+ * 0 <= x <= width and 0 <= y <= height. Exact, given the projected corners. */
+void fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view);
+
 #ifdef __cplusplus
 }
 #endif

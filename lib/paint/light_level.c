@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
  * or within 2^-29 where its instance has no turn; that is its own, and no error. */
-#include "light_level.h"
-
 #include "../math/arith.h"
-#include "../math/square_root.h"
+#include "../math/mix_colours.h"
+#include "../math/unit_vector.h"
+#include "fixel/light.h"
+#include "light_level.h"
 
 /* a * b, for 0 <= a, b <= 2^30 + 2^3. The product is below 2^61. Error: less than 1. */
 static int64_t fraction_of(int64_t a, int64_t b)
@@ -113,4 +114,27 @@ fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_cam
         sum = fraction_of(sum, through_fog(settings, camera, &place->middle));
     }
     return (fxl_q2_30)sum;
+}
+
+/* The ramp of a palette. A file of its own: a program that has its ramp in flash does not link it.
+ */
+
+fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
+                               uint8_t *ramp)
+{
+    if (palette == NULL || dark == NULL || ramp == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    if (levels < FXL_LIGHT_LEVELS_MIN || levels > FXL_LIGHT_LEVELS_MAX) {
+        return FXL_E_COUNT;
+    }
+    const int32_t top = (int32_t)levels - 1;
+    for (uint32_t i = 0; i < 256; i++) {
+        for (int32_t level = 0; level < top; level++) {
+            ramp[256 * (uint32_t)level + i] =
+                fxl_mix_colours(palette, dark, &palette[3 * i], level, top);
+        }
+        ramp[256 * (uint32_t)top + i] = (uint8_t)i;
+    }
+    return FXL_OK;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "segments.h"
 
-#include "attribute.h"
 #include "../math/family.h"
+#include "attribute.h"
 #include "paint_texels.h"
 
 #if !FXL_KERNELS_ARMV7M

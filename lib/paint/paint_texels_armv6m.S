@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_paint_texels for Armv6-M. lib/paint/paint_texels.h states what it requires and does. A texel
+/* fxl_paint_texels for Armv6-M. lib/paint/paint.h states what it requires and does. A texel
  * takes 7 instructions if the texture is 32 to 256 texels wide and no higher than wide; any other
  * takes 12. Light takes 7 more, in a second pass. */
 #include "../math/family.h"

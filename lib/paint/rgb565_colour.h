@@ -5,6 +5,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The channels of a colour, where they are. */
 #define FXL_RED_565   0xF800u
 #define FXL_GREEN_565 0x07E0u
@@ -48,5 +52,12 @@ static inline uint16_t fxl_mix_565(uint32_t colour, uint32_t dark, uint32_t part
                       fxl_mix_channel_565(colour, dark, part, FXL_GREEN_565) |
                       fxl_mix_channel_565(colour, dark, part, FXL_BLUE_565));
 }
+
+/* Sets the pixels from one (included) to an end (not included). */
+void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The surfaces of a scene image (docs/formats.md, section 1.12). */
-#include "../math/aligned.h"
 #include "../math/memory.h"
-#include "../scene/fault.h"
+#include "../math/unit_vector.h"
+#include "../scene/scene_check.h"
+#include "fixel/rgb565.h"
 #include "surface_sections.h"
 
 FXL_STATIC_ASSERT(FXL_TEXTURES_MAX == FXL_SCENE_TABLE_MAX, "docs/formats.md, section 1");
@@ -101,4 +102,185 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
         *set = found;
     }
     return status;
+}
+
+/* What frames of 16 bits a pixel have beyond those of a palette. */
+typedef struct {
+    uint8_t last_format, surface_flags;
+    bool is_565;
+} frame_kind;
+
+static const frame_kind of_palette = {FXL_TEXTURE_4, FXL_SURFACE_LIT | FXL_SURFACE_BLEND, false};
+static const frame_kind of_565 = {FXL_TEXTURE_565,
+                                  FXL_SURFACE_LIT | FXL_SURFACE_BLEND | FXL_SURFACE_ADD, true};
+
+static fxl_status check_texture(const fxl_texture *texture, const frame_kind *kind)
+{
+    const bool is_565 = texture->format == FXL_TEXTURE_565;
+    const uint32_t smallest = texture->format == FXL_TEXTURE_4 ? 1 : 0;
+    const uint32_t larger =
+        texture->log_width > texture->log_height ? texture->log_width : texture->log_height;
+    if (texture->texels == NULL ||
+        (texture->format == FXL_TEXTURE_4) != (texture->colours != NULL)) {
+        return FXL_E_ARGUMENT;
+    }
+    if (texture->format > kind->last_format || (is_565 && texture->key != 0) ||
+        texture->flags > (FXL_TEXTURE_CLAMP | FXL_TEXTURE_KEYED) ||
+        (!is_565 && texture->key_565 != 0)) {
+        return FXL_E_RESERVED;
+    }
+    if (texture->log_width > FXL_TEXTURE_LOG_MAX || texture->log_height > FXL_TEXTURE_LOG_MAX ||
+        texture->log_width < smallest || texture->levels < 1 || texture->levels > larger + 1) {
+        return FXL_E_RANGE;
+    }
+    return is_565 && ((uintptr_t)texture->texels & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
+}
+
+static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface,
+                                const frame_kind *kind)
+{
+    if (surface->texture > set->texture_count) {
+        return FXL_E_INDEX;
+    }
+    if (surface->opacity < 1 || surface->opacity > 16) {
+        return FXL_E_RANGE;
+    }
+    if (!kind->is_565 && (surface->flags & FXL_SURFACE_BLEND) && set->blend == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const uint32_t both = FXL_SURFACE_BLEND | FXL_SURFACE_ADD;
+    const bool plain = surface->division <= FXL_AFFINE &&
+                       (surface->flags & ~(uint32_t)kind->surface_flags) == 0 &&
+                       (surface->flags & both) != both &&
+                       (surface->reserved[0] | surface->reserved[1] | surface->reserved[2]) == 0;
+    return plain ? FXL_OK : FXL_E_RESERVED;
+}
+
+/* Whether three points of a model are on one line. Coordinates are within 2 * 8191 world units, so
+ * differences are at most 32764 units, below 2^31, and a difference of two products of them is
+ * below 2^63. */
+static bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
+{
+    const int64_t x1 = b->x - (int64_t)a->x, y1 = b->y - (int64_t)a->y, z1 = b->z - (int64_t)a->z;
+    const int64_t x2 = c->x - (int64_t)a->x, y2 = c->y - (int64_t)a->y, z2 = c->z - (int64_t)a->z;
+    return y1 * z2 == z1 * y2 && z1 * x2 == x1 * z2 && x1 * y2 == y1 * x2;
+}
+
+static fxl_status check_texels(const fxl_mapped_face *mapped)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_texel *texel = &mapped->texels[i];
+        if (texel->u < -FXL_TEXEL_MAX || texel->u > FXL_TEXEL_MAX || texel->v < -FXL_TEXEL_MAX ||
+            texel->v > FXL_TEXEL_MAX) {
+            return FXL_E_RANGE;
+        }
+    }
+    return FXL_OK;
+}
+
+static fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
+                             const fxl_model *model, const fxl_face *face,
+                             const fxl_mapped_face *mapped)
+{
+    if (mapped->reserved != 0) {
+        return FXL_E_RESERVED;
+    }
+    if (mapped->surface >= set->surface_count || mapped->corners[0] >= mapped->corners[1] ||
+        mapped->corners[1] >= mapped->corners[2] || mapped->corners[2] >= face->count) {
+        return FXL_E_INDEX;
+    }
+    if (set->surfaces[mapped->surface].flags & FXL_SURFACE_LIT) {
+        for (uint32_t i = 0; i < 3; i++) {
+            if (mapped->normals[i] >= set->normal_count) {
+                return FXL_E_INDEX;
+            }
+        }
+    }
+    const uint16_t *indices = &scene->indices[face->first_index];
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    if (on_one_line(&vertices[indices[mapped->corners[0]]], &vertices[indices[mapped->corners[1]]],
+                    &vertices[indices[mapped->corners[2]]])) {
+        return FXL_E_DEGENERATE;
+    }
+    return check_texels(mapped);
+}
+
+static fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene,
+                              fxl_scene_fault *fault)
+{
+    for (uint32_t m = 0; m < scene->model_count; m++) {
+        const fxl_model *model = &scene->models[m];
+        for (uint32_t i = 0; i < model->face_count; i++) {
+            const uint32_t number = model->first_face + i;
+            const uint32_t mapped = set->face_map[number];
+            if (mapped > set->face_count) {
+                return fxl_fault_at(fault, "face", number, FXL_E_INDEX);
+            }
+            const fxl_status status =
+                mapped == 0
+                    ? FXL_OK
+                    : check_face(set, scene, model, &scene->faces[number], &set->faces[mapped - 1]);
+            if (status != FXL_OK) {
+                return fxl_fault_at(fault, "mapped face", mapped - 1, status);
+            }
+        }
+    }
+    return FXL_OK;
+}
+
+/* Whether every table begins where its records may; a null one does. */
+static bool is_aligned(const fxl_surface_set *set)
+{
+    const uintptr_t words = (uintptr_t)set->faces | (uintptr_t)set->normals;
+    const uintptr_t halves = (uintptr_t)set->surfaces | (uintptr_t)set->face_map;
+    return (words & (FXL_WORD - 1)) == 0 && (halves & 1u) == 0 &&
+           fxl_is_aligned(set->textures, FXL_POINTER);
+}
+
+static fxl_status check(const fxl_surface_set *set, const fxl_scene *scene, const frame_kind *kind,
+                        fxl_scene_fault *fault)
+{
+    if (set == NULL || scene == NULL || set->face_map == NULL ||
+        (set->textures == NULL && set->texture_count != 0) || set->surfaces == NULL ||
+        set->faces == NULL || (set->normals == NULL && set->normal_count != 0)) {
+        return fxl_fault_at(fault, "surfaces", 0, FXL_E_ARGUMENT);
+    }
+    if (!is_aligned(set)) {
+        return fxl_fault_at(fault, "surfaces", 0, FXL_E_ALIGNMENT);
+    }
+    if (set->texture_count > FXL_TEXTURES_MAX || set->surface_count > FXL_SURFACES_MAX ||
+        set->face_count > FXL_MAPPED_FACES_MAX || set->normal_count > UINT16_MAX ||
+        set->blend_first > 255 || set->blend_count > 256 - set->blend_first) {
+        return fxl_fault_at(fault, "surfaces", 0, FXL_E_COUNT);
+    }
+    for (uint32_t i = 0; i < set->texture_count; i++) {
+        const fxl_status status = check_texture(&set->textures[i], kind);
+        if (status != FXL_OK) {
+            return fxl_fault_at(fault, "texture", i, status);
+        }
+    }
+    for (uint32_t i = 0; i < set->surface_count; i++) {
+        const fxl_status status = check_surface(set, &set->surfaces[i], kind);
+        if (status != FXL_OK) {
+            return fxl_fault_at(fault, "surface", i, status);
+        }
+    }
+    for (uint32_t i = 0; i < set->normal_count; i++) {
+        if (!fxl_is_unit(&set->normals[i])) {
+            return fxl_fault_at(fault, "normal", i, FXL_E_NORMAL);
+        }
+    }
+    return check_faces(set, scene, fault);
+}
+
+fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
+                              fxl_scene_fault *fault)
+{
+    return check(set, scene, &of_palette, fault);
+}
+
+fxl_status fxl_surfaces_check_rgb565(const fxl_surface_set *set, const fxl_scene *scene,
+                                     fxl_scene_fault *fault)
+{
+    return check(set, scene, &of_565, fault);
 }

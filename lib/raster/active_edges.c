@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* On a row where an edge begins or ends, the edges that cross the row are found and divided. On the
  * rows from there to the next such row they are the same edges, and each takes a step. */
-#include "active_edges.h"
+#include "scan.h"
 
 #include "../math/memory.h"
 #include "edge.h"

@@ -7,7 +7,6 @@
 #include "../math/core.h"
 #include "../math/pixel_centre.h"
 #include "edge_divide.h"
-#include "edge_dividend.h"
 #include "edge_near.h"
 #include "fixel/records.h"
 

@@ -5,7 +5,6 @@
 
 #include "../math/family.h"
 #include "edge_divide.h"
-#include "edge_dividend.h"
 #include "fixel/types.h"
 
 #if FXL_KERNELS_ARMV6M

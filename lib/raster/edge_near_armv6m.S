@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_edge_set_near for Armv6-M. The arithmetic, with its bounds, is that of
- * lib/raster/edge_dividend.h and lib/raster/edge_divide.h. */
+ * lib/raster/edge_divide.h and lib/raster/edge_divide.h. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 

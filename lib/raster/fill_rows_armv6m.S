@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_fill_trapezoid for Armv6-M. lib/raster/fill.h states what it requires and
- * does; it writes the same bytes as lib/raster/fill_rows.c.
+ * does; it writes the same bytes as lib/raster/fill.c.
  *
  * Both edges are kept as addresses: the row's address is added to x, and the stride is added
  * to the step. So a row's span goes from one address to the other, and a step is two

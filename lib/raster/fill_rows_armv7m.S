@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_fill_trapezoid for Armv7-M and Armv8-M Mainline. lib/raster/fill.h states
- * what it requires and does; it writes the same bytes as lib/raster/fill_rows.c. The
+ * what it requires and does; it writes the same bytes as lib/raster/fill.c. The
  * rows are fxl_fill_rows, which fxl_draw_outline uses too.
  *
  * Both edges are kept as addresses: the row's address is added to x, and the stride is added

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "line_pixels.h"
+#include "draw_outline.h"
 
 static void set_pixel(const fxl_band *band, int32_t x, int32_t y, uint8_t colour)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 
-#include "active_edges.h"
 #include "draw_outline.h"
 #include "edge.h"
 #include "scan.h"

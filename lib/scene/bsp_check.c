@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "bsp_check.h"
+#include "scene_check.h"
 
-#include "bsp_node.h"
-#include "fault.h"
-#include "turn_code.h"
 #include "../math/unit_vector.h"
+#include "bsp_node.h"
+#include "scene_check.h"
+#include "turn_code.h"
 
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
  * other object's, so that nothing else is to be clipped to the tree with it. It has no

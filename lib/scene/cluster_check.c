@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "cluster_check.h"
+#include "scene_check.h"
 
-#include "face_bounds.h"
-#include "fault.h"
 #include "../math/unit_vector.h"
+#include "face_bounds.h"
+#include "scene_check.h"
 
 /* The faces of a cluster within its model. */
 typedef struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "crc.h"
+#include "scene_header.h"
 
 /* The remainders of the 16 values of four bits, for the reflected polynomial 0xEDB88320. The table
  * takes 64 bytes instead of the usual 1,024, at half the speed. */

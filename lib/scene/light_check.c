@@ -3,7 +3,7 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../math/unit_vector.h"
-#include "fault.h"
+#include "scene_check.h"
 
 static bool is_fraction(fxl_q2_30 value)
 {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks of a scene's motions (docs/extras/motion.md, section 4). A motion states the extent of its
  * keys, so that the reach of a chain of parents takes a step a parent, and no key. */
-#include "../math/aligned.h"
 #include "../math/arith.h"
-#include "../math/square_root.h"
-#include "fault.h"
+#include "../math/memory.h"
+#include "../math/unit_vector.h"
+#include "scene_check.h"
 #include "turn_code.h"
 
 static bool is_scale(fxl_q16_16 scale)

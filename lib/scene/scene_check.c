@@ -4,13 +4,12 @@
  * all instances' models, which is limited. */
 #include "fixel/scene.h"
 
-#include "../math/aligned.h"
 #include "../math/arith.h"
+#include "../math/memory.h"
+#include "../math/unit_vector.h"
 #include "face_bounds.h"
-#include "fault.h"
 #include "scene_check.h"
 #include "turn_code.h"
-#include "../math/unit_vector.h"
 
 static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 {

@@ -2,9 +2,6 @@
 /* The check of a scene that may have clusters, a BSP tree, beams and turns. It is a file of its
  * own, so that a program whose scene has none of them does not link these checks. */
 #include "beam.h"
-#include "bsp_check.h"
-#include "cluster_check.h"
-#include "fault.h"
 #include "fixel/beam.h"
 #include "scene_check.h"
 

@@ -2,10 +2,9 @@
 /* Opens a scene image (docs/formats.md, section 1) in place. */
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "fault.h"
 #include "fixel/camera.h"
 #include "fixel/scene.h"
-#include "motion_limits.h"
+#include "scene_check.h"
 #include "scene_sections.h"
 
 /* Of a section, which need not be there: its first entry, else null; and how many there are. */

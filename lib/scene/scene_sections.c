@@ -3,8 +3,8 @@
  */
 #include "scene_sections.h"
 
-#include "crc.h"
-#include "fault.h"
+#include "scene_check.h"
+#include "scene_header.h"
 
 #define MAGIC 0x534C5846u /* "FXLS" */
 

@@ -56,3 +56,14 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
 }
 
 const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up, send_rows, DISPLAY_ON};
+
+/* Its glass is blue, green, red (bit 3), and its columns run from right to left. */
+const fxl_display_driver fxl_ili9341 = {&fxl_display_colour,      NULL, 0,    240, 320, 240, 320, 0,
+                                        {0x48, 0x28, 0x88, 0xE8}, true, false};
+
+/* The glass is mounted with its first row at the bottom, and its first column at the right. */
+const fxl_display_driver fxl_st7735 = {&fxl_display_colour,      NULL, 0,    132, 162, 128, 160, 0,
+                                       {0xC0, 0xA0, 0x00, 0x60}, true, false};
+
+const fxl_display_driver fxl_st7789 = {&fxl_display_colour,      NULL, 0,   240, 320, 240, 320, 0,
+                                       {0x00, 0x60, 0xC0, 0xA0}, true, true};

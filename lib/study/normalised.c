@@ -4,8 +4,8 @@
 #include "normalised.h"
 
 #include "../math/arith.h"
+#include "../math/divide_wide.h"
 #include "clip_polygon.h"
-#include "../math/ratio.h"
 
 /* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. part is
  * shifted until its highest bit is at 2^62. whole is shifted until its highest bit is at 2^31,

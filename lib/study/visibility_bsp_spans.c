@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../order/submit_by_bsp.h"
+#include "../order/bsp_pieces.h"
 #include "fixel/order.h"
 #include "methods.h"
 

@@ -8,7 +8,7 @@
 #include "clusters.h"
 #include "cull.h"
 #include "order.h"
-#include "sphere.h"
+#include "outcode.h"
 
 /* With u = apex - eye, the eye is in the cone if u . axis >= 0 and (u . axis)^2 >= cutoff |u|^2.
  * Apex and eye are below 2^30, so u is below 2^31, u . axis below 2^62 by Cauchy-Schwarz, and |u|^2

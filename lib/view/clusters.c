@@ -6,7 +6,7 @@
 #include "clusters.h"
 #include "cull.h"
 #include "order.h"
-#include "sphere.h"
+#include "outcode.h"
 
 #include "../math/arith.h"
 

@@ -8,7 +8,7 @@
 #include "../math/arith.h"
 #include "../math/family.h"
 #include "fixel/records.h"
-#include "sphere.h"
+#include "outcode.h"
 
 #ifdef __cplusplus
 extern "C" {

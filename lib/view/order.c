@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-
+/* A file of its own, so that the compiler does not spend registers of the loop on the choice. */
 #include "../math/arith.h"
 #include "../scene/face_bounds.h"
+#include "../scene/turn_code.h"
 #include "cull.h"
 #include "model_view.h"
 #include "order.h"
 #include "outcode.h"
-#include "sphere.h"
 
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
@@ -145,4 +145,13 @@ uint32_t fxl_order_drop_outside(const fxl_model_view *model_view, const fxl_face
         }
     }
     return (uint32_t)(to - entries);
+}
+
+uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
+                             const fxl_view_frustum *frustum, fxl_order_entry *entries,
+                             uint32_t *left_out)
+{
+    return scene->turns != NULL
+               ? scene->turn_code->order(scene, camera, frustum, entries, left_out)
+               : fxl_order_still_instances(scene, camera, frustum, entries, left_out);
 }

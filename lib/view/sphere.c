@@ -24,7 +24,7 @@
 
 #include "estimate.h"
 #include "model_view.h"
-#include "sphere.h"
+#include "outcode.h"
 
 #define SLACK 9
 

@@ -5,9 +5,7 @@
 #include "model_view.h"
 #include "order.h"
 #include "outcode.h"
-#include "sphere.h"
 #include "turn.h"
-#include "turned_view.h"
 
 /* Moves the vertex to translation + 2^shift (matrix . vertex). Exact: the difference is matrix .
  * vertex, and the instance lies within FXL_COORDINATE_MAX, so the product is below 2^60. */

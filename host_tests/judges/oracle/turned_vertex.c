@@ -7,7 +7,7 @@
 
 #include "oracle/setup.h"
 #include "oracle/turns.h"
-#include "view/turned_view.h"
+#include "view/turn.h"
 
 enum {
     ANGLES = 3,

@@ -4,7 +4,7 @@
 
 #include "clip/clip_by_view.h"
 #include "clip/clip_view.h"
-#include "clip/intersect_edge.h"
+#include "clip/intersection.h"
 #include "draw/display_list.h"
 #include "draw/reach.h"
 #include "predict/wrapped.h"
@@ -14,11 +14,11 @@
 #include "view/model_view.h"
 #include "view/order.h"
 #include "view/project.h"
-#include "view/turned_view.h"
+#include "view/turn.h"
 
+#include "draw/surface_polygon.h"
 #include "paint/light_level.h"
 #include "paint/segments.h"
-#include "draw/surface_polygon.h"
 
 predict_counts counted;
 
