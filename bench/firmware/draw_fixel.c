@@ -3,6 +3,7 @@
 #include "contract/system.h"
 #include "draw.h"
 #include "fixel/depth.h"
+#include "fixel/surfaces.h"
 #include "looks.h"
 #include "text.h"
 
@@ -17,7 +18,6 @@ static uint32_t order_needed;
 static uint32_t cache_used;
 
 /* Of a scene with surfaces, and of one that asks for a depth buffer. */
-static fxl_depth depth;
 static uint64_t looks[LOOKS_BYTES / 8u];
 static uint64_t cells[FXL_DEPTH_BYTES(DRAW_PIXELS_MAX, 1, 16) / 8u];
 static uint32_t looks_used, cells_used;
@@ -42,18 +42,21 @@ static fxl_status open_looks(const fxl_scene_image *image)
 {
     const uint32_t wanted = walk_looks_bytes(image);
     const uint32_t pixels = (uint32_t)image->lens.width * image->lens.height;
-    fxl_status status;
     if (wanted > LOOKS_BYTES) {
         return FXL_E_CAPACITY;
     }
     looks_used = wanted;
-    status = walk_looks_open(image, &renderer, (uint8_t *)looks);
-    if (status == FXL_OK && image->depth_bits != 0) {
-        cells_used = FXL_DEPTH_BYTES(pixels, 1, 16);
-        status =
-            fxl_renderer_set_depth(&renderer, &depth, &fxl_visibility_depth, cells, cells_used);
+    if (image->depth_bits == 0) {
+        return walk_looks_open(image, FXL_SURFACES_OF(fxl_palette), &renderer, (uint8_t *)looks);
     }
-    return status;
+    cells_used = FXL_DEPTH_BYTES(pixels, 1, 16);
+    fxl_config config = fxl_config_for(1, 1, &fxl_palette_depth_16);
+    config.depth = cells;
+    config.depth_size = cells_used;
+    const fxl_status status = fxl_renderer_choose(&renderer, &config);
+    return status == FXL_OK ? walk_looks_open(image, FXL_SURFACES_OF(fxl_palette_depth_16),
+                                              &renderer, (uint8_t *)looks)
+                            : status;
 }
 
 int draw_open(const fxl_scene_image *image)

@@ -186,9 +186,9 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride);
 
 /* Finds two things that do not go together: of a renderer's order, its target and what is attached
- * to it (docs/extras/combinations.md). Where there are such, fxl_frame_begin and fxl_render answer
- * FXL_E_COMBINATION. Returns false if there are none: names untouched. Otherwise names[0] and
- * names[1] are English, and never null. */
+ * to it (docs/extras/combinations.md). If there are such, fxl_frame_begin answers FXL_E_COMBINATION.
+ * Returns false if there are none: names untouched. Otherwise names[0] and names[1] are English, and
+ * never null. */
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 
 /* --- the second level -------------------------------------------------------------------- */
