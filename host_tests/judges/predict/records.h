@@ -12,7 +12,7 @@ enum {
     ARM_LIT_PIECES = 28, /* fxl_lit_pieces */
     ARM_LIT_PIECE = 6,   /* fxl_lit_piece */
     ARM_LIGHT = 132,     /* fxl_light */
-    ARM_SURFACES = 80,   /* what firmware/walk/surfaces.c has before its textures */
+    ARM_SURFACES = 100,  /* what firmware/walk/surfaces.c has before its textures */
     ARM_TEXTURE = 16,    /* fxl_texture */
     ARM_BILLBOARDS = 20, /* what firmware/walk/billboards.c has before its records */
     ARM_BILLBOARD = 20,  /* fxl_billboard */
