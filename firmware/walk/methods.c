@@ -65,6 +65,11 @@ static const walk_target targets[] = {
 };
 
 enum {
+#if defined WALK_TARGET_IS_CHOSEN
+    IS_CHOSEN = 1,
+#else
+    IS_CHOSEN = 0,
+#endif
     TARGETS = sizeof targets / sizeof *targets
 };
 
@@ -76,8 +81,8 @@ static const walk_target *target_of(const fxl_scene_image *image)
     for (i = 0; i < TARGETS; i++) {
         const fxl_target *target = targets[i].target;
 
-        if (TARGETS == 1 || (target->pixel_bits == image->pixel_bits &&
-                             target->depth_bits == image->depth_bits)) {
+        if (IS_CHOSEN || (target->pixel_bits == image->pixel_bits &&
+                          target->depth_bits == image->depth_bits)) {
             return &targets[i];
         }
     }

@@ -108,7 +108,7 @@ class Gate:
 def play(scene, folder):
     """Walks live while the script's keys are pressed; the board's dump."""
     gate = Gate(pathlib.Path(folder) / emulator.DUMP_NAME, PIPE_BYTES,
-                dump.frame_bytes(scene.host.width, scene.host.height))
+                dump.FRAME_HEAD.size + scene.host.width * scene.host.height + dump.FRAME_TAIL.size)
     with Session(scene.program, scene.image, folder, [f"frames={FRAMES}", "live"]) as board:
 
         def let_pass(count):

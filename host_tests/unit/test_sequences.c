@@ -130,10 +130,8 @@ static fxl_status attach(const way *into, uint32_t thing, bool is_there)
 /* Outlines with beams and with depth are refused for good. The others are not drawn yet. */
 static bool is_refused(const way *into, uint32_t set)
 {
-    return (HAS(set, OUTLINES) &&
-            (into->target != &fxl_palette || HAS(set, BEAMS) || HAS(set, SURFACES) ||
-             HAS(set, BILLBOARDS))) ||
-           (HAS(set, BEAMS) && HAS(set, SURFACES));
+    return HAS(set, OUTLINES) && (into->target != &fxl_palette || HAS(set, BEAMS) ||
+                                  HAS(set, SURFACES) || HAS(set, BILLBOARDS));
 }
 
 /* The members of a set that show: light at corners needs surfaces, and light. */

@@ -39,8 +39,8 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 
 /* --- conflicts ------------------------------------------------------------------------------ */
 
-/* The first that a renderer has is named. Outlines with RGB565, surfaces and billboards, a tree with
- * surfaces and billboards, and beams with surfaces are not drawn yet. */
+/* The first that a renderer has is named. Outlines with RGB565, surfaces and billboards, and a tree
+ * with surfaces and billboards are not drawn yet. */
 static const fxl_conflict conflicts[] = {
     {FXL_HAS_TREE, FXL_HAS_DEPTH},
     {FXL_HAS_STUDY, FXL_HAS_SURFACES},
@@ -54,7 +54,6 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_BILLBOARDS},
     {FXL_HAS_TREE, FXL_HAS_SURFACES},
     {FXL_HAS_TREE, FXL_HAS_BILLBOARDS},
-    {FXL_HAS_BEAMS, FXL_HAS_SURFACES},
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
 };
 

@@ -5,18 +5,19 @@
 
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
 {
+    /* In the order of FXL_HAS_...; C++ has no designators of elements. */
     static const char *const parts[FXL_HAS_COUNT] = {
-        [FXL_HAS_TREE] = "the order by tree",
-        [FXL_HAS_MOVERS] = "instances that the tree cuts",
-        [FXL_HAS_DEPTH] = "a depth buffer",
-        [FXL_HAS_RGB565] = "an RGB565 target",
-        [FXL_HAS_STUDY] = "a target of the study",
-        [FXL_HAS_SURFACES] = "surfaces",
-        [FXL_HAS_BILLBOARDS] = "billboards",
-        [FXL_HAS_BEAMS] = "beams",
-        [FXL_HAS_OUTLINES] = "outlines",
-        [FXL_HAS_OTHER_PAINTER] = "surfaces or billboards of another target",
-        [FXL_HAS_TARGET] = "the renderer's target",
+        "the order by tree", /* FXL_HAS_TREE */
+        "instances that the tree cuts", /* FXL_HAS_MOVERS */
+        "a depth buffer", /* FXL_HAS_DEPTH */
+        "an RGB565 target", /* FXL_HAS_RGB565 */
+        "a target of the study", /* FXL_HAS_STUDY */
+        "surfaces", /* FXL_HAS_SURFACES */
+        "billboards", /* FXL_HAS_BILLBOARDS */
+        "beams", /* FXL_HAS_BEAMS */
+        "outlines", /* FXL_HAS_OUTLINES */
+        "surfaces or billboards of another target", /* FXL_HAS_OTHER_PAINTER */
+        "the renderer's target", /* FXL_HAS_TARGET */
     };
     if (renderer == NULL || names == NULL || renderer->target == NULL) {
         return false;

@@ -211,8 +211,8 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
     if (status == FXL_OK) {
         const uint32_t size = order_size(visibility->order, renderer->scene);
         const bool has_room = workspace_size >= size;
-        fxl_config config = {.order = visibility->order,
-                             .target = visibility->target,
+        fxl_config config = {.target = visibility->target,
+                             .order = visibility->order,
                              .palette = renderer->palette,
                              .tree = workspace,
                              .tree_size = has_room ? size : workspace_size};

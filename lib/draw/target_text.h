@@ -280,11 +280,13 @@ const fxl_target FXL_TARGET = {
 #else
     .fill = fxl_fill_band,
 #endif
+#if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
+    .choose = fxl_choose_with_memory,
+#endif
 #if FXL_TARGET_DEPTH_BITS != 0
     .memory_size = memory_size,
 #endif
 #if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
-    .choose = fxl_choose_with_memory,
     .draw_band = draw_band,
 #endif
     .flat = flat,
