@@ -167,4 +167,4 @@ def test_a_missing_billboard_would_be_seen(build, built, tmp_path):
 @pytest.mark.parametrize("method", ["spans", "tree", "tree-spans"])
 def test_other_methods_refuse_the_scene(build, built, tmp_path, method):
     done, _ = drawn(build, built, tmp_path, "--hidden", method)
-    assert done.returncode == 2 and "called before another" in done.stderr
+    assert done.returncode == 2 and "do not go together" in done.stderr

@@ -110,7 +110,7 @@ void test_an_image_as_a_whole(void)
     TEST_ASSERT_EQUAL_UINT32(0, fault.index);
     expect_name(FXL_E_MAGIC, "image", 0, AT_MAGIC, 0);
     expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, TINY_SECTIONS << 16 | (IMAGE_VERSION - 1));
-    expect_name(FXL_E_RESERVED, "image", 0, AT_BACKGROUND, 0x10000);
+    expect_name(FXL_E_RESERVED, "image", 0, AT_BACKGROUND, 0x1000); /* of the target */
     expect_name(FXL_E_OFFSET, "section", 0, HEADER_SIZE, 0x10000); /* of kind 0 */
     expect_name(FXL_E_OFFSET, "palette table", 0, HEADER_SIZE + SECTION_BYTES, 0x10001);
     expect_name(FXL_E_VERSION, "section", 0, HEADER_SIZE, 0x10000 | SECTION_KINDS);

@@ -147,22 +147,28 @@ static fxl_status choose(session *run, const session_settings *settings)
     return fxl_renderer_choose(&run->renderer, &config);
 }
 
-/* Surfaces, where the order is not that of a tree; and billboards. A target of the study draws
- * neither. */
+/* What draws into the renderer's target. Nothing draws into a target of the study: the palette's are
+ * refused when a frame begins. */
+static int painters_of(const fxl_renderer *renderer)
+{
+    int i = TARGETS;
+    while (i > 0 && painters[--i].target != renderer->target) {
+    }
+    return i;
+}
+
 static fxl_status attach_pictures(session *run, bool without_surfaces)
 {
+    fxl_renderer *renderer = &run->renderer;
+    const int number = painters_of(renderer);
     fxl_status status = FXL_OK;
-    for (int i = 0; i < TARGETS; i++) {
-        if (run->renderer.target == painters[i].target && run->image.surfaces.face_map &&
-            !without_surfaces) {
-            status = fxl_attach_surfaces(&run->renderer, &run->surfaces, &run->surface_set,
-                                         painters[i].surfaces);
-        }
-        if (run->renderer.target == painters[i].target && run->image.billboards.model_map &&
-            status == FXL_OK) {
-            status = fxl_attach_billboards(&run->renderer, &run->billboards, &run->billboard_set,
-                                           painters[i].sprites);
-        }
+    if (run->image.surfaces.face_map && !without_surfaces) {
+        status = fxl_attach_surfaces(renderer, &run->surfaces, &run->surface_set,
+                                     painters[number].surfaces);
+    }
+    if (status == FXL_OK && run->image.billboards.model_map) {
+        status = fxl_attach_billboards(renderer, &run->billboards, &run->billboard_set,
+                                       painters[number].sprites);
     }
     return status;
 }

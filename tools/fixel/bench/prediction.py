@@ -18,6 +18,8 @@ from fixel.base.table import coloured, table
 # What a board's program may leave out: WALK_WITHOUT_... of its settings.
 NOT_DRAWN = {"surfaces": "surfaces (VISIBILITY=surfaces builds a program that draws them)",
              "depth": "with a depth buffer (VISIBILITY=sorted builds a program that draws by distance)",
+             "depth_32": "with a depth buffer of 32 bits (depth = 16 asks for one of 16)",
+             "rgb565": "in RGB565",
              "billboards": "billboards"}
 
 
@@ -47,7 +49,8 @@ def count(options, scene, size, board, file):
         raise frame_costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
     if needed > options.order:
         raise frame_costs.NoRoom(f"the scene needs {needed:,} order entries, the board has {options.order:,}")
-    wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "billboards": scene.billboards}
+    wanted = {"surfaces": scene.surfaces, "depth": by_depth(scene), "depth_32": scene.depth_bits == 32,
+              "rgb565": scene.pixel_bits == 16, "billboards": scene.billboards}
     for name in options.without.lower().split(","):
         if wanted.get(name):
             raise frame_costs.NoRoom(f"the board has no room to draw {NOT_DRAWN[name]}")
