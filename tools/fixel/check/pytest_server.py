@@ -124,6 +124,9 @@ def answer():
 
 if __name__ == "__main__":
     sys.path.pop(0)     # this folder
+    for ignored in (signal.SIGHUP, signal.SIGTERM):     # by nohup, or by a shell in the background
+        signal.signal(ignored, signal.SIG_DFL)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     for name in PRELOADED:
         __import__(name)
     warm_start = None
