@@ -168,6 +168,7 @@ def test_keys_on_the_page_and_keys_that_are_let_go_elsewhere(page):
     page.mouse.down()
     while figure(page, "yaw") == before["yaw"]:
         step_by_key(page)
+        assert page.get_attribute("[data-bit='8']", "aria-pressed") == "true", "another key lets it go"
     page.evaluate("window.dispatchEvent(new Event('blur'))")    # another window is on top now
     turned = None
     while (yaw := figure(page, "yaw")) != turned:

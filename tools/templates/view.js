@@ -429,7 +429,12 @@ function listenToKey(button) {
       hold(what, bit);
     }
   });
-  for (const name of ["pointerup", "pointercancel", "lostpointercapture", "keyup", "blur"]) {
+  button.addEventListener("keyup", (event) => {
+    if (event.code === "Space" || event.code === "Enter") {     // any other key leaves alone what the pointer holds
+      release();
+    }
+  });
+  for (const name of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) {
     button.addEventListener(name, release);
   }
 }
