@@ -64,4 +64,7 @@ void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in);
 void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t background,
                      fuzz_input *in);
 
+/* A frame into each target, with whatever may be attached, or a refusal that names two things. */
+void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *pose);
+
 #endif

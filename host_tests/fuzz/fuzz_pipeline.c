@@ -42,6 +42,9 @@ static void draw_made(made_scene *made, fuzz_input *in)
             fxl_pose pose = fuzz_pose(in);
             draw_choice choice = {fuzz_below(in, DRAW_CLIPPERS), 0, lens.height};
             draw_scene(&made->scene, &lens, &pose, &choice, in);
+            if (i == 0) {
+                draw_attached(&made->scene, &lens, &pose);
+            }
         }
     }
     free_scene(made);
