@@ -140,13 +140,13 @@ $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VI
 endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
 WALK_CLIPPER := $(if $(CLIPPER),fxl_clipper_$(subst -,_,$(CLIPPER)))
-# What draws: targets of the study, and defines by which firmware/walk/methods.c chooses.
+# What VISIBILITY= stands for: a target of the study, or defines by which firmware/walk/methods.c chooses.
 WALK_TARGET.box := fxl_palette_box
 WALK_TARGET.spans := fxl_palette_spans
 WALK_TARGET.tree-spans := fxl_palette_spans
 WALK_TARGET.spans-box := fxl_palette_spans_box
-WALK_DRAWS.sorted := WALK_TARGET=fxl_palette WALK_FLAT
-WALK_DRAWS.tree := WALK_TARGET=fxl_palette WALK_FLAT WALK_TREE
+WALK_DRAWS.sorted := WALK_FLAT
+WALK_DRAWS.tree := WALK_FLAT WALK_TREE
 WALK_DRAWS.tree-spans := WALK_STUDY WALK_TREE
 WALK_DRAWS.surfaces := WALK_PALETTE WALK_SURFACES
 WALK_DRAWS.depth := WALK_DEPTH_16

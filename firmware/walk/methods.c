@@ -31,7 +31,7 @@ static const walk_target targets[] = {
 #if defined WALK_STUDY
     {&WALK_TARGET, NULL, NULL},
 #elif defined WALK_FLAT
-    {&WALK_TARGET, NULL, SPRITES(FXL_SPRITES_OF(fxl_palette))},
+    {&fxl_palette, NULL, SPRITES(FXL_SPRITES_OF(fxl_palette))},
 #elif defined WALK_PALETTE
     {&fxl_palette, SURFACES(FXL_SURFACES_OF(fxl_palette)), SPRITES(FXL_SPRITES_OF(fxl_palette))},
 #elif defined WALK_DEPTH_16

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A file of its own, as the next one: a renderer whose light was set checks no combination. */
+/* A file of its own, so that a program which sets a light links no look at what goes together. */
 #include "submit.h"
 #include "fixel/light.h"
 

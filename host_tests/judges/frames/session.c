@@ -151,10 +151,12 @@ static fxl_status choose(session *run, const session_settings *settings)
  * refused when a frame begins. */
 static int painters_of(const fxl_renderer *renderer)
 {
-    int i = TARGETS;
-    while (i > 0 && painters[--i].target != renderer->target) {
+    for (int i = 0; i < TARGETS; i++) {
+        if (painters[i].target == renderer->target) {
+            return i;
+        }
     }
-    return i;
+    return 0;
 }
 
 static fxl_status attach_pictures(session *run, bool without_surfaces)

@@ -281,6 +281,7 @@ int main(int count, char **arguments)
     free(run.frames);
     free(run.bytes);
     judge_dump_close(&run.twin);
+    judge_dump_close(&run.names);
     judge_dump_close(&run.dump);
     ref_scene_close(&run.image);
     return code;

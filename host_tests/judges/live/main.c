@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* live SCENE.fxls [--clipper NAME] [--hidden NAME] [--pixels palette|rgb565]
  *
+ * With --hidden, and without --pixels, the board's pixels are those of the palette.
+ *
  * Draws with the reference renderer, pose by pose. A request on standard
  * input is 36 bytes, and the board's pixels where it wants the verdict. An answer
  * on standard output is a head of 24 bytes and the parts that the request wants.
@@ -362,7 +364,7 @@ int main(int count, char **arguments)
     run.renderer.cuts = as.cuts;
     run.renderer.by_points = as.by_points;
     ref_rgb565_make(&run.rgb565, run.image.palette, run.image.dark);
-    run.renderer.rgb565 = (pixels ? pixels == 16 : run.image.is_rgb565) ? &run.rgb565 : NULL;
+    run.renderer.rgb565 = (pixels ? pixels == 16 : unasked && run.image.is_rgb565) ? &run.rgb565 : NULL;
     if (code == 0) {
         code = serve(&run);
     }
