@@ -96,7 +96,7 @@ BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
-$(foreach part,path looks surfaces billboards methods,
+$(foreach part,path looks surfaces billboards methods targets,
 $(BENCH_OUT)/$(1)/$(part).o: firmware/walk/$(part).c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding)
 )
@@ -194,7 +194,7 @@ COSTS_SIZES := LARGE MIDDLE SMALL ORDER LEAST
 COSTS_FLAGS = -DDRAW_BAND_ROWS=$(word 1,$(COSTS_$(1)))u -DDRAW_LIST_WORDS=$(word 2,$(COSTS_$(1)))u \
     -DDRAW_CACHE_ENTRIES=$(word 3,$(COSTS_$(1)))u -DDRAW_ORDER_MORE=$(word 4,$(COSTS_$(1)))u
 # What they have of the walk, and of the library.
-COSTS_WALK := path looks surfaces billboards methods
+COSTS_WALK := path looks surfaces billboards methods targets
 COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c) $(COSTS_WALK:%=firmware/walk/%.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core))))))
 define COSTS_RULES

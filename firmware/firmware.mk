@@ -123,7 +123,7 @@ ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD_CHOSEN))),)
 $(error PROGRAM=$(PROGRAM) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(board))),,$(board))))
 endif
 PROGRAM_SOURCES.walk := $(wildcard firmware/walk/*.c)
-PROGRAM_SOURCES.game := $(filter-out %/act_path.c,$(PROGRAM_SOURCES.walk)) $(wildcard firmware/game/*.c) examples/game/game.c
+PROGRAM_SOURCES.game := $(filter-out %/act_path.c %/targets.c,$(PROGRAM_SOURCES.walk)) $(wildcard firmware/game/*.c) examples/game/game.c
 # $(1): a board, $(2): a program
 PROGRAM_OBJECTS_OF = $(PROGRAM_SOURCES.$(2):%.c=$(FIRMWARE_OUT)/$(1)/%.o)
 PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
@@ -140,7 +140,7 @@ $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VI
 endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
 WALK_CLIPPER := $(if $(CLIPPER),fxl_clipper_$(subst -,_,$(CLIPPER)))
-# What VISIBILITY= stands for: a target of the study, or defines by which firmware/walk/methods.c chooses.
+# What VISIBILITY= stands for: a target of the study, or defines by which firmware/walk/targets.c and methods.c choose.
 WALK_TARGET.box := fxl_palette_box
 WALK_TARGET.spans := fxl_palette_spans
 WALK_TARGET.tree-spans := fxl_palette_spans
@@ -154,7 +154,7 @@ WALK_DRAWS.depth-32 := WALK_DEPTH_32
 WALK_TARGET := $(WALK_TARGET.$(VISIBILITY))
 WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(VISIBILITY:%=-DWALK_TARGET_IS_CHOSEN) \
     $(addprefix -D,$(WALK_TARGET:%=WALK_TARGET=%) $(or $(WALK_DRAWS.$(VISIBILITY)),$(WALK_TARGET:%=WALK_STUDY)))
-WALK_METHODS_FILES := methods surfaces
+WALK_METHODS_FILES := methods surfaces targets
 # A board's memory.ld may ask for it: a program with surfaces is larger.
 WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
 
@@ -214,7 +214,7 @@ endef
 
 # The objects that differ stand in place of the program's own.
 define CHOICE_RULES
-$(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),$(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
+$(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/targets_game.o $(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
     $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o \
     $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) \
     $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(FIRMWARE_OUT)/$(1)/$(call BOARD_WIRES_OF,$(1)).o) \

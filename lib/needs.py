@@ -77,10 +77,11 @@ def names_in_header(file):
 
 
 def pasted_names(file):
-    """The names that the code of a source makes of another, as FXL_SURFACES_OF(fxl_palette) does."""
-    pastes = {macro: end for header in included(file) for macro, _, end in PASTES.findall(text_of(header))}
+    """The names that the code of a source, and what it includes, makes of another, as FXL_SURFACES_OF(fxl_palette) does."""
+    texts = [text_of(each) for each in included(file)]
+    pastes = {macro: end for text in texts for macro, _, end in PASTES.findall(text)}
     return {name + end for macro, end in pastes.items()
-            for name in re.findall(rf"\b{macro}\((fxl_\w+)\)", text_of(file))}
+            for text in texts for name in re.findall(rf"\b{macro}\((fxl_\w+)\)", text)}
 
 
 @functools.cache

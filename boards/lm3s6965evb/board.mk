@@ -16,8 +16,7 @@ BOARD_CACHE_ENTRIES := 64
 
 # After reset the core runs at 12.5 MHz, and the watchdog with it; its interrupt
 # is number 18.
-# Beside the game and the driver of a display, depth buffers of 32 bits a pixel would take 4 KiB of flash more than there is.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u WALK_WITHOUT_DEPTH_32 \
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=12500000u CMSDK_WATCHDOG_BASE=0x40000000u CMSDK_WATCHDOG_HZ=12500000u \
     CMSDK_WATCHDOG_INTERRUPT=18u
 
 BOARD_SOURCES := boards/lm3s6965evb/board.c \

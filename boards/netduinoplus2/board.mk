@@ -15,8 +15,7 @@ BOARD_LIST_BYTES := 32768
 BOARD_CACHE_ENTRIES := 256
 
 # QEMU's 168 MHz; the real chip runs at 16 MHz until it is told otherwise.
-# Beside the game and the driver of a display, depth buffers of 32 bits a pixel would take 2 KiB of flash more than there is.
-BOARD_SETTINGS := BOARD_SYSTICK_HZ=168000000u WALK_WITHOUT_DEPTH_32
+BOARD_SETTINGS := BOARD_SYSTICK_HZ=168000000u
 
 BOARD_SOURCES := boards/netduinoplus2/board.c \
     $(addprefix boards/parts/,cortexm_start.c cortexm_fault.c thumb.c armv7m_fault.c armv7m_protect.c stack.c \

@@ -8,82 +8,45 @@
 #define WALK_CLIPPER fxl_clipper_view
 #endif
 
-#if defined WALK_WITHOUT_SURFACES && !defined WALK_SURFACES
-#define SURFACES(painter) NULL
-#else
-#define SURFACES(painter) (painter)
-#endif
-#if defined WALK_WITHOUT_BILLBOARDS
-#define SPRITES(painter) NULL
-#else
-#define SPRITES(painter) (painter)
-#endif
-
 /* What fxl_renderer_init_with has chosen already: a small program chooses nothing. */
 #if defined WALK_WITHOUT_BSP && defined WALK_WITHOUT_DEPTH && defined WALK_WITHOUT_RGB565 && \
     !defined WALK_TARGET_IS_CHOSEN
 #define ONLY_THE_RENDERERS_OWN
 #endif
 
-/* --- targets: the one that was chosen, or those that a scene may ask for ------------------------ */
-
-static const walk_target targets[] = {
-#if defined WALK_STUDY
-    {&WALK_TARGET, NULL, NULL},
-#elif defined WALK_FLAT
-    {&fxl_palette, NULL, SPRITES(FXL_SPRITES_OF(fxl_palette))},
-#elif defined WALK_PALETTE
-    {&fxl_palette, SURFACES(FXL_SURFACES_OF(fxl_palette)), SPRITES(FXL_SPRITES_OF(fxl_palette))},
-#elif defined WALK_DEPTH_16
-    {&fxl_palette_depth_16, FXL_SURFACES_OF(fxl_palette_depth_16),
-     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_16))},
-#elif defined WALK_DEPTH_32
-    {&fxl_palette_depth_32, FXL_SURFACES_OF(fxl_palette_depth_32),
-     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_32))},
-#else
-    {&fxl_palette, SURFACES(FXL_SURFACES_OF(fxl_palette)), SPRITES(FXL_SPRITES_OF(fxl_palette))},
-#if !defined WALK_WITHOUT_DEPTH
-    {&fxl_palette_depth_16, SURFACES(FXL_SURFACES_OF(fxl_palette_depth_16)),
-     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_16))},
-#endif
-#if !defined WALK_WITHOUT_DEPTH && !defined WALK_WITHOUT_DEPTH_32
-    {&fxl_palette_depth_32, SURFACES(FXL_SURFACES_OF(fxl_palette_depth_32)),
-     SPRITES(FXL_SPRITES_OF(fxl_palette_depth_32))},
-#endif
-#if !defined WALK_WITHOUT_DEPTH && !defined WALK_WITHOUT_RGB565
-    {&fxl_rgb565_depth_16, SURFACES(FXL_SURFACES_OF(fxl_rgb565_depth_16)),
-     SPRITES(FXL_SPRITES_OF(fxl_rgb565_depth_16))},
-#endif
-#if !defined WALK_WITHOUT_DEPTH && !defined WALK_WITHOUT_DEPTH_32 && !defined WALK_WITHOUT_RGB565
-    {&fxl_rgb565_depth_32, SURFACES(FXL_SURFACES_OF(fxl_rgb565_depth_32)),
-     SPRITES(FXL_SPRITES_OF(fxl_rgb565_depth_32))},
-#endif
-#if !defined WALK_WITHOUT_RGB565
-    {&fxl_rgb565, SURFACES(FXL_SURFACES_OF(fxl_rgb565)), SPRITES(FXL_SPRITES_OF(fxl_rgb565))},
-#endif
-#endif
-};
+/* --- what is chosen --------------------------------------------------------------------------- */
 
 enum {
 #if defined WALK_TARGET_IS_CHOSEN
-    IS_CHOSEN = 1,
+    IS_CHOSEN = 1
 #else
-    IS_CHOSEN = 0,
+    IS_CHOSEN = 0
 #endif
-    TARGETS = sizeof targets / sizeof *targets
 };
+
+bool walk_methods_draw_pixels(uint8_t pixel_bits)
+{
+    uint32_t i;
+
+    for (i = 0; i < walk_target_count; i++) {
+        if (IS_CHOSEN || walk_targets[i].target->pixel_bits == pixel_bits) {
+            return true;
+        }
+    }
+    return false;
+}
 
 /* The target that a scene asks for; null: the board has none of the kind. */
 static const walk_target *target_of(const fxl_scene_image *image)
 {
     uint32_t i;
 
-    for (i = 0; i < TARGETS; i++) {
-        const fxl_target *target = targets[i].target;
+    for (i = 0; i < walk_target_count; i++) {
+        const fxl_target *target = walk_targets[i].target;
 
         if (IS_CHOSEN || (target->pixel_bits == image->pixel_bits &&
                           target->depth_bits == image->depth_bits)) {
-            return &targets[i];
+            return &walk_targets[i];
         }
     }
     return NULL;

@@ -16,6 +16,13 @@ typedef struct {
     const fxl_sprite_painter *sprites;
 } walk_target;
 
+/* Those that the program links. */
+extern const walk_target walk_targets[];
+extern const uint32_t walk_target_count;
+
+/* Whether it links one with so many bits a pixel. */
+bool walk_methods_draw_pixels(uint8_t pixel_bits);
+
 /* What is chosen, and what it wants of memory, in bytes, each a multiple of 8. */
 typedef struct {
     const fxl_clipper *clipper;

@@ -156,6 +156,12 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->looks = walk_looks_bytes(image);
     of->billboards = walk_billboards_bytes(image);
     of->taken = of->act + of->looks + of->billboards;
+#if !defined WALK_WITHOUT_RGB565
+    if (!walk_methods_draw_pixels(image->pixel_bits)) {
+        system_text("walk: this program draws no RGB565: leave out pixels = \"rgb565\"\n");
+        return SYSTEM_EXIT_CAPACITY;
+    }
+#endif
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree, with surfaces or with a "
                     "depth buffer (VISIBILITY=sorted), billboards or RGB565\n");
