@@ -85,20 +85,18 @@ class Pump:
                 if self._restarts:
                     self._restarts, self._runs_free, self._due = False, False, now
                     return RESTART
-                if self._steps:
-                    self._steps -= 1
-                    return FRAME
                 due = looks if self._paused else self._due
+                if self._steps or not self._paused and now >= due:
+                    self._steps -= self._steps > 0
+                    self._runs_free = self._rate == 0 and not self._paused
+                    return FRAME
                 if now >= due:
-                    return LOOK_AT if self._paused else FRAME
+                    return LOOK_AT
                 self._changed.wait(due - now)
         return None
 
     def _fetch(self):
-        with self._changed:
-            waits = self._rate != 0 or self._paused
-            self._runs_free = not waits
-        frame = self._board.frame(waits)
+        frame = self._board.frame(not self._runs_free)
         if frame is None:
             return      # it is being stopped
         self._show(frame)
