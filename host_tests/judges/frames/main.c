@@ -97,38 +97,38 @@ static bool parse(int count, char **arguments, options *wanted)
     return wanted->out && wanted->clipper;
 }
 
-/* A backend that goes with the clipper replaces the visibility method's. */
-static fxl_visibility visibility_of(const options *wanted, const session *run)
+/* A target that goes with the clipper replaces that of the visibility method. */
+static void choose_method(const options *wanted, const session *run, session_settings *settings)
 {
-    fxl_visibility visibility =
-        wanted->visibility ? *wanted->visibility->visibility : *session_visibility(run);
-    if (wanted->clipper->target) {
-        visibility.target = visibility.target == &fxl_palette_spans ? &fxl_palette_spans_box
-                                                                    : wanted->clipper->target;
+    session_follow_scene(run, settings);
+    if (wanted->visibility) {
+        settings->order = wanted->visibility->order;
+        settings->target = wanted->visibility->target;
+        settings->without_surfaces = !wanted->visibility->draws_surfaces;
     }
-    return visibility;
+    if (wanted->clipper->target) {
+        settings->target = settings->target == &fxl_palette_spans ? &fxl_palette_spans_box
+                                                                  : wanted->clipper->target;
+    }
 }
 
 /* Null, or what is wrong. */
 static const char *open_scene(const options *wanted, session *run)
 {
-    static fxl_visibility visibility;
     const char *wrong = session_open(run, wanted->scene);
     if (wrong) {
         return wrong;
     }
     const fxl_lens *lens = &run->image.lens;
-    visibility = visibility_of(wanted, run);
-    const session_settings settings = {
+    session_settings settings = {
         .clipper = wanted->clipper->clipper,
-        .visibility = &visibility,
         .pixel_bits = wanted->pixel_bits ? wanted->pixel_bits : run->image.pixel_bits,
-        .without_surfaces = wanted->visibility && !wanted->visibility->draws_surfaces,
         .display_list_words = wanted->list,
         .cache_entries = wanted->cache,
-        .raster_bytes =
-            visibility.target->memory_size ? visibility.target->memory_size(lens) * 16 : 0,
         .pieces_bytes = wanted->pieces};
+    choose_method(wanted, run, &settings);
+    settings.raster_bytes =
+        settings.target->memory_size ? settings.target->memory_size(lens) * 16 : 0;
     session_reserve(run, &settings);
     fxl_status status = session_set_up(run, &settings);
     run->clipper_workspace.stats.sliver = (fxl_q18_46)wanted->sliver << 30;

@@ -18,10 +18,15 @@ static const named_clipper clippers[] = {
 };
 
 static const named_visibility methods[] = {
-    {"sorted", &fxl_visibility_sorted, false},     {"spans", &fxl_visibility_spans, false},
-    {"tree", &fxl_visibility_bsp, false},          {"tree-spans", &fxl_visibility_bsp_spans, false},
-    {"surfaces", &fxl_visibility_surfaces, true},  {"depth", &fxl_visibility_depth, true},
-    {"depth-32", &fxl_visibility_depth_32, true},
+    {"sorted", &fxl_by_distance, &fxl_palette, false},
+    {"box", &fxl_by_distance, &fxl_palette_box, false},
+    {"spans", &fxl_by_distance, &fxl_palette_spans, false},
+    {"spans-box", &fxl_by_distance, &fxl_palette_spans_box, false},
+    {"tree", &fxl_by_tree, &fxl_palette, false},
+    {"tree-spans", &fxl_by_tree, &fxl_palette_spans, false},
+    {"surfaces", &fxl_by_distance, &fxl_palette, true},
+    {"depth", &fxl_by_distance, &fxl_palette_depth_16, true},
+    {"depth-32", &fxl_by_distance, &fxl_palette_depth_32, true},
 };
 
 const named_clipper *find_clipper(const char *name)

@@ -12,10 +12,12 @@ typedef struct {
     const fxl_target *target; /* its own; null: that of the visibility method */
 } named_clipper;
 
+/* An order and a target, by a name that VISIBILITY= takes. */
 typedef struct {
     const char *name;
-    const fxl_visibility *visibility;
-    bool draws_surfaces;
+    const fxl_order *order;
+    const fxl_target *target; /* where the pixels are a palette's */
+    bool draws_surfaces;      /* else faces are drawn in their own colours */
 } named_visibility;
 
 /* Null if no clipper or method has the name. */

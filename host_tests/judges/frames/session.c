@@ -47,13 +47,14 @@ const char *session_open(session *run, const char *path)
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 
-const fxl_visibility *session_visibility(const session *run)
+void session_follow_scene(const session *run, session_settings *settings)
 {
     const fxl_scene_image *image = &run->image;
-    return image->depth_bits == 32                                 ? &fxl_visibility_depth_32
-           : image->depth_bits != 0                                ? &fxl_visibility_depth
-           : image->scene.bsp_nodes != NULL && !image->by_distance ? &fxl_visibility_bsp
-                                                                   : &fxl_visibility_sorted;
+    const bool has_tree = image->scene.bsp_nodes != NULL && !image->by_distance;
+    settings->target = image->depth_bits == 32  ? &fxl_palette_depth_32
+                       : image->depth_bits != 0 ? &fxl_palette_depth_16
+                                                : &fxl_palette;
+    settings->order = image->depth_bits == 0 && has_tree ? &fxl_by_tree : &fxl_by_distance;
 }
 
 void session_play(const session *run, uint32_t frame)
@@ -63,11 +64,10 @@ void session_play(const session *run, uint32_t frame)
     }
 }
 
-uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility)
+/* What an order needs. */
+static uint32_t order_bytes(const session *run, const fxl_order *order)
 {
-    return visibility->order->memory_size
-               ? (visibility->order->memory_size(&run->image.scene) + 7u) & ~7u
-               : 0;
+    return order->memory_size ? (order->memory_size(&run->image.scene) + 7u) & ~7u : 0;
 }
 
 static uint32_t beam_light_bytes(const fxl_scene *scene)
@@ -85,7 +85,7 @@ void session_reserve(session *run, const session_settings *most)
                                most->display_list_words,
                                session_memory(most->cache_entries * sizeof(fxl_cached_vertex)),
                                most->cache_entries};
-    run->tree = session_memory(session_submit_bytes(run, most->visibility) + most->pieces_bytes);
+    run->tree = session_memory(order_bytes(run, most->order) + most->pieces_bytes);
     run->depth = session_memory(most->raster_bytes);
     run->beam_light = session_memory(beam_light_bytes(scene));
 }
@@ -119,7 +119,7 @@ enum {
 
 static const fxl_target *target_of(const session_settings *settings)
 {
-    const fxl_target *named = settings->visibility->target;
+    const fxl_target *named = settings->target;
     for (int i = 0; settings->pixel_bits == 16 && i < TARGETS; i++) {
         const fxl_target *target = painters[i].target;
         if (target->pixel_bits == 16 && target->depth_bits == named->depth_bits) {
@@ -131,9 +131,8 @@ static const fxl_target *target_of(const session_settings *settings)
 
 static fxl_status choose(session *run, const session_settings *settings)
 {
-    const fxl_visibility *visibility = settings->visibility;
-    const uint32_t tree = session_submit_bytes(run, visibility);
-    const fxl_config config = {.order = visibility->order,
+    const uint32_t tree = order_bytes(run, settings->order);
+    const fxl_config config = {.order = settings->order,
                                .target = target_of(settings),
                                .palette = run->palette,
                                .depth = run->depth,
@@ -192,7 +191,7 @@ fxl_status session_set_up(session *run, const session_settings *settings)
     }
     if (status == FXL_OK) {
         status = attach_pictures(run, settings->without_surfaces ||
-                                          settings->visibility->order->memory_size != NULL);
+                                          settings->order->memory_size != NULL);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};

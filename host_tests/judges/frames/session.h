@@ -12,11 +12,12 @@
 /* How frames are drawn. In session_reserve: the largest that session_set_up is given. */
 typedef struct {
     const fxl_clipper *clipper;
-    const fxl_visibility *visibility; /* its order, and its target where the pixels are a palette's */
-    uint8_t pixel_bits;               /* 16: the target of RGB565 with the same depth; else 0 or 8 */
-    bool without_surfaces;            /* faces are drawn in their own colours, as by a tree */
+    const fxl_order *order;
+    const fxl_target *target; /* where the pixels are a palette's */
+    uint8_t pixel_bits;       /* 16: the target of RGB565 with the same depth; else 0 or 8 */
+    bool without_surfaces;    /* faces are drawn in their own colours, as by a tree */
     uint32_t display_list_words, cache_entries;
-    uint32_t raster_bytes; /* for the raster backend */
+    uint32_t raster_bytes; /* memory of the target */
     uint32_t pieces_bytes; /* for the pieces of movers, if the scene has a BSP tree; a multiple of 8 */
 } session_settings;
 
@@ -40,8 +41,8 @@ typedef struct {
 /* Zeroed memory that lives until the program ends. Without memory, the program ends with 2. */
 void *session_memory(size_t size);
 
-/* The visibility method of a scene for which none is asked. */
-const fxl_visibility *session_visibility(const session *run);
+/* The order and the target of a scene for which none is asked. */
+void session_follow_scene(const session *run, session_settings *settings);
 
 /* Reads and opens a scene image, which stays open until the program ends; what moves is as in
  * frame 0. Null, or what is wrong. */
@@ -51,7 +52,7 @@ const char *session_open(session *run, const char *path);
 void session_play(const session *run, uint32_t frame);
 
 /* Allocates the memory of a renderer that is set up with these settings or smaller ones, and
- * with any visibility method if the settings name a method by BSP tree. */
+ * with any order if theirs is fxl_by_tree. */
 void session_reserve(session *run, const session_settings *most);
 
 /* Sets the renderer up anew. What the library answers. */
@@ -59,9 +60,6 @@ fxl_status session_set_up(session *run, const session_settings *settings);
 
 /* Has the renderer, which is set up, draw in a light. What the library answers. */
 fxl_status session_light(session *run, const named_light *light);
-
-/* Bytes of the workspace that stand before the raster backend's. */
-uint32_t session_submit_bytes(const session *run, const fxl_visibility *visibility);
 
 /* Draws a frame into pixels, uint8_t or uint16_t, as large as the lens says: begins it, fills each band of
  * so many rows (0: the whole frame) with the background, and draws the band. Ends at the first

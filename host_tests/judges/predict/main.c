@@ -72,11 +72,11 @@ static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint3
     const uint32_t depth = depth_bytes(&run->image, settings[LIST] - taken);
     uint32_t list = settings[LIST] - taken - depth;
     list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;
-    const session_settings methods = {.clipper = &fxl_clipper_view,
-                                      .visibility = session_visibility(run),
-                                      .display_list_words = list / 4,
-                                      .cache_entries = settings[CACHE],
-                                      .raster_bytes = depth};
+    session_settings methods = {.clipper = &fxl_clipper_view,
+                                .display_list_words = list / 4,
+                                .cache_entries = settings[CACHE],
+                                .raster_bytes = depth};
+    session_follow_scene(run, &methods);
     session_reserve(run, &methods);
     run->memory.order = session_memory(order * sizeof(fxl_order_entry));
     run->memory.order_capacity = order;

@@ -79,27 +79,27 @@ static bool draw(comparison *with, const way *by, const fxl_pose *pose, uint8_t 
 }
 
 /* No display list; where there is one, what any_way says. */
-static session_settings settings_of(const fxl_visibility *visibility, const fxl_clipper *clipper)
+static session_settings settings_of(const comparison *with, const fxl_target *target,
+                                    const fxl_clipper *clipper)
 {
     return (session_settings){.without_surfaces = true,
                               .clipper = clipper,
-                              .visibility = visibility,
+                              .order = with->bsp ? &fxl_by_tree : &fxl_by_distance,
+                              .target = target,
                               .cache_entries = CACHE,
                               .pieces_bytes = PIECES};
 }
 
 static way any_way(comparison *with, const fxl_clipper *clipper, uint32_t number, tally *to)
 {
-    static fxl_visibility visibility;
     const uint32_t least = FXL_SPAN_BUFFER_BYTES_LEAST(with->width, with->height);
     const uint32_t most = FXL_SPAN_BUFFER_BYTES(with->height, INTERVALS);
-    way by = {.settings = settings_of(&visibility, clipper)};
-    visibility = with->bsp ? fxl_visibility_bsp_spans : fxl_visibility_spans;
+    way by = {.settings = settings_of(with, &fxl_palette_spans, clipper)};
     if (number == 0) { /* each pixel counted as it is written */
-        visibility.target =
+        by.settings.target =
             counted_begin(with->writes, with->frames[1], with->width * with->height)->target;
     } else if (number == 1) {
-        visibility.target = &fxl_palette_spans_box;
+        by.settings.target = &fxl_palette_spans_box;
     }
     uint32_t list = any(with, 3), pool = number == 0 ? 2 : any(with, 3), bands = any(with, 4);
     by.settings.display_list_words = list == 0 ? 0 : list == 1 ? any(with, 4000) : PLENTY;
@@ -133,9 +133,8 @@ static void count_writes(const comparison *with, const fxl_counters *counters, t
 static bool take_frame(comparison *with, const fxl_pose *pose, tally *to)
 {
     const fxl_clipper *clipper = to->frames % 4 == 3 ? &fxl_clipper_world : &fxl_clipper_view;
-    const way painted = {
-        .settings = settings_of(with->bsp ? &fxl_visibility_bsp : &fxl_visibility_sorted, clipper),
-        .rows = with->height};
+    const way painted = {.settings = settings_of(with, &fxl_palette, clipper),
+                         .rows = with->height};
     const uint32_t pixels = with->width * with->height;
     fxl_counters expected, found;
     if (!draw(with, &painted, pose, BACKGROUND, with->frames[0], &expected)) {
@@ -201,8 +200,7 @@ static void print(const tally *of)
 
 static void reserve(comparison *with)
 {
-    session_settings most = settings_of(
-        with->bsp ? &fxl_visibility_bsp_spans : &fxl_visibility_spans, &fxl_clipper_view);
+    session_settings most = settings_of(with, &fxl_palette_spans, &fxl_clipper_view);
     with->width = with->run.image.lens.width;
     with->height = with->run.image.lens.height;
     const size_t pixels = (size_t)with->width * with->height;

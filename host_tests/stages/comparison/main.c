@@ -38,12 +38,9 @@ static uint32_t raster_bytes(const fxl_lens *lens)
 
 static fxl_status set_up(session *run)
 {
-    static fxl_visibility visibility;
-    visibility.order = combination_chosen.order;
-    visibility.target = combination_chosen.target;
-    visibility.front_to_back = combination_chosen.target->near_first;
     const session_settings settings = {.clipper = combination_chosen.clipper,
-                                       .visibility = &visibility,
+                                       .order = combination_chosen.order,
+                                       .target = combination_chosen.target,
                                        .without_surfaces = true,
                                        .cache_entries = CACHE_ENTRIES,
                                        .raster_bytes = raster_bytes(&run->image.lens),
