@@ -242,3 +242,14 @@ def test_a_bug_with_a_test_that_is_not_there_is_refused_before_anything_is_built
     with pytest.raises(ToolError, match="no bug has 'nothing'"):
         seeded_bugs.main(["--root", str(root), "--build", str(root / "build"), "--only", "nothing"])
     assert not (root / "build").exists()
+
+
+@pytest.mark.parametrize("seen, code, words", [
+    ("test_a", 0, "1 of 1 bugs caught"), (None, 1, "lib/a.c: no test sees: w\n0 of 1 bugs caught")])
+def test_a_bug_that_no_test_sees_is_printed_with_its_harm(root, monkeypatch, capsys, seen, code, words):
+    for name in ("make_copy", "check_unharmed"):
+        monkeypatch.setattr(seeded_bugs, name, lambda *_: None)
+    monkeypatch.setattr(seeded_bugs, "all_tests", lambda _: {})
+    monkeypatch.setattr(seeded_bugs, "try_all", lambda bugs, *_: [seeded_bugs.Verdict(bug, seen) for bug in bugs])
+    assert seeded_bugs.main(["--root", str(root), "--build", str(root / "build")]) == code
+    assert capsys.readouterr().out.endswith(f"{words}\n")

@@ -10,6 +10,8 @@ import pytest
 from board_programs import EVERY_BOARD, ROOT, built
 from conftest import dry_run, run_cli, run_make
 
+from fixel.check import all_tests
+
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
 SKIPPED = "a.c:1:test_one:PASS\na.c:2:test_two:IGNORE: no\n\n2 Tests 0 Failures 1 Ignored \nOK"
@@ -177,3 +179,11 @@ def test_a_board_that_is_none_is_refused():
     assert 'there is no board "nonesuch"; the boards are: host ' in done.stderr
     for board in EVERY_BOARD:
         assert board in done.stderr
+
+
+@pytest.mark.parametrize("code, failures, failed", [(0, 0, 0), (1, 2, 2), (3, 0, 1)])
+def test_a_run_of_pytest_that_fails_itself_counts_as_a_test_that_failed(tmp_path, code, failures, failed):
+    report = tmp_path / "report.xml"
+    report.write_text(f'<testsuites><testsuite tests="5" skipped="1" failures="{failures}" errors="0"/></testsuites>')
+    outcome = all_tests._pytest_outcome(report, code, "words")
+    assert (outcome.passed, outcome.failed, outcome.skipped, outcome.output) == (4 - failed, failed, 1, "words")

@@ -344,6 +344,8 @@ def test_a_terrain_has_the_faces_and_all_are_turned_up(plan, tmp_path, faces, pa
     areas = [double_area_from_above(model.vertices, face.corners) for model in made.models for face in model.faces]
     assert min(areas) > 0 and sum(areas) == whole
     for model in made.models:
+        edges = [edge for face in model.faces for edge in zip(face.corners, face.corners[1:] + face.corners[:1])]
+        assert len(set(edges)) == len(edges)    # no two faces lie on one side of an edge
         for axis in (0, 2):
             along = [vertex[axis] for vertex in model.vertices]
             assert min(along) < 0 and abs(min(along) + max(along)) <= 1

@@ -15,7 +15,7 @@ from fixel.image import image
 from fixel.scene import tree, tree_choice, tree_faces
 from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
-from fixel.image.image_tree import NONE, PLANARITY_MAX
+from fixel.image.image_tree import NONE, Node, PLANARITY_MAX
 from fixel.model.mesh import DENT_MAX, Mesh, UNIT, cross, dot, is_convex_outline, minus, newell, shape, unit_normal
 from fixel.model.solids import make
 from fixel.scene.toml_object import matrix
@@ -402,3 +402,11 @@ def test_a_plane_divides_if_something_is_in_it_or_on_either_side():
     # One that crosses the plane is split.
     assert costs(both) == [none, none, tree_choice.SPLIT_COST, none, none]
     assert costs(both, high) == [none, none, tree_choice.SPLIT_COST + 1, 1, none]
+
+
+@pytest.mark.parametrize("points", [[(0, 0, 0), (2, 0, 0), (0, 4, 2)], [(0, 0, 0), (6, 0, 0), (0, 8, 0)]])
+def test_a_node_s_sphere_is_the_least_whole_one_about_its_faces(points):
+    node = Node(SQUARE_NORMAL, 0, NONE, NONE, NONE, 0, 1)
+    tree_faces.add_spheres([node], [Face(SQUARE_NORMAL, (0, 1, 2), 1)], points)
+    farthest = max(math.dist(point, node.centre) for point in points)
+    assert farthest <= node.radius < farthest + 1

@@ -92,14 +92,20 @@ BUSY = """
 @pytest.mark.parametrize("machine", ["", BUSY], ids=["idle", "busy"])
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_within_a_destructor_counts(tmp_path, ending, machine):
-    """Python ignores what is raised there, so the tool would go on."""
+    """Python ignores what is raised there, so the tool would go on. Told once, it clears up undisturbed."""
     body = machine + """
+        from fixel.base import errors
+        errors.BEAT = 0.05
         class Slow:
             def __del__(self):
                 (folder / "started").touch()
                 time.sleep(600)
         Slow()
-        time.sleep(600)
+        try:
+            time.sleep(600)
+        finally:
+            time.sleep(0.2)
+            (folder / "cleared").touch()
     """
     process = subprocess.Popen(tool(tmp_path, body), stderr=subprocess.PIPE, text=True)
     wait_for(tmp_path / "started", process)
@@ -107,6 +113,7 @@ def test_a_signal_within_a_destructor_counts(tmp_path, ending, machine):
     _, words = process.communicate()
     assert process.returncode == 128 + ending
     assert words == ("interrupted\n" if ending == signal.SIGINT else f"ended by {ending.name}\n")
+    assert (tmp_path / "cleared").exists()
 
 
 @pytest.mark.parametrize("ending", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])

@@ -2,12 +2,13 @@
 """Paths: exact at keys, within the keys' range between them."""
 
 import math
+import types
 from fractions import Fraction
 
 from hypothesis import given, settings, strategies as st
 
 from fixel.model import quantity
-from fixel.scene import path
+from fixel.scene import default_path, path
 from fixel.scene.path import Key
 
 TURN = 1 << 32
@@ -109,3 +110,16 @@ def test_an_orbit_about_any_centre():
 def test_beside_a_key_that_looks_at_no_point_the_angles_move():
     made = [key((0, 0, 0), 2, target=(0, 0, 10)), key((0, 0, 0), 2, yaw=40), key((0, 0, 0), target=(10, 0, 0))]
     assert [p[3] for p in path.poses(made, False, "key")] == [quantity.angle(Fraction(yaw)) for yaw in (0, 20, 40, 65, 90)]
+
+
+def test_a_scene_without_a_path_is_circled_about_the_middle_of_all_that_it_has():
+    unit = types.SimpleNamespace(vertices=[(-65536, 0, 0), (65536, 0, 0)])
+    placed = [types.SimpleNamespace(centre=(x << 16, 2 << 16, -3 << 16), model=0) for x in (10, 14)]
+    scene = types.SimpleNamespace(models=[unit], objects=placed, turns=[], fov=1 << 30, width=160, height=120, far=8 << 16)
+    poses, notes = default_path.about(scene, 4, "s.toml")
+    for one, other in ((0, 2), (1, 3)):
+        assert [(poses[one][axis] + poses[other][axis]) / 2 ** 17 for axis in (0, 2)] == [12, -3]
+    # The ball about both has a radius of 3. Its half angle's tangent is 3/4, of the lower half of the screen, so its sine is
+    # 3/5, and a twentieth more is left around.
+    assert all(5.249 < math.dist(pose[:3], (12 << 16, 2 << 16, -3 << 16)) / 65536 < 5.27 for pose in poses)
+    assert notes[1:] == ["s.toml: the far plane cuts what is seen from there: view.far = 9 would show all"]
