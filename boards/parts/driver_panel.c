@@ -35,6 +35,7 @@ static fxl_pump pump;
 static uint64_t memory[FXL_PUMP_MEMORY(WIDEST, ROWS, DRIVER_BITS)];
 static uint32_t frames; /* ended */
 static uint16_t frame_height;
+static uint8_t pixel_bytes; /* 1 or 2 */
 static struct {
     const uint8_t *bytes; /* null: nothing is being sent */
     size_t size;
@@ -110,7 +111,7 @@ static fxl_status open_display(const panel_format *format)
     const fxl_display_config config =
         fxl_display_config_default(&DRIVER_NAME, is_upright ? 0u : QUARTER_TURNS);
     const uint16_t rows = format->height < ROWS ? format->height : (uint16_t)ROWS;
-    const fxl_pump_config bands = {&display.pixels, format->width, format->height, rows};
+    const fxl_pump_config bands = {&display.pixels, format->width, format->height, rows, NULL};
     fxl_status status = fxl_display_open(&display, &config, &wires, format->palette);
 
     if (status == FXL_OK) {
@@ -122,9 +123,10 @@ static fxl_status open_display(const panel_format *format)
 
 static panel_answer open(const panel_format *format)
 {
-    if (format->pixel_bits != 8 || !record_open()) {
+    if (!record_open()) {
         return PANEL_FAILED;
     }
+    pixel_bytes = format->pixel_bits / 8u;
     frames = 0;
     frame_height = format->height;
     transfer.bytes = NULL;
@@ -145,9 +147,11 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     (void)x; /* whole rows come */
     for (row = 0; row < height; row = (uint16_t)(row + ROWS)) {
         const uint16_t left = (uint16_t)(height - row);
-        const fxl_band band = {.pixels = (uint8_t *)(uintptr_t)pixels + (size_t)row * width, .width = width,
-                               .stride = width, .first_row = (uint16_t)(y + row),
-                               .rows = left < ROWS ? left : (uint16_t)ROWS};
+        const fxl_band band = {.pixels = (uint8_t *)(uintptr_t)pixels + (size_t)row * width * pixel_bytes,
+                               .width = width, .stride = width, .first_row = (uint16_t)(y + row),
+                               .rows = left < ROWS ? left : (uint16_t)ROWS,
+                               /* Which colours is not asked: a pixel of RGB565 has its own. */
+                               .palette = pixel_bytes == 2 ? display.pixels.entries : NULL};
 
         if (fxl_pump_send_rows(&pump, &band) != FXL_OK) {
             return false;

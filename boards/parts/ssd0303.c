@@ -13,6 +13,7 @@
 #define CONTROL_DATA    0x40u
 
 static uint16_t greys[256]; /* of the palette's entries: fxl_grey_table */
+static bool is_rgb565;       /* the frame's pixels are no entries of the palette */
 static uint32_t left, top;  /* the window's first column and row in the frame */
 static uint8_t message[PAGES][1u + SSD0303_WIDTH];
 
@@ -79,8 +80,7 @@ static panel_answer open(const panel_format *format)
 {
     static const uint8_t off[] = {0xAE}, on[] = {0xAF};
 
-    if (format->width < SSD0303_WIDTH || format->height < SSD0303_HEIGHT ||
-        format->pixel_bits != 8) {
+    if (format->width < SSD0303_WIDTH || format->height < SSD0303_HEIGHT) {
         return PANEL_UNSUITABLE;
     }
     if (!send_commands(off, sizeof off)) {
@@ -88,6 +88,7 @@ static panel_answer open(const panel_format *format)
     }
     left = (format->width - SSD0303_WIDTH) / 2u;
     top = (format->height - SSD0303_HEIGHT) / 2u;
+    is_rgb565 = format->pixel_bits == 16;
     fxl_grey_table(greys, format->palette, 1);
     if (!configure() || !send_pages() || !send_commands(on, sizeof on)) {
         return PANEL_FAILED;
@@ -95,8 +96,14 @@ static panel_answer open(const panel_format *format)
     return PANEL_READY;
 }
 
+static uint16_t grey_of(const void *pixels, uint32_t x)
+{
+    return is_rgb565 ? fxl_grey_of_rgb565(((const uint16_t *)pixels)[x], 1)
+                     : greys[((const uint8_t *)pixels)[x]];
+}
+
 /* Copies the part of a row of the frame that lies in the window. */
-static void gather(uint32_t y, const uint8_t *pixels)
+static void gather(uint32_t y, const void *pixels)
 {
     const uint32_t row = y - top;
     const uint8_t bit = (uint8_t)(1u << (row % 8u));
@@ -104,7 +111,7 @@ static void gather(uint32_t y, const uint8_t *pixels)
     uint32_t i;
 
     for (i = 0; i < SSD0303_WIDTH; i++) {
-        if (fxl_grey_level(greys[pixels[left + i]], left + i, y) != 0) {
+        if (fxl_grey_level(grey_of(pixels, left + i), left + i, y) != 0) {
             bytes[i] |= bit;
         } else {
             bytes[i] &= (uint8_t)~bit;
@@ -114,13 +121,14 @@ static void gather(uint32_t y, const uint8_t *pixels)
 
 static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const void *pixels)
 {
-    const uint8_t *indices = pixels;
+    const uint8_t *bytes = pixels;
+    const uint32_t row_bytes = is_rgb565 ? 2u * width : width;
     uint32_t row;
 
     (void)x; /* whole rows come */
     for (row = y; row < (uint32_t)y + height; row++) {
         if (row - top < SSD0303_HEIGHT) { /* a row above the top is far below it, unsigned */
-            gather(row, indices + (row - y) * width);
+            gather(row, bytes + (row - y) * row_bytes);
         }
     }
     return true;

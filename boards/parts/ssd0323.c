@@ -13,6 +13,7 @@ enum {
 };
 
 static fxl_pixels greys; /* of the palette's entries */
+static uint8_t pixel_bytes; /* 1 or 2 */
 
 /* For the OSRAM Pictiva module of 128 x 64: its connections (remap, offset, rows) and its
  * maker's values for currents and voltages. The emulator uses only the windows and bit 2 of the
@@ -69,10 +70,10 @@ static panel_answer open(const panel_format *format)
 {
     static const uint8_t on[] = {0xAF};
 
-    if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT ||
-        format->pixel_bits != 8) {
+    if (format->width != SSD0323_WIDTH || format->height != SSD0323_HEIGHT) {
         return PANEL_UNSUITABLE;
     }
+    pixel_bytes = format->pixel_bits / 8u;
     (void)fxl_pixels_init(&greys, &fxl_pixels_grey4, format->palette);
     if (!ssd0323_wires_open() || !configure() || !clear() ||
         !ssd0323_send(SSD0323_COMMAND, on, sizeof on)) {
@@ -92,9 +93,11 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     (void)x; /* whole rows come */
     for (row = 0; row < height && good; row++) {
         /* It only reads the pixels. */
-        const fxl_band one = {.pixels = (uint8_t *)(uintptr_t)pixels + row * width,
+        const fxl_band one = {.pixels = (uint8_t *)(uintptr_t)pixels + row * width * pixel_bytes,
                               .width = width, .stride = width, .first_row = (uint16_t)(y + row),
-                              .rows = 1};
+                              .rows = 1,
+                              /* Which colours is not asked: a pixel of RGB565 has its own. */
+                              .palette = pixel_bytes == 2 ? greys.entries : NULL};
 
         good = fxl_pixels_convert(&greys, &one, packed, sizeof packed) == FXL_OK &&
                ssd0323_send(SSD0323_DATA, (const uint8_t *)packed, sizeof packed);

@@ -33,7 +33,7 @@ static fxl_status open_game(const void *scene, size_t scene_size)
 static fxl_status open_display(const fxl_display_config *module, const fxl_display_port *port)
 {
     const fxl_lens *lens = &image.lens;
-    const fxl_pump_config bands = {&display.pixels, lens->width, lens->height, ROWS};
+    const fxl_pump_config bands = {&display.pixels, lens->width, lens->height, ROWS, NULL};
     fxl_status status = fxl_display_open(&display, module, port, image.palette);
 
     if (status == FXL_OK) {
@@ -50,7 +50,7 @@ static fxl_status draw_frame(void)
         status = fxl_pump_begin(&pump);
     }
     for (const fxl_band *band; status == FXL_OK && (band = fxl_pump_band(&pump)) != NULL;) {
-        fxl_fill_band(band, image.background);
+        fxl_frame_fill(&renderer, band, image.background);
         status = fxl_frame_draw(&renderer, band);
         if (status == FXL_OK) {
             status = game_draw_over(&state, band, image.lens.width, image.lens.height);

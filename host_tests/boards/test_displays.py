@@ -38,7 +38,7 @@ void wait_for(uint32_t milliseconds) { (void)milliseconds; }
 int main(void)
 {
     const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
-    const fxl_pump_config pages = {&display.pixels, 128, 64, 8};
+    const fxl_pump_config pages = {&display.pixels, 128, 64, 8, NULL};
     if (fread(palette, 1, 768, stdin) != 768 || fread(frame, 1, 128 * 64, stdin) != 128 * 64 ||
         fxl_display_open(&display, &config, &wires, palette) ||
         fxl_pump_init(&pump, &pages, &display.sink, memory, sizeof memory)) { return 1; }
@@ -85,7 +85,7 @@ def fixture_show(request, tmp_path_factory):
 
     def run(palette, frames, rows):
         height, width = frames[0].shape
-        done = subprocess.run(["./show", str(width), str(height), str(rows)], cwd=folder, capture_output=True,
+        done = subprocess.run(["./show", str(width), str(height), str(rows), str(8 * frames[0].itemsize)], cwd=folder, capture_output=True,
                               input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames), check=False)
         return done, folder / "wires.bin", request.param == "ili9341"
 
@@ -121,6 +121,17 @@ def test_the_display_shows_the_last_frame(show, width, height, rows):
     assert (display.access, display.inverted) == ((0x28, False) if is_ili9341 else (0x60, True))
 
 
+@pytest.mark.parametrize("width, height, rows", [(320, 240, 7), (319, 239, 100), (1, 1, 1)])
+def test_the_display_shows_a_frame_of_rgb565_with_its_bytes_in_order(show, width, height, rows):
+    palette, frames = random_frames(width, height)
+    generator = numpy.random.default_rng(height)
+    frames = [generator.integers(0, 1 << 16, frame.shape, dtype=numpy.uint16) for frame in frames]
+    done, record, _ = show(palette, frames, rows)
+    assert done.returncode == 0, done.stderr.decode()
+    left, top = (WIDTH - width) // 2, (HEIGHT - height) // 2
+    assert (read_wires(record).memory[top:top + height, left:left + width] == frames[1]).all()
+
+
 def test_a_frame_that_is_too_large_is_not_for_it(show):
     palette, frames = random_frames(321, 10)
     done, _, _ = show(palette, frames, 10)
@@ -142,7 +153,7 @@ def test_a_pump_with_one_buffer_is_caught(tmp_path):
     (tmp_path / "pump.c").write_text(broken, encoding="utf-8")
     compile_all(["gcc"], tmp_path, *SHOW, f"-I{SCREEN}", "pump.c", "-o", "show")
     palette, frames = random_frames(320, 240)
-    subprocess.run(["./show", "320", "240", "16"], cwd=tmp_path, check=True,
+    subprocess.run(["./show", "320", "240", "16", "8"], cwd=tmp_path, check=True,
                    input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames))
     assert (read_wires(tmp_path / "wires.bin").memory != rgb565(palette)[frames[1]]).any()
 

@@ -162,7 +162,7 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
     const uint32_t format = fuzz_below(in, 7);
     fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 20), NULL, 0};
     const fxl_pump_sink sink = {&wires, start, wait}, no_sink = {&wires, NULL, wait};
-    fxl_pump_config config = {NULL, WIDTH, HEIGHT, (uint16_t)fuzz_below(in, HEIGHT + 2)};
+    fxl_pump_config config = {NULL, WIDTH, HEIGHT, (uint16_t)fuzz_below(in, HEIGHT + 2), NULL};
     if (format < 6) {
         DEMAND(fxl_pixels_init(&pixels, formats[format], palette) == FXL_OK);
         config.pixels = &pixels;
@@ -222,7 +222,7 @@ static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *
         DEMAND(config.width < WIDTH || config.height < HEIGHT);
         return;
     }
-    const fxl_pump_config pumped = {&display.pixels, WIDTH, HEIGHT, 8};
+    const fxl_pump_config pumped = {&display.pixels, WIDTH, HEIGHT, 8, NULL};
     DEMAND(fxl_pump_init(&pump, &pumped, &display.sink, memory, sizeof memory) == FXL_OK);
     status = fxl_pump_frame(&pump, renderer, eye);
     DEMAND((status == FXL_OK) == (wires.calls <= wires.fails_at));
@@ -242,7 +242,7 @@ static void demand_refusals(fuzz_input *in)
     const fxl_display_port port = {&wires, send, NULL, NULL, pause};
     const fxl_pump_sink sink = {&wires, start, wait}, no_wait = {&wires, start, NULL};
     const fxl_display_config config = fxl_display_config_default(&fxl_ssd1306, 0);
-    fxl_pump_config shape = {NULL, 4, 4, 1};
+    fxl_pump_config shape = {NULL, 4, 4, 1, NULL};
     uint16_t *const sides[] = {&shape.width, &shape.height, &shape.rows};
     DEMAND(fxl_pixels_init(NULL, &fxl_pixels_rgb565, palette) == FXL_E_ARGUMENT);
     DEMAND(fxl_pixels_init(&pixels, &fxl_pixels_rgb565, NULL) == FXL_E_ARGUMENT);

@@ -53,7 +53,7 @@ void tearDown(void)
 static fxl_status show(uint16_t width, uint16_t height, uint16_t rows)
 {
     static uint8_t lent[OLED_WIDTH * 16];
-    const fxl_pump_config config = {&display.pixels, width, height, rows};
+    const fxl_pump_config config = {&display.pixels, width, height, rows, NULL};
     fxl_status status = fxl_pump_init(&pump, &config, &display.sink, memory, sizeof memory);
     for (uint32_t y = 0; status == FXL_OK && y < height; y += rows) {
         const uint16_t count = (uint16_t)(rows < height - y ? rows : height - y);
@@ -258,7 +258,7 @@ void test_a_pump_narrower_than_the_pages(void)
 {
     static uint64_t block[FXL_PUMP_MEMORY(64, 8, 1)];
     static uint8_t bytes[64];
-    const fxl_pump_config narrow = {&display.pixels, 64, OLED_HEIGHT, 8};
+    const fxl_pump_config narrow = {&display.pixels, 64, OLED_HEIGHT, 8, NULL};
     const fxl_band band = {.pixels = frame, .width = 64, .stride = 64, .first_row = 0, .rows = 8};
     open_oled(&oleds[0], 0, &plain);
     const uint32_t sends = model.sends;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What is drawn over a picture: each function against its definition, pixel by pixel, in a band
- * whose neighbours must stay as they are. */
+ * whose neighbours must stay as they are. Each is drawn as palette indices and in RGB565, whose
+ * pixels are the colours of the same indices. */
 #include "unit.h"
 
 enum {
@@ -14,10 +15,31 @@ enum {
 static uint8_t drawn[HEIGHT][STRIDE], wanted[HEIGHT][STRIDE];
 static const fxl_band band = {.pixels = drawn[1], .width = WIDTH, .stride = STRIDE,
                               .first_row = FIRST, .rows = HEIGHT - 2};
+static uint16_t drawn_565[HEIGHT][STRIDE], palette[256];
+static const fxl_band band_565 = {.pixels = (uint8_t *)drawn_565[1], .width = WIDTH,
+                                  .stride = STRIDE, .first_row = FIRST, .rows = HEIGHT - 2,
+                                  .palette = palette};
+
+/* Two indices have two colours: the factor is odd. */
+static uint16_t colour_of(uint32_t index)
+{
+    return (uint16_t)(index * 40503u + 12345u);
+}
+
+static void clear(void)
+{
+    memset(drawn, GROUND, sizeof drawn);
+    for (uint32_t i = 0; i < HEIGHT * STRIDE; i++) {
+        drawn_565[i / STRIDE][i % STRIDE] = colour_of(GROUND);
+    }
+}
 
 void setUp(void)
 {
-    memset(drawn, GROUND, sizeof drawn);
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = colour_of(i);
+    }
+    clear();
     memset(wanted, GROUND, sizeof wanted);
 }
 
@@ -33,10 +55,55 @@ static void want(int64_t x, int64_t y, uint8_t colour)
     }
 }
 
-static void expect_wanted(void)
+static void expect_equal(void)
 {
     TEST_ASSERT_EQUAL_MEMORY(wanted, drawn, sizeof drawn);
+    for (uint32_t i = 0; i < HEIGHT * STRIDE; i++) {
+        TEST_ASSERT_EQUAL_HEX16(colour_of(wanted[i / STRIDE][i % STRIDE]),
+                                drawn_565[i / STRIDE][i % STRIDE]);
+    }
+}
+
+static void expect_wanted(void)
+{
+    expect_equal();
     setUp();
+}
+
+/* In both formats. */
+static fxl_status rectangle(int32_t x, int32_t y, int32_t width, int32_t height, uint8_t colour)
+{
+    const fxl_status status = fxl_draw_rectangle(&band, x, y, width, height, colour);
+    TEST_ASSERT_EQUAL(status, fxl_draw_rectangle(&band_565, x, y, width, height, colour));
+    return status;
+}
+
+static fxl_status border(int32_t x, int32_t y, int32_t width, int32_t height, uint8_t colour)
+{
+    const fxl_status status = fxl_draw_border(&band, x, y, width, height, colour);
+    TEST_ASSERT_EQUAL(status, fxl_draw_border(&band_565, x, y, width, height, colour));
+    return status;
+}
+
+static fxl_status line(int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint8_t colour)
+{
+    const fxl_status status = fxl_draw_line(&band, x0, y0, x1, y1, colour);
+    TEST_ASSERT_EQUAL(status, fxl_draw_line(&band_565, x0, y0, x1, y1, colour));
+    return status;
+}
+
+static fxl_status sprite_at(int32_t x, int32_t y, const fxl_sprite *sprite)
+{
+    const fxl_status status = fxl_draw_sprite(&band, x, y, sprite);
+    TEST_ASSERT_EQUAL(status, fxl_draw_sprite(&band_565, x, y, sprite));
+    return status;
+}
+
+static fxl_status text_at(int32_t x, int32_t y, const char *text, const fxl_text_style *style)
+{
+    const fxl_status status = fxl_draw_text(&band, x, y, text, style);
+    TEST_ASSERT_EQUAL(status, fxl_draw_text(&band_565, x, y, text, style));
+    return status;
 }
 
 /* Near the band, or anywhere. */
@@ -53,18 +120,18 @@ void test_rectangles_and_borders_are_what_they_say(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {
         const int32_t x = any(), y = any(), width = any(), height = any();
-        const bool border = unit_random() % 2;
+        const bool is_border = unit_random() % 2;
         for (int32_t row = FIRST; row < FIRST + HEIGHT; row++) {
             for (int32_t column = 0; column < WIDTH; column++) {
                 const int64_t right = (int64_t)x + width - 1, bottom = (int64_t)y + height - 1;
                 if (column >= x && column <= right && row >= y && row <= bottom &&
-                    (!border || column == x || column == right || row == y || row == bottom)) {
+                    (!is_border || column == x || column == right || row == y || row == bottom)) {
                     want(column, row, 7);
                 }
             }
         }
-        TEST_ASSERT_EQUAL(FXL_OK, border ? fxl_draw_border(&band, x, y, width, height, 7)
-                                         : fxl_draw_rectangle(&band, x, y, width, height, 7));
+        TEST_ASSERT_EQUAL(FXL_OK, is_border ? border(x, y, width, height, 7)
+                                         : rectangle(x, y, width, height, 7));
         expect_wanted();
     }
 }
@@ -104,32 +171,32 @@ void test_lines_follow_their_rule_in_either_direction(void)
                                                        : at[k];
         }
         want_line(at[0], at[1], at[2], at[3]);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_line(&band, at[0], at[1], at[2], at[3], 9));
-        TEST_ASSERT_EQUAL_MEMORY(wanted, drawn, sizeof drawn);
-        memset(drawn, GROUND, sizeof drawn);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_line(&band, at[2], at[3], at[0], at[1], 9));
+        TEST_ASSERT_EQUAL(FXL_OK, line(at[0], at[1], at[2], at[3], 9));
+        expect_equal();
+        clear();
+        TEST_ASSERT_EQUAL(FXL_OK, line(at[2], at[3], at[0], at[1], 9));
         expect_wanted();
     }
 }
 
 void test_a_line_has_both_its_ends(void)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_line(&band, 3, 7, 3, 7, 1));
+    TEST_ASSERT_EQUAL(FXL_OK, line(3, 7, 3, 7, 1));
     want(3, 7, 1);
     expect_wanted();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_line(&band, 2, 9, 5, 10, 1));
+    TEST_ASSERT_EQUAL(FXL_OK, line(2, 9, 5, 10, 1));
     want(2, 9, 1);
     want(3, 9, 1);
     want(4, 10, 1);
     want(5, 10, 1);
     expect_wanted();
     const int32_t far = FXL_LINE_COORDINATE_MAX;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_line(&band, far + 1, 0, 0, 0, 1));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_line(&band, 0, -far - 1, 0, 0, 1));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_line(&band, 0, 0, INT32_MIN, 0, 1));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_line(&band, 0, 0, 0, INT32_MAX, 1));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, line(far + 1, 0, 0, 0, 1));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, line(0, -far - 1, 0, 0, 1));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, line(0, 0, INT32_MIN, 0, 1));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, line(0, 0, 0, INT32_MAX, 1));
     expect_wanted();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_line(&band, -far, -far + 1, far, far, 9));
+    TEST_ASSERT_EQUAL(FXL_OK, line(-far, -far + 1, far, far, 9));
     want_line(-far, -far + 1, far, far);
     expect_wanted();
 }
@@ -171,7 +238,7 @@ void test_sprites_of_every_depth_are_drawn_bit_by_bit(void)
         }
         const int32_t x = any(), y = any();
         want_sprite(x, y, &sprite);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_sprite(&band, x, y, &sprite));
+        TEST_ASSERT_EQUAL(FXL_OK, sprite_at(x, y, &sprite));
         expect_wanted();
     }
 }
@@ -182,7 +249,7 @@ void test_a_sprite_may_be_wider_than_the_band(void)
     static const uint8_t row[8192] = {[512] = 0x0F, [513] = 0xFF, [514] = 0xC0};
     const uint8_t colours[2] = {3, 4};
     const fxl_sprite sprite = {row, colours, 65535, 1, 1, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_sprite(&band, -4096, FIRST + 2, &sprite));
+    TEST_ASSERT_EQUAL(FXL_OK, sprite_at(-4096, FIRST + 2, &sprite));
     for (int32_t x = 4; x < 18; x++) {
         want(x, FIRST + 2, 4);
     }
@@ -192,7 +259,7 @@ void test_a_sprite_may_be_wider_than_the_band(void)
 static void expect_text(const fxl_text_style *style, const char *text, const char *const *rows,
                         int32_t count)
 {
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(&band, 1, FIRST, text, style));
+    TEST_ASSERT_EQUAL(FXL_OK, text_at(1, FIRST, text, style));
     for (int32_t row = 0; row < count; row++) {
         for (int32_t column = 0; rows[row][column] != '\0'; column++) {
             if (rows[row][column] == 'X') {
@@ -232,11 +299,11 @@ void test_a_character_may_begin_beside_the_pen(void)
     static const fxl_font font = {
         .glyphs = glyphs, .bits = bits, .first = 'a', .count = 2, .unknown = 'a', .line_height = 3};
     const fxl_text_style style = {&font, 5, 0}, fixed = {&font, 6, 7};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(&band, 2, FIRST + 1, "ab", &style));
+    TEST_ASSERT_EQUAL(FXL_OK, text_at(2, FIRST + 1, "ab", &style));
     want(4, FIRST + 2, 5);
     want(5, FIRST, 5);
     expect_wanted();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(&band, 2, FIRST + 1, "ab", &fixed));
+    TEST_ASSERT_EQUAL(FXL_OK, text_at(2, FIRST + 1, "ab", &fixed));
     want(5, FIRST + 2, 6); /* one of the three pixels that are over is to the left */
     want(9, FIRST, 6);
     expect_wanted();
@@ -250,13 +317,13 @@ void test_text_anywhere_is_its_characters_side_by_side(void)
         char text[6];
         const fxl_text_style style = {&fxl_font_5x7, 8, 0};
         const int32_t x = any(), y = any();
-        int64_t pen = x, line = y;
+        int64_t pen = x, top = y;
         uint32_t width = 0, widest = 0, lines = 1;
         for (uint32_t k = 0; k < 5; k++) {
             text[k] = (char)(unit_random() % 6 ? unit_between(32, 126) : '\n');
             if (text[k] == '\n') {
                 pen = x;
-                line += 9;
+                top += 9;
                 lines++;
                 width = 0;
                 continue;
@@ -264,13 +331,13 @@ void test_text_anywhere_is_its_characters_side_by_side(void)
             const fxl_glyph *glyph = &fxl_font_5x7.glyphs[text[k] - 32];
             const fxl_sprite picture = {
                 fxl_font_5x7.bits + glyph->first_byte, mask, glyph->width, glyph->height, 1, 0};
-            want_sprite(pen, line + glyph->top, &picture);
+            want_sprite(pen, top + glyph->top, &picture);
             pen += glyph->advance;
             width += glyph->advance;
             widest = width > widest ? width : widest;
         }
         text[5] = '\0';
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(&band, x, y, text, &style));
+        TEST_ASSERT_EQUAL(FXL_OK, text_at(x, y, text, &style));
         expect_wanted();
         fxl_text_size size;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_measure_text(text, &style, &size));
@@ -339,6 +406,9 @@ void test_bands_that_are_none_are_refused(void)
                             .first_row = FXL_SCREEN_MAX - 1, .rows = 1}; /* the last row there is */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_rectangle(&least, -3, FXL_SCREEN_MAX - 1, 9, 9, 7));
     TEST_ASSERT_EQUAL_UINT8(7, pixel);
+    fxl_band odd = band_565;
+    odd.pixels++;
+    expect_refused_by_all(FXL_E_ALIGNMENT, &odd);
     const fxl_band none = {.pixels = NULL, .width = WIDTH, .stride = STRIDE, .first_row = 0,
                            .rows = 1};
     expect_refused_by_all(FXL_E_ARGUMENT, &none);
@@ -348,17 +418,17 @@ void test_bands_that_are_none_are_refused(void)
 void test_sprites_and_fonts_that_are_none_are_refused(void)
 {
     fxl_sprite sprite = {NULL, NULL, 1, 1, 8, FXL_SPRITE_OPAQUE};
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_draw_sprite(&band, 1, FIRST, &sprite));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_draw_sprite(&band, 1, FIRST, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, sprite_at(1, FIRST, &sprite));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, sprite_at(1, FIRST, NULL));
     sprite.pixels = drawn[0];
     sprite.bits = 2;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_sprite(&band, 1, FIRST, &sprite));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, sprite_at(1, FIRST, &sprite));
     fxl_font font = fxl_font_5x7;
     fxl_text_style style = {&font, 1, 0};
     fxl_text_size size = {1, 2};
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_measure_text("x", &style, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_measure_text(NULL, &style, &size));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_draw_text(&band, 1, FIRST, "x", NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, text_at(1, FIRST, "x", NULL));
     font.count = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_measure_text("x", &style, &size));
     font.count = 225;
@@ -367,11 +437,11 @@ void test_sprites_and_fonts_that_are_none_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_measure_text("x", &style, &size));
     size = (fxl_text_size){1, 2};
     font.count = 31; /* without the question mark */
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_text(&band, 1, FIRST, "x", &style));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, text_at(1, FIRST, "x", &style));
     font.unknown = 31;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_draw_text(&band, 1, FIRST, "x", &style));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, text_at(1, FIRST, "x", &style));
     font.bits = NULL;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_draw_text(&band, 1, FIRST, "x", &style));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, text_at(1, FIRST, "x", &style));
     font = fxl_font_5x7;
     font.glyphs = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_measure_text("x", &style, &size));

@@ -10,6 +10,8 @@ static uint8_t palette[768];
 static uint8_t frame[ROWS * (WIDEST + 3u) + 4u];
 static uint32_t out_words[(2u * WIDEST * ROWS + 8u) / 4u];
 static uint8_t *const out = (uint8_t *)out_words;
+static uint16_t frame_565[ROWS * (WIDEST + 3u) + 4u];
+static const uint16_t colours[256]; /* of a band of RGB565; no conversion reads them */
 static fxl_pixels pixels;
 
 static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb565_low,
@@ -89,6 +91,25 @@ static uint32_t expected(const uint8_t *colour, uint32_t x, uint32_t y)
     return level_of(colour, pixels.format == &fxl_pixels_grey4 ? 15 : 1, x, y);
 }
 
+/* A colour of RGB565 as three bytes: 255 c / most of each channel, rounded to nearest. */
+static void bytes_of(uint32_t colour, uint8_t *bytes)
+{
+    const uint32_t red = colour / 2048u, green = colour / 32u % 64u, blue = colour % 32u;
+    bytes[0] = (uint8_t)((510u * red + 31u) / 62u);
+    bytes[1] = (uint8_t)((510u * green + 63u) / 126u);
+    bytes[2] = (uint8_t)((510u * blue + 31u) / 62u);
+}
+
+/* The three bytes that a pixel of the band stands for. */
+static void colour_at(const fxl_band *band, uint32_t place, uint8_t *bytes)
+{
+    if (band->palette != NULL) {
+        bytes_of(((const uint16_t *)(const void *)band->pixels)[place], bytes);
+    } else {
+        memcpy(bytes, &palette[3u * band->pixels[place]], 3);
+    }
+}
+
 static void assert_converted(const fxl_band *band)
 {
     const size_t size = fxl_pixels_size(pixels.format, band->width, band->rows);
@@ -97,7 +118,8 @@ static void assert_converted(const fxl_band *band)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, band, out, size));
     for (uint32_t row = 0; row < band->rows; row++) {
         for (uint32_t x = 0; x < band->width; x++) {
-            const uint8_t *colour = &palette[3u * band->pixels[row * band->stride + x]];
+            uint8_t colour[3];
+            colour_at(band, row * band->stride + x, colour);
             TEST_ASSERT_EQUAL_HEX(expected(colour, x, band->first_row + row), got(band, x, row));
         }
     }
@@ -131,6 +153,47 @@ void test_every_width_at_every_place_of_a_word(void)
             any_frame();
             assert_converted(&band);
         }
+    }
+}
+
+void test_every_width_of_rgb565_at_every_place_of_a_word(void)
+{
+    for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[f], palette));
+        memset(pixels.entries, 0, sizeof pixels.entries); /* nothing of the palette is asked for */
+        for (uint32_t width = 1; width <= WIDEST; width++) {
+            const uint32_t offset = width % 2u, stride = width + width / 4u % 4u;
+            const fxl_band band = {.pixels = (uint8_t *)(frame_565 + offset),
+                                   .width = (uint16_t)width, .stride = (uint16_t)stride,
+                                   .first_row = (uint16_t)(width % 5u * 8u),
+                                   .rows = (uint16_t)(1u + width % ROWS), .palette = colours};
+            for (uint32_t i = 0; i < sizeof frame_565 / 2u; i++) {
+                frame_565[i] = (uint16_t)(unit_random() >> 7);
+            }
+            assert_converted(&band);
+        }
+    }
+}
+
+/* Every colour has the entry that a palette with its three bytes has. */
+void test_greys_of_rgb565(void)
+{
+    static const uint32_t highests[] = {1, 15, 254, 255};
+    for (uint32_t k = 0; k < 4; k++) {
+        const uint32_t highest = highests[k];
+        uint8_t bytes[768];
+        uint16_t table[256];
+        for (uint32_t upper = 0; upper < 256; upper++) {
+            for (uint32_t i = 0; i < 256; i++) {
+                bytes_of(upper << 8 | i, &bytes[3u * i]);
+            }
+            fxl_grey_table(table, bytes, highest);
+            for (uint32_t i = 0; i < 256; i++) {
+                TEST_ASSERT_EQUAL(table[i], fxl_grey_of_rgb565((uint16_t)(upper << 8 | i), highest));
+            }
+        }
+        TEST_ASSERT_EQUAL(0, fxl_grey_of_rgb565(0, highest));
+        TEST_ASSERT_EQUAL(128u * highest, fxl_grey_of_rgb565(0xFFFF, highest));
     }
 }
 
@@ -195,6 +258,11 @@ void test_what_is_refused_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, NULL, 64));
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_pixels_convert(&pixels, &band, out + 2, 64));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_pixels_convert(&pixels, &band, out, 7));
+    band.palette = colours;
+    band.pixels++;
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_pixels_convert(&pixels, &band, out, 64));
+    band.palette = NULL;
+    band.pixels--;
     band.first_row = 4;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pixels_convert(&pixels, &band, out, 64));
     band.first_row = 8;

@@ -10,8 +10,10 @@ enum {
     NEVER = 1000
 };
 
-static uint64_t block[160], memory[(5 * WIDTH * 16 + 7) / 8];
+static uint64_t block[160], memory[(6 * WIDTH * 16 + 7) / 8];
 static uint8_t palette[768], whole[HEIGHT * WIDTH];
+static uint16_t palette_565[256], whole_565[HEIGHT * WIDTH];
+static const uint16_t *colours; /* of the pump's bands: null, or palette_565 */
 static uint32_t expected[(2 * WIDTH * HEIGHT + 7) / 4], received[(2 * WIDTH * HEIGHT + 7) / 4];
 static fxl_renderer renderer;
 static fxl_pixels pixels;
@@ -58,17 +60,26 @@ static fxl_pose pose_number(int number)
     return pose;
 }
 
-void setUp(void)
+static void draw_into(const fxl_target *target)
 {
     tiny_scene *made = tiny_make();
-    fxl_config config = fxl_config_default(WIDTH, HEIGHT);
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
     config.background = BACKGROUND;
+    config.palette = colours = target->pixel_bits == 16 ? palette_565 : NULL;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init(&renderer, &made->scene, &config, block, sizeof block));
+}
+
+void setUp(void)
+{
     for (uint32_t i = 0; i < sizeof palette; i++) {
         palette[i] = (uint8_t)(i * 37u);
     }
+    for (uint32_t i = 0; i < 256; i++) {
+        palette_565[i] = (uint16_t)(i * 40503u + 7u);
+    }
+    draw_into(&fxl_palette);
     wires = (transfer){take, NULL, NULL, 0, 0, 0};
     refused = NEVER;
     is_wait_broken = false;
@@ -81,7 +92,7 @@ void tearDown(void)
 
 static fxl_status init(const fxl_pixel_format *format, uint16_t rows)
 {
-    fxl_pump_config config = {NULL, WIDTH, HEIGHT, rows};
+    fxl_pump_config config = {NULL, WIDTH, HEIGHT, rows, colours};
     memset(&pump, 0x5A, sizeof pump);
     if (format != NULL) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, format, palette));
@@ -97,12 +108,14 @@ static fxl_status init(const fxl_pixel_format *format, uint16_t rows)
 static uint32_t expect_frame(int number)
 {
     const fxl_pose pose = pose_number(number);
-    const fxl_band band = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, whole, WIDTH));
+    uint8_t *frame = colours != NULL ? (uint8_t *)whole_565 : whole;
+    const fxl_band band = {.pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0,
+                           .rows = HEIGHT, .palette = colours};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, frame, WIDTH));
     if (pump.config.pixels == NULL) {
-        memcpy(expected, whole, sizeof whole);
-        return sizeof whole;
+        const uint32_t size = colours != NULL ? sizeof whole_565 : sizeof whole;
+        memcpy(expected, frame, size);
+        return size;
     }
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, expected, sizeof expected));
     return (uint32_t)fxl_pixels_size(pixels.format, WIDTH, HEIGHT);
@@ -126,7 +139,7 @@ static void assert_frames(void)
     }
 }
 
-void test_frames_arrive_whole_in_every_format_and_height(void)
+static void assert_every_format_and_height(void)
 {
     static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,
                                                       &fxl_pixels_grey4,
@@ -138,6 +151,79 @@ void test_frames_arrive_whole_in_every_format_and_height(void)
             TEST_ASSERT_EQUAL(FXL_OK, init(formats[i], rows));
             assert_frames();
         }
+    }
+}
+
+void test_frames_arrive_whole_in_every_format_and_height(void)
+{
+    assert_every_format_and_height();
+}
+
+void test_frames_of_rgb565_arrive_whole_in_every_format_and_height(void)
+{
+    draw_into(&fxl_rgb565);
+    assert_every_format_and_height();
+}
+
+/* To a display with red first from a little-endian core: the colours of the palette, swapped. */
+void test_a_frame_of_rgb565_has_the_colours_of_its_palette(void)
+{
+    const fxl_pose pose = pose_number(1);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &pose, whole, WIDTH));
+    draw_into(&fxl_rgb565);
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 5));
+    taken = next_row = 0;
+    draw_frame(1);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_wait(&pump));
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint8_t *bytes = (const uint8_t *)received + 2u * i;
+        TEST_ASSERT_EQUAL_HEX16(palette_565[whole[i]], bytes[0] << 8 | bytes[1]);
+    }
+}
+
+void test_a_pump_and_a_renderer_of_other_pixels(void)
+{
+    const fxl_pose pose = pose_number(0);
+    fxl_band rows = {.pixels = (uint8_t *)whole_565, .width = WIDTH, .stride = WIDTH,
+                     .first_row = 0, .rows = 2, .palette = palette_565};
+    for (uint32_t i = 0; i < 2; i++) {
+        const fxl_target *const target = i == 0 ? &fxl_rgb565 : &fxl_palette;
+        draw_into(target);
+        colours = i == 0 ? NULL : palette_565;
+        TEST_ASSERT_EQUAL(FXL_OK, init(NULL, 2));
+        TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_pump_frame(&pump, &renderer, &pose));
+        TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_pump_send_rows(&pump, &rows));
+        rows.palette = NULL;
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb332, 2));
+    rows.palette = palette_565;
+    rows.pixels++;
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_pump_send_rows(&pump, &rows));
+    TEST_ASSERT_EQUAL(0, wires.count);
+}
+
+void test_rows_of_rgb565_from_elsewhere(void)
+{
+    fxl_band rows = {.pixels = (uint8_t *)whole_565, .width = WIDTH, .stride = WIDTH,
+                     .first_row = 0, .rows = 9, .palette = palette_565};
+    draw_into(&fxl_rgb565);
+    for (uint32_t with_format = 0; with_format < 2; with_format++) {
+        const uint16_t *const own = colours;
+        TEST_ASSERT_EQUAL(FXL_OK, init(NULL, 9));
+        const uint32_t plain_size = expect_frame(2);
+        colours = with_format != 0 ? NULL : own; /* a format takes rows of either kind */
+        TEST_ASSERT_EQUAL(FXL_OK, init(with_format != 0 ? &fxl_pixels_rgb565_low : NULL, 9));
+        colours = own;
+        const uint32_t size = with_format != 0 ? expect_frame(2) : plain_size;
+        taken = next_row = 0;
+        for (uint32_t row = 0; row < HEIGHT; row += 9) {
+            rows.pixels = (uint8_t *)&whole_565[row * WIDTH];
+            rows.first_row = (uint16_t)row;
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_send_rows(&pump, &rows));
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_wait(&pump));
+        TEST_ASSERT_EQUAL(size, taken);
+        TEST_ASSERT_EQUAL_MEMORY(expected, received, size);
     }
 }
 
@@ -233,7 +319,7 @@ void test_a_transfer_that_fails_ends_the_frame(void)
 
 void test_what_a_pump_is_not_set_up_with(void)
 {
-    fxl_pump_config config = {NULL, WIDTH, HEIGHT, 4};
+    fxl_pump_config config = {NULL, WIDTH, HEIGHT, 4, NULL};
     const fxl_pump_sink no_start = {&wires, NULL, wait}, no_wait = {&wires, start, NULL};
     const size_t size = fxl_pump_memory_size(&config);
     fxl_pump untouched;
@@ -253,15 +339,15 @@ void test_what_a_pump_is_not_set_up_with(void)
                                         {WIDTH, 0, 4},      {WIDTH, 1025, 4},
                                         {WIDTH, HEIGHT, 0}, {WIDTH, HEIGHT, HEIGHT + 1}};
     for (uint32_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        config = (fxl_pump_config){NULL, wrong[i][0], wrong[i][1], wrong[i][2]};
+        config = (fxl_pump_config){NULL, wrong[i][0], wrong[i][1], wrong[i][2], NULL};
         TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(&config));
         TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
     }
     TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, &fxl_pixels_mono_pages, palette));
-    config = (fxl_pump_config){&pixels, WIDTH, HEIGHT, 4}; /* half a page */
+    config = (fxl_pump_config){&pixels, WIDTH, HEIGHT, 4, NULL}; /* half a page */
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
     static const fxl_pixels unprepared;
-    config = (fxl_pump_config){&unprepared, WIDTH, HEIGHT, 4};
+    config = (fxl_pump_config){&unprepared, WIDTH, HEIGHT, 4, NULL};
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_init(&pump, &config, &sink, memory, sizeof memory));
     TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(&config));
     TEST_ASSERT_EQUAL(0, fxl_pump_memory_size(NULL));
@@ -334,13 +420,22 @@ void test_the_memory_of_a_pump(void)
                                      FXL_PUMP_MEMORY(40, 8, 4), FXL_PUMP_MEMORY(40, 8, 1),
                                      FXL_PUMP_MEMORY(40, 8, 1)};
     for (uint32_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        const fxl_pump_config config = {&pixels, 40, HEIGHT, 8};
+        const fxl_pump_config config = {&pixels, 40, HEIGHT, 8, NULL};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[i], palette));
         TEST_ASSERT_EQUAL(8u * words[i], fxl_pump_memory_size(&config));
     }
-    const fxl_pump_config bare = {NULL, 37, HEIGHT, 3};
+    static const uint32_t wide[] = {FXL_PUMP_MEMORY_RGB565(40, 8, 16),
+                                    FXL_PUMP_MEMORY_RGB565(40, 8, 8)};
+    for (uint32_t i = 0; i < sizeof wide / sizeof wide[0]; i++) {
+        const fxl_pump_config config = {&pixels, 40, HEIGHT, 8, palette_565};
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[i], palette));
+        TEST_ASSERT_EQUAL(8u * wide[i], fxl_pump_memory_size(&config));
+    }
+    const fxl_pump_config bare_565 = {NULL, 37, HEIGHT, 3, palette_565};
+    TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY_RGB565(37, 3, 0), fxl_pump_memory_size(&bare_565));
+    const fxl_pump_config bare = {NULL, 37, HEIGHT, 3, NULL};
     TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(37, 3, 0), fxl_pump_memory_size(&bare));
-    const fxl_pump_config least = {NULL, 1, 1, 1}, most = {NULL, 1024, 1024, 1024};
+    const fxl_pump_config least = {NULL, 1, 1, 1, NULL}, most = {NULL, 1024, 1024, 1024, NULL};
     TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(1, 1, 0), fxl_pump_memory_size(&least));
     TEST_ASSERT_EQUAL(8u * FXL_PUMP_MEMORY(1024, 1024, 0), fxl_pump_memory_size(&most));
 }

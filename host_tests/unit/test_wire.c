@@ -188,6 +188,25 @@ static void make(fxl_wire_clipper clipper)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, clipper));
 }
 
+/* The same pixels in RGB565, each of the colour that the band's palette has for it. */
+static void assert_same_in_rgb565(void)
+{
+    static uint16_t wide[WIDTH * HEIGHT], palette[256];
+    const fxl_band band = {.pixels = (uint8_t *)wide, .width = WIDTH, .stride = WIDTH,
+                           .first_row = 0, .rows = HEIGHT, .palette = palette};
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = (uint16_t)(i * 40503u);
+    }
+    memset(wide, 0, sizeof wide);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
+    for (int k = 0; k < WIDTH * HEIGHT; k++) {
+        TEST_ASSERT_EQUAL_HEX16(palette[whole[k]], wide[k]);
+    }
+    fxl_band odd = band;
+    odd.pixels++;
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_wire_draw(&wire, &odd));
+}
+
 void test_bands_and_both_clippers_draw_the_same(void)
 {
     int pixels = 0, clipped = 0;
@@ -196,6 +215,7 @@ void test_bands_and_both_clippers_draw_the_same(void)
         make(fxl_line_by_planes);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
         draw_frame(whole, HEIGHT);
+        assert_same_in_rgb565();
         fxl_wire_counters counters = wire.counters;
         TEST_ASSERT_EQUAL_UINT32(counters.in, counters.outside + counters.refused + counters.drawn);
         make(fxl_line_by_codes);

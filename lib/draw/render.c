@@ -320,6 +320,11 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     return true;
 }
 
+void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
+{
+    renderer->target->fill(band, colour);
+}
+
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 {
     return band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&

@@ -133,6 +133,9 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
         band->first_row + band->rows > wire->view.lens.height) {
         return FXL_E_RANGE;
     }
+    if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
+        return FXL_E_ALIGNMENT;
+    }
     const fxl_scene *scene = wire->scene;
     memset(&wire->counters, 0, sizeof wire->counters);
     for (uint32_t i = 0; i < scene->instance_count; i++) {

@@ -30,14 +30,4 @@ static inline uint8_t fxl_sprite_colour(const fxl_sprite *sprite, uint32_t value
     return sprite->colours != NULL ? sprite->colours[value] : (uint8_t)value;
 }
 
-/* Draws a pixel of a row of the sprite, unless it has the colour key. */
-static inline void fxl_sprite_put(const fxl_sprite *sprite, const uint8_t *row, uint32_t column,
-                                  unsigned shift, uint8_t *to)
-{
-    const uint32_t value = fxl_sprite_value(sprite, row, column, shift);
-    if (value != sprite->key) {
-        *to = fxl_sprite_colour(sprite, value);
-    }
-}
-
 #endif

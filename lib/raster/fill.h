@@ -42,6 +42,17 @@ static inline void fxl_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
     }
 }
 
+/* Gives a pixel a colour of the palette, in the band's format. place: in pixels, from the band's
+ * first pixel. */
+static inline void fxl_set_pixel(const fxl_band *band, size_t place, uint8_t colour)
+{
+    if (band->palette == NULL) {
+        band->pixels[place] = colour;
+    } else {
+        ((uint16_t *)(void *)band->pixels)[place] = band->palette[colour];
+    }
+}
+
 /* Moves an edge to the next row. The carry of the fraction is a pixel. */
 static inline void fxl_edge_step(fxl_edge *edge)
 {

@@ -3,7 +3,7 @@
 #ifndef FXL_DITHER_H
 #define FXL_DITHER_H
 
-#include <stdint.h>
+#include "fixel/pixels.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,6 +17,17 @@ const uint8_t *fxl_dither_row(uint32_t y);
 static inline uint32_t fxl_dithered(uint32_t entry, const uint8_t *dither, uint32_t x)
 {
     return (entry + dither[x & 7u]) >> 7;
+}
+
+/* The level, 0..highest, of a pixel of a row: a palette index of prepared pixels, or a colour of
+ * RGB565. */
+static inline uint32_t fxl_dithered_pixel(const fxl_pixels *pixels, const void *row, bool is_wide,
+                                          uint32_t highest, const uint8_t *dither, uint32_t x)
+{
+    const uint32_t entry = is_wide
+                               ? fxl_grey_of_rgb565(((const uint16_t *)row)[x], highest)
+                               : pixels->entries[((const uint8_t *)row)[x]];
+    return fxl_dithered(entry, dither, x);
 }
 
 #ifdef __cplusplus

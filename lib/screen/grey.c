@@ -35,14 +35,29 @@ uint8_t fxl_luma(const uint8_t *colour)
     return (uint8_t)((sum + 128u) >> 8); /* <= 256 * 255 + 128 */
 }
 
+/* <= 255^2 * 128 before the division; at most 128 highest after it. Rounding down changes no level:
+ * a threshold is an integer number of 128ths, and luma * highest * 128 / 255 is never an odd
+ * integer. */
+static uint32_t entry_of(const uint8_t *colour, uint32_t highest)
+{
+    return fxl_luma(colour) * highest * STEPS / 255u;
+}
+
 void fxl_grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
 {
     for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
-        /* <= 255^2 * 128 before the division; at most 128 highest after it. Rounding down
-         * changes no level: a threshold is an integer number of 128ths, and luma * highest * 128
-         * / 255 is never an odd integer. */
-        table[i] = (uint16_t)(fxl_luma(&palette[3u * i]) * highest * STEPS / 255u);
+        table[i] = (uint16_t)entry_of(&palette[3u * i], highest);
     }
+}
+
+/* A channel as a byte, rounded to nearest: 255 c / 31 and 255 c / 63. A test computes all of them. */
+uint16_t fxl_grey_of_rgb565(uint16_t colour, uint32_t highest)
+{
+    const uint32_t red = colour >> 11, green = colour >> 5 & 63u, blue = colour & 31u;
+    const uint8_t bytes[3] = {(uint8_t)((red * 527u + 23u) >> 6),
+                              (uint8_t)((green * 259u + 33u) >> 6),
+                              (uint8_t)((blue * 527u + 23u) >> 6)};
+    return (uint16_t)entry_of(bytes, highest);
 }
 
 uint8_t fxl_grey_level(uint16_t entry, uint32_t x, uint32_t y)

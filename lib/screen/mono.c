@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: MIT */
 #include "dither.h"
-#include "fixel/pixels.h"
 
 #include "../math/memory.h"
 
+#define HIGHEST 1u
+
 static void prepare(uint16_t *entries, const uint8_t *palette)
 {
-    fxl_grey_table(entries, palette, 1);
+    fxl_grey_table(entries, palette, HIGHEST);
 }
 
 static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
+    const bool is_wide = band->palette != NULL;
     for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
         const uint8_t *dither = fxl_dither_row(y);
         uint32_t byte = 1; /* with eight more bits behind this 1 it is full */
         for (uint32_t x = 0; x < band->width; x++) {
-            byte = byte << 1 | fxl_dithered(pixels->entries[row[x]], dither, x);
+            byte = byte << 1 | fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
             if (byte > 0xFFu) {
                 *out++ = (uint8_t)byte;
                 byte = 1;
@@ -28,22 +30,24 @@ static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t
             }
             *out++ = (uint8_t)byte;
         }
-        row += band->stride;
+        row += (size_t)band->stride << is_wide;
     }
 }
 
 static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
+    const bool is_wide = band->palette != NULL;
     memset(out, 0, fxl_pixels_size(pixels->format, band->width, band->rows));
     for (uint32_t y = 0; y < band->rows; y++) { /* first_row is a multiple of 8 */
         const uint8_t *dither = fxl_dither_row(y);
         uint8_t *page = out + (size_t)(y / 8u) * band->width;
         for (uint32_t x = 0; x < band->width; x++) {
-            const uint32_t level = fxl_dithered(pixels->entries[row[x]], dither, x);
+            const uint32_t level =
+                fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
             page[x] = (uint8_t)(page[x] | level << (y & 7u));
         }
-        row += band->stride;
+        row += (size_t)band->stride << is_wide;
     }
 }
 

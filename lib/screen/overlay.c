@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
+#include "../paint/rgb565_colour.h"
 #include "../paint/sprite_texel.h"
 #include "../raster/draw_outline.h"
 #include "../raster/fill.h"
@@ -68,10 +69,30 @@ fxl_status fxl_overlay_check(const fxl_band *band)
     if (band == NULL || band->pixels == NULL) {
         return FXL_E_ARGUMENT;
     }
+    if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
+        return FXL_E_ALIGNMENT;
+    }
     return band->width >= 1 && band->width <= FXL_SCREEN_MAX && band->stride >= band->width &&
                    band->rows >= 1 && band->first_row + band->rows <= FXL_SCREEN_MAX
                ? FXL_OK
                : FXL_E_RANGE;
+}
+
+static size_t place_of(const fxl_band *band, int32_t row, int32_t column)
+{
+    return (size_t)(row - band->first_row) * band->stride + (size_t)column;
+}
+
+/* Pixels of a row of the band, at least one. */
+static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *columns, uint8_t colour)
+{
+    if (band->palette != NULL) {
+        uint16_t *pixels = (uint16_t *)(void *)band->pixels + place_of(band, row, 0);
+        fxl_fill_row_rgb565(pixels + columns->first, pixels + columns->end, band->palette[colour]);
+    } else {
+        const fxl_span span = {(int16_t)row, (int16_t)columns->first, (int16_t)columns->end};
+        fxl_fill_span(band, &span, colour);
+    }
 }
 
 static void fill(const fxl_band *band, int64_t x, int64_t y, int64_t width, int64_t height,
@@ -81,8 +102,7 @@ static void fill(const fxl_band *band, int64_t x, int64_t y, int64_t width, int6
     const fxl_stretch rows =
         fxl_clip_stretch(y, height, band->first_row, band->first_row + band->rows);
     for (int32_t row = rows.first; row < rows.end && columns.first < columns.end; row++) {
-        const fxl_span span = {(int16_t)row, (int16_t)columns.first, (int16_t)columns.end};
-        fxl_fill_span(band, &span, colour);
+        fill_row(band, row, &columns, colour);
     }
 }
 
@@ -121,11 +141,14 @@ void fxl_overlay_sprite(const fxl_band *band, int64_t x, int64_t y, const fxl_sp
     }
     for (int32_t row = rows.first; row < rows.end; row++) {
         /* A pixel of the sprite in the band, so the differences are below its width and height. */
-        uint8_t *to = band->pixels + (size_t)(row - band->first_row) * band->stride + columns.first;
+        size_t to = place_of(band, row, columns.first);
         const uint8_t *from = sprite->pixels + (size_t)(row - y) * row_bytes;
         const uint32_t end = (uint32_t)(columns.end - x);
         for (uint32_t column = (uint32_t)(columns.first - x); column < end; column++) {
-            fxl_sprite_put(sprite, from, column, shift, to);
+            const uint32_t value = fxl_sprite_value(sprite, from, column, shift);
+            if (value != sprite->key) {
+                fxl_set_pixel(band, to, fxl_sprite_colour(sprite, value));
+            }
             to++;
         }
     }

@@ -34,7 +34,8 @@ fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, vo
     if (pixels->format == NULL) {
         return FXL_E_ORDER;
     }
-    if (((uintptr_t)out & 3u) != 0) {
+    if (((uintptr_t)out & 3u) != 0 ||
+        (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0)) {
         return FXL_E_ALIGNMENT;
     }
     if (band->stride < band->width || band->first_row % pixels->format->rows != 0) {

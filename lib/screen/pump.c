@@ -8,11 +8,17 @@ static size_t align(size_t size)
     return (size + 7u) & ~(size_t)7u;
 }
 
+/* Bytes of a band as it is drawn. */
+static size_t drawn_size(const fxl_pump_config *config, uint32_t rows)
+{
+    return (size_t)config->width * rows * (config->palette != NULL ? sizeof(uint16_t) : 1u);
+}
+
 /* Bytes of a band as they are sent. */
 static size_t sent_size(const fxl_pump_config *config, uint16_t rows)
 {
     return config->pixels != NULL ? fxl_pixels_size(config->pixels->format, config->width, rows)
-                                  : (size_t)config->width * rows;
+                                  : drawn_size(config, rows);
 }
 
 static bool is_in_range(const fxl_pump_config *config)
@@ -29,8 +35,8 @@ size_t fxl_pump_memory_size(const fxl_pump_config *config)
     if (config == NULL || !is_in_range(config)) {
         return 0;
     }
-    /* < 2^20 + 2 * 2^21 */
-    const size_t band = config->pixels != NULL ? align((size_t)config->width * config->rows) : 0;
+    /* < 2^21 + 2 * 2^21 */
+    const size_t band = config->pixels != NULL ? align(drawn_size(config, config->rows)) : 0;
     return band + 2u * align(sent_size(config, config->rows));
 }
 
@@ -65,6 +71,7 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
     pump->band.stride = config->width;
     pump->band.first_row = 0;
     pump->band.rows = 0;
+    pump->band.palette = config->palette;
     return FXL_OK;
 }
 
@@ -144,11 +151,12 @@ fxl_status fxl_pump_send(fxl_pump *pump)
     return status;
 }
 
-static void copy_rows(uint8_t *to, const fxl_band *from)
+/* pixel: in bytes. */
+static void copy_rows(uint8_t *to, const fxl_band *from, size_t pixel)
 {
     for (uint32_t row = 0; row < from->rows; row++) {
-        memcpy(to + (size_t)row * from->width, from->pixels + (size_t)row * from->stride,
-               from->width);
+        memcpy(to + row * from->width * pixel, from->pixels + row * from->stride * pixel,
+               from->width * pixel);
     }
 }
 
@@ -162,10 +170,14 @@ fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows)
         (uint32_t)rows->first_row + rows->rows > pump->config.height) {
         return FXL_E_RANGE;
     }
+    if (pump->config.pixels == NULL &&
+        (rows->palette != NULL) != (pump->config.palette != NULL)) {
+        return FXL_E_COMBINATION;
+    }
     uint8_t *bytes = pump->buffers[pump->free_buffer];
     fxl_status status = FXL_OK;
     if (pump->config.pixels == NULL) {
-        copy_rows(bytes, rows);
+        copy_rows(bytes, rows, rows->palette != NULL ? sizeof(uint16_t) : 1u);
     } else {
         status = fxl_pixels_convert(pump->config.pixels, rows, bytes, pump->buffer_size);
     }
@@ -198,13 +210,17 @@ fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose
     if (lens->width != pump->config.width || lens->height != pump->config.height) {
         return FXL_E_RANGE;
     }
+    if (renderer->target != NULL &&
+        (renderer->target->pixel_bits == 16) != (pump->config.palette != NULL)) {
+        return FXL_E_COMBINATION;
+    }
     fxl_status status = fxl_frame_begin(renderer, eye);
     if (status != FXL_OK) {
         return status;
     }
     (void)fxl_pump_begin(pump);
     for (const fxl_band *band; status == FXL_OK && (band = fxl_pump_band(pump)) != NULL;) {
-        fxl_fill_band(band, renderer->frame.background);
+        fxl_frame_fill(renderer, band, renderer->frame.background);
         status = fxl_frame_draw(renderer, band);
         if (status == FXL_OK) {
             status = fxl_pump_send(pump);

@@ -9,12 +9,20 @@ static void prepare(uint16_t *entries, const uint8_t *palette)
     }
 }
 
+/* The same bits of a pixel of RGB565. */
+static uint32_t entry_of_rgb565(uint32_t colour)
+{
+    return (colour >> 8 & 0xE0u) | (colour >> 6 & 0x1Cu) | (colour >> 3 & 3u);
+}
+
 static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
 {
     const uint8_t *row = band->pixels;
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
+    const bool is_wide = band->palette != NULL;
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
         for (uint32_t x = 0; x < band->width; x++) {
-            *out++ = (uint8_t)pixels->entries[row[x]];
+            *out++ = (uint8_t)(is_wide ? entry_of_rgb565(((const uint16_t *)(const void *)row)[x])
+                                       : pixels->entries[row[x]]);
         }
     }
 }

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/pixels.h"
 
+#include "../math/family.h"
+#include "../math/memory.h"
+#include "../raster/fill.h"
+
 /* The upper bits of each colour: it loses less than 8/255 of red and blue, 4/255 of green. The
  * bytes stand in the table as they are sent, whatever the byte order of the core. */
 static void prepare(uint16_t *entries, const uint8_t *palette, uint32_t high, uint32_t low)
@@ -22,14 +26,59 @@ static void prepare_low(uint16_t *entries, const uint8_t *palette)
     prepare(entries, palette, 1, 0);
 }
 
-static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
+/* Whether the byte of a pixel that a core has first is the one with red. */
+static bool core_has_red_first(void)
 {
+    const uint16_t red = 0xF800;
+    return *(const uint8_t *)&red != 0;
+}
+
+/* Copies pixels of RGB565 with their bytes swapped: two at a time where both are aligned alike.
+ * Compilers know the expression of a word: an instruction on cores that have it. */
+static void copy_swapped(uint16_t *out, const uint16_t *pixels, uint32_t count)
+{
+    const uint16_t *end = pixels + count;
+    while (pixels != end) {
+        if (!FXL_IS_SMALL && end - pixels >= 2 && (((uintptr_t)pixels | (uintptr_t)out) & 3u) == 0) {
+            const uint32_t two = *(const fxl_word *)(const void *)pixels;
+            *(fxl_word *)(void *)out = (two & 0x00FF00FFu) << 8 | (two >> 8 & 0x00FF00FFu);
+            pixels += 2;
+            out += 2;
+            continue;
+        }
+        *out++ = (uint16_t)(*pixels << 8 | *pixels >> 8);
+        pixels++;
+    }
+}
+
+/* A band of palette indices, or of RGB565, whose pixels need their bytes in order alone. */
+static inline void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out,
+                           bool red_first)
+{
+    const bool is_wide = band->palette != NULL;
     const uint8_t *row = band->pixels;
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
-        fxl_row_to_16(row, band->width, pixels->entries, (uint16_t *)(void *)out);
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
+        uint16_t *to = (uint16_t *)(void *)out;
+        if (!is_wide) {
+            fxl_row_to_16(row, band->width, pixels->entries, to);
+        } else if (red_first != core_has_red_first()) {
+            copy_swapped(to, (const uint16_t *)(const void *)row, band->width);
+        } else {
+            memcpy(to, row, 2u * band->width);
+        }
         out += 2u * band->width;
     }
 }
 
-const fxl_pixel_format fxl_pixels_rgb565 = {16, 1, prepare_high, convert};
-const fxl_pixel_format fxl_pixels_rgb565_low = {16, 1, prepare_low, convert};
+static void convert_high(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
+{
+    convert(pixels, band, out, true);
+}
+
+static void convert_low(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out)
+{
+    convert(pixels, band, out, false);
+}
+
+const fxl_pixel_format fxl_pixels_rgb565 = {16, 1, prepare_high, convert_high};
+const fxl_pixel_format fxl_pixels_rgb565_low = {16, 1, prepare_low, convert_low};

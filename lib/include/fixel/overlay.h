@@ -4,8 +4,9 @@
  * Every function draws at once into the band that it is given, after fxl_frame_draw. Coordinates
  * are whole pixels of the screen: (0, 0) is the top left pixel, x goes right, y goes down. What
  * lies outside of the band is not drawn, so a frame drawn in bands has the same pixels as a frame
- * drawn whole if each band gets the same calls. Colours are entries of the palette;
- * `palette.reserve` of a scene file keeps entries for the program (docs/scenes.md).
+ * drawn whole if each band gets the same calls. Colours are entries of the palette, in a band of
+ * RGB565 those of band->palette; `palette.reserve` of a scene file keeps entries for the program
+ * (docs/scenes.md).
  * docs/extras/overlay.md specifies the pixels. All results are exact. */
 #ifndef FXL_OVERLAY_H
 #define FXL_OVERLAY_H
@@ -23,6 +24,7 @@ extern "C" {
  * FXL_E_ARGUMENT: a null pointer, also in a record.
  * FXL_E_RANGE: a band whose width is 0 or above FXL_SCREEN_MAX, whose stride is less than its
  * width, or that has no rows; and what the function states.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
  * With each of these statuses: band untouched. */
 
 /* Fills the pixels x <= column < x + width, y <= row < y + height. Takes any x, y, width and

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pixels as a display takes them: converts rows of palette indices to 16 or 8 bits of colour, to
- * 16 greys, or to black and white with an ordered dither. docs/extras/pixels.md defines the
+/* Pixels as a display takes them: converts rows of palette indices or of RGB565 to 16 or 8 bits of
+ * colour, to 16 greys, or to black and white with an ordered dither. docs/extras/pixels.md defines the
  * formats bit for bit. */
 #ifndef FXL_PIXELS_H
 #define FXL_PIXELS_H
@@ -49,12 +49,13 @@ fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
  * and a page too. Returns 0 for a format that is null, or all zeros. */
 size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t rows);
 
-/* Converts a band into `size` bytes at `out`, aligned to 4: row after row, without a gap. Bits of a
+/* Converts a band, of palette indices or of RGB565 (band->palette is not null; its colours stay,
+ * and the prepared palette is not read), into `size` bytes at `out`, aligned to 4: row after row, without a gap. Bits of a
  * last byte that no pixel has are 0. The dither counts columns from the band's left edge and rows
  * from the top of the frame, so the result does not depend on how a frame is cut into bands.
  * FXL_E_ARGUMENT: a null pointer, a band without rows or columns.
  * FXL_E_ORDER: fxl_pixels_init did not prepare the pixels: they are all zeros.
- * FXL_E_ALIGNMENT: out is not aligned.
+ * FXL_E_ALIGNMENT: out is not aligned, or a band of RGB565 is at an odd address.
  * FXL_E_RANGE: a stride below the width; with pages, a first row that is no multiple of 8.
  * FXL_E_CAPACITY: size is less than fxl_pixels_size.
  * With each of these statuses: *out untouched. */
@@ -75,6 +76,10 @@ uint8_t fxl_luma(const uint8_t *colour);
  * level, rounded down, for a display whose highest level is `highest`. Rounding down changes no
  * level. Requires 1 <= highest <= 255. */
 void fxl_grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest);
+
+/* Returns the entry that fxl_grey_table would have for a colour of RGB565, whose channels become
+ * bytes of which 255 is the largest, rounded to nearest. Requires 1 <= highest <= 255. */
+uint16_t fxl_grey_of_rgb565(uint16_t colour, uint32_t highest);
 
 /* Returns the level, 0..highest, of a pixel in column x and row y of the frame. */
 uint8_t fxl_grey_level(uint16_t entry, uint32_t x, uint32_t y);

@@ -31,17 +31,24 @@ typedef struct {
 
 /* What a pump sends, and in which pieces. */
 typedef struct {
-    const fxl_pixels *pixels; /* the format; null sends palette indices, one byte a pixel */
+    const fxl_pixels *pixels; /* the format; null sends bands as they are drawn */
     uint16_t width, height;   /* of the frame, 1..FXL_SCREEN_MAX */
     uint16_t rows;            /* of a band, 1..height; with pages a multiple of 8 */
+    const uint16_t *palette;  /* null: bands are palette indices, one byte a pixel; else they are
+                                 RGB565, and these are the colours of the renderer and of what is
+                                 drawn over */
 } fxl_pump_config;
 
 /* uint64_t of memory for a pump: for bands of rows of width pixels, sent in so many bits a pixel
- * (16 for RGB565, 0 for palette indices). A constant expression. For formats of fewer than 8 bits
- * width must be a multiple of 8; fxl_pump_memory_size serves every width. */
-#define FXL_PUMP_MEMORY(width, rows, bits) \
-    (((width) * (rows) + 7) / 8 + 2 * (((width) * (rows) * (bits) + 63) / 64) + \
-     ((bits) == 0 ? ((width) * (rows) + 7) / 8 : 0))
+ * (16 for RGB565, 0 where they are sent as they are drawn). A constant expression. For formats of
+ * fewer than 8 bits width must be a multiple of 8; fxl_pump_memory_size serves every width. */
+#define FXL_PUMP_MEMORY(width, rows, bits)        FXL_PUMP_MEMORY_OF(width, rows, bits, 1)
+#define FXL_PUMP_MEMORY_RGB565(width, rows, bits) FXL_PUMP_MEMORY_OF(width, rows, bits, 2)
+
+/* The same; drawn: bytes of a pixel as it is drawn, 1 or 2. */
+#define FXL_PUMP_MEMORY_OF(width, rows, bits, drawn) \
+    (((width) * (rows) * (drawn) + 7) / 8 + 2 * (((width) * (rows) * (bits) + 63) / 64) + \
+     ((bits) == 0 ? ((width) * (rows) * (drawn) + 7) / 8 : 0))
 
 /* A pump, which the caller owns. Members are for reading only. */
 typedef struct {
@@ -73,6 +80,7 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
  * be on its way: the next frame waits for it, as does fxl_pump_wait.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: a screen of another size than the pump's.
+ * FXL_E_COMBINATION: a renderer of RGB565 and a pump of palette indices, or the other way round.
  * The statuses of fxl_frame_begin.
  * With each of these statuses: nothing was sent.
  * FXL_E_DISPLAY: the display failed; a part of the frame was sent. */
@@ -102,6 +110,9 @@ fxl_status fxl_pump_send(fxl_pump *pump);
  * FXL_E_ARGUMENT: a null pointer, no rows.
  * FXL_E_RANGE: another width, too many rows, rows beyond the frame, the ranges of
  * fxl_pixels_convert.
+ * FXL_E_COMBINATION: a pump without a format, whose bands are RGB565 and the rows palette indices,
+ * or the other way round.
+ * FXL_E_ALIGNMENT: that of fxl_pixels_convert.
  * With each of these statuses: nothing happens.
  * FXL_E_DISPLAY: as with fxl_pump_send. */
 fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows);

@@ -3,7 +3,7 @@
  *
  * A first program calls fxl_renderer_init and fxl_render. The second level is beneath: the
  * caller's own tables of memory (fxl_renderer_init_with), frames drawn in bands
- * (fxl_frame_begin, fxl_fill_band, fxl_frame_draw), another clipper or another way to decide
+ * (fxl_frame_begin, fxl_frame_fill, fxl_frame_draw), another clipper or another way to decide
  * what is visible (fxl_renderer_set_clipper, fxl_renderer_set_visibility). */
 #ifndef FXL_RENDER_H
 #define FXL_RENDER_H
@@ -271,8 +271,13 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * checked. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
+/* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws. What
+ * lies between width and stride is untouched. Requires a renderer that is initialised, and a band
+ * that fxl_frame_draw takes; pixels of RGB565 at an odd address are left to fxl_frame_draw. */
+void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
+
 /* Draws the frame's polygons over a band that the caller has cleared
- * (fxl_fill_band): those of the display list that reach it, then the rest of the scene
+ * (fxl_frame_fill): those of the display list that reach it, then the rest of the scene
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. Faces that the list had no room for are counted by the first band alone.
  * FXL_E_ARGUMENT: a null pointer.

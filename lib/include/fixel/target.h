@@ -67,7 +67,8 @@ extern const fxl_target fxl_rgb565;
 extern const fxl_target fxl_rgb565_depth_16;
 extern const fxl_target fxl_rgb565_depth_32;
 
-/* Sets every pixel of the band. The bytes between width and stride are untouched. */
+/* Sets every pixel of a band of palette indices. The bytes between width and stride are untouched.
+ * fxl_frame_fill (fixel/render.h) does it in the renderer's format. */
 void fxl_fill_band(const fxl_band *band, uint8_t colour);
 
 #ifdef __cplusplus

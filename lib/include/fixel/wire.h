@@ -53,12 +53,13 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
  * a frame begins. */
 fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 
-/* Draws the frame's lines over a band that the caller has cleared. Each line has its face's
- * colour. The order is that of the scene: by instance, face and edge. The pixels do not depend
+/* Draws the frame's lines over a band that the caller has cleared: of palette indices, or of RGB565
+ * if the band has a palette. Each line has its face's colour. The order is that of the scene: by instance, face and edge. The pixels do not depend
  * on the bands into which the caller divides the frame.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun.
  * FXL_E_RANGE: a band that is not of this screen.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
  * With each of these statuses: band untouched. */
 fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
 
