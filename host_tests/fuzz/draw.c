@@ -129,6 +129,7 @@ static fxl_band make_band(const fxl_lens *lens, uint32_t gap, uint32_t first_row
     band.stride = (uint16_t)(lens->width + gap);
     band.first_row = (uint16_t)first_row;
     band.rows = (uint16_t)rows;
+    band.palette = NULL;
     band.pixels = malloc((size_t)band.stride * rows);
     DEMAND(band.pixels != NULL);
     memset(band.pixels, GAP, (size_t)band.stride * rows);
@@ -302,26 +303,30 @@ static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     free(band.pixels);
     free(cells);
-    if (renderer->shader == renderer->target->depth->last) {
+    if (renderer->shader == renderer->target->extras->last) {
         renderer->shader = NULL; /* it is no beams' room */
     }
     free_renderer(renderer);
 }
 
-/* The frame with outlines: whole and in bands, with any list; and what its pixels show. */
+/* The frame with outlines, which go with no beams: whole and in bands, with any list; and what its
+ * pixels show. */
 static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const fxl_band *whole,
                           uint32_t clipper, fuzz_input *in)
 {
     const fxl_lens *lens = &first->frame.view.lens;
+    if (first->scene->beam_count > 0) {
+        return;
+    }
     const uint32_t words =
         fuzz_below(in, (first->workspace.counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     const uint8_t colour = (uint8_t)fuzz_bits(in, 1);
     const bool keeps = fuzz_below(in, 2) == 1;
-    fxl_outline_style style = {colour, 3, keeps, 0, 0};
+    const fxl_outline_style style = {colour, 3, keeps};
+    fxl_outlines outlines;
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, 0);
     fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
-    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) ==
-           FXL_OK);
+    DEMAND(fxl_attach_outlines(renderer, &outlines, &style) == FXL_OK);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     demand_gaps_intact(&band);
@@ -329,6 +334,7 @@ static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const
     draw_picks(renderer, whole, in);
     record_band(&band);
     free(band.pixels);
+    DEMAND(fxl_attach_outlines(renderer, NULL, NULL) == FXL_OK);
     free_renderer(renderer);
 }
 

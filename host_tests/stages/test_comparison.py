@@ -135,7 +135,7 @@ def test_every_clipper_and_method_of_the_library_is_compared(plan):
     assert {each["record"] for each in plan.clippers.values()} == records("fxl_clipper")
     # With a depth buffer, RGB565 or outlines another picture is drawn. The span buffer with the other scan is nothing new.
     assert {each["target"] for each in plan.hidden.values()} == {"fxl_palette", "fxl_palette_box", "fxl_palette_spans"}
-    assert records("fxl_target") == {"fxl_palette_box", "fxl_palette_spans", "fxl_palette_spans_box", "fxl_palette_outlined"}
+    assert records("fxl_target") == {"fxl_palette_box", "fxl_palette_spans", "fxl_palette_spans_box"}
     assert {each["order"] for each in plan.hidden.values()} == {"fxl_by_distance", "fxl_by_tree"}
 
 

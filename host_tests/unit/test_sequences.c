@@ -127,11 +127,10 @@ static fxl_status attach(const way *into, uint32_t thing, bool is_there)
     }
 }
 
-/* Outlines with beams and with depth are refused for good. The others are not drawn yet. */
+/* Outlines go with neither beams nor a depth buffer. */
 static bool is_refused(const way *into, uint32_t set)
 {
-    return HAS(set, OUTLINES) && (into->target != &fxl_palette || HAS(set, BEAMS) ||
-                                  HAS(set, SURFACES) || HAS(set, BILLBOARDS));
+    return HAS(set, OUTLINES) && (into->target->depth_bits != 0 || HAS(set, BEAMS));
 }
 
 /* The members of a set that show: light at corners needs surfaces, and light. */

@@ -39,8 +39,7 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 
 /* --- conflicts ------------------------------------------------------------------------------ */
 
-/* The first that a renderer has is named. Outlines with RGB565, surfaces and billboards, and a tree
- * with surfaces and billboards are not drawn yet. */
+/* The first that a renderer has is named. A tree with surfaces and billboards is not drawn yet. */
 static const fxl_conflict conflicts[] = {
     {FXL_HAS_TREE, FXL_HAS_DEPTH},
     {FXL_HAS_STUDY, FXL_HAS_SURFACES},
@@ -49,9 +48,6 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
-    {FXL_HAS_OUTLINES, FXL_HAS_RGB565},
-    {FXL_HAS_OUTLINES, FXL_HAS_SURFACES},
-    {FXL_HAS_OUTLINES, FXL_HAS_BILLBOARDS},
     {FXL_HAS_TREE, FXL_HAS_SURFACES},
     {FXL_HAS_TREE, FXL_HAS_BILLBOARDS},
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
@@ -78,16 +74,14 @@ static uint32_t bit_if(bool has, uint32_t number)
 
 static uint32_t parts_of(const fxl_renderer *renderer)
 {
-    const fxl_target *target = renderer->target;
+    const fxl_target *target = fxl_painted_target(renderer);
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     const fxl_billboards *billboards = renderer->billboards;
     const bool has_tree = renderer->order->memory_size != NULL;
-    const bool is_plain = target->draws_over || target->draws_outlines;
     return bit_if(has_tree, FXL_HAS_TREE) |
            bit_if(has_tree && has_movers(renderer->scene), FXL_HAS_MOVERS) |
            bit_if(target->depth_bits != 0, FXL_HAS_DEPTH) |
-           bit_if(target->pixel_bits == 16, FXL_HAS_RGB565) |
-           bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !is_plain, FXL_HAS_STUDY) |
+           bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over, FXL_HAS_STUDY) |
            bit_if(surfaces != NULL, FXL_HAS_SURFACES) |
            bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |

@@ -10,7 +10,6 @@ enum {
     FXL_HAS_TREE,     /* fxl_by_tree */
     FXL_HAS_MOVERS,   /* which the tree cuts */
     FXL_HAS_DEPTH,    /* the target has a depth buffer */
-    FXL_HAS_RGB565,   /* the target's pixels */
     FXL_HAS_STUDY,    /* the target is a span buffer, or scans bounding boxes */
     FXL_HAS_SURFACES, /* these and what follows are attached */
     FXL_HAS_BILLBOARDS,

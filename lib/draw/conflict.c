@@ -10,7 +10,6 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "the order by tree", /* FXL_HAS_TREE */
         "instances that the tree cuts", /* FXL_HAS_MOVERS */
         "a depth buffer", /* FXL_HAS_DEPTH */
-        "an RGB565 target", /* FXL_HAS_RGB565 */
         "a target of the study", /* FXL_HAS_STUDY */
         "surfaces", /* FXL_HAS_SURFACES */
         "billboards", /* FXL_HAS_BILLBOARDS */

@@ -20,8 +20,9 @@ bool fxl_mixed_draw_list(const fxl_traversal *on)
             }
         } else if (record.kind == FXL_POLYGON_SURFACE) {
             surfaces->painter->draw(surfaces, on->workspace, &record, band);
+            fxl_outline_polygon(on, record.points, fxl_surface_polygon_points(&record));
         } else if (record.kind == FXL_POLYGON_DEPTH) {
-            renderer->target->depth->flat(on->workspace, &record, band);
+            renderer->target->extras->flat(on->workspace, &record, band);
         } else {
             const fxl_billboards *billboards = renderer->billboards;
             billboards->painter->paint(renderer, on->workspace, record.points, band);

@@ -133,7 +133,7 @@ static void set_last_shader(fxl_renderer *renderer)
     while (*place != NULL && (*place)->rank != FXL_SHADER_TARGET) {
         place = &((fxl_shader *)(uintptr_t)*place)->next;
     }
-    *place = renderer->target->depth != NULL ? renderer->target->depth->last : NULL;
+    *place = renderer->target->extras != NULL ? renderer->target->extras->last : NULL;
 }
 
 /* Memory of which so many bytes are needed. */
@@ -187,8 +187,8 @@ fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *conf
     renderer->near_first = target->near_first;
     renderer->check = NULL;
     renderer->palette = config->palette;
-    if (target->depth != NULL) {
-        renderer->draw_list = target->depth->draw_list; /* it draws flat records, too */
+    if (target->extras != NULL) {
+        renderer->draw_list = target->extras->draw_list; /* it draws flat records, too */
     }
     set_last_shader(renderer);
     renderer->order_memory = config->tree;

@@ -38,6 +38,7 @@ fxl_deliver_polygon(const fxl_traversal *on, const fxl_surface_polygon *polygon,
         fxl_rows_add(on->reached, rows);
     } else {
         paint(what, workspace, polygon, screen->points, screen->count, on->band);
+        fxl_outline_polygon(on, screen->points, screen->count);
     }
     return FXL_OUTCOME_SPILLED;
 }

@@ -91,8 +91,8 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
                                   fxl_surface_polygon *polygon)
 {
     fxl_gradients *gradients = &polygon->gradients;
-    const uint8_t *head = (const uint8_t *)(const void *)record->points - 4;
-    const uint32_t *from = (const uint32_t *)(const void *)(record->points + head[3]);
+    const uint32_t count = fxl_surface_polygon_points(record);
+    const uint32_t *from = (const uint32_t *)(const void *)(record->points + count);
     const uint32_t first = *from++;
     polygon->surface = (uint16_t)first;
     polygon->colour = (uint8_t)(first >> COLOUR_AT);
@@ -109,7 +109,7 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
         from = get(from, &polygon->depth.one, 1) + 1;
         (void)get(from, &polygon->depth.gradient, GRADIENT_WORDS);
     }
-    return head[3];
+    return count;
 }
 
 void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fxl_traversal *on,

@@ -49,6 +49,31 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fx
 bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon *screen,
                                 fxl_rows rows, const fxl_surface_polygon *polygon);
 
+/* How many points of a record of the kind FXL_POLYGON_SURFACE or FXL_POLYGON_DEPTH are the
+ * outline's: a byte in front of them. */
+static inline uint32_t fxl_surface_polygon_points(const fxl_display_list_record *record)
+{
+    return ((const uint8_t *)(const void *)record->points)[-1];
+}
+
+/* The target of a renderer as painters know it, with outlines or without. */
+static inline const fxl_target *fxl_painted_target(const fxl_renderer *renderer)
+{
+    const fxl_target *target = renderer->target;
+    return target->extras != NULL && target->extras->outlined != NULL ? target->extras->outlined
+                                                                      : target;
+}
+
+/* The edges of a polygon that was painted into the band, where the renderer has outlines. */
+static inline void fxl_outline_polygon(const fxl_traversal *on, const fxl_screen_point *points,
+                                       uint32_t count)
+{
+    const fxl_target_extras *extras = on->renderer->target->extras;
+    if (extras != NULL && extras->outline != NULL) {
+        extras->outline(on->workspace, points, count, on->band);
+    }
+}
+
 /* Reads a record of the kind FXL_POLYGON_SURFACE or FXL_POLYGON_DEPTH. Returns how many of its
  * points are the outline's. */
 uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,

@@ -223,7 +223,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face, const
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
     const fxl_surface_set *set = surfaces->set;
     const uint32_t number = set->face_map[face - on->renderer->scene->faces];
-    if (number == 0 || on->renderer->target != &FXL_TARGET) {
+    if (number == 0 || fxl_painted_target(on->renderer) != &FXL_TARGET) {
         return fxl_surfaces_pass_on(model_view, face, on, shader);
     }
     const mapped_surface of = {surfaces, &set->faces[number - 1]};

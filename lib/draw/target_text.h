@@ -203,7 +203,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 
 static const fxl_shader_code code = {reaches, submit, split, NULL, false};
 static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};
-static const fxl_target_depth depth = {fxl_mixed_draw_list, flat_with_depth, &last};
+static const fxl_target_extras extras = {fxl_mixed_draw_list, flat_with_depth, &last, NULL, NULL};
 
 /* --- bands ---------------------------------------------------------------------------------- */
 
@@ -291,7 +291,7 @@ const fxl_target FXL_TARGET = {
 #endif
     .flat = flat,
 #if FXL_TARGET_DEPTH_BITS != 0
-    .depth = &depth,
+    .extras = &extras,
 #endif
 };
 

@@ -54,7 +54,7 @@ typedef struct {
  *
  *   fxl_visibility_sorted, _box, _spans, _spans_box
  *       the face, in `colour`
- *   fxl_visibility_outlined
+ *   with outlines
  *       the face, in its colour or in the fill of the style; or a line, which may be another face's
  *   fxl_visibility_surfaces, frames of 16 bits a pixel
  *       the face with its surface. Where a texel of the key or the stipple leaves a hole, the pixel

@@ -16,16 +16,22 @@ struct fxl_display_list_record; /* fixel/records.h */
 struct fxl_config;              /* fixel/render.h */
 struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
 
-/* What a target with a depth buffer has beside. */
-typedef struct fxl_target_depth {
-    /* fxl_renderer.draw_list of a renderer that draws into it. */
+/* What a target has beside that flat faces do not need. */
+typedef struct fxl_target_extras {
+    /* With a depth buffer: fxl_renderer.draw_list of a renderer that draws into it. */
     bool (*draw_list)(const struct fxl_traversal *traversal);
-    /* Draws a record of the display list that has a depth and no surface. */
+    /* With a depth buffer: draws a record of the display list that has a depth and no surface. */
     void (*flat)(struct fxl_workspace *workspace, const struct fxl_display_list_record *record,
                  const fxl_band *band);
-    /* The last shader of the renderer. It takes faces and pieces that no attachment has drawn. */
+    /* With a depth buffer: the last shader of the renderer. It takes faces and pieces that no
+     * attachment has drawn. Else null. */
     const struct fxl_shader *last;
-} fxl_target_depth;
+    /* With outlines: the target that this one is a copy of. Its painters draw into this one. */
+    const struct fxl_target *outlined;
+    /* With outlines: draws the edges of a polygon that a painter has drawn. Else null. */
+    void (*outline)(struct fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                    const fxl_band *band);
+} fxl_target_extras;
 
 /* A target. Members are internal. By itself it draws faces of one colour. */
 typedef struct fxl_target {
@@ -35,7 +41,6 @@ typedef struct fxl_target {
      * go from the clipper straight to the scan. */
     bool draws_over : 1;
     bool near_first : 1; /* faces are submitted near to far, unless surfaces are blended */
-    bool draws_outlines : 1; /* in the place of fxl_palette, where outlines are attached */
     /* Sets every pixel of a band to a colour of the palette. */
     void (*fill)(const fxl_band *band, uint8_t colour);
     /* Gives a renderer the target. Null: the target needs neither memory, a palette nor a shader. */
@@ -54,7 +59,7 @@ typedef struct fxl_target {
      * them. Returns false if the memory is full: then some of the outline may have been drawn. */
     bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                  uint8_t colour, const fxl_band *band);
-    const struct fxl_target_depth *depth; /* with a depth buffer; else null */
+    const struct fxl_target_extras *extras; /* null: only flat faces */
 } fxl_target;
 
 /* A palette index of 8 bits a pixel: fxl_render draws into bytes. */

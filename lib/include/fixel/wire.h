@@ -69,36 +69,31 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
 void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
                    const fxl_band *band);
 
-/* What fxl_visibility_outlined draws with: its workspace, of the caller, which sets the first three
- * members and may change them between two frames. */
+/* Colours of the palette, in which outlines are drawn. */
 typedef struct {
-    FXL_ALIGN_8 uint8_t line; /* the colour of the outlines */
-    uint8_t fill;             /* the colour of the faces, if they do not keep theirs */
-    bool keeps_colours;       /* each face is filled with its own colour */
-    uint8_t reserved;
-    uint16_t height; /* of the screen; belongs to the method */
+    uint8_t line;       /* the colour of the outlines */
+    uint8_t fill;       /* the colour of faces without a surface, if they do not keep theirs */
+    bool keeps_colours; /* each face is filled with its own colour */
 } fxl_outline_style;
-
-/* Faces far to near, each filled and then outlined, so a face hides the edges behind it: for
- * displays of 1 bit, or for a drawing. The order is that of fxl_visibility_sorted. The pixels of an
- * outline are those of fxl_wire_line, after its ends were moved, by half a pixel at most, into the
- * rows that the polygon reaches. An edge both of whose ends are within 1/256 pixel of one side of
- * the screen, or beyond it, is not drawn: it is where the clipper cut. A cut at the near plane is
- * drawn. The pixels do not depend on the bands. With fxl_frame_draw_with, each workspace takes the
- * renderer's style.
- * fxl_renderer_set_visibility(renderer, &fxl_visibility_outlined, &style, sizeof style) sets it;
- * the renderer keeps the pointer. */
-extern const fxl_target fxl_palette_outlined;
-extern const fxl_visibility fxl_visibility_outlined;
 
 /* The outlines of a renderer, which the caller owns. Members are internal. */
 typedef struct {
     FXL_ALIGN_8 fxl_shader shader;
-    FXL_ALIGN_8 fxl_outline_style style;
+    fxl_outline_style style;
+    uint16_t height;          /* of the screen */
+    fxl_target target;        /* a copy of the renderer's, with outlines */
+    fxl_target_extras extras; /* of this copy */
 } fxl_outlines;
 
-/* Attaches outlines to a renderer whose target is fxl_palette, or, where style is null, detaches
- * them. The style is copied into *outlines, to which the renderer keeps a pointer. What else is
+/* Attaches outlines to a renderer whose target has no depth buffer, or, where style is null,
+ * detaches them. Faces come in the order of drawing, each drawn and then outlined, so a face hides
+ * the edges behind it: for displays of 1 bit, or for a drawing. A face with a surface shows it
+ * beneath its outline; a billboard has none. The pixels of an outline are those of fxl_wire_line,
+ * after its ends were moved, by half a pixel at most, into the rows that the polygon reaches. An
+ * edge both of whose ends are within 1/256 pixel of one side of the screen, or beyond it, is not
+ * drawn: it is where the clipper cut. A cut at the near plane is drawn. The pixels do not depend on
+ * the bands.
+ * The style is copied into *outlines, to which the renderer keeps a pointer. What else is
  * attached, before or after, does not matter. The next frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
