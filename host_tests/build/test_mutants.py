@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """What fixel mutants takes for a mistake, and what it leaves alone."""
 
+import types
+
 import pytest
 
-from fixel.check import mutate
+from fixel.check import library_mutants, mutate
 
 CODE = """#include "a.h"
 #define ONE (1 + 1)
@@ -59,3 +61,19 @@ def test_what_a_header_goes_into(tmp_path):
     for name, expected in {"lib/math/root.h": True, "lib/b.h": True, "tests/a.c": True, "lib/c.h": False,
                            "lib/draw/root.h": False, "root.h": False}.items():
         assert mutate.includes(notes, tmp_path, name) == expected
+
+
+def test_only_tests_that_include_a_mutated_header_are_built_anew(tmp_path):
+    def unit_test(name, header):
+        (tmp_path / f"{name}.d").write_text(f"{name}.o: {name}.c {header}\n", encoding="utf-8")
+        return library_mutants.Test(tmp_path / name, (f"{name}.o", "unity.o"), (), f"{name}.c")
+    ran = []
+    tree = types.SimpleNamespace(folder=tmp_path / "tree", compiler=["cc"],
+                                 run=lambda words: ran.append(words[:3]) or ("no" if "broken.c" in words else None))
+    tree.folder.mkdir()
+    tests = [unit_test("one", "lib/math/root.h"), unit_test("two", "lib/math/root.c"), unit_test("broken", "lib/math/root.h")]
+    tests.append(library_mutants.Test(tmp_path / "replay", ("replay.o",)))
+    for file, built in (("lib/math/root.h", {tests[0]: tmp_path / "tree/tests/one"}), ("lib/math/root.c", {})):
+        assert library_mutants.build_including(tree, tests, file) == built
+    new = tmp_path / "tree/tests/one.o"
+    assert ran == [["cc", "-c", "one.c"], ["cc", new, "unity.o"], ["cc", "-c", "broken.c"]]

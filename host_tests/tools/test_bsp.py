@@ -301,8 +301,7 @@ def test_a_face_with_too_many_vertices_is_halved_and_loses_nothing():
     lines = tree.Lines()
     ring = [lines.vertex((round(9 * ONE * math.cos(-i / 30 * math.pi)), 0,
                           round(9 * ONE * math.sin(-i / 30 * math.pi)))) for i in range(60)]
-    own = [lines.edge(a, b) for a, b in zip(ring, ring[1:] + ring[:1])]
-    pieces = tree_faces.halve(lines, tree.Part(SQUARE_NORMAL, 7, 0, 0, ring, own))
+    pieces = tree_faces.halve(lines, tree.Part(SQUARE_NORMAL, 7, 0, 0, ring))
     faces = [tree_faces.flat_face(lines, piece) for piece in pieces]
     assert all(3 <= len(face.corners) <= image.FACE_VERTICES_MAX for face in faces)
     assert chain_of(edges_of(faces)) == ring or set(chain_of(edges_of(faces))) == set(ring)

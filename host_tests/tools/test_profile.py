@@ -10,7 +10,7 @@ import xml.etree.ElementTree
 import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli
-from fixel.bench import bench_plan, counter, cycles, debug_lines, flame, places, thumb
+from fixel.bench import bench_plan, counter, cycles, debug_lines, flame, places, profiling, thumb
 from fixel.bench.debug_lines import DebugLines
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
@@ -300,6 +300,13 @@ def test_the_command(tmp_path):
                                                    ("w1", "m7", ("no core 'm7'", "m55"))])
 def test_the_command_says_what_there_is(workload, core, words):
     assert_one_sentence(run_cli("profile", "--workload", workload, "--core", core), *words)
+
+
+def test_the_command_says_which_renderers_there_are(monkeypatch):
+    monkeypatch.setattr(profiling.qemu, "find_qemu", None)    # nothing is run
+    options = types.SimpleNamespace(build=CHECKOUT / "build", workload="w1", core="m3", renderer="fixed")
+    with pytest.raises(ToolError, match="no renderer 'fixed'; the renderers are: .*fixel"):
+        profiling.command(options)
 
 
 assert set(cycles.LEAVING) <= set(thumb.KINDS)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scene files that are lit at run time: what becomes of each key, the ramp, and each refusal."""
 
+import types
 
 import pytest
 
@@ -138,3 +139,16 @@ def test_the_own_scene_has_what_it_promises():
     light = scene.light
     assert len(light.ramp) == 24 and len(light.points) == image_light.POINTS_MAX and light.strength and any(light.fog)
     assert scene.motions and not [note for note in notes if "merged" in note]
+
+
+def test_too_many_colours_share_the_entries_by_how_many_there_are_of_each_kind():
+    """Three quarters of the colours are not lit."""
+    def grey(number):
+        return number % 256, number // 2 % 256, number // 3 % 256
+    light = types.SimpleNamespace(dark=(0, 0, 0), levels=2)
+    wanted = {**{grey(number): 1 for number in range(300)}, **{(*grey(number), 1): 1 for number in range(300, 400)}}
+    _, indices, merged, _, _ = light_palette.allocate((0, 0, 0), wanted, (), light, None)
+    plain, lit = ({index for colour, index in indices.items() if len(colour) == length} for length in (3, 4))
+    assert len(plain) <= 255 * 3 // 4 and len(lit) <= 255 - 255 * 3 // 4 and not plain & lit
+    assert len(plain) > 180 and len(lit) > 60
+    assert merged == 400

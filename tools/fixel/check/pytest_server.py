@@ -43,8 +43,7 @@ class Report:
     def __init__(self, asked):
         self.file, self.lines, self.enough = asked["report"], asked["lines"], asked["enough"]
         self.recorder = sys.modules.get("sitecustomize")
-        self.passed, self.skipped, self.before, self.number, self.spent = True, False, 0.0, 0, {}
-        self.test = ""
+        self.number, self.spent, self.test = 0, {}, ""
 
     def pytest_runtest_logstart(self, nodeid, location):
         self.passed, self.skipped, self.before = True, False, cpu_seconds()

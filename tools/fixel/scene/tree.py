@@ -31,7 +31,7 @@ class Part:
     source: int         # the scene's face
     group: int          # the scene's object
     ring: list          # vertices; line i goes from vertex i to the next
-    lines: list
+    lines: list | None = None   # None once nothing cuts it any more
 
 
 @dataclass

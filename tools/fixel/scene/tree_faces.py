@@ -12,14 +12,11 @@ from fixel.model.mesh import cross, dot, minus, newell, unit_normal
 
 
 def share(lines, part):
-    """Puts the vertices of its lines into a part, and answers how many."""
-    ring, own, before = [], [], len(part.ring)
+    """Puts the vertices of its lines into a part, and answers how many. From here on nothing cuts it: it has no lines."""
+    ring, before = [], len(part.ring)
     for i, vertex in enumerate(part.ring):
-        line = part.lines[i]
-        inner = lines.between(line, vertex, part.ring[(i + 1) % before])
-        ring += [vertex, *inner]
-        own += [line] * (1 + len(inner))
-    part.ring, part.lines = ring, own
+        ring += [vertex, *lines.between(part.lines[i], vertex, part.ring[(i + 1) % before])]
+    part.ring, part.lines = ring, None
     return len(ring) - before
 
 
@@ -36,11 +33,9 @@ def halve(lines, part, most=FACE_VERTICES_MAX):
         raise ToolError(f"a face of object {part.group} is too thin for its {count} corners to be divided for a tree: "
                         "give it fewer in the model, or leave it out of the tree's layers")
     _, i, j = best
-    line = lines.line((part.ring[i], part.ring[j]))
     pieces = []
-    for ring, own in ((part.ring[i:j + 1], part.lines[i:j] + [line]),
-                      (part.ring[j:] + part.ring[:i + 1], part.lines[j:] + part.lines[:i] + [line])):
-        pieces += halve(lines, replace(part, ring=ring, lines=own), most)
+    for ring in (part.ring[i:j + 1], part.ring[j:] + part.ring[:i + 1]):
+        pieces += halve(lines, replace(part, ring=ring), most)
     return pieces
 
 
