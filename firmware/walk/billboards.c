@@ -52,8 +52,8 @@ fxl_status walk_billboards_open(const fxl_scene_image *image, const fxl_sprite_p
         return FXL_OK;
     }
     if (painter == NULL) {
-        system_text("walk: the scene has billboards, which VISIBILITY=sorted, surfaces, depth and "
-                    "depth-32 draw\n");
+        system_text("walk: the scene has billboards, which VISIBILITY=sorted, tree, surfaces, "
+                    "depth and depth-32 draw\n");
         return FXL_E_COMBINATION;
     }
     status = fxl_billboards_open(image, sprites, boards, count, &own->set, NULL);

@@ -115,10 +115,22 @@ def test_wrong_billboards_are_refused(tmp_path, text, says):
     assert says in refused(tmp_path, text)
 
 
-def test_a_tree_draws_no_billboards(tmp_path):
-    done = run_cli("build", CHECKOUT / SCENES[0], "-o", tmp_path / "grove.fxls", "--tree", "all")
-    assert done.returncode == 2 and "a BSP tree draws no billboards" in done.stderr
-    assert not (tmp_path / "grove.fxls").exists()
+def test_a_tree_keeps_billboards(tmp_path):
+    """They are no part of the tree's object, and go to its layer."""
+    file, whole = tmp_path / "grove.fxls", tmp_path / "whole.fxls"
+    for path, options in ((whole, ()), (file, ("--tree", "all"))):
+        done = run_cli("build", CHECKOUT / SCENES[0], "-o", path, *options)
+        assert done.returncode == 0, done.stderr
+    made, before = (image.unpack(path.read_bytes()) for path in (file, whole))
+
+    def shown(scene):
+        numbers = scene.billboards.model_map
+        return [(item.centre, numbers[item.model]) for item in scene.objects if numbers[item.model]]
+
+    assert shown(made) == shown(before) and len(shown(made)) > 10
+    layer = made.objects[made.tree.object].layer
+    assert {item.layer for item in made.objects if made.billboards.model_map[item.model]} == {layer}
+    assert made.billboards.model_map[made.objects[made.tree.object].model] == 0
 
 
 # --- frames --------------------------------------------------------------------------------------
@@ -138,7 +150,28 @@ def drawn(build, built, folder, *options):
     return done, out
 
 
-@pytest.mark.parametrize("method", [None, "sorted", "surfaces", "depth", "depth-32"])
+@pytest.fixture(scope="module", name="planted")
+def fixture_planted(tmp_path_factory):
+    """The image of a scene with a tree."""
+    file = tmp_path_factory.mktemp("planted") / "scene.fxls"
+    done = run_cli("build", CHECKOUT / SCENES[0], "-o", file, "--tree", "all")
+    assert done.returncode == 0, done.stderr
+    return file
+
+
+@pytest.mark.parametrize("pixels", ["palette", "rgb565"])
+def test_frames_by_a_tree_are_those_of_the_reference(build, planted, tmp_path, pixels):
+    done, out = drawn(build, planted, tmp_path, "--pixels", pixels)
+    assert done.returncode == 0, done.stderr
+    subprocess.run([build / "host" / "judge", planted, out, "--json", tmp_path / "judged.json"], check=True)
+    verdict = json.loads((tmp_path / "judged.json").read_text())
+    assert verdict["pixels_unexplained"] == 0 and verdict["pixels"] > 0
+    _, banded = drawn(build, planted, tmp_path, "--pixels", pixels, "--rows", "7", "--list", "300")
+    frames = [[bytes(frame.pixels) for frame in dump.read_dump(file).frames] for file in (out, banded)]
+    assert frames[0] == frames[1]
+
+
+@pytest.mark.parametrize("method", [None, "sorted", "tree", "surfaces", "depth", "depth-32"])
 def test_frames_are_those_of_the_reference(build, built, tmp_path, method):
     options = ["--hidden", method] if method else []
     done, out = drawn(build, built, tmp_path, *options)
@@ -164,7 +197,7 @@ def test_a_missing_billboard_would_be_seen(build, built, tmp_path):
     assert json.loads((tmp_path / "judged.json").read_text())["pixels_unexplained"] > 100
 
 
-@pytest.mark.parametrize("method", ["spans", "tree", "tree-spans"])
+@pytest.mark.parametrize("method", ["spans", "tree-spans"])
 def test_other_methods_refuse_the_scene(build, built, tmp_path, method):
     done, _ = drawn(build, built, tmp_path, "--hidden", method)
     assert done.returncode == 2 and "do not go together" in done.stderr

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The order that draws billboards: its traversal takes the instances in their order,
- * and submits a rectangle of the screen for an instance whose model has a billboard. */
+/* The order by distance that draws billboards: its traversal takes the instances in their order, and
+ * submits a rectangle of the screen for an instance whose model has a billboard. The order by tree
+ * calls the same for the billboards that come to it. */
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../math/pixel_centre.h"
@@ -154,9 +155,10 @@ static bool submit(const fxl_traversal *on)
     if (on->display_list != NULL && scene->turns != NULL) {
         on->counters->rounded = (uint16_t)scene->turn_code->count_rounded(on, 0, 0);
     }
-    return fxl_submit_all(on, submit_any);
+    return fxl_submit_all(on, on->renderer->billboards->code->instance);
 }
 
+static const fxl_billboard_code code = {submit, submit_any};
 const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
 
 /* --- attaching -------------------------------------------------------------------------- */
@@ -197,6 +199,7 @@ fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboa
     if (set != NULL) {
         billboards->set = set;
         billboards->painter = painter;
+        billboards->code = &code;
         renderer->billboards = billboards;
         renderer->draw_list = fxl_mixed_draw_list;
         change_order(renderer, &fxl_by_distance, &fxl_by_distance_with_billboards);

@@ -3,9 +3,9 @@
 #include "../view/cull.h"
 #include "../view/model_view.h"
 #include "bsp_pieces.h"
+#include "fixel/billboards.h"
 
 #include "../scene/bsp_node.h"
-#include "bsp_pieces.h"
 
 uint32_t fxl_bsp_movers(const fxl_scene *scene)
 {
@@ -152,6 +152,28 @@ static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
     }
 }
 
+bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_order_entry *entry)
+{
+    const fxl_billboards *billboards = renderer->billboards;
+    const uint32_t model = renderer->scene->instances[entry->index].model;
+    return billboards != NULL && billboards->set->model_map[model] != 0;
+}
+
+/* An instance that is drawn whole, in the leaf of its centre. number: of the instances that the
+ * workspace has room for. */
+static void put_whole(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
+                      const fxl_point *centre, uint32_t entry, bool reverse)
+{
+    const fxl_bsp_item whole = {FXL_IN_LEAF | leaf_of(scene, centre),
+                                FXL_ITEM_NONE,
+                                (uint16_t)entry,
+                                FXL_ITEM_NONE,
+                                0,
+                                0};
+    parts->whole[number] = whole;
+    put_into_leaf(scene, parts, number, reverse);
+}
+
 void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 {
     const fxl_renderer *renderer = on->renderer;
@@ -175,21 +197,19 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
         if (at == workspace->owner) {
             continue;
         }
-        const fxl_instance *instance = &scene->instances[on->renderer->frame.order[at].index];
-        count_faces(on, &on->renderer->frame.order[at]);
+        const fxl_order_entry *entry = &renderer->frame.order[at];
+        const fxl_instance *instance = &scene->instances[entry->index];
+        if (fxl_bsp_shows_billboard(renderer, entry)) {
+            put_whole(scene, &parts, mover++, &instance->centre, at, reverse);
+            continue;
+        }
+        count_faces(on, entry);
         if (fxl_bsp_cut(&cutter, instance, &on->renderer->frame.view.camera.position, at)) {
             for (uint32_t i = cutter.first_item; i < cutter.item_count; i++) {
                 put_into_leaf(scene, &parts, parts.movers + i, reverse);
             }
         } else {
-            fxl_bsp_item whole = {FXL_IN_LEAF | leaf_of(scene, &instance->centre),
-                                  FXL_ITEM_NONE,
-                                  (uint16_t)at,
-                                  FXL_ITEM_NONE,
-                                  0,
-                                  0};
-            parts.whole[mover] = whole;
-            put_into_leaf(scene, &parts, mover, reverse);
+            put_whole(scene, &parts, mover, &instance->centre, at, reverse);
             workspace->unsplit += 1;
         }
         mover += 1;
@@ -249,6 +269,29 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
     return fxl_pieces_end(&pieces);
 }
 
+/* An item of a leaf, of which *face faces are done. The faces were counted when the instance was
+ * cut; a billboard was not. */
+static bool submit_item(const fxl_traversal *on, fxl_bsp_workspace *workspace,
+                        const fxl_bsp_parts *parts, const fxl_bsp_item *item, uint16_t *face)
+{
+    const fxl_renderer *renderer = on->renderer;
+    const fxl_order_entry *entry = &renderer->frame.order[item->entry];
+    const bool whole = item->first == FXL_ITEM_NONE;
+    if (whole && fxl_bsp_shows_billboard(renderer, entry)) {
+        return renderer->billboards->code->instance(on, entry);
+    }
+    fxl_counters counters = {0};
+    fxl_traversal uncounted = *on;
+    uncounted.counters = &counters;
+    const bool fitted = whole ? submit_whole(&uncounted, entry, face)
+                              : submit_bsp_piece(&uncounted, parts, item);
+    on->counters->spilled += counters.spilled;
+    if (fitted && !whole && on->counters == &on->workspace->counters) {
+        workspace->refused += counters.refused;
+    }
+    return fitted;
+}
+
 bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, uint32_t leaf,
                          fxl_bsp_resume_point *place)
 {
@@ -261,19 +304,8 @@ bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, 
         if (done < place->index) {
             continue;
         }
-        fxl_counters counters = {0}; /* count_faces has counted the faces */
-        fxl_traversal uncounted = *on;
-        uncounted.counters = &counters;
-        bool whole = item->first == FXL_ITEM_NONE;
-        bool fitted =
-            whole ? submit_whole(&uncounted, &on->renderer->frame.order[item->entry], &place->face)
-                  : submit_bsp_piece(&uncounted, &parts, item);
-        on->counters->spilled += counters.spilled;
-        if (!fitted) {
+        if (!submit_item(on, workspace, &parts, item, &place->face)) {
             return false;
-        }
-        if (!whole && on->counters == &on->workspace->counters) {
-            workspace->refused += counters.refused;
         }
         place->index += 1;
     }

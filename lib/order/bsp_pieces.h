@@ -46,6 +46,9 @@ typedef struct fxl_bsp_vertex {
 
 fxl_bsp_parts fxl_bsp_parts_of(const fxl_scene *scene, fxl_bsp_workspace *workspace);
 
+/* Whether an entry of the order shows a billboard instead of faces. */
+bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_order_entry *entry);
+
 /* Returns how many instances other than the BSP's are on its layer. */
 uint32_t fxl_bsp_movers(const fxl_scene *scene);
 

@@ -2,10 +2,10 @@
 #include "../view/cull.h"
 #include "../view/outcode.h"
 #include "bsp_pieces.h"
+#include "fixel/billboards.h"
 
 #include "../draw/renderer.h"
 #include "../scene/bsp_node.h"
-#include "bsp_pieces.h"
 
 /* What is done at a node so far. */
 enum {
@@ -309,12 +309,21 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
     return done;
 }
 
+/* An instance of another layer. */
+static bool submit_other(const fxl_traversal *on, const fxl_order_entry *entry)
+{
+    const fxl_billboards *billboards = on->renderer->billboards;
+    return billboards != NULL ? billboards->code->instance(on, entry)
+                              : fxl_submit_any_instance(on, entry);
+}
+
 bool fxl_submit_by_bsp(const fxl_traversal *on)
 {
     const fxl_renderer *renderer = on->renderer;
     const uint32_t count = on->renderer->frame.visible_count;
     if (renderer->scene->bsp_nodes == NULL) {
-        return fxl_submit_by_distance(on);
+        return renderer->billboards != NULL ? renderer->billboards->code->all(on)
+                                            : fxl_submit_by_distance(on);
     }
     fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->order_memory;
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
@@ -331,7 +340,7 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
         const uint32_t at = renderer->near_first ? count - 1 - number : number;
         const bool by_bsp = at >= workspace->first && at < workspace->end;
         if (!(by_bsp ? submit_layer(on, workspace, &parts)
-                     : fxl_submit_any_instance(on, &on->renderer->frame.order[at]))) {
+                     : submit_other(on, &on->renderer->frame.order[at]))) {
             return false;
         }
         on->resume->instances =

@@ -21,7 +21,7 @@ bool ref_bsp_is_front(const ref_scene *scene, const ref_bsp_node *node,
     return height(scene, node, point) > 0;
 }
 
-static bool append(ref_bsp_pieces *to, const ref_bsp_piece *piece)
+bool ref_bsp_append(ref_bsp_pieces *to, const ref_bsp_piece *piece)
 {
     ref_bsp_piece *pieces = ref_grown(to->pieces, to->count, &to->capacity, 64, sizeof *pieces);
     if (!pieces) {
@@ -139,7 +139,7 @@ static ref_bsp_result cut_piece(const ref_scene *scene, ref_bsp_pieces *all, siz
     move_down(scene, &front, false);
     move_down(scene, &back, true);
     all->pieces[number] = front;
-    return append(all, &back) ? REF_BSP_CUT : REF_BSP_MEMORY;
+    return ref_bsp_append(all, &back) ? REF_BSP_CUT : REF_BSP_MEMORY;
 }
 
 bool ref_bsp_faces(const ref_scene *scene, uint32_t number, const ref_lattice_point *eye,
@@ -153,7 +153,7 @@ bool ref_bsp_faces(const ref_scene *scene, uint32_t number, const ref_lattice_po
         for (int k = 0; k < face->count; k++) {
             piece.shape.points[k] = ref_face_vertex(scene, instance, face, k);
         }
-        if (ref_face_is_front(scene, instance, face, eye) && !append(pieces, &piece)) {
+        if (ref_face_is_front(scene, instance, face, eye) && !ref_bsp_append(pieces, &piece)) {
             return false;
         }
     }

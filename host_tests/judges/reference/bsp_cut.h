@@ -27,6 +27,9 @@ typedef enum {
     REF_BSP_MEMORY /* memory is short */
 } ref_bsp_result;
 
+/* Appends a piece. Returns false where memory is short. */
+bool ref_bsp_append(ref_bsp_pieces *to, const ref_bsp_piece *piece);
+
 /* Appends an instance's faces that face the eye as pieces at the root. Returns false where
  * memory is short. */
 bool ref_bsp_faces(const ref_scene *scene, uint32_t instance, const ref_lattice_point *eye,

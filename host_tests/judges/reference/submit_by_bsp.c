@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "reference/billboard.h"
 #include "reference/camera.h"
 #include "reference/cull.h"
 #include "reference/bsp_cut.h"
@@ -41,6 +42,12 @@ static bool submit_leaf(const bsp_traversal *traversal, uint32_t node, bool behi
             continue;
         }
         const ref_instance *instance = &traversal->scene->instances[piece->instance];
+        if (ref_billboard_of(traversal->scene, instance)) {
+            if (!ref_submit_instance(traversal->renderer, piece->instance)) {
+                return false;
+            }
+            continue;
+        }
         const ref_face *face =
             &traversal->scene
                  ->faces[traversal->scene->models[instance->model].first_face + piece->face];
@@ -97,32 +104,46 @@ static bool count_faces(ref_renderer *renderer, uint32_t number)
     return true;
 }
 
-/* Puts an instance that was not cut into the leaf of its centre: its faces, whole. */
+/* Puts a piece into the leaf of the centre of its instance. */
+static void put_into_leaf(const ref_scene *scene, ref_bsp_piece *piece)
+{
+    const ref_lattice_point *centre = &scene->instances[piece->instance].centre;
+    uint32_t below = 0;
+    while (below != REF_BSP_NONE) {
+        const ref_bsp_node *node = &scene->bsp_nodes[below];
+        piece->node = below;
+        piece->behind = !ref_bsp_is_front(scene, node, centre);
+        below = piece->behind ? node->back : node->front;
+    }
+    piece->in_leaf = true;
+}
+
+/* The faces of an instance that was not cut, whole. */
 static bool put_whole(const ref_renderer *renderer, uint32_t number, ref_bsp_pieces *pieces)
 {
-    const ref_scene *scene = renderer->scene;
-    const ref_instance *instance = &scene->instances[number];
     const size_t first = pieces->count;
-    uint32_t node = 0, below = 0;
-    bool behind = false;
-    while (below != REF_BSP_NONE) {
-        node = below;
-        behind = !ref_bsp_is_front(scene, &scene->bsp_nodes[node], &instance->centre);
-        below = behind ? scene->bsp_nodes[node].back : scene->bsp_nodes[node].front;
-    }
-    if (!ref_bsp_faces(scene, number, &renderer->eye, pieces)) {
+    if (!ref_bsp_faces(renderer->scene, number, &renderer->eye, pieces)) {
         return false;
     }
     for (size_t i = first; i < pieces->count; i++) {
-        pieces->pieces[i].node = node;
-        pieces->pieces[i].in_leaf = true;
-        pieces->pieces[i].behind = behind;
+        put_into_leaf(renderer->scene, &pieces->pieces[i]);
     }
     return true;
 }
 
+/* A billboard, which is never cut. */
+static bool put_billboard(const ref_scene *scene, uint32_t number, ref_bsp_pieces *pieces)
+{
+    ref_bsp_piece piece = {.instance = number};
+    put_into_leaf(scene, &piece);
+    return ref_bsp_append(pieces, &piece);
+}
+
 static bool cut_mover(bsp_traversal *traversal, uint32_t number)
 {
+    if (ref_billboard_of(traversal->scene, &traversal->scene->instances[number])) {
+        return put_billboard(traversal->scene, number, &traversal->pieces);
+    }
     if (!count_faces(traversal->renderer, number)) {
         return false;
     }

@@ -39,10 +39,17 @@ extern const fxl_sprite_painter fxl_palette_sprites, fxl_palette_depth_16_sprite
     fxl_rgb565_depth_32_sprites;
 #define FXL_SPRITES_OF(target) (&target##_sprites)
 
+/* How an order submits instances that may show a billboard. */
+typedef struct {
+    bool (*all)(const fxl_traversal *traversal); /* by distance */
+    bool (*instance)(const fxl_traversal *traversal, const fxl_order_entry *entry);
+} fxl_billboard_code;
+
 /* The billboards of a renderer, which the caller owns. Members are internal. */
 struct fxl_billboards {
     const fxl_billboard_set *set;
     const fxl_sprite_painter *painter;
+    const fxl_billboard_code *code;
 };
 
 /* Checks the billboards of a scene: that each has a sprite of 1, 4 or 8 bits with pixels and sides

@@ -42,8 +42,6 @@ def packed(compiled, name):
 
 def plant(compiled, layers, name, where, report):
     """Gives a scene a tree; answers what there is to say about it. where: what asks for the tree, for messages."""
-    if compiled.billboards:
-        raise ToolError(f"{where}: a BSP tree draws no billboards, and this scene has some; leave the tree out")
     if compiled.depth_bits and not compiled.by_distance:
         raise ToolError(f'{where}: [view] asks for a depth buffer; remove it, leave the tree out, or give view.order = "distance"')
     had_surfaces = compiled.surfaces is not None

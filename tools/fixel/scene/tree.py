@@ -305,15 +305,21 @@ def layers_of(text, scene):
     return wanted
 
 
+def _shows_billboard(scene, item):
+    return scene.billboards is not None and scene.billboards.model_map[item.model] != 0
+
+
 def _members(scene, layers, moving):
     """The objects that the tree is made of, in the order of layers: of faces in one plane the last
     is drawn last."""
     members = sorted((item.layer, i) for i, item in enumerate(scene.objects)
-                     if item.layer in layers and i not in moving)
+                     if item.layer in layers and i not in moving and not _shows_billboard(scene, item))
     if not members:
         raise ToolError("nothing on the layers of the tree stands still")
     for i in moving:
         item = scene.objects[i]
+        if _shows_billboard(scene, item):
+            continue
         if item.layer in layers and item.layer != max(layers):
             raise ToolError(f"object {i} moves on a layer of the tree that is not its last")
         if item.layer in layers and scene.models[item.model].kind != CONVEX:
@@ -329,9 +335,13 @@ def _most(beams):
 
 def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
-    last of them; answers the counts. The others stay as they are; the new object is the last that
+    last of them; answers the counts. Billboards of these layers go to the last, where the tree has a
+    place for each. The others stay as they are; the new object is the last that
     is not turned. No face keeps a surface: by a tree all are drawn in their own colours."""
     members = _members(scene, layers, moving)
+    for item in scene.objects:
+        if item.layer in layers and _shows_billboard(scene, item):
+            item.layer = max(layers)
     _check_size("faces", sum(len(scene.models[scene.objects[group].model].faces) for group in members))
     origin, lines = _middle(scene, members), Lines()
     parts = parts_of(scene, members, origin, lines)
@@ -362,6 +372,8 @@ def _put(scene, members, model, item):
     kept = sorted({o.model for o in scene.objects})
     new = {old: number for number, old in enumerate(kept)}
     scene.models = [scene.models[old] for old in kept] + [model]
+    if scene.billboards is not None:
+        scene.billboards.model_map = [scene.billboards.model_map[old] for old in kept] + [0]
     scene.objects = [Object(o.centre, new[o.model], o.layer) for o in scene.objects]
     item.model = len(kept)
     scene.objects.insert(len(scene.objects) - len(scene.turns), item)
