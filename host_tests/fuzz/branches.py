@@ -24,9 +24,12 @@ def run(program, files, folder):
 
 
 def counts(objects, folder):
-    """{(file, line, number of the branch in the line): times taken} of lib/."""
+    """{(file, line, number of the branch in the line): times taken} of lib/. An object of a source that is gone does not
+    count."""
     place = folder / objects.resolve().relative_to("/")
     for notes in objects.rglob("*.gcno"):
+        if not (CHECKOUT / "lib" / notes.relative_to(objects)).with_suffix(".c").exists():
+            continue
         to = place / notes.relative_to(objects)
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(notes, to)
