@@ -177,22 +177,22 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
 	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
 
-view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
+view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
 	@$(MAKE) $(WALK) $(BUILD)/host/live
 	@$(TOOL) view $(DRAW_OPTIONS)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
 	@tools/setup.sh $(FLASH_SETUP)
 	@$(MAKE) $(WALK)
 	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
 
-boot: ## boot a board from its flash image [BOARD= FRAMES=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
+boot: ## boot a board from its flash image [BOARD= FRAMES= PIXELS= ORDER= DEPTH=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(TOOL) boot --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK) --dump $(BUILD)/boot/$(BOARD_CHOSEN).fxld
@@ -220,7 +220,7 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
-screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
+screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
@@ -324,16 +324,16 @@ test: ## run the tests, on the host and on a board for each build of the library
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 
-boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests
+boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [PIXELS= ORDER= DEPTH=]
 	@tools/setup.sh units
 	@$(MAKE) boards-programs
-	@$(FIXEL) boards --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
+	@$(TOOL) boards --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
-bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON
+bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON [PIXELS= ORDER= DEPTH=]
 	@tools/setup.sh report
 	@$(MAKE) bench-programs
-	@$(FIXEL) bench --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
+	@$(TOOL) bench --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
 clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]

@@ -38,7 +38,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # The program's own objects, beside region, start and text, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
-BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 listing-double listing-float memset kernels
+BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c looks.c surfaces.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
@@ -51,11 +51,19 @@ BENCH_OBJECTS.fixel-os := draw_fixel looks surfaces frames path $(BENCH_NEEDED:%
 BENCH_OBJECTS.fixel-small := draw_fixel looks surfaces frames path $(BENCH_NEEDED:%=small/lib/%)
 BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
 BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks surfaces $(BENCH_FRAMES)
+# As PIXELS=, ORDER= and DEPTH= ask for: a program of make costs with what 512 KiB of RAM hold. Its band is the frame, and
+# a depth buffer holds some 100 rows of it.
+BENCH_OBJECTS.fixel-target = target/draw_costs $(COSTS_WALK) frames $(COSTS_LIB)
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
 BENCH_OBJECTS.kernels := kernels kernel_inputs kernel_list kernel_depth kernel_surfaces limit_list $(BENCH_LIB)
 BENCH_C_LIBRARY := listing-double listing-float memset
+
+# What programs have of the walk that draw any target, and of the library.
+COSTS_WALK := path looks surfaces billboards methods targets
+COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c) $(COSTS_WALK:%=firmware/walk/%.c) \
+    $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core))))))
 
 # Where the library of a core is: that of the boards with the same flags, if there are any, is the
 # same library. $(1): the core, $(2): a folder of the bench, with a slash, or nothing.
@@ -104,6 +112,8 @@ $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/benc
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
+$(BENCH_OUT)/$(1)/target/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(call COSTS_FLAGS,TARGET) -DDRAW_ORDER_ENTRIES=3072u -DDRAW_ROOM_BYTES=196608u)
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
@@ -190,13 +200,10 @@ COSTS_MIDDLE := 25 4096 64 0
 COSTS_SMALL := 8 1024 8 0
 COSTS_ORDER := 8 128 8 120
 COSTS_LEAST := 3 150 0 0
+COSTS_TARGET := 240 8192 256 0
 COSTS_SIZES := LARGE MIDDLE SMALL ORDER LEAST
 COSTS_FLAGS = -DDRAW_BAND_ROWS=$(word 1,$(COSTS_$(1)))u -DDRAW_LIST_WORDS=$(word 2,$(COSTS_$(1)))u \
     -DDRAW_CACHE_ENTRIES=$(word 3,$(COSTS_$(1)))u -DDRAW_ORDER_MORE=$(word 4,$(COSTS_$(1)))u
-# What they have of the walk, and of the library.
-COSTS_WALK := path looks surfaces billboards methods targets
-COSTS_LIB := $(patsubst %,lib/%,$(call LIB_NEEDED,$(wildcard bench/firmware/*.c) $(COSTS_WALK:%=firmware/walk/%.c) \
-    $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core))))))
 define COSTS_RULES
 BENCH_OBJECTS.costs-$(2) := $(2)/draw_costs $(COSTS_WALK) frames $(COSTS_LIB)
 $(BENCH_OUT)/$(1)/$(2)/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk

@@ -17,6 +17,7 @@
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
 #   BOARD_PROGRAM_OMIT      programs of PROGRAM= that do not fit it
+#   BOARD_VISIBILITY_OMIT   values of VISIBILITY= whose programs do not fit it
 #   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without); 0: there is no room for one
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
@@ -39,7 +40,7 @@ CORE_OUT := $(BUILD)/core
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS OPENOCD HOSTED BENCH PROGRAM_OMIT DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -131,32 +132,60 @@ PROGRAM_FILE_OF = $(FIRMWARE_OUT)/$(1)/$(2)$(if $(BOARD_HOSTED.$(1)),,.elf)
 # What a program draws with, where CLIPPER= or VISIBILITY= is given: then it is another program,
 # walk-<visibility>-<clipper>, that differs in three objects: board.mk may set memory by VISIBILITY.
 CLIPPERS := view world normalised once half-spaces triangles near left
-VISIBILITIES := sorted box spans spans-box tree tree-spans surfaces depth depth-32
+VISIBILITY_ROWS := $(shell awk '!/^\#/ && NF {print $$1 "|" $$2 "|" $$3 "|" $$4 "|" $$5}' firmware/visibility.txt)
+VISIBILITIES := $(foreach row,$(VISIBILITY_ROWS),$(firstword $(subst |, ,$(row))))
 ifeq ($(if $(CLIPPER),$(call ONE_OF,$(CLIPPER),$(CLIPPERS)),none),)
 $(error there is no CLIPPER "$(CLIPPER)"; the clippers are: $(CLIPPERS))
 endif
 ifeq ($(if $(VISIBILITY),$(call ONE_OF,$(VISIBILITY),$(VISIBILITIES)),none),)
 $(error there is no VISIBILITY "$(VISIBILITY)"; the visibility methods are: $(VISIBILITIES))
 endif
+ifneq ($(filter $(VISIBILITY),$(BOARD_VISIBILITY_OMIT.$(BOARD_CHOSEN))),)
+$(error VISIBILITY=$(VISIBILITY) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(strip $(foreach board,$(BOARDS),$(if $(filter $(VISIBILITY),$(BOARD_VISIBILITY_OMIT.$(board))),,$(board)))))
+endif
 WALK_METHODS := $(if $(CLIPPER)$(VISIBILITY),-$(or $(VISIBILITY),unasked)-$(or $(CLIPPER),view))
 WALK_CLIPPER := $(if $(CLIPPER),fxl_clipper_$(subst -,_,$(CLIPPER)))
-# What VISIBILITY= stands for: a target of the study, or defines by which firmware/walk/targets.c and methods.c choose.
-WALK_TARGET.box := fxl_palette_box
-WALK_TARGET.spans := fxl_palette_spans
-WALK_TARGET.tree-spans := fxl_palette_spans
-WALK_TARGET.spans-box := fxl_palette_spans_box
-WALK_DRAWS.sorted := WALK_FLAT
-WALK_DRAWS.tree := WALK_FLAT WALK_TREE
-WALK_DRAWS.tree-spans := WALK_STUDY WALK_TREE
-WALK_DRAWS.surfaces := WALK_PALETTE WALK_SURFACES
-WALK_DRAWS.depth := WALK_DEPTH_16
-WALK_DRAWS.depth-32 := WALK_DEPTH_32
-WALK_TARGET := $(WALK_TARGET.$(VISIBILITY))
-WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(VISIBILITY:%=-DWALK_TARGET_IS_CHOSEN) \
-    $(addprefix -D,$(WALK_TARGET:%=WALK_TARGET=%) $(or $(WALK_DRAWS.$(VISIBILITY)),$(WALK_TARGET:%=WALK_STUDY)))
+# Order, depth, faces and target of VISIBILITY=, by which firmware/walk/targets.c and methods.c choose.
+WALK_ROW := $(if $(VISIBILITY),$(wordlist 2,5,$(subst |, ,$(filter $(VISIBILITY)|%,$(VISIBILITY_ROWS)))))
+WALK_TARGET := $(filter fxl_%,$(WALK_ROW))
+WALK_METHODS_DEFINES := $(WALK_CLIPPER:%=-DWALK_CLIPPER=%) $(WALK_TARGET:%=-DWALK_TARGET=%) $(if $(VISIBILITY),\
+    -DWALK_BY_$(if $(filter tree,$(WALK_ROW)),TREE,DISTANCE) -DWALK_DEPTH_BITS=$(word 2,$(WALK_ROW)) $(if $(filter flat,$(WALK_ROW)),-DWALK_FLAT,-DWALK_SURFACES))
 WALK_METHODS_FILES := methods surfaces targets
 # A board's memory.ld may ask for it: a program with surfaces is larger.
 WALK_METHODS_LINK := $(VISIBILITY:%=-Wl,--defsym=fxl_visibility_is_$(subst -,_,$(VISIBILITY))=1)
+
+# What a scene is drawn as, in the place of what its [view] says: tools/fixel/scene/target.py.
+PIXELS_KNOWN := palette rgb565
+ORDERS_KNOWN := distance tree
+DEPTHS_KNOWN := 0 16 32
+# $(1): a variable, $(2): its values
+define CHECK_ONE_OF
+ifeq ($$(if $$($(1)),$$(call ONE_OF,$$($(1)),$(2)),none),)
+$$(error $(1) is "$$($(1))"; it must be one of: $(2))
+endif
+endef
+$(eval $(call CHECK_ONE_OF,PIXELS,$(PIXELS_KNOWN)))
+$(eval $(call CHECK_ONE_OF,ORDER,$(ORDERS_KNOWN)))
+$(eval $(call CHECK_ONE_OF,DEPTH,$(DEPTHS_KNOWN)))
+DEPTH_GIVEN := $(filter-out 0,$(DEPTH))
+ifneq ($(and $(VISIBILITY),$(ORDER)$(DEPTH)),)
+$(error VISIBILITY=$(VISIBILITY) stands for an order and a depth: leave it out, or leave out $(strip $(ORDER:%=ORDER=%) $(DEPTH:%=DEPTH=%)))
+endif
+ifneq ($(and $(WALK_TARGET),$(filter rgb565,$(PIXELS))),)
+$(error VISIBILITY=$(VISIBILITY) draws palette indices alone: leave it out, or leave out PIXELS=rgb565)
+endif
+ifneq ($(and $(filter tree,$(ORDER)),$(DEPTH_GIVEN)),)
+$(error ORDER=tree draws without a depth buffer: leave it out, or leave out DEPTH=$(DEPTH))
+endif
+# $(1): what was asked for, $(2): settings of boards that cannot have it.
+define CHECK_ROOM
+ifneq ($$(filter $(2),$$(BOARD_SETTINGS.$$(BOARD_CHOSEN))),)
+$$(error $(1) needs more memory than BOARD=$$(BOARD) has; the boards that it fits are: $$(strip $$(foreach board,$$(BOARDS),$$(if $$(filter $(2),$$(BOARD_SETTINGS.$$(board))),,$$(board)))))
+endif
+endef
+$(if $(filter tree,$(ORDER)),$(eval $(call CHECK_ROOM,ORDER=tree,WALK_WITHOUT_BSP)))
+$(if $(filter rgb565,$(PIXELS)),$(eval $(call CHECK_ROOM,PIXELS=rgb565,WALK_WITHOUT_RGB565)))
+$(if $(DEPTH_GIVEN),$(eval $(call CHECK_ROOM,DEPTH=$(DEPTH),WALK_WITHOUT_DEPTH $(if $(filter 32,$(DEPTH)),WALK_WITHOUT_DEPTH_32))))
 
 # With ROWS=, its bands have so many rows at most: another program too.
 ifneq ($(ROWS),)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws as the walk does on a board: in bands that are cleared first, with the scene's light,
  * beams, surfaces, billboards and depth buffer. Compiled once for each size of memory that
- * `make costs` measures: bench/bench.mk says which. What the scene has beside its faces has a room
- * of its own, so the display list has all its words. */
+ * `make costs` measures, and once for `make bench PIXELS= ORDER= DEPTH=`: bench/bench.mk says which.
+ * What the scene has beside its faces has a room of its own, so the display list has all its words. */
 #include "bands.h"
 #include "billboards.h"
 #include "contract/system.h"
@@ -11,12 +11,16 @@
 #include "methods.h"
 #include "text.h"
 
-#define ORDER_ENTRIES 8192u
-#define ROOM_BYTES    (8u * DRAW_LIST_WORDS + 65536u) /* room_of in costs_renewal.py */
+#ifndef DRAW_ORDER_ENTRIES
+#define DRAW_ORDER_ENTRIES 8192u
+#endif
+#ifndef DRAW_ROOM_BYTES
+#define DRAW_ROOM_BYTES (8u * DRAW_LIST_WORDS + 65536u) /* room_of in costs_renewal.py */
+#endif
 
-static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_order_entry order[DRAW_ORDER_ENTRIES];
 static uint32_t list[DRAW_LIST_WORDS];
-static uint64_t room[ROOM_BYTES / 8u];
+static uint64_t room[DRAW_ROOM_BYTES / 8u];
 static fxl_renderer renderer;
 #if DRAW_CACHE_ENTRIES > 0
 static fxl_cached_vertex cache[DRAW_CACHE_ENTRIES];
@@ -25,6 +29,7 @@ static fxl_cached_vertex *const cache = NULL;
 #endif
 static uint8_t background;
 static uint32_t order_used, room_used;
+static walk_methods methods;
 
 /* What the scene has, then what the methods want, as the walk shares its memory. */
 static fxl_status open_looks(const fxl_scene_image *image)
@@ -32,21 +37,22 @@ static fxl_status open_looks(const fxl_scene_image *image)
     uint8_t *const bytes = (uint8_t *)room;
     const uint32_t looks = walk_looks_bytes(image), billboards = walk_billboards_bytes(image);
     const uint32_t taken = looks + billboards;
-    walk_methods methods;
     fxl_status status;
 
-    if (taken > ROOM_BYTES || !walk_methods_choose(&methods, image, ROOM_BYTES - taken)) {
+    if (taken > DRAW_ROOM_BYTES || !walk_methods_choose(&methods, image, DRAW_ROOM_BYTES - taken)) {
         return FXL_E_CAPACITY;
     }
     room_used = taken + walk_methods_bytes(&methods);
-    if (room_used > ROOM_BYTES) {
+    if (room_used > DRAW_ROOM_BYTES) {
         return FXL_E_CAPACITY;
     }
-    status = walk_looks_open(image, &renderer, bytes);
+    status = walk_methods_set(&methods, image, &renderer, bytes + taken);
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, &renderer, bytes + taken);
+        status = walk_looks_open(image, methods.draws.surfaces, &renderer, bytes);
     }
-    return status == FXL_OK ? walk_billboards_open(image, &renderer, bytes + looks) : status;
+    return status == FXL_OK
+               ? walk_billboards_open(image, methods.draws.sprites, &renderer, bytes + looks)
+               : status;
 }
 
 int draw_open(const fxl_scene_image *image)
@@ -55,7 +61,7 @@ int draw_open(const fxl_scene_image *image)
     background = image->background;
     const fxl_memory memory = {order, order_used, list, DRAW_LIST_WORDS, cache, DRAW_CACHE_ENTRIES};
 
-    if (order_used > ORDER_ENTRIES) {
+    if (order_used > DRAW_ORDER_ENTRIES) {
         text_with_number("bench: order entries needed", "", ": ", order_used);
         return SYSTEM_EXIT_CAPACITY;
     }
@@ -67,7 +73,10 @@ int draw_open(const fxl_scene_image *image)
 
 bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
 {
-    return draw_in_bands(&renderer, pose, whole, DRAW_BAND_ROWS, background);
+    fxl_band band = *whole;
+
+    band.palette = renderer.palette;
+    return draw_in_bands(&renderer, pose, &band, DRAW_BAND_ROWS, background);
 }
 
 uint32_t draw_memory(void)

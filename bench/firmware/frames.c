@@ -19,7 +19,7 @@
 #define STACK_PATTERN 0xA5C35A3Cu
 #define MOVING_MAX    128u /* instances of a scene with motions */
 
-static uint8_t pixels[DRAW_PIXELS_MAX];
+static _Alignas(2) uint8_t pixels[2u * DRAW_PIXELS_MAX]; /* of RGB565 at most */
 static fxl_instance instances[MOVING_MAX];
 static fxl_turn turns[MOVING_MAX];
 static fxl_motion_player motion;
@@ -140,7 +140,7 @@ static int run(void)
     }
     frames = system_frames() != 0 ? system_frames() : image.frame_count;
     if (!journal_open(frames) ||
-        !display_open(image.lens.width, image.lens.height, 8, image.palette)) {
+        !display_open(image.lens.width, image.lens.height, image.pixel_bits, image.palette)) {
         return SYSTEM_EXIT_DISPLAY;
     }
     code = all_frames(&image, frames);

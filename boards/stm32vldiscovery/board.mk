@@ -20,6 +20,8 @@ BOARD_CACHE_ENTRIES := 0
 
 # The game would take 6 KiB of flash more than there is.
 BOARD_PROGRAM_OMIT := game
+# These programs would take 1 to 23 KiB of flash more than there is.
+BOARD_VISIBILITY_OMIT := box spans spans-box tree tree-spans depth depth-32
 # The driver of a display would take 2 KiB of each that there are not.
 BOARD_DRIVER_ROWS := 0
 

@@ -10,42 +10,45 @@
 
 /* What fxl_renderer_init_with has chosen already: a small program chooses nothing. */
 #if defined WALK_WITHOUT_BSP && defined WALK_WITHOUT_DEPTH && defined WALK_WITHOUT_RGB565 && \
-    !defined WALK_TARGET_IS_CHOSEN
+    !defined WALK_TARGET && !defined WALK_BY_TREE && (!defined WALK_DEPTH_BITS || WALK_DEPTH_BITS == 0)
 #define ONLY_THE_RENDERERS_OWN
 #endif
 
 /* --- what is chosen --------------------------------------------------------------------------- */
-
-enum {
-#if defined WALK_TARGET_IS_CHOSEN
-    IS_CHOSEN = 1
-#else
-    IS_CHOSEN = 0
-#endif
-};
 
 bool walk_methods_draw_pixels(uint8_t pixel_bits)
 {
     uint32_t i;
 
     for (i = 0; i < walk_target_count; i++) {
-        if (IS_CHOSEN || walk_targets[i].target->pixel_bits == pixel_bits) {
+        if (walk_targets[i].target->pixel_bits == pixel_bits) {
             return true;
         }
     }
     return false;
 }
 
-/* The target that a scene asks for; null: the board has none of the kind. */
+/* Bits of the depth buffer that a scene is drawn with. */
+static uint8_t depth_bits_of(const fxl_scene_image *image)
+{
+#if defined WALK_DEPTH_BITS
+    (void)image;
+    return WALK_DEPTH_BITS;
+#else
+    return image->depth_bits;
+#endif
+}
+
+/* The target that a scene is drawn with; null: the board has none of the kind. */
 static const walk_target *target_of(const fxl_scene_image *image)
 {
+    const uint8_t depth_bits = depth_bits_of(image);
     uint32_t i;
 
     for (i = 0; i < walk_target_count; i++) {
         const fxl_target *target = walk_targets[i].target;
 
-        if (IS_CHOSEN || (target->pixel_bits == image->pixel_bits &&
-                          target->depth_bits == image->depth_bits)) {
+        if (target->pixel_bits == image->pixel_bits && target->depth_bits == depth_bits) {
             return &walk_targets[i];
         }
     }
@@ -55,10 +58,10 @@ static const walk_target *target_of(const fxl_scene_image *image)
 /* Null: the board has no room for a tree. */
 static const fxl_order *order_of(const fxl_scene_image *image)
 {
-#if defined WALK_TREE
+#if defined WALK_BY_TREE
     (void)image;
     return &fxl_by_tree;
-#elif defined WALK_TARGET_IS_CHOSEN
+#elif defined WALK_BY_DISTANCE
     (void)image;
     return &fxl_by_distance;
 #elif defined WALK_WITHOUT_BSP
@@ -109,7 +112,7 @@ bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, ui
         return false;
     }
     methods->draws = *draws;
-#if !defined WALK_TARGET_IS_CHOSEN
+#if !defined WALK_FLAT
     if (image->surfaces.face_map != NULL && draws->surfaces == NULL) {
         return false;
     }
@@ -176,7 +179,7 @@ fxl_status walk_methods_set(const walk_methods *methods, const fxl_scene_image *
 
 uint32_t walk_methods_unsplit(const walk_methods *methods, const fxl_renderer *renderer)
 {
-#if defined WALK_WITHOUT_BSP && !defined WALK_TREE
+#if defined WALK_BY_DISTANCE || (defined WALK_WITHOUT_BSP && !defined WALK_BY_TREE)
     (void)methods;
     (void)renderer;
     return 0;

@@ -66,6 +66,19 @@ def test_the_keys_that_others_read(everything):
         assert board["instructions_per_frame"] > 1000
 
 
+def test_boards_draw_what_is_asked_for(tmp_path):
+    """A board without room for it says so, and fails nothing."""
+    for board in ("host/walk", "microbit/walk.elf", "stm32vldiscovery/walk.elf"):
+        built(board)
+    done, result = run_boards(tmp_path / "boards.json", "--boards", "microbit", "stm32vldiscovery", "--scene", TINY,
+                              "--pixels", "rgb565", "--depth", "16")
+    assert done.returncode == 0, done.stdout + done.stderr
+    (small,), (smallest,) = (board["scenes"] for board in result["boards"])
+    assert small["hash_equal"] and small["frames"] == 16 and small["why_not"] is None
+    assert "no room to draw" in smallest["why_not"] and smallest["frames"] == 0
+    assert "stm32vldiscovery: tiny does not fit" in done.stdout
+
+
 def test_the_table_has_a_line_for_each_board(everything):
     lines = everything[0].stdout.splitlines()
     for board in target_boards():

@@ -16,7 +16,7 @@ from fixel.base import make_variables, nearest
 LAUNCHED = str(LAUNCHER.relative_to(CHECKOUT))
 COMMANDS = make_variables.commands()
 # make itself compares these with the names that there are, and refuses any other value.
-CHECKED = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
+CHECKED = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "PIXELS", "ORDER", "DEPTH", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
 # Read by make in the commands that are named here, and by a tool in the others.
 CHECKED_IN = {"CORE": ["lib"]}
 # Any value that is not empty means yes.
@@ -180,7 +180,7 @@ def test_a_board_is_exactly_one(value):
 
 
 @pytest.mark.parametrize("setting", ["PROGRAM=%", "PROGRAM=walk game", "CLIPPER=%", "CLIPPER=view world", "VISIBILITY=%",
-                                     "VISIBILITY=box spans", "ROWS=%", "ROWS=8 16", "DRIVER=%", "DRIVER=ssd1306 sh1106",
+                                     "VISIBILITY=box spans", "PIXELS=%", "PIXELS=palette rgb565", "ORDER=%", "ORDER=distance tree", "DEPTH=%", "DEPTH=0 16", "ROWS=%", "ROWS=8 16", "DRIVER=%", "DRIVER=ssd1306 sh1106",
                                      "CORE=%", "CORE=cortex-m0 cortex-m3", "COSTS_CORES=%", "COSTS_BOARDS=%"])
 def test_patterns_and_lists_are_refused(setting):
     done = run_make("lib", setting)

@@ -10,6 +10,8 @@ import pytest
 
 from conftest import CHECKOUT, run_make
 
+from fixel.board import methods
+
 PAGE = CHECKOUT / "docs" / "seeds.md"
 NUMBERS = [f"{letter}{number}" for letter, count in (("A", 14), ("B", 4), ("C", 8), ("D", 6))
            for number in range(1, count + 1)]
@@ -73,9 +75,10 @@ def public_headers():
 
 def names_of(setting):
     """What CLIPPER= or VISIBILITY= may be."""
-    listed = {"CLIPPER": "CLIPPERS", "VISIBILITY": "VISIBILITIES"}[setting]
+    if setting == "VISIBILITY":
+        return list(methods.rows())
     makefile = (CHECKOUT / "firmware" / "firmware.mk").read_text(encoding="utf-8")
-    return re.search(rf"^{listed} := (.*)$", makefile, re.MULTILINE)[1].split()
+    return re.search(r"^CLIPPERS := (.*)$", makefile, re.MULTILINE)[1].split()
 
 
 def is_reachable(text, headers):

@@ -147,6 +147,19 @@ def test_the_plan_has_all_workloads_and_kernels(plan):
             "edge-setup", "span-1", "span-320", "rgb565-noise"} <= set(plan.kernels)
 
 
+def test_workloads_drawn_as_something_else(tmp_path):
+    """Beside what their scenes ask for, and no report, which the baseline could be taken of."""
+    done = run_cli("bench", "--cores", "m3", "--workloads", "w2", "--pixels", "rgb565", "--depth", "16", "--out", tmp_path)
+    assert done.returncode == 0, done.stderr
+    found = json.loads((tmp_path / "target.json").read_text(encoding="utf-8"))
+    assert (found["pixels"], found["order"], found["depth"]) == ("rgb565", None, "16")
+    row, = found["rows"]
+    assert row["workload"] == "w2" and row["asked"] > row["scene"] > 320 * 240 / 8
+    assert "PIXELS=rgb565 DEPTH=16" in done.stdout and [file.name for file in tmp_path.iterdir()] == ["target.json"]
+    done = run_cli("bench", "--cores", "m3", "--workloads", "w2", "--order", "tree", "--out", tmp_path)
+    assert_one_sentence(done, "ORDER=tree needs a tree, and scenes/w2.toml has none")
+
+
 def test_an_unknown_workload_is_one_sentence():
     assert_one_sentence(run_cli("bench", "--cores", "m3", "--workloads", "w1", "w9"), "no workload 'w9'", "g2000")
 

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* live SCENE.fxls [--clipper NAME] [--hidden NAME] [--pixels palette|rgb565]
- *
- * With --hidden, and without --pixels, the board's pixels are those of the palette.
+/* live SCENE.fxls [--clipper NAME] [--hidden NAME]
  *
  * Draws with the reference renderer, pose by pose. A request on standard
  * input is 36 bytes, and the board's pixels where it wants the verdict. An answer
@@ -310,13 +308,9 @@ static int open_scene(const char *path, session *run)
     return 0;
 }
 
-/* Reads an option. *pixels: bits of a pixel, or 0 where the scene decides. */
-static bool choose(const char *option, const char *name, ref_renderer *as, int *pixels)
+/* Reads an option. */
+static bool choose(const char *option, const char *name, ref_renderer *as)
 {
-    if (strcmp(option, "--pixels") == 0) {
-        *pixels = strcmp(name, "rgb565") == 0 ? 16 : strcmp(name, "palette") == 0 ? 8 : -1;
-        return *pixels > 0;
-    }
     return strcmp(option, "--clipper") == 0 ? ref_clipper_cuts(name, &as->cuts, &as->by_points)
            : strcmp(option, "--hidden") == 0
                ? ref_visibility_draws(name, &as->by_bsp, &as->draws_flat, &as->depth_bits)
@@ -342,15 +336,14 @@ int main(int count, char **arguments)
 {
     ref_renderer as = {.by_bsp = true /* where the scene has a tree */, .cuts = REF_CUT_ALL};
     bool unasked = true;
-    int pixels = 0;
     for (int i = 2; i < count; i += 2) {
         unasked = unasked && strcmp(arguments[i], "--hidden") != 0;
-        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as, &pixels)) {
+        if (i + 1 == count || !choose(arguments[i], arguments[i + 1], &as)) {
             count = 0;
         }
     }
     if (count < 2) {
-        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME] [--pixels palette|rgb565]");
+        return fail("usage", "live SCENE.fxls [--clipper NAME] [--hidden NAME]");
     }
     session run = {0};
     int code = open_scene(arguments[1], &run);
@@ -364,7 +357,7 @@ int main(int count, char **arguments)
     run.renderer.cuts = as.cuts;
     run.renderer.by_points = as.by_points;
     ref_rgb565_make(&run.rgb565, run.image.palette, run.image.dark);
-    run.renderer.rgb565 = (pixels ? pixels == 16 : unasked && run.image.is_rgb565) ? &run.rgb565 : NULL;
+    run.renderer.rgb565 = run.image.is_rgb565 ? &run.rgb565 : NULL;
     if (code == 0) {
         code = serve(&run);
     }

@@ -7,9 +7,10 @@ import subprocess
 import sys
 
 from fixel.base import children, output, parallel, scratch
-from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run
+from fixel.bench import bench_goals, bench_page, bench_plan, bench_plots, bench_rows, bench_run, bench_target
 from fixel.board import qemu
 from fixel.base.errors import ToolError, one_line
+from fixel.scene import target
 
 PATTERNS = ["bench.svg", "bench.png", "growth.svg", "growth.png", "bench.md", "bench.json"]
 # The share of pixels in which a renderer may differ from the library: the listing has no near plane, and
@@ -100,6 +101,9 @@ def command(options):
     if options.workloads:
         plan.keep(options.workloads)
     qemu.find_qemu()
+    asked = target.of_options(options)
+    if asked:
+        return bench_target.command(options, plan, asked)
     result = measure(plan, options.cores or list(bench_plan.CORES), options.left_out)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         for name, data in bench_plots.files(plan, result).items():

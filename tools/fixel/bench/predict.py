@@ -15,7 +15,7 @@ def parser():
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--board", required=True)
     made.add_argument("--core", default="", help="the compiler's flags for the board's core")
-    scene_options.add(made)
+    scene_options.add(made, targets=False)
     for name, what in (("band", "bytes of a band"), ("order", "entries of the order"), ("list", "bytes of the display list"),
                        ("cache", "entries of the vertex cache")):
         made.add_argument(f"--{name}", type=int, required=True, help=what)

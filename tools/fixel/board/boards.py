@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Compares all boards: sizes, stack, speed, and whether their frames equal the host's.
 
-Draws the scenes and runs the unit tests on all boards. The first scene must run on every board. If a board
-has no room for another scene, the table says why. Exit: 0 all frames equal the host's and no unit test failed,
+Draws the scenes and runs the unit tests on all boards. The first scene must run on every board, as it asks to be drawn. If
+a board has no room for another scene, or for what --pixels, --order and --depth ask for, the table says why. Exit: 0 all frames equal the host's and no unit test failed,
 1 not, 2 there was nothing to compare with.
 """
 
@@ -11,6 +11,7 @@ import os
 
 from fixel import commands
 from fixel.check import units
+from fixel.scene import target
 
 
 def parser():
@@ -21,6 +22,7 @@ def parser():
     units.add_options(made)
     made.add_argument("--build", default="build", help="folder that make builds in")
     made.add_argument("--out", default="build/boards.json", help="the JSON file to write")
+    target.add_options(made)
     made.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     return made
 

@@ -3,8 +3,10 @@
 
 import argparse
 
+from fixel.base import scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress
+from fixel.scene import target
 
 
 def positive(text):
@@ -24,14 +26,16 @@ def parser():
     made.add_argument("--frames", type=positive, help="number of frames (default: the whole path)")
     made.add_argument("--timeout", type=float, default=60.0,
                       help="seconds without a new frame after which the board hangs (60)")
+    target.add_options(made)
     return made
 
 
 def main(argv):
     options = parser().parse_args(argv)
-    from fixel.board import emulator
-    with Progress(f"frames on {options.board}") as progress:
-        result = emulator.run(options.board, options.image, options.elf, options.dump, options.frames,
-                              options.timeout, progress)
+    asked = target.of_options(options)
+    from fixel.board import emulator, flash_memory
+    with scratch.folder("boot") as folder, Progress(f"frames on {options.board}") as progress:
+        image = flash_memory.retargeted(options.board, options.elf, options.image, asked, folder) if asked else options.image
+        result = emulator.run(options.board, image, options.elf, options.dump, options.frames, options.timeout, progress)
     print(f"{result.board} ({result.cpu}): {result.frames} frames in {result.seconds:.1f} s: {one_line(options.dump)}")
     return 0

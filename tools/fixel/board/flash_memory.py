@@ -16,6 +16,7 @@ from fixel.board import firmware, qemu
 from fixel.base.errors import ToolError
 from fixel.board.flash_image import ERASED, read_old, replace
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
+from fixel.scene import target
 
 
 @dataclasses.dataclass(frozen=True)
@@ -159,3 +160,14 @@ def flash(board, elf, scene, image):
     data, sectors = program_flash(program, scene_bytes, read_old(program, image))
     verified = replace(image, data, lambda path: verify(program, path, data))
     return FlashResult(board, image, parts_of(program, scene_bytes), sectors, verified)
+
+
+def retargeted(board, elf, image, asked, folder):
+    """A copy of a flash image, in folder, whose scene is drawn as something else. asked: a target.Target."""
+    program, copy = firmware.load(elf, board), folder / "asked.bin"
+    data = bytearray(reading.read_whole(image, max(program.image_size, IMAGE_MAX), f"run 'make flash BOARD={board}'"))
+    start = 0 if program.hosted else program.offset(program.scene_base)
+    end = len(data) if program.hosted else start + program.scene_size
+    data[start:end] = target.rewritten(bytes(data[start:end]), asked, f"the scene in {image}")
+    output.write_file(copy, bytes(data))
+    return copy

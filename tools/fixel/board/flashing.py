@@ -6,7 +6,7 @@ import pathlib
 
 from fixel.scene import making
 from fixel.board import probe
-from fixel.base import bounded, output
+from fixel.base import bounded, output, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.board.flash_memory import flash
 from fixel.base.table import table
@@ -20,15 +20,16 @@ def sectors(sizes):
     return " and ".join(f"{count} of {size}" for count, size in runs) + " bytes"
 
 
-def scene_image(options):
-    """The scene image of --scene: itself, or the one that is compiled into the folder of --scenes."""
+def scene_image(options, work):
+    """The scene image of --scene: itself, a copy in the folder work that is drawn as something else, or the one that is
+    compiled into the folder of --scenes."""
     scene = pathlib.Path(options.scene)
     if scene.suffix == ".fxls":
-        return make_scene_image(options.scene, None, options.frames, options.screen)
+        return make_scene_image(options.scene, work, options.frames, options.screen, asked=options.target)
     image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
     output.make_folder(image.parent)
     making.tell(image, making.build(options.scene, image, options.frames, options.screen,
-                                    limits=bounded.limits_of(options)))
+                                    limits=bounded.limits_of(options), asked=options.target))
     return image
 
 
@@ -48,11 +49,12 @@ def command(options):
         raise ToolError(f"PROBE is '{options.probe}'; it may be {' or '.join(probe.PROBES)}")
     if options.dry_run and not options.probe:
         raise ToolError("DRY_RUN needs a PROBE")
-    scene = scene_image(options)
-    if options.probe:
-        probe.program_board(options.board, options.elf, scene, options.dry_run)
-        if not options.dry_run:
-            print(f"{options.board}: program and scene programmed and verified")
-    else:
-        write_image(options, scene)
+    with scratch.folder("flash") as work:
+        scene = scene_image(options, work)
+        if options.probe:
+            probe.program_board(options.board, options.elf, scene, options.dry_run)
+            if not options.dry_run:
+                print(f"{options.board}: program and scene programmed and verified")
+        else:
+            write_image(options, scene)
     return 0

@@ -82,8 +82,9 @@ def walk(board, build, scene, folder):
 
 
 def _last_words(error):
-    """What the program itself said: the last line that an error quotes."""
-    return str(error).splitlines()[-1].removeprefix("  | ").removeprefix("walk: ")
+    """What the program itself said: the last line of its own that an error quotes, or the last of all."""
+    lines = [line.removeprefix("  | ") for line in str(error).splitlines()]
+    return next((line for line in reversed(lines) if line.startswith("walk: ")), lines[-1]).removeprefix("walk: ")
 
 
 def _run(result, board, elf, scene, folder):

@@ -25,7 +25,7 @@ RAYS_FRAMES_MAX = 120   # frames through whose pixels rays are cast: of a longer
 ORDER_ADVICE = """\
 Where the order of drawing is wrong, a face that lies behind covers one that lies in front: board and double agree,
 and the picture is not what one would see. Split large models into convex objects, set "layer", draw with a depth
-buffer (VISIBILITY=depth), or give the scene a tree:  tree = "all"  in the scene file, or of a model
+buffer (DEPTH=16), or give the scene a tree:  tree = "all"  in the scene file, or of a model
 tools/scene.py build MODEL -o scene.fxls --tree all; make run SCENE=scene.fxls  (docs/extras/bsp.md)"""
 
 
@@ -221,7 +221,8 @@ def run(options, folder):
         # QEMU may be missing: say so before the scene takes its time.
         if options.board != firmware.HOST:
             emulator.find_qemu()
-        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options))
+        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options), options.target)
+        methods.check_scene(options, scene_image.load(image))
         say_what_depth_confuses(image, options)
         name = methods.program(options)
         record = work / wires.NAME if options.driver else None
@@ -248,6 +249,7 @@ def run(options, folder):
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
+    methods.check(options)
     options.kept = kept.Kept(options.build, options.fresh)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)

@@ -1,10 +1,30 @@
 # SPDX-License-Identifier: MIT
 """The program that a board runs, and the clipper and the visibility method that it draws with."""
 
+import dataclasses
+import functools
 import pathlib
 
-DEPTH_BITS = {"depth": 16, "depth-32": 32}  # of the visibility methods with a depth buffer
+from fixel.base.errors import ToolError
+
+TABLE = pathlib.Path(__file__).resolve().parents[3] / "firmware/visibility.txt"
 WALK = "walk"   # the program whose frames the judge can draw too: only the eye moves
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    """What a value of VISIBILITY= stands for."""
+    order: str          # "distance" or "tree"
+    depth_bits: int
+    shows_surfaces: bool
+    target: str         # the study's, or ""
+
+
+@functools.cache
+def rows():
+    """{value of VISIBILITY=: Row}."""
+    lines = (line.split() for line in TABLE.read_text(encoding="ascii").splitlines() if line and line[0] != "#")
+    return {name: Row(order, int(depth), faces == "all", target.removeprefix("-")) for name, order, depth, faces, target in lines}
 
 
 def add_options(parser):
@@ -25,16 +45,33 @@ def program(options):
     return f"{options.program}-{options.visibility or 'unasked'}-{options.clipper or 'view'}{rows}"
 
 
+def check(options):
+    """Refuses a choice beside what a scene is asked to be drawn as; scene_options.check comes before."""
+    asked = options.target
+    if not options.visibility:
+        return
+    if options.visibility not in rows():
+        raise ToolError(f"there is no VISIBILITY {options.visibility!r}; the visibility methods are: {', '.join(rows())}")
+    if asked.order or asked.depth:
+        raise ToolError(f"VISIBILITY={options.visibility} stands for an order and a depth: leave it out, or leave out "
+                        f"{dataclasses.replace(asked, pixels=None).text}")
+
+
+def check_scene(options, scene):
+    """Refuses a choice for a scene image that asks for RGB565."""
+    if options.visibility and rows()[options.visibility].target and scene.pixel_bits == 16:
+        raise ToolError(f"VISIBILITY={options.visibility} draws palette indices alone, and the scene asks for RGB565: leave it out, "
+                        "or give PIXELS=palette")
+
+
 def depth_bits(options, scene):
-    """Bits of the depth buffer that a scene image is drawn with; None without one."""
-    if options.visibility:
-        return DEPTH_BITS.get(options.visibility)
-    return scene.depth_bits or None
+    """Bits of the depth buffer that a scene image is drawn with; 0 without one."""
+    return rows()[options.visibility].depth_bits if options.visibility else scene.depth_bits
 
 
 def shows_surfaces(options):
     """Whether the choice draws a scene's surfaces, if it has some."""
-    return options.visibility in (None, "surfaces", *DEPTH_BITS)
+    return not options.visibility or rows()[options.visibility].shows_surfaces
 
 
 def judge_options(options):

@@ -22,7 +22,8 @@ def photograph(options, folder):
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")
-    scene = make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
+    scene = make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options), options.target)
+    methods.check_scene(options, load(scene))
     frames = options.frames or load(scene).frames
     flash_memory.flash(options.board, elf, scene, folder / "board.bin")
     device = ["-device", f"{options.device},id={DEVICE}"] if options.device else []
@@ -35,6 +36,7 @@ def photograph(options, folder):
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
+    methods.check(options)
     with scratch.folder("screen") as folder:
         pixels, frames = photograph(options, folder)
     output.write_file(options.out, picture.png_bytes(Image.fromarray(pixels)))

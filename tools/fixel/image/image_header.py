@@ -52,3 +52,16 @@ def read(blob):
 def target(scene):
     """What a scene asks for, as one byte."""
     return DEPTHS.index(scene.depth_bits) + (RGB565 if scene.pixel_bits == 16 else 0) + (BY_DISTANCE if scene.by_distance else 0)
+
+
+def _offset(member):
+    before = [field.member for field in HEADER].index(member)
+    return sum(field.size for field in HEADER[:before])
+
+
+def retargeted(blob, scene):
+    """The bytes of an image, longer or not, that asks for what a SceneImage asks for."""
+    made, crc = bytearray(blob), _offset("crc")
+    made[_offset("target")] = target(scene)
+    made[crc:crc + 4] = zlib.crc32(made[16:scene.size]).to_bytes(4, "little")
+    return bytes(made)

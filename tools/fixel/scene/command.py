@@ -2,9 +2,12 @@
 """Scene files into scene images or C headers, and scene images explained.
 
     fixel build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
+                [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32]
         SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces),
-        or none; without --tree, what the scene's key "tree" says
+        or none; without --tree, what the scene's key "tree" says;
+        --pixels, --order and --depth stand in the place of what its [view] says
     fixel export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
+                [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32]
         SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
     fixel texture IMAGE -o OUT.h [--name NAME] [--size WxH] [--levels N] [--clamp]
         an image as a texture of a program's RGB565 frames
@@ -20,7 +23,7 @@ from fixel.base import bounded
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 from fixel.image import image_surface
-from fixel.scene import making
+from fixel.scene import making, target
 
 
 def whole(text):
@@ -61,6 +64,7 @@ def _parsers():
         command.add_argument("--screen", help="width and height instead of the scene's, like 128x64")
         command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, or all, or most, "
                              "or none, instead of what the scene says")
+        target.add_options(command)
     drawing = commands.add_parser("texture", help="write an image as a texture of RGB565, in C")
     drawing.add_argument("image")
     drawing.add_argument("-o", "--out", required=True)
@@ -96,9 +100,10 @@ def main(argv):
         make_texture(arguments)
         return 0
     limits, screen = bounded.limits_of(arguments), making.parse_screen(arguments.screen) if arguments.screen else None
+    asked = target.of_options(arguments)
     if arguments.command == "export":
-        made = making.export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen, arguments.tree, limits)
+        made = making.export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen, arguments.tree, limits, asked)
     else:
-        made = making.build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree, limits)
+        made = making.build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree, limits, asked)
     making.tell(arguments.out, made)
     return 0

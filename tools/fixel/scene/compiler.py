@@ -3,17 +3,17 @@
 
 from fixel.image import image
 from fixel.model import model_file
-from fixel.scene import framing, toml_scene, tree
+from fixel.scene import framing, target, toml_scene, tree
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 
 FRAMINGS = {"walk": framing.WALK, "program": framing.PROGRAM}
 
 
-def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", report=None):
+def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", report=None, asked=None):
     """Compiles a .toml or a model; answers the SceneImage and what there is to say about it. screen: width
     and height instead of the scene's. layers: those that are to have a tree (tree.layers_of), instead of what the scene
-    says. framed: how a model is framed (FRAMINGS). report: a job.Report."""
+    says. framed: how a model is framed (FRAMINGS). report: a job.Report. asked: what it is drawn as, a target.Target."""
     report = report or Quiet()
     is_model = model_file.is_model(scene)
     if not is_model and model_file.suffix_of(scene) != ".toml":
@@ -26,6 +26,8 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
     else:
         compiled, notes = toml_scene.compile_file(scene, frames, report, screen)
     where, layers = (f"{scene}: --tree", layers) if layers else (f"{scene}: tree", compiled.layers)
+    if asked:
+        target.apply(compiled, layers != "none", asked, scene)
     if layers != "none":
         report.stage("building the tree")
         notes = notes + [plant(compiled, layers, scene, where, report)]

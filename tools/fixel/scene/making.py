@@ -35,18 +35,20 @@ def _make(out, request, subject, limits):
     return answer
 
 
-def build(scene, out, frames=None, screen=None, layers=None, limits=None):
+def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None):
     """Compiles a scene file or a model into an image file; answers a Made. screen: width and height instead of the
-    scene's. layers: those that are to have a tree, or "none"; without it, what the scene says. limits: a bounded.Limits."""
-    request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk"}
+    scene's. layers: those that are to have a tree, or "none"; without it, what the scene says. limits: a bounded.Limits. asked: what it is drawn as instead,
+    a target.Target."""
+    request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk",
+               "target": vars(asked) if asked else {}}
     return Made(**_make(out, request, scene, limits))
 
 
-def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None):
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None):
     """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
     stem = os.path.splitext(os.path.basename(scene))[0]
     request = {"job": "export", "scene": os.fspath(scene), "name": stem if name is None else name, "frames": frames,
-               "screen": screen, "layers": layers, "framed": "program"}
+               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}}
     return Made(**_make(out, request, scene, limits))
 
 

@@ -4,11 +4,11 @@
 from fixel.base import bounded
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
-from fixel.scene import making
+from fixel.scene import making, target
 
 
-def add(parser, frames=True):
-    """--scene, --screen, the limits of compiling, and --frames."""
+def add(parser, frames=True, targets=True):
+    """--scene, --screen, the limits of compiling, --frames, and what it is drawn as: --pixels, --order, --depth."""
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     if frames:
         parser.add_argument("--frames", help="number of frames (default: the whole path)")
@@ -16,12 +16,15 @@ def add(parser, frames=True):
         parser.set_defaults(frames=None)
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     bounded.add_options(parser)
+    if targets:
+        target.add_options(parser)
 
 
 def check(options):
-    """Makes numbers of --frames and --screen where they are given."""
+    """Makes numbers of --frames and --screen where they are given, and options.target of what it is drawn as."""
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = making.parse_screen(options.screen) if options.screen else None
+    options.target = target.of_options(options)
 
 
 def frame_count(text):

@@ -17,14 +17,15 @@ from fixel.model import model_file
 from fixel.scene import c_texture
 from fixel.base import job
 from fixel.base.errors import ToolError
-from fixel.scene import compiler
+from fixel.scene import compiler, target
 
 
 def _build(request, report):
     """The scene image of a scene or a model, and what its caller tells of it."""
     scene = request["scene"]
     screen = request["screen"] and tuple(request["screen"])
-    compiled, notes = compiler.compile_scene(scene, request["frames"], screen, request["layers"], request["framed"], report)
+    compiled, notes = compiler.compile_scene(scene, request["frames"], screen, request["layers"], request["framed"], report,
+                                             target.Target(**request["target"]))
     report.stage("packing and checking the image")
     return compiler.packed(compiled, scene), compiled, notes
 
@@ -45,6 +46,7 @@ def export(request, report):
                             "has its path, its screen and its tree already")
         report.stage("reading the scene image")
         compiled, notes = image.load(scene), []
+        target.apply(compiled, compiled.tree is not None, target.Target(**request["target"]), scene)
         image_ranges.check_apart(compiled, scene)
     else:
         _, compiled, notes = _build(request, report)

@@ -15,6 +15,7 @@ from fixel.view.view_board import Board
 from fixel.view.view_pump import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
 from fixel.view.view_reference import Reference
+from fixel.image import image
 from fixel.scene.scene_image import make_scene_image
 from fixel.scene import scene_options
 
@@ -64,7 +65,8 @@ def view(options):
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
     output.make_folder(options.build)
     with scratch.folder("view", options.build) as folder:
-        scene_image = make_scene_image(options.scene, folder, None, options.screen, bounded.limits_of(options))
+        scene_image = make_scene_image(options.scene, folder, None, options.screen, bounded.limits_of(options), options.target)
+        methods.check_scene(options, image.load(scene_image))
         flash_memory.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:
             try:
@@ -87,5 +89,6 @@ def port_number(text):
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
+    methods.check(options)
     options.port = port_number(options.port) if options.port is not None else None
     return view(options)

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: MIT
+"""PIXELS=, ORDER= and DEPTH=: what a scene is drawn as, in the place of what its [view] says, and what is refused."""
+
+import re
+
+import pytest
+from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make
+
+from fixel.base.errors import ToolError
+from fixel.board import dump, methods
+from fixel.image import image
+from fixel.scene import making
+from fixel.scene.target import Target
+
+TINY, KNOT = CHECKOUT / "scenes/tiny.toml", CHECKOUT / "scenes/knot.toml"
+
+
+def asked_of(scene):
+    """(bits of a pixel, bits of its depth, whether by distance) that an image asks for."""
+    return scene.pixel_bits, scene.depth_bits, scene.by_distance
+
+
+def built(tmp_path, source, asked=None, **more):
+    file = tmp_path / "scene.fxls"
+    making.build(str(source), str(file), asked=asked, **more)
+    return file
+
+
+def pixel_bits(drawn):
+    """Of a frame dump."""
+    return 8 * drawn.frames[0].pixels.itemsize
+
+
+# --- what a scene is drawn as -----------------------------------------------------------
+
+@pytest.mark.parametrize("source, asked, expected", [
+    (TINY, Target(), (8, 0, False)),
+    (TINY, Target("rgb565"), (16, 0, False)),
+    (TINY, Target("rgb565", "distance", "32"), (16, 32, True)),
+    (KNOT, Target(order="distance", depth="16"), (8, 16, True)),
+    (KNOT, Target(order="tree"), (8, 0, False)),
+    (CHECKOUT / "scenes/gallery.toml", Target(depth="0"), (8, 0, False)),
+    (CHECKOUT / "examples/cube/cube.obj", Target("rgb565", depth="16"), (16, 16, False)),
+])
+def test_a_scene_asks_for_what_is_asked_for(tmp_path, source, asked, expected):
+    assert asked_of(image.load(built(tmp_path, source, asked))) == expected
+
+
+def test_what_is_asked_for_has_the_last_word(tmp_path):
+    scene = tmp_path / "deep.toml"
+    scene.write_text(TINY.read_text(encoding="utf-8").replace("view = { ", 'view = { pixels = "rgb565", depth = 32, '), encoding="utf-8")
+    assert asked_of(image.load(built(tmp_path, scene))) == (16, 32, False)
+    assert asked_of(image.load(built(tmp_path, scene, Target(pixels="palette")))) == (8, 32, False)
+    assert asked_of(image.load(built(tmp_path, scene, Target(depth="0")))) == (16, 0, False)
+
+
+def test_an_image_is_drawn_as_something_else(build, tmp_path):
+    """An image that is built already is drawn as one that is built so; it stays as it is."""
+    plain = built(tmp_path, TINY, frames=2)
+    before, frames = plain.read_bytes(), []
+    for name, words in (("image", (plain,)), ("scene", (TINY, "--frames", 2))):
+        done = run_cli("run", "--board", "host", "--scene", *words, "--pixels", "rgb565", "--depth", "16", "--out", tmp_path / name)
+        assert done.returncode == 0, done.stderr
+        frames.append(dump.read_dump(tmp_path / name / "board.fxld"))
+    assert pixel_bits(frames[0]) == 16 and frames[0].pictures_sha256 == frames[1].pictures_sha256
+    assert plain.read_bytes() == before
+
+
+def test_a_flash_image_is_booted_as_something_else(build, tmp_path):
+    scene, flash, elf = built(tmp_path, TINY, frames=2), tmp_path / "host.bin", build / "boards/host/walk"
+    done = run_cli("flash", "--board", "host", "--elf", elf, "--scene", scene, "--image", flash, "--pixels", "rgb565")
+    assert done.returncode == 0, done.stderr
+    before, bits = flash.read_bytes(), []
+    for words in ((), ("--pixels", "palette", "--depth", "16")):
+        done = run_cli("boot", "--board", "host", "--image", flash, "--elf", elf, "--dump", tmp_path / "frames.fxld", *words)
+        assert done.returncode == 0, done.stderr
+        bits.append(pixel_bits(dump.read_dump(tmp_path / "frames.fxld")))
+    assert bits == [16, 8] and flash.read_bytes() == before
+
+
+# --- what is refused ---------------------------------------------------------------------
+
+@pytest.mark.parametrize("settings, sentence", [
+    ("VISIBILITY=depth DEPTH=16", "VISIBILITY=depth stands for an order and a depth: leave it out, or leave out DEPTH=16"),
+    ("VISIBILITY=tree ORDER=distance DEPTH=0", "VISIBILITY=tree stands for an order and a depth: leave it out, or leave out ORDER=distance DEPTH=0"),
+    ("VISIBILITY=spans-box PIXELS=rgb565", "VISIBILITY=spans-box draws palette indices alone: leave it out, or leave out PIXELS=rgb565"),
+    ("ORDER=tree DEPTH=32", "ORDER=tree draws without a depth buffer: leave it out, or leave out DEPTH=32"),
+    ("PIXELS=rgb", 'PIXELS is "rgb"; it must be one of: palette rgb565'),
+    ("ORDER=bsp", 'ORDER is "bsp"; it must be one of: distance tree'),
+    ("DEPTH=24", 'DEPTH is "24"; it must be one of: 0 16 32'),
+    ("BOARD=microbit DEPTH=32", "DEPTH=32 needs more memory than BOARD=microbit has; the boards that it fits are: host "),
+    ("BOARD=stm32vldiscovery DEPTH=16", "DEPTH=16 needs more memory than BOARD=stm32vldiscovery has; the boards that it fits are: host "),
+    ("BOARD=stm32vldiscovery PIXELS=rgb565", "PIXELS=rgb565 needs more memory than BOARD=stm32vldiscovery has"),
+    ("BOARD=stm32vldiscovery ORDER=tree", "ORDER=tree needs more memory than BOARD=stm32vldiscovery has"),
+    ("BOARD=stm32vldiscovery VISIBILITY=spans", "VISIBILITY=spans needs more memory than BOARD=stm32vldiscovery has"),
+])
+def test_make_refuses_before_anything_is_built(settings, sentence):
+    done = run_make("run", *settings.split())
+    assert done.returncode == 2 and sentence in done.stderr
+    assert done.stdout == "" and len(done.stderr.splitlines()) == 1
+
+
+@pytest.mark.parametrize("settings", ["PIXELS=palette ORDER=distance DEPTH=0 BOARD=stm32vldiscovery", "VISIBILITY=depth-32 BOARD=microbit",
+                                      "DEPTH=16 PIXELS=rgb565 BOARD=microbit", "VISIBILITY=depth PIXELS=rgb565"])
+def test_make_takes_what_goes_together(settings):
+    done = run_make("-n", "run", *settings.split(), "MAKE=:")
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("words, sentence", [
+    (("--pixels", "rgb"), "PIXELS is \"rgb\"; it must be palette or rgb565"),
+    (("--order", ""), "ORDER is \"\"; it must be distance or tree"),
+    (("--depth", "8"), "DEPTH is \"8\"; it must be 0, 16 or 32"),
+    (("--order", "tree", "--depth", "16"), "ORDER=tree draws without a depth buffer: leave it out, or leave out DEPTH=16"),
+    (("--visibility", "depth", "--order", "distance"), "VISIBILITY=depth stands for an order and a depth: leave it out, or leave out ORDER=distance"),
+    (("--visibility", "spans", "--pixels", "rgb565"), "VISIBILITY=spans draws palette indices alone"),
+    (("--visibility", "none"), "there is no VISIBILITY 'none'; the visibility methods are: sorted, box"),
+    (("--order", "tree"), "ORDER=tree needs a tree, and "),
+])
+def test_the_tools_refuse_the_same(tmp_path, words, sentence):
+    done = run_cli("run", "--board", "host", "--scene", TINY, "--frames", 1, "--out", tmp_path / "out", *words)
+    assert_one_sentence(done, sentence)
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("asked, sentence", [
+    (Target(depth="16"), "DEPTH=16: a tree and a depth buffer do not go together, and .*knot.toml asks for the order by its tree: give "
+                         "ORDER=distance too"),
+    (Target("rgb565", depth="32"), "PIXELS=rgb565 DEPTH=32: a tree and a depth buffer do not go together"),
+])
+def test_a_depth_buffer_is_refused_beside_the_order_by_tree(tmp_path, asked, sentence):
+    with pytest.raises(ToolError, match=sentence):
+        built(tmp_path, KNOT, asked)
+
+
+def test_the_order_by_tree_is_refused_beside_a_depth_buffer(tmp_path):
+    with pytest.raises(ToolError, match="ORDER=tree: a tree and a depth buffer .*gallery.toml asks for a depth buffer: give DEPTH=0 too"):
+        built(tmp_path, CHECKOUT / "scenes/gallery.toml", Target(order="tree"), layers="all")
+
+
+# --- VISIBILITY= ---------------------------------------------------------------------------
+
+def test_the_judge_draws_the_methods_as_their_table_says():
+    """The reference renderer includes nothing of the project, so it has a table of its own."""
+    text = (CHECKOUT / "host_tests/judges/reference/clipper.c").read_text(encoding="utf-8")
+    judged = {name: (tree == "true", flat == "true", int(bits))
+              for name, tree, flat, bits in re.findall(r'\{"([\w-]+)",\s+(\w+), (\w+), (\d+)\}', text)}
+    assert judged == {name: (row.order == "tree", not row.shows_surfaces, row.depth_bits) for name, row in methods.rows().items()}
+    assert len(judged) == 9
