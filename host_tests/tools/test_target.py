@@ -147,3 +147,11 @@ def test_the_judge_draws_the_methods_as_their_table_says():
               for name, tree, flat, bits in re.findall(r'\{"([\w-]+)",\s+(\w+), (\w+), (\d+)\}', text)}
     assert judged == {name: (row.order == "tree", not row.shows_surfaces, row.depth_bits) for name, row in methods.rows().items()}
     assert len(judged) == 9
+
+
+def test_the_host_draws_the_methods_as_their_table_says():
+    text = (CHECKOUT / "host_tests/judges/frames/methods.c").read_text(encoding="utf-8")
+    drawn = {name: (order, target, surfaces == "true")
+             for name, order, target, surfaces in re.findall(r'\{"([\w-]+)", &fxl_by_(\w+), &fxl_(\w+), (\w+)\}', text)}
+    assert drawn == {name: (row.order, row.target.removeprefix("fxl_") or f"palette_depth_{row.depth_bits}".removesuffix("_depth_0"),
+                            row.shows_surfaces) for name, row in methods.rows().items()}
