@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Billboards in the order by tree: each is whole, in the leaf of its centre. */
+/* Billboards and surfaces in the order by tree: a billboard is whole, in the leaf of its centre, and a
+ * face that is cut shows the texels of the whole face. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
 #include "tiny_board.h"
@@ -167,4 +168,164 @@ void test_billboards_by_a_tree_that_the_scene_has_not(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, other, WIDTH));
     TEST_ASSERT_EQUAL_MEMORY(frame, other, sizeof frame);
     TEST_ASSERT_EQUAL_UINT8(SPRITE, frame[HEIGHT / 2 * WIDTH + WIDTH / 2]);
+}
+
+/* --- surfaces ---------------------------------------------------------------------------------- */
+
+enum {
+    TEXEL = 200, /* and more */
+    LEVELS = 4,
+    PIECES = 4096
+};
+
+static uint8_t texture_texels[6][16 * 16], ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)];
+static fxl_texture textures[6];
+static fxl_surface surface[6];
+static fxl_mapped_face mapped[6];
+static fxl_direction normals[1];
+static uint16_t face_map[13];
+static fxl_surface_set surface_set;
+static fxl_surfaces surfaces;
+static fxl_light light;
+static fxl_lit_surfaces lit;
+static fxl_turn turns[1];
+static uint64_t room[PIECES / 8];
+
+/* Each face of model 0 has a texture of its own, of 8 colours, and light of the same. */
+static void map_faces(bool is_lit)
+{
+    memset(face_map, 0, sizeof face_map);
+    for (uint32_t f = 0; f < 6; f++) {
+        for (uint32_t i = 0; i < 256; i++) {
+            texture_texels[f][i] = (uint8_t)(TEXEL + 8 * f + (i + i / 16 * 5) % 8);
+        }
+        textures[f] = (fxl_texture){
+            .texels = texture_texels[f], .log_width = 4, .log_height = 4, .levels = 1};
+        surface[f] = (fxl_surface){
+            .texture = (uint16_t)(f + 1), .opacity = 16, .flags = is_lit ? FXL_SURFACE_LIT : 0};
+        mapped[f] = (fxl_mapped_face){.surface = (uint16_t)f,
+                                      .corners = {0, 1, 2},
+                                      .texels = {{0, Q16(16)}, {0, 0}, {Q16(16), 0}}};
+        face_map[f] = (uint16_t)(f + 1);
+    }
+    normals[0] = (fxl_direction){0, 0, -FXL_Q2_30_ONE};
+    surface_set = (fxl_surface_set){.textures = textures,
+                                    .surfaces = surface,
+                                    .faces = mapped,
+                                    .face_map = face_map,
+                                    .normals = normals,
+                                    .texture_count = 6,
+                                    .surface_count = 6,
+                                    .face_count = 6,
+                                    .normal_count = 1};
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)((i & 0xF8u) | ((i + i / 256 * 3) & 7u));
+    }
+}
+
+/* Which face's texture a pixel shows; 0: none. */
+static uint32_t face_at(uint8_t pixel)
+{
+    return pixel >= TEXEL && pixel < BACKGROUND ? pixel / 8u : 0;
+}
+
+/* An instance is a cube of model 0 that the tree cuts: instance 0, or, turned, instance 2. The other
+ * one of the two is far away. */
+static void make_mover(bool is_turned)
+{
+    tiny_scene *tiny = made->tiny;
+    fxl_instance *mover = &tiny->instances[is_turned ? 2 : 0];
+    tiny->instances[0] = tiny->instances[2] = (fxl_instance){{0, 0, Q16(200)}, 0, 0, 0};
+    mover->centre = unit_point(Q16(1.5));
+    mover->centre.z += Q16(10);
+    tiny->scene.turns = is_turned ? turns : NULL;
+    tiny->scene.turn_code = is_turned ? &fxl_turned_instances : NULL;
+    tiny->scene.first_turned = is_turned ? 2 : 0;
+    turns[0] = (fxl_turn)FXL_TURN_NONE;
+    if (is_turned) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(DEGREES(20), DEGREES(35), DEGREES(10),
+                                                              &turns[0].orientation));
+    }
+}
+
+static void start_mapped(bool is_rgb565, uint32_t pieces, bool is_lit, uint32_t words)
+{
+    const fxl_light_settings lamp = {
+        .ambient = FXL_Q2_30_ONE / 4,
+        .point_count = 1,
+        .points = {{{Q16(2), Q16(1), Q16(7)}, Q16(6), FXL_Q2_30_ONE / 2}},
+        .ramp = ramp,
+        .levels = LEVELS};
+    start(&fxl_by_tree, is_rgb565, false, words);
+    ((fxl_bsp_workspace *)renderer.order_memory)->pieces = room;
+    ((fxl_bsp_workspace *)renderer.order_memory)->pieces_size = pieces;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &surface_set,
+                                                  is_rgb565 ? FXL_SURFACES_OF(fxl_rgb565)
+                                                            : FXL_SURFACES_OF(fxl_palette)));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, is_lit ? &lamp : NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&renderer, is_lit ? &lit : NULL));
+}
+
+/* A face that is cut to the leaves shows each pixel as the whole face does, bit for bit: turned or
+ * not, lit or not. */
+void test_a_cut_moves_no_texel(void)
+{
+    uint32_t shown = 0, cut = 0;
+    for (uint32_t round = 0; round < UNIT_REPEAT / 100 + 8u; round++) {
+        const bool is_turned = round % 2 != 0, is_lit = round % 4 >= 2;
+        map_faces(is_lit);
+        make_mover(is_turned);
+        for (uint32_t pieces = 0; pieces <= PIECES; pieces += PIECES) {
+            start_mapped(false, pieces, is_lit, WORDS);
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              fxl_render(&renderer, &eye, pieces == 0 ? frame : other, WIDTH));
+        }
+        const fxl_bsp_workspace *workspace = (const fxl_bsp_workspace *)renderer.order_memory;
+        TEST_ASSERT_EQUAL_UINT32(0, workspace->unsplit);
+        cut += workspace->used;
+        for (uint32_t i = 0; i < PIXELS; i++) {
+            if (face_at(frame[i]) != 0 && face_at(frame[i]) == face_at(other[i])) {
+                TEST_ASSERT_EQUAL_UINT8(frame[i], other[i]);
+                shown++;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(shown > 2000 && cut > 0);
+}
+
+/* A frame in RGB565, in bands of so many rows. */
+static void draw_wide(uint16_t *to, uint32_t rows)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    for (uint32_t row = 0; row < HEIGHT; row += rows) {
+        const uint32_t left = HEIGHT - row;
+        const fxl_band band = {.pixels = (uint8_t *)(to + row * WIDTH), .width = WIDTH,
+                               .stride = WIDTH, .first_row = (uint16_t)row,
+                               .rows = (uint16_t)(left < rows ? left : rows), .palette = colours};
+        fxl_rgb565.fill(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    }
+}
+
+/* Bands and lists of any size show the same, in a palette and in RGB565. */
+void test_deliveries_of_surfaces_by_tree(void)
+{
+    static uint16_t wide_again[PIXELS];
+    for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 4u; round++) {
+        map_faces(false);
+        make_mover(round % 2 != 0);
+        start_mapped(true, PIECES, false, WORDS);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, wide, WIDTH));
+        start_mapped(false, PIECES, false, WORDS);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+        for (uint32_t words = 0; words <= 200; words += 40) {
+            const uint32_t rows = 1 + unit_random() % HEIGHT;
+            start_mapped(true, PIECES, false, words);
+            draw_wide(wide_again, rows);
+            TEST_ASSERT_EQUAL_MEMORY(wide, wide_again, sizeof wide);
+            start_mapped(false, PIECES, false, words);
+            frame_draw_pose(&renderer, &eye, other, rows, BACKGROUND);
+            TEST_ASSERT_EQUAL_MEMORY(frame, other, sizeof frame);
+        }
+    }
 }

@@ -39,7 +39,7 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 
 /* --- conflicts ------------------------------------------------------------------------------ */
 
-/* The first that a renderer has is named. A tree with surfaces is not drawn yet. */
+/* The first that a renderer has is named. */
 static const fxl_conflict conflicts[] = {
     {FXL_HAS_TREE, FXL_HAS_DEPTH},
     {FXL_HAS_STUDY, FXL_HAS_SURFACES},
@@ -48,7 +48,6 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
-    {FXL_HAS_TREE, FXL_HAS_SURFACES},
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
 };
 

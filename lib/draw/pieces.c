@@ -29,19 +29,28 @@ void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
                              const fxl_face *whole, const fxl_direction *normal,
                              const fxl_point *points, uint32_t count)
 {
+    const fxl_face piece = {
+        .normal = *normal, .count = (uint8_t)count, .material = whole->material};
+    pieces->instance = instance;
+    pieces->face = whole;
+    (void)fxl_submit_piece_by(pieces, pieces->on->renderer->shader, &piece, points);
+}
+
+bool fxl_submit_piece_by(fxl_pieces *pieces, const fxl_shader *shader, const fxl_face *piece,
+                         const fxl_point *points)
+{
     const fxl_renderer *renderer = pieces->on->renderer;
     const fxl_scene *scene = renderer->scene;
-    const fxl_shader *shader = fxl_shader_reaching(renderer->shader, scene, instance);
-    fxl_face piece = {.normal = *normal, .count = (uint8_t)count, .material = whole->material};
+    const fxl_instance *instance = pieces->instance;
+    fxl_face made = *piece;
+    shader = fxl_shader_reaching(shader, scene, instance);
     while (shader != NULL && shader->code->split == NULL) {
-        piece.material = shader->code->colour(shader, renderer, instance, whole, piece.material);
+        made.material =
+            shader->code->colour(shader, renderer, instance, pieces->face, made.material);
         shader = fxl_shader_reaching(shader->next, scene, instance);
     }
-    if (shader != NULL) {
-        (void)shader->code->split(shader, pieces, &piece, points, count);
-    } else {
-        (void)fxl_submit_piece(pieces, points, count, piece.material);
-    }
+    return shader != NULL ? shader->code->split(shader, pieces, &made, points, made.count)
+                          : fxl_submit_piece(pieces, points, made.count, made.material);
 }
 
 bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_face *face,

@@ -129,6 +129,8 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
  * or not at all. The caller owns it. */
 typedef struct {
     const fxl_traversal *on;
+    const fxl_instance *instance; /* whose face it is, and the face: of shaded pieces */
+    const fxl_face *face;
     fxl_planes planes; /* that pieces may cross; begin sets all, narrowing it saves time */
     fxl_outcome outcome;
     uint32_t used; /* words of the display list before the face */
@@ -210,6 +212,11 @@ fxl_status fxl_check_combination(fxl_renderer *renderer);
 void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
                              const fxl_face *whole, const fxl_direction *normal,
                              const fxl_point *points, uint32_t count);
+
+/* The same by a shader, if it reaches the instance, and those after it. *piece has the colour, the
+ * normal and the count of points. False where there is no room. */
+bool fxl_submit_piece_by(fxl_pieces *pieces, const fxl_shader *shader, const fxl_face *piece,
+                         const fxl_point *points);
 
 /* A piece that a shader made of a face, to the shader after it, or as fxl_submit_piece. The normal
  * of the face is the whole's in the world. */

@@ -3,6 +3,7 @@
  * display list or into the band. */
 #include "../paint/gradients.h"
 #include "../paint/texture_level.h"
+#include "../view/model_view.h"
 #include "renderer.h"
 #include "submit.h"
 #include "surface_light.h"
@@ -67,14 +68,21 @@ bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face
                         : fxl_submit_shaded_face(model_view, face, on);
 }
 
-uint8_t fxl_surfaces_colour(const fxl_shader *shader, const fxl_renderer *renderer,
-                            const fxl_instance *instance, const fxl_face *face, uint8_t colour)
+const fxl_model_view *fxl_surfaces_view(const fxl_traversal *on, const fxl_instance *instance,
+                                        fxl_turned_view *view)
 {
-    (void)shader;
-    (void)renderer;
-    (void)instance;
-    (void)face;
-    return colour;
+    const fxl_scene *scene = on->renderer->scene;
+    const uint32_t number = fxl_instance_number(scene, instance);
+    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    fxl_vertex_cache *cache = &on->workspace->cache;
+    fxl_model_view *model_view = &view->model_view;
+    if (turned != NULL) {
+        (void)turned->view(view, scene, number, &on->renderer->frame.view, cache, FXL_PLANES_ALL);
+    } else {
+        fxl_model_view_of_instance(model_view, scene, instance, &on->renderer->frame.view, cache);
+    }
+    model_view->instance = instance;
+    return model_view;
 }
 
 fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,

@@ -336,4 +336,5 @@ const fxl_turn_code fxl_turned_instances = {.check = fxl_turn_check_all,
                                             .order = order,
                                             .submit = submit,
                                             .submit_instance = submit_turned,
-                                            .count_rounded = count_rounded};
+                                            .count_rounded = count_rounded,
+                                            .view = fxl_turned_view_of_instance};

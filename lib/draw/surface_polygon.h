@@ -8,6 +8,7 @@
 #include "fixel/surfaces.h"
 #include "../paint/depth_code.h"
 #include "../paint/paint.h"
+#include "../view/turn.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -97,16 +98,18 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *on, fxl_surface_polygon *polygon);
 
+/* The view of an instance, turned or not, in which the corners of a whole face are found where
+ * pieces of it are drawn. view: room for it. */
+const fxl_model_view *fxl_surfaces_view(const fxl_traversal *on, const fxl_instance *instance,
+                                        fxl_turned_view *view);
+
 /* A face that has no surface, to the next shader. */
 bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *on, const fxl_shader *shader);
 
-/* fxl_shader_code.reaches and .colour of all painters. A piece of a face that something else has
- * split has no surface. */
+/* fxl_shader_code.reaches of all painters. */
 bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
                         const fxl_instance *instance);
-uint8_t fxl_surfaces_colour(const fxl_shader *shader, const fxl_renderer *renderer,
-                            const fxl_instance *instance, const fxl_face *face, uint8_t colour);
 
 /* The surfaces of a renderer that has some; or null. */
 static inline const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer)

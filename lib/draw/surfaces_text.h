@@ -10,6 +10,7 @@
 
 #include "../math/memory.h"
 #include "../paint/paint_polygon.h"
+#include "../view/model_view.h"
 #include "submit_polygons.h"
 #include "pixel_row.h"
 
@@ -195,6 +196,7 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 typedef struct {
     const fxl_surfaces *surfaces;
     const fxl_mapped_face *mapped;
+    const fxl_pieces *pieces; /* where a piece of the face is drawn */
 } mapped_surface;
 
 /* fxl_polygon_finder. */
@@ -216,17 +218,56 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
                   band);
 }
 
-/* Picks, and targets of another painter, draw faces in their own colours. */
+/* The same for a piece of a face: its texels, light and depth are those of the whole face. */
+static void find_whole(const void *what, const fxl_model_view *model_view, const fxl_face *face,
+                       const fxl_traversal *on, fxl_surface_polygon *polygon)
+{
+    const fxl_pieces *pieces = ((const mapped_surface *)what)->pieces;
+    FXL_ALIGN_8 fxl_turned_view view;
+    (void)model_view;
+    (void)face;
+    find(what, fxl_surfaces_view(on, pieces->instance, &view), pieces->face, on, polygon);
+}
+
+/* The mapped face of a face; null: it has no surface. Picks, and targets of another painter, draw
+ * faces in their own colours. */
+static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_face *face,
+                                        const fxl_renderer *renderer)
+{
+    const fxl_surface_set *set = surfaces->set;
+    const uint32_t number = set->face_map[face - renderer->scene->faces];
+    return number == 0 || fxl_painted_target(renderer) != &FXL_TARGET ? NULL
+                                                                      : &set->faces[number - 1];
+}
+
+/* fxl_shader_code.split, and .face. */
+static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count)
+{
+    const fxl_traversal *on = pieces->on;
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
+    const mapped_surface of = {surfaces, mapped_of(surfaces, pieces->face, on->renderer), pieces};
+    fxl_model_view model_view;
+    (void)count;
+    if (of.mapped == NULL) {
+        return fxl_submit_piece_by(pieces, shader->next, face, points);
+    }
+    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
+                              &on->workspace->cache);
+    model_view.planes = pieces->planes;
+    pieces->outcome |=
+        fxl_submit_found_polygons(&model_view, face, on, find_whole, paint_polygon, &of);
+    return pieces->outcome < FXL_OUTCOME_FULL;
+}
+
 static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
                    const fxl_shader *shader)
 {
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_surface_set *set = surfaces->set;
-    const uint32_t number = set->face_map[face - on->renderer->scene->faces];
-    if (number == 0 || fxl_painted_target(on->renderer) != &FXL_TARGET) {
+    const mapped_surface of = {surfaces, mapped_of(surfaces, face, on->renderer), NULL};
+    if (of.mapped == NULL) {
         return fxl_surfaces_pass_on(model_view, face, on, shader);
     }
-    const mapped_surface of = {surfaces, &set->faces[number - 1]};
     const uint32_t used = on->renderer->frame.display_list.used;
     return fxl_count_outcome(
         on, fxl_submit_found_polygons(model_view, face, on, find, paint_polygon, &of), used);
@@ -240,7 +281,7 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
     paint_surface(surfaces, workspace, &polygon, record->points, count, band);
 }
 
-static const fxl_shader_code code = {fxl_surfaces_reach, submit, NULL, fxl_surfaces_colour, false};
+static const fxl_shader_code code = {fxl_surfaces_reach, submit, split, NULL, false};
 
 const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw};
 

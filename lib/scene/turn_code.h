@@ -12,6 +12,7 @@ struct fxl_view_frustum;
 struct fxl_order_entry;
 struct fxl_renderer;
 struct fxl_traversal;
+struct fxl_turned_view; /* lib/view/turn.h */
 
 struct fxl_turn_code {
     /* Whether all instances from first_turned on may be turned as they are: fxl_turn_check. On
@@ -45,6 +46,10 @@ struct fxl_turn_code {
     /* The instances in sight whose points are rounded in the world, if all in the places from first
      * to end - 1 of the frame's order are: fxl_counters.rounded. */
     uint32_t (*count_rounded)(const struct fxl_traversal *on, uint32_t first, uint32_t end);
+    /* fxl_turned_view_of_instance. */
+    const fxl_model *(*view)(struct fxl_turned_view *turned, const fxl_scene *scene,
+                             uint32_t number, const fxl_view *view, fxl_vertex_cache *cache,
+                             uint32_t planes);
 };
 
 #ifdef __cplusplus

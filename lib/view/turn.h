@@ -60,7 +60,7 @@ static inline bool fxl_eye_is_within(const fxl_point *point, int32_t limit)
 void fxl_turn_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
 
 /* A turned view. The caller owns it. */
-typedef struct {
+typedef struct fxl_turned_view {
     /* Its axes are matrix. Its offset is less the eye in the space of the model, in units of
      * 2^eye_shift / 65536. It is the first member: scale_vertex and lights are given its address.
      */

@@ -190,8 +190,7 @@ fxl_status session_set_up(session *run, const session_settings *settings)
         status = choose(run, settings);
     }
     if (status == FXL_OK) {
-        status = attach_pictures(run, settings->without_surfaces ||
-                                          settings->order->memory_size != NULL);
+        status = attach_pictures(run, settings->without_surfaces);
     }
     if (status == FXL_OK && scene->beam_count > 0) {
         const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};

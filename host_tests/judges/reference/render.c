@@ -118,19 +118,11 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
     }
 }
 
-/* Whether a face of an instance shows a surface. No BSP draws surfaces, nor do turned instances
- * whose points are rounded in the world (SPEC.md, section 8.5). */
+/* Whether a face of an instance shows a surface. */
 static bool shows_surface(const ref_renderer *renderer, const ref_instance *instance, uint32_t face)
 {
     const ref_scene *scene = renderer->scene;
-    if (!scene->surfaces || renderer->draws_flat || (renderer->by_bsp && scene->bsp_nodes)) {
-        return false;
-    }
-    const bool is_rounded =
-        ref_turn_of(scene, instance) &&
-        (renderer->by_points ||
-         ref_beam_light_reaches(scene, &instance->centre, ref_instance_radius(scene, instance)));
-    return !is_rounded &&
+    return scene->surfaces && !renderer->draws_flat &&
            scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
 }
 
@@ -229,14 +221,14 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
 {
     const ref_instance *instance = &renderer->scene->instances[instance_number];
     const ref_model *model = &renderer->scene->models[instance->model];
-    if (!shows_surface(renderer, instance, face_number) &&
-        ref_beam_light_reaches(renderer->scene, &instance->centre,
-                               ref_instance_radius(renderer->scene, instance))) {
+    const bool is_reached = ref_beam_light_reaches(
+        renderer->scene, &instance->centre, ref_instance_radius(renderer->scene, instance));
+    if (!shows_surface(renderer, instance, face_number) && is_reached) {
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
     const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
-    ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points, &whole);
+    ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points || is_reached, &whole);
     whole.colour = shows_surface(renderer, instance, face_number)
                        ? face->material
                        : ref_face_colour(renderer, instance, face);
