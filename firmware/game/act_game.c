@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The act of the game: the keys of the path, or of a player, play it. */
 #include "act.h"
-#include "contract/system.h"
 #include "game/game.h"
 
 static game *state;
@@ -19,13 +18,8 @@ fxl_status act_open(fxl_scene_image *image, void *memory, const fxl_scene **scen
     return game_begin(state, &image->scene, &image->start.pose);
 }
 
-/* Its words are drawn by the overlay, which knows palette indices alone. */
 fxl_status act_attach(fxl_renderer *renderer)
 {
-    if (renderer->target->pixel_bits != 8) {
-        system_text("walk: the game's overlay and RGB565 do not go together: leave out pixels = \"rgb565\"\n");
-        return FXL_E_COMBINATION;
-    }
     return fxl_world_attach(&state->world, renderer);
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The targets of the game: its words are drawn by the overlay, which knows palette indices alone. */
-#ifndef WALK_WITHOUT_RGB565
-#define WALK_WITHOUT_RGB565
+/* The targets of the game: those of the walk. Beside the game and a driver of a display some boards have no flash for all of them:
+ * they set GAME_WITHOUT_RGB565_DEPTH. */
+#if defined GAME_WITHOUT_RGB565_DEPTH
+#define WALK_WITHOUT_RGB565_DEPTH
 #endif
 #include "targets.c"

@@ -16,20 +16,7 @@
 
 /* --- what is chosen --------------------------------------------------------------------------- */
 
-bool walk_methods_draw_pixels(uint8_t pixel_bits)
-{
-    uint32_t i;
-
-    for (i = 0; i < walk_target_count; i++) {
-        if (walk_targets[i].target->pixel_bits == pixel_bits) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Bits of the depth buffer that a scene is drawn with. */
-static uint8_t depth_bits_of(const fxl_scene_image *image)
+uint8_t walk_methods_depth_bits(const fxl_scene_image *image)
 {
 #if defined WALK_DEPTH_BITS
     (void)image;
@@ -39,20 +26,24 @@ static uint8_t depth_bits_of(const fxl_scene_image *image)
 #endif
 }
 
-/* The target that a scene is drawn with; null: the board has none of the kind. */
-static const walk_target *target_of(const fxl_scene_image *image)
+/* Null: the board has none of the kind. */
+static const walk_target *target_of(uint8_t pixel_bits, uint8_t depth_bits)
 {
-    const uint8_t depth_bits = depth_bits_of(image);
     uint32_t i;
 
     for (i = 0; i < walk_target_count; i++) {
         const fxl_target *target = walk_targets[i].target;
 
-        if (target->pixel_bits == image->pixel_bits && target->depth_bits == depth_bits) {
+        if (target->pixel_bits == pixel_bits && target->depth_bits == depth_bits) {
             return &walk_targets[i];
         }
     }
     return NULL;
+}
+
+bool walk_methods_draw(uint8_t pixel_bits, uint8_t depth_bits)
+{
+    return target_of(pixel_bits, depth_bits) != NULL;
 }
 
 /* Null: the board has no room for a tree. */
@@ -99,7 +90,8 @@ static uint32_t share_of(uint32_t room, uint32_t used)
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room)
 {
     const fxl_scene *scene = &image->scene;
-    const walk_target *draws = target_of(image);
+    const walk_target *draws = 
+        target_of(image->pixel_bits, walk_methods_depth_bits(image));
 
 #if defined WALK_WITHOUT_BILLBOARDS
     if (image->billboards.model_map != NULL) {

@@ -20,8 +20,11 @@ typedef struct {
 extern const walk_target walk_targets[];
 extern const uint32_t walk_target_count;
 
-/* Whether it links one with so many bits a pixel. */
-bool walk_methods_draw_pixels(uint8_t pixel_bits);
+/* Whether it links one with so many bits a pixel and in its depth buffer, 0 for none. */
+bool walk_methods_draw(uint8_t pixel_bits, uint8_t depth_bits);
+
+/* Bits of the depth buffer that a scene is drawn with, 0 for none: those of `make run DEPTH=`, or what it asks for. */
+uint8_t walk_methods_depth_bits(const fxl_scene_image *image);
 
 /* What is chosen, and what it wants of memory, in bytes, each a multiple of 8. */
 typedef struct {
@@ -39,7 +42,8 @@ typedef struct {
  * order by distance. What the methods want may be more than room: then they don't fit. False if the
  * scene wants a tree, surfaces, billboards, a depth buffer or RGB565, and the board has too little
  * memory for it: it sets WALK_WITHOUT_BSP, WALK_WITHOUT_SURFACES, WALK_WITHOUT_BILLBOARDS,
- * WALK_WITHOUT_DEPTH, WALK_WITHOUT_DEPTH_32 (16 bits alone) or WALK_WITHOUT_RGB565. */
+ * WALK_WITHOUT_DEPTH, WALK_WITHOUT_DEPTH_32 (16 bits alone), WALK_WITHOUT_RGB565 or
+ * WALK_WITHOUT_RGB565_DEPTH (RGB565 without a depth buffer alone). */
 bool walk_methods_choose(walk_methods *methods, const fxl_scene_image *image, uint32_t room);
 
 /* Bytes that the methods want together. */

@@ -25,6 +25,12 @@
 #endif
 #endif
 
+#if defined WALK_WITHOUT_RGB565 || defined WALK_WITHOUT_RGB565_DEPTH
+#define HAS_RGB565_DEPTH 0
+#else
+#define HAS_RGB565_DEPTH 1
+#endif
+
 #if defined WALK_FLAT || (defined WALK_WITHOUT_SURFACES && !defined WALK_SURFACES)
 #define SURFACES(painter) NULL
 #else
@@ -51,11 +57,11 @@ const walk_target walk_targets[] = {
     {&fxl_palette_depth_32, SURFACES(FXL_SURFACES_OF(fxl_palette_depth_32)),
      SPRITES(FXL_SPRITES_OF(fxl_palette_depth_32))},
 #endif
-#if HAS_DEPTH_16 && !defined WALK_WITHOUT_RGB565
+#if HAS_DEPTH_16 && HAS_RGB565_DEPTH
     {&fxl_rgb565_depth_16, SURFACES(FXL_SURFACES_OF(fxl_rgb565_depth_16)),
      SPRITES(FXL_SPRITES_OF(fxl_rgb565_depth_16))},
 #endif
-#if HAS_DEPTH_32 && !defined WALK_WITHOUT_RGB565
+#if HAS_DEPTH_32 && HAS_RGB565_DEPTH
     {&fxl_rgb565_depth_32, SURFACES(FXL_SURFACES_OF(fxl_rgb565_depth_32)),
      SPRITES(FXL_SPRITES_OF(fxl_rgb565_depth_32))},
 #endif

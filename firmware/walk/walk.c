@@ -148,6 +148,24 @@ typedef struct {
     uint32_t act, looks, billboards, taken;
 } shares;
 
+/* Whether the scene asks for an RGB565 that this program has not, which is said. */
+static bool lacks_rgb565(const fxl_scene_image *image)
+{
+    const uint8_t depth_bits = walk_methods_depth_bits(image);
+
+    if (image->pixel_bits != 16 || walk_methods_draw(16, depth_bits)) {
+        return false;
+    }
+    system_text("walk: this board's program draws no RGB565");
+#if !defined WALK_WITHOUT_RGB565
+    if (walk_methods_draw(16, 0)) {
+        print_with_number(" with a depth buffer of ", depth_bits, " bits");
+    }
+#endif
+    system_text(": leave out pixels = \"rgb565\"\n");
+    return true;
+}
+
 static int share_list(const fxl_scene_image *image, shares *of)
 {
     const uint32_t room = WALK_LIST_BYTES / 8 * 8;
@@ -156,24 +174,23 @@ static int share_list(const fxl_scene_image *image, shares *of)
     of->looks = walk_looks_bytes(image);
     of->billboards = walk_billboards_bytes(image);
     of->taken = of->act + of->looks + of->billboards;
-#if !defined WALK_WITHOUT_RGB565
-    if (!walk_methods_draw_pixels(image->pixel_bits)) {
-        system_text("walk: this program draws no RGB565: leave out pixels = \"rgb565\"\n");
+    if (lacks_rgb565(image)) {
         return SYSTEM_EXIT_CAPACITY;
     }
-#endif
     if (!walk_methods_choose(&methods, image, of->taken < room ? room - of->taken : 0)) {
         system_text("walk: this board has no room to draw by a BSP tree, with surfaces or with a "
-                    "depth buffer (VISIBILITY=sorted), billboards or RGB565\n");
+                    "depth buffer (VISIBILITY=sorted), or billboards\n");
         if (image->surfaces.face_map != NULL && walk_surface_bytes(&image->surfaces) == 0) {
             system_text("walk: VISIBILITY=surfaces builds a program that draws surfaces\n");
         }
         return SYSTEM_EXIT_CAPACITY;
     }
+#if !defined WALK_WITHOUT_RGB565
     if (band_rows(image->lens.width) == 0) {
         system_text("walk: this board's band holds no row of so wide a screen in RGB565\n");
         return SYSTEM_EXIT_CAPACITY;
     }
+#endif
     of->taken += walk_methods_bytes(&methods);
     if (of->taken > room) {
         print_with_number("walk: what the scene has, clipper and visibility method need ",

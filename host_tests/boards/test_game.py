@@ -10,6 +10,7 @@ from board_programs import EVERY_BOARD, made
 from conftest import CHECKOUT, run_cli, run_make, sampled
 
 from fixel.scene import making
+from fixel.base.errors import ToolError
 from fixel.board import controllers, dump, emulator, firmware, flash_memory, wires
 
 SCENE = "examples/game/game.toml"
@@ -156,6 +157,47 @@ def test_the_example_draws_it_on_a_display(tmp_path, image, build, screen):
         hashes = [hashlib.sha256(shown.astype("<u2").tobytes()).hexdigest()
                   for shown in wires.read(record, controllers.MODELS[driver]())]
     assert len(hashes) == FRAMES and hashlib.sha256("".join(hashes).encode()).hexdigest() == sha256
+
+
+@pytest.fixture(scope="module", name="rgb565_image")
+def fixture_rgb565_image(tmp_path_factory):
+    """The image of the scene that asks for RGB565, with a depth buffer of so many bits, for each screen."""
+    folder = tmp_path_factory.mktemp("rgb565")
+    text = (CHECKOUT / SCENE).read_text(encoding="utf-8")
+
+    def make(screen, depth=0):
+        scene = folder / f"{depth}.toml"
+        scene.write_text(text.replace("[view]\n", f'[view]\npixels = "rgb565"\ndepth = {depth}\n'), encoding="utf-8")
+        making.build(str(scene), str(folder / f"{screen}-{depth}.fxls"), screen=making.parse_screen(screen))
+        return folder / f"{screen}-{depth}.fxls"
+
+    return make
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_every_board_plays_it_in_rgb565_also_on_a_display(tmp_path, played, rgb565_image, board):
+    """Faces and words have the colours of the palette that the recorded frames are of; black and white is made of these colours."""
+    screen, recorded = played
+    driver, _ = WIRES[screen]
+    elf = made(f"build/boards/{board}/game-on-{driver}{'' if board == firmware.HOST else '.elf'}", f"BOARD={board}",
+               "PROGRAM=game", f"DRIVER={driver}")
+    file, record = tmp_path / "board.fxld", tmp_path / "wires.bin"
+    flash_memory.flash(board, elf, rgb565_image(screen), tmp_path / "board.bin")
+    emulator.run(board, tmp_path / "board.bin", elf, file, record=record)
+    drawn = dump.read_dump(file)
+    colours = wires.rgb565(recorded.palette)
+    assert all((frame.pixels == colours[indices.pixels]).all()
+               for frame, indices in zip(drawn.frames, recorded.frames, strict=True))
+    equal, hashes = wires.compare(record, driver, drawn)
+    assert equal == len(hashes) == FRAMES
+
+
+@pytest.mark.parametrize("board, depth", [("microbit", 16), ("lm3s6965evb", 32), ("netduinoplus2", 16)])
+def test_a_board_without_room_for_rgb565_with_a_depth_buffer_names_both(tmp_path, rgb565_image, board, depth):
+    elf = made(f"build/boards/{board}/game.elf", f"BOARD={board}", "PROGRAM=game")
+    flash_memory.flash(board, elf, rgb565_image("320x240", depth), tmp_path / "board.bin")
+    with pytest.raises(ToolError, match=f"this board's program draws no RGB565 with a depth buffer of {depth} bits: leave out"):
+        emulator.run(board, tmp_path / "board.bin", elf, tmp_path / "board.fxld")
 
 
 def test_bands_of_three_rows_play_the_same_game(tmp_path):
