@@ -17,13 +17,9 @@ void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
     const uint32_t refused = renderer->workspace.counters.refused_calls;
     fxl_picked picked = {1, 2, 3};
     const uint8_t state = renderer->frame.state;
-    const fxl_order *order = renderer->order;
     renderer->frame.state = FXL_FRAME_NONE;
     DEMAND(fxl_pick_face(renderer, 0, 0, &picked) == FXL_E_ORDER);
     renderer->frame.state = state;
-    renderer->order = &fxl_by_tree;
-    DEMAND(fxl_pick_face(renderer, 0, 0, &picked) == FXL_E_BSP);
-    renderer->order = order;
     DEMAND(fxl_pick_face(NULL, 0, 0, &picked) == FXL_E_ARGUMENT);
     DEMAND(fxl_pick_face(renderer, lens->width, 0, &picked) == FXL_E_RANGE);
     DEMAND(fxl_pick_face(renderer, 0, lens->height, &picked) == FXL_E_RANGE);

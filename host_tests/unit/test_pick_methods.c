@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What a pick answers with each visibility method (docs/extras/pick.md, section 2.4). */
+#include "bsp_scene.h"
 #include "choices.h"
 #include "tiny.h"
-#include "tiny_frames.h"
 #include "study/methods.h"
 #include "study/span_buffer.h"
 
@@ -73,7 +73,9 @@ static fxl_pose random_pose(void)
 static void start(void)
 {
     const fxl_memory memory = {order, TINY_INSTANCES + 6, list, LIST_WORDS, NULL, 0};
-    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
 }
 
 static void choose(const choice *method)
@@ -184,41 +186,55 @@ void test_an_outlined_face_is_picked_whatever_is_drawn_on_it(void)
     }
 }
 
-/* The pixels of the face that has the texture: texels, and holes with what is behind. */
-static void expect_face_and_holes(uint32_t others)
+/* A frame was begun and drawn. Each pixel shows what is picked there: the face or the sprite in its
+ * colour, or the texture of the first model's face -z. Answers how many picks are not those of the
+ * order alone. */
+static uint32_t expect_shown(void)
 {
-    uint32_t covered = 0, painted = 0;
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        const fxl_picked *picked = &by_order[i / WIDTH][i % WIDTH];
-        if (picked->instance != FXL_PICK_NONE && picked->instance != 1 && picked->face == 4) {
-            covered++;
-            painted += frame[i / WIDTH][i % WIDTH] == TEXEL;
+    uint32_t others = 0;
+    for (uint16_t y = 0; y < HEIGHT; y++) {
+        for (uint16_t x = 0; x < WIDTH; x++) {
+            const fxl_picked *ordered = &by_order[y][x];
+            fxl_picked picked = {1, 2, 3};
+            pick(x, y, &picked);
+            if (frame[y][x] == TEXEL) {
+                TEST_ASSERT_TRUE(picked.face == 4 &&
+                                 (picked.instance == 0 || picked.instance == 2));
+            } else if (picked.instance == FXL_PICK_NONE) {
+                TEST_ASSERT_EQUAL_UINT8(BACKGROUND, frame[y][x]);
+            } else {
+                TEST_ASSERT_EQUAL_UINT8(frame[y][x], picked.colour);
+                TEST_ASSERT_EQUAL(frame[y][x] > 10 && frame[y][x] <= 16, picked.instance == 1);
+            }
+            others += picked.instance != ordered->instance || picked.face != ordered->face;
         }
     }
-    TEST_ASSERT_TRUE(painted > 10 && painted + 10 < covered);
-    TEST_ASSERT_EQUAL_UINT32(covered, others); /* neither has the face's own colour */
+    return others;
 }
 
-void test_a_face_with_a_texture_is_picked_in_its_holes_too(void)
+static uint32_t count_of(uint8_t colour)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        count += frame[i / WIDTH][i % WIDTH] == colour;
+    }
+    return count;
+}
+
+void test_holes_are_looked_through(void)
 {
     fxl_pose pose = random_pose();
     pick_by_order(&pose);
     start();
     attach_surfaces(FXL_SURFACES_OF(fxl_palette));
     draw(&pose);
-    expect_face_and_holes(expect_picks());
+    TEST_ASSERT_GREATER_THAN(10, expect_shown());
+    TEST_ASSERT_GREATER_THAN(10, count_of(TEXEL));
 }
 
-void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
+static void draw_565(const fxl_pose *pose)
 {
-    const fxl_pose pose = random_pose();
-    pick_by_order(&pose);
-    start();
-    fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_rgb565);
-    config.palette = palette;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
-    attach_surfaces(FXL_SURFACES_OF(fxl_rgb565));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (uint16_t y = 0; y < HEIGHT; y++) {
         const fxl_band band = {.pixels = (uint8_t *)(void *)row_565, .width = WIDTH,
                                .stride = WIDTH, .first_row = y, .rows = 1, .palette = palette};
@@ -228,13 +244,35 @@ void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
             frame[y][x] = (uint8_t)row_565[x];
         }
     }
-    expect_face_and_holes(expect_picks());
+}
+
+static void choose_565(const fxl_target *target)
+{
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
+    start();
+    config.palette = palette;
+    config.depth = cells;
+    config.depth_size = sizeof cells;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
+}
+
+void test_a_face_of_16_bits_is_picked_by_its_entry_of_the_palette(void)
+{
+    const fxl_pose pose = random_pose();
+    pick_by_order(&pose);
+    choose_565(&fxl_rgb565);
+    attach_surfaces(FXL_SURFACES_OF(fxl_rgb565));
+    draw_565(&pose);
+    TEST_ASSERT_GREATER_THAN(10, expect_shown());
+    choose_565(&fxl_rgb565_depth_32);
+    attach_surfaces(FXL_SURFACES_OF(fxl_rgb565_depth_32));
+    draw_565(&pose);
+    TEST_ASSERT_GREATER_THAN(10, expect_shown());
 }
 
 /* Where instances intersect, a pixel may show what the order has behind. Instance 1 has the centre
- * that is farther, and a front that is nearer. Where nothing intersects, the pick is what is shown.
- */
-void test_a_depth_buffer_is_picked_by_the_order(void)
+ * that is farther, and a front that is nearer. */
+void test_by_a_depth_buffer_the_nearest_is_picked(void)
 {
     const fxl_pose eye = {{0, 0, Q16(-3.5)}, 0, 0, 0};
     tiny->instances[1].centre = (fxl_point){Q16(1.2), Q16(1.2), Q16(-0.4)};
@@ -242,7 +280,7 @@ void test_a_depth_buffer_is_picked_by_the_order(void)
     for (uint32_t i = 0; i < 4; i++) {
         choose_depth(i % 2 ? 32 : 16, i >= 2);
         draw(&eye);
-        TEST_ASSERT_GREATER_THAN(5, expect_picks());
+        TEST_ASSERT_GREATER_THAN(5, expect_shown());
     }
     tiny->instances[1].centre = (fxl_point){Q16(3), Q16(0.5), Q16(0.5)};
     for (uint32_t i = 0; i < 2; i++) {
@@ -254,45 +292,139 @@ void test_a_depth_buffer_is_picked_by_the_order(void)
     }
 }
 
-static void expect_refused(const fxl_pose *pose)
+/* A surface that is blended is drawn in a pass of its own, and is picked where it is not hidden. */
+void test_what_is_blended_is_picked_before_what_it_covers(void)
 {
-    fxl_picked picked = {1, 2, 3};
-    draw(pose);
-    const uint32_t refused = renderer.workspace.counters.refused_calls;
-    TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_pick_face(&renderer, WIDTH / 2, HEIGHT / 2, &picked));
-    TEST_ASSERT_TRUE(picked.instance == 1 && picked.face == 2 && picked.colour == 3);
-    TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
+    static const fxl_surface glass = {.opacity = 16, .flags = FXL_SURFACE_BLEND};
+    static uint8_t blend[FXL_BLEND_TABLE_BYTES(20)];
+    const fxl_pose eye = {{0, 0, Q16(-3.5)}, 0, 0, 0};
+    fxl_surface_set set = surface_set;
+    for (uint32_t i = 0; i < sizeof blend; i++) {
+        blend[i] = (uint8_t)(100 + i % 256 / 4); /* 100 and more: all of what is beneath */
+    }
+    set.surfaces = &glass;
+    set.blend = blend;
+    set.blend_count = 20;
+    tiny->instances[1].centre = (fxl_point){Q16(0.5), Q16(0.25), Q16(3)};
+    for (uint32_t i = 0; i < 2; i++) {
+        uint32_t blended = 0;
+        choose_depth(16, false);
+        if (i == 0) {
+            start();
+        }
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set,
+                                                      i == 0 ? FXL_SURFACES_OF(fxl_palette)
+                                                             : FXL_SURFACES_OF(fxl_palette_depth_16)));
+        draw(&eye);
+        for (uint16_t y = 0; y < HEIGHT; y++) {
+            for (uint16_t x = 0; x < WIDTH; x++) {
+                fxl_picked picked;
+                pick(x, y, &picked);
+                const bool is_glass = picked.face == 4 && picked.instance != 1;
+                TEST_ASSERT_EQUAL(frame[y][x] >= 100 && frame[y][x] < BACKGROUND, is_glass);
+                blended += is_glass;
+            }
+        }
+        TEST_ASSERT_GREATER_THAN(10, blended);
+    }
 }
 
-void test_trees_and_billboards_are_refused(void)
+/* --- trees and billboards ----------------------------------------------------------------------- */
+
+/* What a tree cuts, and the tree's own faces; whole, and with a list of any size. */
+void test_by_a_tree_its_order_is_picked(void)
 {
-    static const uint8_t sprite_texels[1] = {7};
-    static const fxl_sprite sprite = {sprite_texels, NULL, 1, 1, 8, FXL_SPRITE_OPAQUE};
-    static const fxl_billboard board = {&sprite, Q16(1), Q16(1), Q16(0.5), Q16(0.5)};
+    static uint64_t tree[64], pieces[512];
+    bsp_scene *scene = bsp_make();
+    fxl_bsp_workspace *const workspace = (fxl_bsp_workspace *)(void *)tree;
+    uint32_t others = 0, cut = 0;
+    tiny = scene->tiny;
+    tiny->instances[1].centre = (fxl_point){0, 0, 0};
+    for (uint32_t i = 0; i < 6; i++) {
+        const fxl_pose pose = random_pose();
+        tiny->instances[0].centre = unit_point(Q16(1));
+        tiny->instances[2].centre = unit_point(Q16(1));
+        pick_by_order(&pose);
+        start();
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, tree, sizeof tree));
+        workspace->pieces = i % 3 == 0 ? NULL : pieces;
+        workspace->pieces_size = i % 3 == 0 ? 0 : sizeof pieces;
+        if (i % 2 == 0) {
+            attach_surfaces(FXL_SURFACES_OF(fxl_palette));
+        }
+        draw(&pose);
+        others += expect_shown();
+        cut += workspace->used;
+    }
+    TEST_ASSERT_TRUE(others > 20 && cut > 0);
+}
+
+/* The sprite has a hole in its middle. Of a billboard the face is 0, and the colour the texel's. */
+void test_a_texel_of_a_billboard_is_picked(void)
+{
+    static const uint8_t sprite_texels[9] = {71, 72, 73, 74, KEY, 76, 77, 78, 79};
+    static const fxl_sprite sprite = {sprite_texels, NULL, 3, 3, 8, KEY};
+    static const fxl_billboard board = {&sprite, Q16(1.5), Q16(1.5), Q16(0.75), Q16(0.75)};
     static const uint16_t model_map[2] = {0, 1};
     static const fxl_billboard_set set = {&board, 1, model_map};
-    const fxl_pose pose = random_pose();
-    choose(&choice_tree);
-    expect_refused(&pose);
-    choose(&choice_tree_spans);
-    expect_refused(&pose);
-    /* A billboard stands for a model of one face. */
+    static const fxl_sprite_painter *const painters[] = {
+        FXL_SPRITES_OF(fxl_palette), FXL_SPRITES_OF(fxl_palette_depth_16),
+        FXL_SPRITES_OF(fxl_rgb565), FXL_SPRITES_OF(fxl_rgb565_depth_32)};
+    const fxl_pose pose = {{0, 0, Q16(-3.5)}, 0, 0, 0};
     tiny->models[1].face_count = 1;
     tiny->models[1].kind = FXL_MODEL_CONVEX;
     tiny->scene.face_count = 7;
     tiny->scene.face_bounds = NULL;
     tiny->scene.face_bounds_count = 0;
-    start();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
-                                                    FXL_SPRITES_OF(fxl_palette)));
-    expect_refused(&pose);
-    start();
-    attach_surfaces(FXL_SURFACES_OF(fxl_palette));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
-                                                    FXL_SPRITES_OF(fxl_palette)));
-    expect_refused(&pose);
-    choose_depth(16, false);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set,
-                                                    FXL_SPRITES_OF(fxl_palette_depth_16)));
-    expect_refused(&pose);
+    tiny->instances[1].centre = (fxl_point){Q16(0.25), 0, Q16(-1.25)};
+    for (uint32_t i = 0; i < 4; i++) {
+        uint32_t sprites = 0;
+        if (i == 0) {
+            start();
+        } else if (i == 1) {
+            choose_depth(16, false);
+        } else {
+            choose_565(i == 2 ? &fxl_rgb565 : &fxl_rgb565_depth_32);
+        }
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_billboards(&renderer, &billboards, &set, painters[i]));
+        if (i < 2) {
+            draw(&pose);
+        } else {
+            draw_565(&pose);
+        }
+        for (uint16_t y = 0; y < HEIGHT; y++) {
+            for (uint16_t x = 0; x < WIDTH; x++) {
+                fxl_picked picked;
+                pick(x, y, &picked);
+                TEST_ASSERT_EQUAL_UINT8(
+                    picked.instance == FXL_PICK_NONE ? BACKGROUND : picked.colour, frame[y][x]);
+                TEST_ASSERT_EQUAL(frame[y][x] > 70 && frame[y][x] < 80, picked.instance == 1);
+                sprites += picked.instance == 1;
+            }
+        }
+        TEST_ASSERT_GREATER_THAN(30, sprites);
+    }
+}
+
+/* A pick leaves the frame, its counters, and what is drawn after it, as they are. */
+void test_a_pick_changes_nothing(void)
+{
+    static uint8_t again[HEIGHT][WIDTH];
+    const fxl_pose pose = random_pose();
+    for (uint32_t i = 0; i < 2; i++) {
+        const fxl_band band = {
+            .pixels = again[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+        fxl_picked picked;
+        choose_depth(16, i == 1);
+        draw(&pose);
+        const fxl_counters counters = renderer.workspace.counters;
+        const fxl_frame before = renderer.frame;
+        pick(WIDTH / 2, HEIGHT / 2, &picked);
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+        TEST_ASSERT_EQUAL_MEMORY(&before, &renderer.frame, sizeof before);
+        fxl_fill_band(&band, BACKGROUND);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+        TEST_ASSERT_EQUAL_MEMORY(frame, again, sizeof frame);
+    }
 }

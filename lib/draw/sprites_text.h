@@ -153,9 +153,14 @@ static void paint(const fxl_renderer *renderer, fxl_workspace *workspace,
                   const fxl_screen_point *points, const fxl_band *band)
 {
     sprite_place place;
+    fxl_rows columns = {0, band->width};
+    if (points[2].y != 0) {
+        columns.end = (uint16_t)points[2].y;
+        columns.first = (uint16_t)(columns.end - 1);
+    }
     if (find_place(renderer, workspace, points, band, &place)) {
         fxl_billboard_walk_rows(fxl_billboard_sprite(renderer, (uint32_t)points[2].x), &points[0],
-                                &points[1], band, paint_row, &place);
+                                &points[1], band, columns, paint_row, &place);
     }
 }
 

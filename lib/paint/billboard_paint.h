@@ -10,7 +10,7 @@ extern "C" {
 #endif
 
 /* The points of a record of the display list, of the kind FXL_POLYGON_SPRITE: left and top; right
- * and bottom; the number of the model, and 0; with a depth buffer the distance in 18.46, high word
+ * and bottom; the number of the model, and 0, or 1 + the only column that is painted; with a depth buffer the distance in 18.46, high word
  * first. */
 #define FXL_BILLBOARD_POINTS_MAX 4
 

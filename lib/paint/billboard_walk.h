@@ -64,18 +64,19 @@ typedef struct {
 /* Paints a row; with: the painter's own. */
 typedef void fxl_billboard_row_painter(fxl_billboard_row *row, const void *with);
 
-/* Calls a painter for each row of the billboard that reaches the band. A pixel whose centre lies in
+/* Calls a painter for each row of the billboard that reaches columns of the band. A pixel whose centre lies in
  * left <= x < right, top <= y < bottom shows the texel in which its centre falls: column
  * floor((x - left) * sprite->width / (right - left)), row likewise. Exact. Requires a sprite that
  * was checked, and corners within FXL_SCREEN_COORDINATE_MAX, left <= right and top <= bottom. */
 static inline void fxl_billboard_walk_rows(const fxl_sprite *sprite,
                                            const fxl_screen_point *left_top,
                                            const fxl_screen_point *right_bottom,
-                                           const fxl_band *band, fxl_billboard_row_painter *paint,
-                                           const void *with)
+                                           const fxl_band *band, fxl_rows columns,
+                                           fxl_billboard_row_painter *paint, const void *with)
 {
     fxl_billboard_row row;
-    row.columns = fxl_pixels_between(left_top->x, right_bottom->x, 0, band->width);
+    row.columns =
+        fxl_pixels_between(left_top->x, right_bottom->x, columns.first, columns.end);
     const fxl_rows rows = fxl_pixels_between(left_top->y, right_bottom->y, band->first_row,
                                              band->first_row + band->rows);
     if (row.columns.first == row.columns.end || rows.first == rows.end) {

@@ -112,10 +112,11 @@ static bool is_passed_over(const fxl_workspace *workspace)
 static void count_billboard(const fxl_renderer *renderer, const fxl_workspace *workspace,
                             const fxl_screen_point *points, const fxl_band *band)
 {
+    const fxl_rows columns = {0, band->width};
     counted.billboards += 1;
     if (!is_passed_over(workspace)) {
         fxl_billboard_walk_rows(fxl_billboard_sprite(renderer, (uint32_t)points[2].x), &points[0],
-                                &points[1], band, count_row, NULL);
+                                &points[1], band, columns, count_row, NULL);
     }
 }
 

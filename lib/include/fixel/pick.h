@@ -39,37 +39,29 @@ fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point,
 /* The number that stands for no instance. Instances of a scene have lower ones. */
 #define FXL_PICK_NONE 0xFFFFu
 
-/* The face that is picked at a pixel. */
+/* What is picked at a pixel. */
 typedef struct {
-    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: no face covers the pixel; in a
+    uint16_t instance; /* number in the scene, or FXL_PICK_NONE: nothing covers the pixel; in a
                           world, fxl_world_handle_at gives its handle */
-    uint16_t face;     /* number within the model; 0 without a face */
-    uint8_t colour;    /* the palette index of the face there, as light and beams make it, without
-                          its surface and its outline; 0 without a face */
+    uint16_t face;     /* number within the model; 0 of a billboard, and without a face */
+    uint8_t colour;    /* a palette index: of a face as light and beams make it, of one with a surface
+                          its own colour, of a billboard that of the texel; 0 without a face */
 } fxl_picked;
 
-/* Finds the front face at pixel (x, y) of the frame that was begun last: of the faces that cover
- * the pixel by the fill rule, the one that the order of drawing has in front. Exact, with any
- * clipper and with light beams. What the pixel shows of it depends on the visibility method:
+/* Finds what is shown at pixel (x, y) of the frame that was begun last: of the faces and billboards
+ * that cover the pixel by the fill rule, the one that is in front as the renderer draws them, with
+ * its order, its target and all that is attached to it. So with a depth buffer it is the nearest, and
+ * by a tree the last in the tree's order. A hole is looked through: a texel of the key, or a pixel
+ * that the stipple leaves out. Something that is blended is picked before what it covers. A line of
+ * an outline is not picked: the face is, whose pixel it would be without outlines. Exact, with any
+ * clipper and with light beams.
  *
- *   fxl_visibility_sorted, _box, _spans, _spans_box
- *       the face, in `colour`
- *   with outlines
- *       the face, in its colour or in the fill of the style; or a line, which may be another face's
- *   fxl_visibility_surfaces, frames of 16 bits a pixel
- *       the face with its surface. Where a texel of the key or the stipple leaves a hole, the pixel
- *       shows what is behind, and the pick is the face with the hole
- *   fxl_visibility_depth, _32
- *       the nearest face, which is another one than the pick where the order of drawing is not that
- *       of the depths: where instances intersect, and in models that are not convex
- *
- * A method of the caller's must have the same submit function. The scene must be as it was when the
- * frame began. It costs as much as drawing one row of the frame up to that face, near to far. It
+ * The scene must be as it was when the frame began. By distance and without a depth buffer it costs
+ * as much as drawing one row of the frame up to that face, near to far; else as much as one row. It
  * works in the renderer's workspace: no band of the frame may be drawn meanwhile, also not by
  * fxl_frame_draw_with. The frame stays, and its counters do.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun, or it was released by fxl_frame_release_scene.
- * FXL_E_BSP: fxl_visibility_bsp or _bsp_spans, billboards, or another submit function.
  * FXL_E_RANGE: a pixel outside of the screen.
  * With each of these statuses: *picked untouched; counted in refused_calls. */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked);
