@@ -53,6 +53,7 @@ def test_a_mutant_changes_its_place_alone():
     for mutant in mutate.mutants("a.c", text):
         assert mutant.apply(text) == text.replace("return a < *b;", f"return a {mutant.becomes} *b;")
         assert str(mutant) == f"a.c:10: '<' becomes '{mutant.becomes}'"
+    assert {mutant.line for mutant in mutate.mutants("a.c", f"\n{text}")} == {11}
 
 
 def test_what_a_header_goes_into(tmp_path):

@@ -5,12 +5,13 @@ import json
 import re
 import shlex
 import stat
+import types
 
 import pytest
 from board_programs import EVERY_BOARD, ROOT, built
 from conftest import dry_run, run_cli, run_make
 
-from fixel.check import all_tests
+from fixel.check import all_tests, pytest_server
 
 GOOD = "a.c:1:test_one:PASS\na.c:2:test_two:PASS\n\n-----------------------\n2 Tests 0 Failures 0 Ignored \nOK"
 BAD = "a.c:1:test_one:PASS\na.c:2:test_two:FAIL: Expected 1 Was 2\n\n2 Tests 1 Failures 0 Ignored \nFAIL"
@@ -187,3 +188,13 @@ def test_a_run_of_pytest_that_fails_itself_counts_as_a_test_that_failed(tmp_path
     report.write_text(f'<testsuites><testsuite tests="5" skipped="1" failures="{failures}" errors="0"/></testsuites>')
     outcome = all_tests._pytest_outcome(report, code, "words")
     assert (outcome.passed, outcome.failed, outcome.skipped, outcome.output) == (4 - failed, failed, 1, "words")
+
+
+def test_a_run_of_tests_is_answered_by_its_process_and_then_by_how_it_ended(monkeypatch, capsys):
+    monkeypatch.setattr(pytest_server, "warm_start", None, raising=False)
+    monkeypatch.setattr(pytest_server.sys, "stdin", ["{}\n", "{}\n"])
+    monkeypatch.setattr(pytest_server.os, "fork", lambda: 4321)
+    used = types.SimpleNamespace(ru_utime=1.5, ru_stime=0.25)
+    monkeypatch.setattr(pytest_server.os, "wait4", lambda process, _: (process, 2 << 8, used))
+    pytest_server.answer()
+    assert capsys.readouterr().out == 2 * "4321\n2 1.75\n"

@@ -5,12 +5,13 @@ import os
 import subprocess
 import sys
 import time
+import types
 
 import numpy as np
 import pytest
 
 from conftest import CHECKOUT, TOOLS, assert_one_sentence, environment, run_cli
-from fixel.base import bounded, reading
+from fixel.base import bounded, job, reading
 from fixel.base.errors import ToolError
 from fixel.model import stl
 
@@ -88,6 +89,17 @@ def test_what_is_being_done_is_told_now_and_then(tmp_path, capfd, monkeypatch):
     monkeypatch.setattr(bounded, "QUIET_SECONDS", 0)
     run(tmp_path, "job.PAUSE = 1e9\nreport.stage('a\\x1b')\nfor i in range(100):\n    report(f'face {i}')\nreport.stage('b')\nreport.stage('b')")
     assert capfd.readouterr().err == "scene: a\\x1b\nscene: b\n"
+
+
+def test_how_far_a_stage_is_is_told_when_the_last_words_are_some_time_old(monkeypatch):
+    now, told = [100.0], []
+    monkeypatch.setattr(job, "time", types.SimpleNamespace(monotonic=lambda: now[0]))
+    report = job.Report(told.append)
+    report.stage("reading the file")
+    for passed, words in ((job.PAUSE / 2, "1 of 3"), (job.PAUSE, "2 of 3"), (job.PAUSE / 2, "3 of 3")):
+        now[0] += passed
+        report(words)
+    assert told == [{"stage": "reading the file"}, {"stage": "2 of 3"}]
 
 
 def test_a_limit_that_a_system_lacks_is_said_once(tmp_path, capfd, monkeypatch):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Programs that tools start: none outlives its tool, however that ends."""
+"""Programs that tools start: none outlives its tool, however that ends, and what one says is passed on."""
 
 import pathlib
 import re
@@ -13,6 +13,8 @@ import pytest
 
 from conftest import CHECKOUT, TOOLS, environment
 from fixel.base import children
+from fixel.base.errors import ToolError
+from fixel.board.programs import run_program
 from viewers import assert_gone, children as started_by, runs
 
 
@@ -211,3 +213,16 @@ def test_runs_sees_the_dead():
     process.kill()
     process.wait()
     assert not runs(process.pid) and pathlib.Path("/proc/self").exists()
+
+
+@pytest.mark.parametrize("code", [0, 3])
+def test_what_a_program_says_is_passed_on_and_its_last_words_are_the_error(tmp_path, capsys, code):
+    program = tmp_path / "draw"
+    program.write_text(f"#!/bin/sh\necho drawn\nprintf 'one\\ntwo\\nerror: three\\n' >&2\nexit {code}\n", encoding="ascii")
+    program.chmod(0o755)
+    if code:
+        with pytest.raises(ToolError, match="^draw: three$"):
+            run_program([program])
+    else:
+        assert run_program([program]) == "drawn\n"
+    assert capsys.readouterr().err == "one\ntwo\n" + "error: three\n" * (code == 0)

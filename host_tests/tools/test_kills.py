@@ -40,6 +40,16 @@ def campaign(build, tmp_path):
     return made
 
 
+def test_how_long_a_command_takes_is_from_its_start_to_its_end(campaign, monkeypatch):
+    moments = iter([1000.0, 1002.5])
+    monkeypatch.setattr(kill_campaign, "time", types.SimpleNamespace(monotonic=lambda: next(moments)))
+    ended = types.SimpleNamespace(poll=lambda: 0, wait=lambda: 0, returncode=0)
+    monkeypatch.setattr(campaign, "start", lambda command: ended)
+    monkeypatch.setattr(campaign, "wait", lambda *_: None)
+    campaign.measure("boot")
+    assert campaign.times == {"boot": 2.5}
+
+
 def test_nothing_is_left(campaign):
     assert campaign.left() == []
 

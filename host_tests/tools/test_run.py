@@ -90,6 +90,15 @@ def test_summary_figures(result):
     assert 0 < summary["instructions_per_frame"]["min"] <= summary["instructions_per_frame"]["max"]
 
 
+def test_a_summary_adds_up_all_frames(tmp_path):
+    (tmp_path / "drawn.fxld").write_bytes(dump_bytes(random_frames(5, 3, 4)))
+    options = types.SimpleNamespace(board="b", program="walk", scene="s", visibility="v", clipper="c", driver=None)
+    summary = judged_run.summarise(options, "cpu", dump.read_dump(tmp_path / "drawn.fxld"), True)
+    assert (summary["width"], summary["height"], summary["frames"], summary["pixels"]) == (4, 3, 5, 60)
+    assert (summary["polygons"]["in"], summary["polygons"]["drawn"], summary["frames_empty"]) == (50, 20, 0)
+    assert summary["instructions_per_frame"] == {"min": 1000, "median": 1002, "mean": 1002, "max": 1004}
+
+
 def test_pictures_are_the_frames(result):
     summary, out, _ = result
     drawn = dump.read_dump(out / "board.fxld")

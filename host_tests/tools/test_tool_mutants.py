@@ -3,6 +3,7 @@
 
 import argparse
 import sys
+import types
 
 import pytest
 from conftest import CHECKOUT
@@ -205,6 +206,34 @@ def test_tests_that_killed_before_come_first(tmp_path):
     known = killers.Killers(tmp_path / "killers.json")
     assert known.first("a.py:f", ["t1", "t2", "t3", "t4"]) == ["t2", "t3", "t1", "t4"]
     assert known.first("a.py:h", ["t1", "t2"]) == ["t1", "t2"]
+
+
+class Endless:
+    """In place of a copy of the checkout: tests that do not end with a mutant, nor perhaps without it."""
+
+    def __init__(self, folder, original, ends):
+        self.folder, self.original, self.ends = folder, original, ends
+
+    def write(self, file, text):
+        (self.folder / file).write_text(text, encoding="utf-8")
+
+    def run(self, tests, _cpu, *_):
+        if self.ends and (self.folder / "a.py").read_text(encoding="utf-8") == self.original:
+            return 0, [{"test": test, "passed": True} for test in tests]
+        return "it used 15 s of CPU time", []
+
+    def said(self):
+        return ""
+
+
+@pytest.mark.parametrize("ends, result", [(True, "killed"), (False, "survived")])
+def test_a_test_that_does_not_end_kills_if_it_ends_without_the_mutant(tmp_path, ends, result):
+    text = "def f(a):\n    return a < 1\n"
+    (tmp_path / "a.py").write_text(text, encoding="utf-8")
+    part = tool_mutants.Tools(argparse.Namespace(enough=5.0, jobs=1), tmp_path, tmp_path)
+    part._records = types.SimpleNamespace(seconds={"t": 1.0}, tests=lambda *_: ["t"], place=lambda *_: None)
+    mutant = mutate_python.mutants("a.py", text)[0]
+    assert part.run(Endless(tmp_path, text, ends), mutant)["result"] == result
 
 
 # --- a campaign in a checkout of a few lines ------------------------------------

@@ -90,6 +90,17 @@ async def test_a_message_beyond_the_limit_ends_its_tab(bench):
 
 
 @bench_test
+async def test_the_reference_is_asked_about_each_frame_while_a_tab_wants_its_answer(bench):
+    tab = await bench.tab()
+    for number, wants, asked in ((1, 0, []), (2, 1, [(1, 1), (2, 1)]), (3, 5, [(2, 5), (3, 5)]), (4, 0, [])):
+        bench.asked.clear()
+        await tab.send_json({"type": "wants", "wants": wants})
+        await settled()
+        bench.hub.show(frame(number))
+        assert bench.asked == asked
+
+
+@bench_test
 async def test_connections_that_say_nothing_are_few(bench):
     """1,138 of them brought 14,346 lines with tracebacks."""
     held, said = [], io.StringIO()

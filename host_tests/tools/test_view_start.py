@@ -4,6 +4,7 @@
 import asyncio
 import threading
 import time
+import types
 
 import pytest
 
@@ -12,7 +13,7 @@ from fixel.scene import making
 from fixel.board import firmware, flash_memory, qmp
 from fixel.base.errors import ToolError
 from fixel.board.session import Session
-from fixel.view.view_board import Board
+from fixel.view.view_board import Board, Buttons
 from fixel.view.view_stream import Stream
 
 DELAY = 2.0     # seconds; 0.05 were enough for the FIFO to fill
@@ -48,8 +49,38 @@ def test_a_board_that_is_watched(board, slow, started):
     try:
         first = running.frame().number
         assert running.frame().number == first + 1
+        if running.program.keys:
+            assert_buttons_that_fail_are_told(running)
     finally:
         running.close()
+    running.hold(1)     # of a board that is off, as a page may that is told later
+
+
+def assert_buttons_that_fail_are_told(running):
+    def refuse(_released, _pressed):
+        raise ToolError("QEMU refuses the key")
+    running._machine.keys = refuse
+    running.hold(min(running.program.keys))
+    while not running._keys.error:      # they are pressed in another thread
+        time.sleep(0.01)
+    with pytest.raises(ToolError, match="QEMU refuses the key"):
+        for _ in range(10):     # those that are drawn already may come
+            running.frame()
+
+
+def test_a_press_that_fails_is_not_forgotten_when_another_succeeds():
+    pressed = threading.Event()
+
+    def press(_, names):
+        if names == {"broken"}:
+            raise ToolError("QEMU refuses the key")
+        pressed.set()
+    buttons = Buttons(types.SimpleNamespace(key=lambda *_: None, keys=press), {1: ["broken"], 2: ["whole"]})
+    for bit in (1, 2):
+        buttons.hold(bit)
+    pressed.wait()
+    buttons.close()
+    assert "refuses" in str(buttons.error)
 
 
 class Deaf(qmp.QMPClient):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The inside of a process that fixel/base/bounded.py starts: it limits itself, does the job, and answers in lines of JSON."""
 
+import contextlib
 import errno
 import gc
 import json
@@ -102,8 +103,6 @@ def serve(do):
     lacking = _limit(request["seconds"], request["bytes"])
     if lacking:
         report.send({"without": " and of ".join(lacking)})
-    try:
+    with contextlib.suppress(BrokenPipeError):      # the caller is gone
         _write(pipe, _answer(do, request, report))
-    except BrokenPipeError:     # the caller is gone
-        os._exit(1)
     os._exit(0)     # the memory of a large scene need not be given back object by object
