@@ -2,7 +2,6 @@
 /* Draws with Fixel, the frame in one band, so it needs no display list. */
 #include "contract/system.h"
 #include "draw.h"
-#include "fixel/depth.h"
 #include "fixel/surfaces.h"
 #include "looks.h"
 #include "text.h"

@@ -1,6 +1,6 @@
 /* A lamp flies along a wall of bricks, behind a pane of glass, in 16 bits a pixel: 68 lines. show is yours: it takes a frame of RGB565. */
 #include <fixel.h>
-#include <fixel/rgb565.h>
+#include <fixel/surfaces.h>
 int show(const uint16_t *pixels); /* 0: another frame, please */
 enum { COLUMNS = 8, ROWS = 6, WALL = COLUMNS * ROWS, PANE = WALL, GLOW, FACES }; /* light is linear over a face: so many squares */
 static uint16_t pixels[240][320], bricks[32][32], glow[64][64];

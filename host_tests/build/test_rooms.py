@@ -24,7 +24,7 @@ ROOM_OF = {
     "scene": {"beam", "camera", "records", "scene"},
     "clip": {"line"},
     # These also declare how lib/draw attaches what they describe to a renderer.
-    "paint": {"beam_light", "beams", "billboards", "depth", "light", "rgb565", "surfaces"},
+    "paint": {"beam_light", "beams", "billboards", "light", "surfaces"},
     "draw": {"fixel", "order", "render", "target"},
     "order": {"bsp", "wire"},
     "screen": {"display", "overlay", "pixels", "pump"},

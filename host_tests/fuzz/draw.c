@@ -199,14 +199,28 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     void *room = which->workspace_size > 0 ? malloc(which->workspace_size) : NULL;
     DEMAND(room != NULL || which->workspace_size == 0);
     DEMAND(fxl_renderer_set_clipper(renderer, which, room, which->workspace_size) == FXL_OK);
+    return renderer;
+}
+
+fxl_status draw_choose(fxl_renderer *renderer, const fxl_target *target, void *memory, uint32_t size)
+{
+    fxl_config config = fxl_config_for(1, 1, target);
+    config.depth = memory;
+    config.depth_size = size;
+    return fxl_renderer_choose(renderer, &config);
+}
+
+/* The scene's beams, after the target is chosen. */
+static void attach_beams(fxl_renderer *renderer)
+{
+    const fxl_scene *scene = renderer->scene;
     if (scene->beam_count > 0) {
+        const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};
         const uint32_t size = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
         void *light = malloc(size);
         DEMAND(light != NULL);
-        DEMAND(fxl_renderer_set_beams(renderer, scene->beams, scene->beam_count, scene->lit, light,
-                                      size) == FXL_OK);
+        DEMAND(fxl_attach_beams(renderer, &set, light, size) == FXL_OK);
     }
-    return renderer;
 }
 
 /* Without a cache of the caller's a frame may use what is left of the order as one. */
@@ -238,8 +252,9 @@ static void draw_again(const fxl_renderer *first, const fxl_pose *pose, const fx
     fxl_renderer *renderer =
         make_renderer(first->scene, &first->frame.view.lens, clipper, words, fuzz_below(in, 40));
     if (fuzz_below(in, 4) == 0) {
-        DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_box, NULL, 0) == FXL_OK);
+        DEMAND(draw_choose(renderer, &fxl_palette_box, NULL, 0) == FXL_OK);
     }
+    attach_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
@@ -260,11 +275,12 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     uint32_t size = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
-    const fxl_visibility *visibility =
-        fuzz_below(in, 4) ? &fxl_visibility_spans : &fxl_visibility_spans_box;
+    const fxl_target *target =
+        fuzz_below(in, 4) ? &fxl_palette_spans : &fxl_palette_spans_box;
     void *room = malloc(size += fuzz_below(in, 12u * lens->height));
     DEMAND(room != NULL);
-    DEMAND(fxl_renderer_set_visibility(renderer, visibility, room, size) == FXL_OK);
+    DEMAND(draw_choose(renderer, target, room, size) == FXL_OK);
+    attach_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     draw_in_bands(renderer, whole, in);
     DEMAND(renderer->workspace.counters.spilled <= counters.spilled);
@@ -288,12 +304,11 @@ static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const
     const uint32_t size = FXL_DEPTH_BYTES(lens->width, rows, bits);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
     fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
-    fxl_depth depth;
     void *cells = malloc(size);
     DEMAND(cells != NULL);
-    DEMAND(fxl_renderer_set_depth(renderer, &depth,
-                                  wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth, cells,
-                                  size) == FXL_OK);
+    DEMAND(draw_choose(renderer, wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16, cells, size) ==
+           FXL_OK);
+    attach_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     demand_gaps_intact(&band);
@@ -331,7 +346,9 @@ static void draw_outlined(const fxl_renderer *first, const fxl_pose *pose, const
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     demand_gaps_intact(&band);
     draw_in_bands(renderer, &band, in);
-    draw_picks(renderer, whole, in);
+    if (first->scene->beam_count == 0) {
+        draw_picks(renderer, whole, in);
+    }
     record_band(&band);
     free(band.pixels);
     DEMAND(fxl_attach_outlines(renderer, NULL, NULL) == FXL_OK);
@@ -355,6 +372,7 @@ static void draw_all_instances(const fxl_renderer *first, const fxl_pose *pose,
     scene.models = models;
     scene.face_bounds = NULL;
     fxl_renderer *renderer = make_renderer(&scene, &first->frame.view.lens, clipper, 0, 1);
+    attach_beams(renderer);
     fxl_band band = make_band(&first->frame.view.lens, 0, whole->first_row, whole->rows);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -375,6 +393,7 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
                 const draw_choice *choice, fuzz_input *in)
 {
     fxl_renderer *renderer = make_renderer(scene, lens, choice->clipper, 0, 1);
+    attach_beams(renderer);
     fxl_band whole = make_band(lens, fuzz_below(in, 4), choice->first_row, choice->rows);
     DEMAND(fxl_frame_draw(renderer, &whole) == FXL_E_ORDER);
     DEMAND(renderer->workspace.counters.refused_calls == 1);

@@ -27,11 +27,21 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 void open_billboards(const fxl_scene_image *opened, const fxl_pose *pose);
 void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose);
 
-/* Frames of 16 bits a pixel of a renderer's scene, with the surfaces that it has and with some that
- * only such frames have: whole, in bands, and in another workspace. The renderer's light has a
- * ramp.
- */
-void draw_rgb565(fxl_renderer *renderer, const fxl_surface_set *from, const fxl_light *light,
+/* What is attached beside a set of surfaces: the light has settings. */
+typedef struct {
+    fxl_surfaces surfaces;
+    fxl_lit_surfaces lit;
+    fxl_light light;
+} draw_parts;
+
+/* Attaches the light and a set of surfaces, whose corners the light reaches if is_lit. */
+void draw_attach(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *set,
+                 const fxl_painter *painter, bool is_lit);
+void draw_detach(fxl_renderer *renderer);
+
+/* Frames of 16 bits a pixel of a renderer's scene, with a set of surfaces and what only such frames
+ * have: whole, in bands, and in another workspace. The renderer has no attachments before and after. */
+void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *from,
                  fuzz_input *in);
 
 /* Faces that a frame looks at. */
@@ -59,6 +69,9 @@ void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in);
 
 /* A point on the screen, a segment from the eye, and a sphere that slides away from there. */
 void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in);
+
+/* Gives a renderer without attachments a target of palette indices, by distance. What the library answers. */
+fxl_status draw_choose(fxl_renderer *renderer, const fxl_target *target, void *memory, uint32_t size);
 
 /* A frame that has begun, in another workspace: as it is in `whole`, over the background. */
 void draw_in_another(const fxl_renderer *renderer, const uint8_t *whole, uint8_t background,

@@ -4,7 +4,6 @@
 
 #include "demand.h"
 #include "draw.h"
-#include "study/methods.h"
 #include "record.h"
 
 enum {
@@ -82,77 +81,80 @@ static void make_boards(boards *made, const fxl_scene *scene, fuzz_input *in)
     made->set = (fxl_billboard_set){made->boards, count, made->model_map};
 }
 
-/* A renderer with a depth buffer, or, where the method is null, without. */
+/* A target, and what paints billboards into it. */
 typedef struct {
-    fxl_billboards billboards;
-    fxl_depth depth;
-    void *cells;
+    const fxl_target *target;
+    const fxl_sprite_painter *painter;
 } way;
 
-static void choose(way *by, fxl_renderer *renderer, const fxl_visibility *method,
-                   const fxl_billboard_set *set)
-{
-    const uint32_t size = FXL_DEPTH_BYTES(renderer->frame.view.lens.width, 3, 32);
-    by->cells = malloc(size);
-    DEMAND(by->cells != NULL);
-    if (method == NULL) {
-        DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_E_ORDER);
-        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
-        return;
-    }
-    DEMAND(fxl_renderer_set_depth(renderer, &by->depth, method, by->cells, size) == FXL_OK);
-    DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
-}
+static const way ways[] = {{&fxl_palette, FXL_SPRITES_OF(fxl_palette)},
+                           {&fxl_palette_depth_16, FXL_SPRITES_OF(fxl_palette_depth_16)},
+                           {&fxl_palette_depth_32, FXL_SPRITES_OF(fxl_palette_depth_32)}};
+
+enum {
+    WAYS = sizeof ways / sizeof *ways
+};
+
+/* What belongs to a renderer. */
+typedef struct {
+    fxl_billboards billboards;
+    void *cells;
+} parts;
 
 /* Calls that are refused, and that change nothing; billboards that go and come again. */
-static void misuse(way *by, fxl_renderer *renderer, const fxl_visibility *method,
-                   const fxl_billboard_set *set)
+static void attach(fxl_renderer *renderer, parts *own, const way *by, const fxl_billboard_set *set)
 {
-    fxl_billboards *const off = (fxl_billboards *)(void *)((uint8_t *)&by->billboards + 4);
-    fxl_renderer none;
-    memset(&none, 0, sizeof none);
-    DEMAND(fxl_renderer_set_billboards(NULL, &by->billboards, set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_billboards(renderer, NULL, set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_billboards(renderer, off, set) == FXL_E_ALIGNMENT);
-    DEMAND(fxl_renderer_set_billboards(&none, &by->billboards, set) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_set_billboards_by_depth(NULL, &by->billboards, set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_billboards_by_depth(renderer, NULL, set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, NULL) == FXL_E_ARGUMENT);
-    const fxl_order *joined = renderer->order;
-    DEMAND(fxl_renderer_set_billboards(renderer, NULL, NULL) == FXL_OK);
-    DEMAND(renderer->order != joined);
-    if (method == NULL) {
-        DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_box, NULL, 0) == FXL_OK);
-        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_E_ORDER);
-        DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_sorted, NULL, 0) == FXL_OK);
-        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
-        DEMAND(fxl_renderer_set_billboards(renderer, &by->billboards, set) == FXL_OK);
-    } else {
-        DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
-        DEMAND(fxl_renderer_set_billboards_by_depth(renderer, &by->billboards, set) == FXL_OK);
-    }
+    fxl_billboards *const off = (fxl_billboards *)(void *)((uint8_t *)&own->billboards + 4);
+    fxl_billboards *const billboards = &own->billboards;
+    static fxl_renderer none;
+    const fxl_order *plain = renderer->order;
+    DEMAND(fxl_attach_billboards(NULL, billboards, set, by->painter) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_billboards(renderer, NULL, set, by->painter) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_billboards(renderer, billboards, set, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_billboards(renderer, off, set, by->painter) == FXL_E_ALIGNMENT);
+    DEMAND(fxl_attach_billboards(&none, billboards, set, by->painter) == FXL_E_ORDER);
+    DEMAND(fxl_attach_billboards(renderer, billboards, set, by->painter) == FXL_OK);
+    DEMAND(draw_choose(renderer, by->target, own->cells, UINT32_MAX) == FXL_E_ORDER);
+    DEMAND(fxl_attach_billboards(renderer, NULL, NULL, NULL) == FXL_OK);
+    DEMAND(renderer->order == plain && renderer->billboards == NULL);
+    DEMAND(fxl_attach_billboards(renderer, billboards, set, by->painter) == FXL_OK);
+    DEMAND(fxl_attach_billboards(renderer, billboards, set, by->painter) == FXL_OK);
 }
 
-static fxl_renderer *start(const boards *made, way *by, const fxl_visibility *method,
-                           const fxl_lens *lens, const fxl_pose *pose, uint32_t words)
+/* What paints into another target is refused when a frame begins. */
+static void misuse_painter(fxl_renderer *renderer, parts *own, const way *by, const fxl_pose *pose,
+                           const fxl_billboard_set *set)
 {
+    const char *names[2];
+    const way *other = by == ways ? &ways[1] : ways;
+    DEMAND(fxl_attach_billboards(renderer, &own->billboards, set, other->painter) == FXL_OK);
+    DEMAND(fxl_renderer_conflict(renderer, names));
+    DEMAND(fxl_frame_begin(renderer, pose) == FXL_E_COMBINATION);
+    DEMAND(fxl_attach_billboards(renderer, &own->billboards, set, by->painter) == FXL_OK);
+}
+
+static fxl_renderer *start(const boards *made, parts *own, const way *by, const fxl_lens *lens,
+                           const fxl_pose *pose, uint32_t words)
+{
+    const uint32_t size = FXL_DEPTH_BYTES(lens->width, 3, 32);
     fxl_renderer *renderer = malloc(sizeof *renderer);
     const uint32_t entries = made->scene.order_needed;
     fxl_memory memory = {
         malloc(entries * sizeof(fxl_order_entry)), entries, malloc(words * 4 + 4), words, NULL, 0};
     DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &made->scene, lens, &memory) == FXL_OK);
-    choose(by, renderer, method, &made->set);
-    misuse(by, renderer, method, &made->set);
+    own->cells = malloc(size);
+    DEMAND(own->cells != NULL && draw_choose(renderer, by->target, own->cells, size) == FXL_OK);
+    attach(renderer, own, by, &made->set);
+    misuse_painter(renderer, own, by, pose, &made->set);
     renderer->workspace.counters.refused_calls = 0;
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     return renderer;
 }
 
-static void end(fxl_renderer *renderer, way *by)
+static void end(fxl_renderer *renderer, parts *own)
 {
-    free(by->cells);
+    free(own->cells);
     free(renderer->frame.order);
     free(renderer->frame.display_list.words);
     free(renderer);
@@ -171,20 +173,20 @@ static void draw(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_
     }
 }
 
-static void draw_both(const boards *made, const fxl_visibility *method, const fxl_lens *lens,
+static void draw_both(const boards *made, const way *by, const fxl_lens *lens,
                       const fxl_pose *pose, fuzz_input *in)
 {
     const uint32_t rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
     const size_t size = (size_t)rows * lens->width;
     uint8_t *whole = malloc(2 * size);
-    way one, other;
+    parts one, other;
     DEMAND(whole != NULL);
-    fxl_renderer *first = start(made, &one, method, lens, pose, 0);
+    fxl_renderer *first = start(made, &one, by, lens, pose, 0);
     draw(first, whole, rows, rows);
     fxl_counters counters = first->workspace.counters;
     DEMAND(counters.in == (uint64_t)counters.backfacing + counters.outside + counters.degenerate +
                               counters.refused + counters.drawn);
-    fxl_renderer *second = start(made, &other, method, lens, pose, fuzz_below(in, 200));
+    fxl_renderer *second = start(made, &other, by, lens, pose, fuzz_below(in, 200));
     draw(second, whole + size, rows, 1 + fuzz_below(in, rows));
     DEMAND(memcmp(whole, whole + size, size) == 0);
     counters.spilled = second->workspace.counters.spilled;
@@ -208,9 +210,7 @@ void draw_billboards(const fxl_scene *scene, const fxl_lens *lens, const fxl_pos
     DEMAND((status == FXL_OK) == (fault.what == NULL));
     DEMAND(fxl_billboards_check(NULL, scene, NULL) == FXL_E_ARGUMENT);
     if (status == FXL_OK) {
-        static const fxl_visibility *const methods[] = {NULL, &fxl_visibility_depth,
-                                                        &fxl_visibility_depth_32};
-        draw_both(&made, methods[fuzz_below(in, 3)], lens, pose, in);
+        draw_both(&made, &ways[fuzz_below(in, WAYS)], lens, pose, in);
     }
     free(made.models);
     free(made.model_map);

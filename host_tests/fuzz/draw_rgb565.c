@@ -4,7 +4,6 @@
 
 #include "demand.h"
 #include "draw.h"
-#include "fixel/rgb565.h"
 #include "record.h"
 
 enum {
@@ -70,46 +69,52 @@ static void make_set(set_565 *made, const fxl_surface_set *from, fuzz_input *in)
 }
 
 /* What is refused leaves the renderer as it is. */
-static void misuse(fxl_renderer *renderer, fxl_surfaces *surfaces, const set_565 *made)
+static void misuse(fxl_renderer *renderer, const set_565 *made, const uint16_t *palette)
 {
-    static fxl_renderer none;
-    static fxl_rgb565_frame frame;
+    const fxl_painter *painter = FXL_SURFACES_OF(fxl_rgb565);
     const fxl_scene *scene = renderer->scene;
     uint16_t *pixels = block(1);
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
-    fxl_band_565 band = {.pixels = pixels, .width = 1, .stride = 1, .first_row = 0, .rows = 1};
+    fxl_band band = {.pixels = (uint8_t *)(void *)pixels, .width = renderer->frame.view.lens.width,
+                     .stride = 0, .first_row = 0, .rows = 1, .palette = palette};
     fxl_texture texture = made->textures[0];
     fxl_surface surface = made->surfaces[0];
     fxl_surface_set set = made->set;
-    DEMAND(fxl_renderer_set_rgb565(NULL, &frame, pixels, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_rgb565(renderer, NULL, pixels, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_rgb565(renderer, &frame, NULL, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_rgb565(&none, &frame, pixels, 0) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_set_surfaces_rgb565(NULL, surfaces, &set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_surfaces_rgb565(&none, surfaces, &set) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_set_surfaces_rgb565(renderer, NULL, &set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_frame_draw_rgb565_with(renderer, NULL, &band) == FXL_E_ARGUMENT);
-    DEMAND(fxl_frame_draw_rgb565(renderer, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_frame_draw_rgb565(&none, &band) == FXL_E_ORDER);
-    DEMAND(fxl_render_rgb565(NULL, &pose, pixels, 1) == FXL_E_ARGUMENT);
-    DEMAND(fxl_render_rgb565(renderer, NULL, pixels, 1) == FXL_E_ARGUMENT);
-    DEMAND(fxl_render_rgb565(renderer, &pose, pixels, 0) == FXL_E_RANGE);
+    DEMAND(fxl_attach_surfaces(renderer, NULL, &set, painter) == FXL_E_ARGUMENT);
+    DEMAND(fxl_render(NULL, &pose, pixels, 1) == FXL_E_ARGUMENT);
+    DEMAND(fxl_render(renderer, NULL, pixels, band.width) == FXL_E_ARGUMENT);
+    DEMAND(fxl_render(renderer, &pose, pixels, 0) == FXL_E_RANGE);
+    renderer->frame.display_list.capacity = 0;
+    DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
+    DEMAND(fxl_frame_draw(renderer, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_E_RANGE);
+    band.stride = band.width;
+    band.pixels += 1;
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_E_ALIGNMENT);
+    band.palette = NULL;
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_E_ORDER);
     pose.position.x = INT32_MAX;
-    DEMAND(fxl_render_rgb565(renderer, &pose, pixels, UINT16_MAX / 2) == FXL_E_RANGE);
-    band.stride = UINT16_MAX;
-    DEMAND(fxl_frame_draw_rgb565(renderer, &band) == FXL_E_RANGE);
-    band.pixels = (uint16_t *)(uintptr_t)((uintptr_t)pixels + 1);
-    DEMAND(fxl_frame_draw_rgb565(renderer, &band) == FXL_E_ALIGNMENT);
+    DEMAND(fxl_render(renderer, &pose, pixels, UINT16_MAX / 2) == FXL_E_RANGE);
     set.textures = &texture;
     set.texture_count = 1;
     texture.texels = texture.texels != NULL ? texture.texels + 1 : NULL;
-    DEMAND((fxl_surfaces_check_rgb565(&set, scene, NULL) == FXL_E_ALIGNMENT) ==
+    DEMAND((fxl_surfaces_check(&set, scene, 16, NULL) == FXL_E_ALIGNMENT) ==
            (texture.format == FXL_TEXTURE_565));
     set = made->set;
     set.surfaces = &surface;
     surface.flags = FXL_SURFACE_ADD | FXL_SURFACE_BLEND;
-    DEMAND(fxl_surfaces_check_rgb565(&set, scene, NULL) != FXL_OK);
+    DEMAND(fxl_surfaces_check(&set, scene, 16, NULL) != FXL_OK);
     free(pixels);
+}
+
+static void fill(const fxl_band *band, uint16_t colour)
+{
+    uint16_t *row = (uint16_t *)(void *)band->pixels;
+    for (uint32_t y = 0; y < band->rows; y++, row += band->stride) {
+        for (uint32_t x = 0; x < band->width; x++) {
+            row[x] = colour;
+        }
+    }
 }
 
 /* Bands of so many rows, by another workspace if there is one, in rows with guards between them. */
@@ -120,14 +125,15 @@ static void draw_bands(fxl_renderer *renderer, fxl_workspace *workspace, uint16_
     const uint16_t stride = (uint16_t)(lens->width + 1);
     for (uint32_t row = 0, rows; row < lens->height; row += rows) {
         rows = step < lens->height - row ? step : lens->height - row;
-        const fxl_band_565 band = {.pixels = pixels + (size_t)row * stride, .width = lens->width,
-                                   .stride = stride, .first_row = (uint16_t)row,
-                                   .rows = (uint16_t)rows};
-        fxl_fill_rgb565(&band, 0x1234);
-        DEMAND((workspace != NULL ? fxl_frame_draw_rgb565_with(renderer, workspace, &band)
-                                  : fxl_frame_draw_rgb565(renderer, &band)) == FXL_OK);
+        uint16_t *first = pixels + (size_t)row * stride;
+        const fxl_band band = {.pixels = (uint8_t *)(void *)first, .width = lens->width,
+                               .stride = stride, .first_row = (uint16_t)row,
+                               .rows = (uint16_t)rows, .palette = renderer->palette};
+        fill(&band, 0x1234);
+        DEMAND((workspace != NULL ? fxl_frame_draw_with(renderer, workspace, &band)
+                                  : fxl_frame_draw(renderer, &band)) == FXL_OK);
         for (uint32_t i = 0; i < rows; i++) {
-            DEMAND(band.pixels[i * stride + lens->width] == GUARD);
+            DEMAND(first[i * stride + lens->width] == GUARD);
         }
     }
 }
@@ -151,9 +157,9 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     const size_t least = fxl_workspace_size(renderer);
     uint16_t *whole = guarded(count), *bands = guarded(count), *other = guarded(count);
     uint16_t *list = block(2 * (size_t)words), *memory = block(least / 2 + 4);
-    fxl_band_565 frame = {.pixels = whole, .width = lens->width,
-                          .stride = (uint16_t)(lens->width + 1), .first_row = 0,
-                          .rows = lens->height};
+    const fxl_band frame = {.pixels = (uint8_t *)(void *)whole, .width = lens->width,
+                            .stride = (uint16_t)(lens->width + 1), .first_row = 0,
+                            .rows = lens->height, .palette = renderer->palette};
     renderer->frame.display_list.capacity = 0;
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
     draw_bands(renderer, NULL, whole, lens->height);
@@ -168,7 +174,7 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     fxl_swap_rgb565(&frame);
     fxl_swap_rgb565(&frame);
     DEMAND(memcmp(whole, bands, 2 * count) == 0);
-    DEMAND(fxl_render_rgb565(renderer, &pose, bands, frame.stride) == FXL_OK);
+    DEMAND(fxl_render(renderer, &pose, bands, frame.stride) == FXL_OK);
     record_bytes(whole, 2 * count);
     record_bytes(bands, 2 * count);
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
@@ -179,24 +185,29 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     free(memory);
 }
 
-void draw_rgb565(fxl_renderer *renderer, const fxl_surface_set *from, const fxl_light *light,
+/* Chooses the target, after calls that are refused. */
+static void choose(fxl_renderer *renderer, const uint16_t *palette)
+{
+    fxl_config config = fxl_config_for(1, 1, &fxl_rgb565);
+    DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ARGUMENT);
+    config.palette = (const uint16_t *)(const void *)((const uint8_t *)palette + 1);
+    DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_ALIGNMENT);
+    config.palette = palette;
+    DEMAND(fxl_renderer_choose(renderer, &config) == FXL_OK);
+}
+
+void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *from,
                  fuzz_input *in)
 {
-    static fxl_rgb565_frame frame;
-    fxl_surfaces surfaces;
     set_565 made;
     uint16_t *palette = block(256);
     make_set(&made, from, in);
-    DEMAND(fxl_renderer_set_surfaces_rgb565(renderer, &surfaces, &made.set) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_set_rgb565(renderer, &frame, palette, (uint16_t)fuzz_bits(in, 2)) ==
-           FXL_OK);
-    DEMAND(fxl_renderer_set_surfaces_rgb565(renderer, &surfaces, &made.set) == FXL_OK);
-    misuse(renderer, &surfaces, &made);
-    if (fuzz_below(in, 4)) {
-        DEMAND(fxl_renderer_light_surfaces(renderer, light) == FXL_OK);
-    }
+    choose(renderer, palette);
+    parts->lit.dark = (uint16_t)fuzz_bits(in, 2);
+    draw_attach(renderer, parts, &made.set, FXL_SURFACES_OF(fxl_rgb565), fuzz_below(in, 4));
+    misuse(renderer, &made, palette);
     draw_twice(renderer, in);
-    DEMAND(fxl_renderer_set_surfaces(renderer, NULL, NULL) == FXL_OK);
+    draw_detach(renderer);
     for (uint32_t i = 0; i < TEXTURES; i++) {
         free(made.texels[i]);
     }

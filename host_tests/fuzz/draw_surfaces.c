@@ -175,11 +175,13 @@ static void misuse(fxl_renderer *renderer, made_surfaces *made, const fxl_scene 
     static fxl_surfaces surfaces;
     static uint8_t palette[768], table[512];
     fxl_surface_set set = made->set;
-    DEMAND(fxl_renderer_set_surfaces(NULL, &surfaces, &set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_surfaces(renderer, NULL, &set) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_surfaces(&none, &surfaces, &set) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_light_surfaces(NULL, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_light_surfaces(&none, NULL) == FXL_E_ORDER);
+    const fxl_painter *painter = FXL_SURFACES_OF(fxl_palette);
+    DEMAND(fxl_attach_surfaces(NULL, &surfaces, &set, painter) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_surfaces(renderer, NULL, &set, painter) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_surfaces(renderer, &surfaces, &set, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_surfaces(&none, &surfaces, &set, painter) == FXL_E_ORDER);
+    DEMAND(fxl_attach_lit(NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_lit(&none, NULL) == FXL_E_ORDER);
     DEMAND(fxl_blend_make_table(NULL, 8, 0, 1, table) == FXL_E_ARGUMENT);
     DEMAND(fxl_blend_make_table(palette, 17, 0, 1, table) == FXL_E_RANGE);
     DEMAND(fxl_blend_make_table(palette, 0, 0, 1, table) == FXL_E_RANGE);
@@ -187,13 +189,13 @@ static void misuse(fxl_renderer *renderer, made_surfaces *made, const fxl_scene 
     DEMAND(fxl_blend_make_table(palette, 16, 256, 1, table) == FXL_E_COUNT);
     DEMAND(fxl_blend_make_table(palette, 16, 0, 0, table) == FXL_E_COUNT);
     DEMAND(fxl_blend_make_table(palette, 8, 254, 2, table) == FXL_OK && table[511] == 255);
-    DEMAND(fxl_surfaces_check(NULL, scene, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_surfaces_check(&set, NULL, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_surfaces_check(NULL, scene, 8, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_surfaces_check(&set, NULL, 8, NULL) == FXL_E_ARGUMENT);
     set.face_map = NULL;
-    DEMAND(fxl_surfaces_check(&set, scene, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_surfaces_check(&set, scene, 8, NULL) == FXL_E_ARGUMENT);
     set = made->set;
     set.face_count = FXL_MAPPED_FACES_MAX + 1;
-    DEMAND(fxl_surfaces_check(&set, scene, NULL) == FXL_E_COUNT);
+    DEMAND(fxl_surfaces_check(&set, scene, 8, NULL) == FXL_E_COUNT);
 }
 
 /* The frame's rows, so many at a time. */
@@ -234,26 +236,43 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     free(list);
 }
 
-/* The same by a depth buffer of any size. */
-static void draw_twice_by_depth(fxl_renderer *renderer, fuzz_input *in)
+void draw_attach(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_set *set,
+                 const fxl_painter *painter, bool is_lit)
 {
-    static fxl_depth depth;
-    static fxl_renderer none;
+    const fxl_light_settings settings = parts->light.settings;
+    DEMAND(fxl_attach_light(renderer, &parts->light, &settings) == FXL_OK);
+    DEMAND(fxl_attach_surfaces(renderer, &parts->surfaces, set, painter) == FXL_OK);
+    DEMAND(fxl_attach_lit(renderer, is_lit ? &parts->lit : NULL) == FXL_OK);
+}
+
+void draw_detach(fxl_renderer *renderer)
+{
+    DEMAND(fxl_attach_lit(renderer, NULL) == FXL_OK);
+    DEMAND(fxl_attach_light(renderer, NULL, NULL) == FXL_OK);
+    DEMAND(fxl_attach_surfaces(renderer, NULL, NULL, NULL) == FXL_OK);
+}
+
+/* The same by a depth buffer of any size. */
+static void draw_twice_by_depth(fxl_renderer *renderer, draw_parts *parts,
+                                const fxl_surface_set *set, bool is_lit, fuzz_input *in)
+{
     const fxl_lens *lens = &renderer->frame.view.lens;
     const bool wide = fuzz_below(in, 4) == 0;
-    const fxl_visibility *method = wide ? &fxl_visibility_depth_32 : &fxl_visibility_depth;
+    const fxl_target *target = wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16;
     const uint32_t least = FXL_DEPTH_BYTES(lens->width, 1, wide ? 32u : 16u);
     const uint32_t size = least + fuzz_below(in, 4u * lens->width * lens->height);
     uint8_t *cells = block(size);
-    DEMAND(fxl_renderer_set_depth(NULL, &depth, method, cells, size) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_depth(&none, &depth, method, cells, size) == FXL_E_ORDER);
-    DEMAND(fxl_renderer_set_depth(renderer, &depth, NULL, cells, size) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_depth(renderer, NULL, method, cells, size) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_depth(renderer, &depth, &fxl_visibility_box, cells, size) ==
-           FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_depth(renderer, &depth, method, cells, least - 1) == FXL_E_CAPACITY);
-    DEMAND(fxl_renderer_set_depth(renderer, &depth, method, cells, size) == FXL_OK);
+    DEMAND(draw_choose(renderer, target, cells, size) == FXL_E_ORDER);
+    draw_detach(renderer);
+    DEMAND(draw_choose(renderer, NULL, cells, size) == FXL_E_ARGUMENT);
+    DEMAND(draw_choose(renderer, target, NULL, size) == FXL_E_ARGUMENT);
+    DEMAND(draw_choose(renderer, target, cells, least - 1) == FXL_E_CAPACITY);
+    DEMAND(draw_choose(renderer, target, cells, size) == FXL_OK);
+    draw_attach(renderer, parts, set,
+                wide ? FXL_SURFACES_OF(fxl_palette_depth_32) : FXL_SURFACES_OF(fxl_palette_depth_16),
+                is_lit);
     draw_twice(renderer, in);
+    draw_detach(renderer);
     free(cells);
 }
 
@@ -265,14 +284,14 @@ static void set_plain_light(fxl_renderer *renderer, fxl_light *light)
                                          .direction = {0, -FXL_Q2_30_ONE, 0},
                                          .ramp = ramp,
                                          .levels = 2};
-    DEMAND(fxl_renderer_set_light(renderer, light, &settings) == FXL_OK);
+    DEMAND(fxl_attach_light(renderer, light, &settings) == FXL_OK);
 }
 
 static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *in)
 {
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_triangles,
                                                   &fxl_clipper_near, &fxl_clipper_world};
-    static fxl_light light;
+    static draw_parts parts;
     const fxl_clipper *clipper = clippers[fuzz_below(in, 4)];
     const fxl_lens lens = fuzz_lens(in, PIXELS);
     const uint32_t order_size = scene->order_needed * (uint32_t)sizeof(fxl_order_entry);
@@ -280,30 +299,28 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
     fxl_memory memory = {.order = (fxl_order_entry *)(void *)order,
                          .order_capacity = scene->order_needed};
     fxl_renderer renderer;
-    fxl_surfaces surfaces;
     fxl_scene_fault fault = {NULL, 0};
-    memset(&light, 0, sizeof light);
+    memset(&parts, 0, sizeof parts);
     DEMAND(fxl_renderer_init_with(&renderer, scene, &lens, &memory) == FXL_OK);
     DEMAND(fxl_renderer_set_clipper(&renderer, clipper, clipper->workspace_size > 0 ? room : NULL,
                                     clipper->workspace_size) == FXL_OK);
-    fuzz_set_light(&renderer, &light, in);
-    const bool is_plain = light.settings.ramp == NULL;
+    fuzz_set_light(&renderer, &parts.light, in);
+    const bool is_plain = parts.light.settings.ramp == NULL;
     if (is_plain) {
-        set_plain_light(&renderer, &light);
+        set_plain_light(&renderer, &parts.light);
     }
-    DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_E_ORDER);
-    const fxl_status status = fxl_surfaces_check(&made->set, scene, &fault);
+    const fxl_painter *painter = FXL_SURFACES_OF(fxl_palette);
+    DEMAND(fxl_attach_surfaces(&renderer, &parts.surfaces, &made->set, NULL) == FXL_E_ARGUMENT);
+    const fxl_status status = fxl_surfaces_check(&made->set, scene, 8, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
-    DEMAND(fxl_renderer_set_surfaces(&renderer, &surfaces, &made->set) == status);
+    DEMAND(fxl_attach_surfaces(&renderer, &parts.surfaces, &made->set, painter) == status);
     if (status == FXL_OK) {
-        if (is_plain || fuzz_below(in, 4)) {
-            DEMAND(fxl_renderer_light_surfaces(&renderer, &light) == FXL_OK);
-        }
+        const bool is_lit = is_plain || fuzz_below(in, 4);
+        draw_attach(&renderer, &parts, &made->set, painter, is_lit);
         draw_twice(&renderer, in);
-        draw_twice_by_depth(&renderer, in);
-        draw_rgb565(&renderer, &made->set, &light, in);
+        draw_twice_by_depth(&renderer, &parts, &made->set, is_lit, in);
+        draw_rgb565(&renderer, &parts, &made->set, in);
         misuse(&renderer, made, scene);
-        DEMAND(fxl_renderer_set_surfaces(&renderer, NULL, NULL) == FXL_OK);
     }
     free(order);
     free(room);

@@ -16,7 +16,7 @@ enum {
 /* A frame drawn by a tree, with blocks that end where they should. */
 typedef struct {
     fxl_renderer renderer;
-    void *order, *list, *room, *pieces, *clip, *light;
+    void *order, *list, *tree, *depth, *clip, *light;
     uint8_t *pixels;
     uint32_t rows, unsplit;
 } drawing;
@@ -39,37 +39,49 @@ static void set_others(drawing *made, const fxl_scene *scene, bool triangles)
                                         clipper->workspace_size) == FXL_OK);
     }
     if (scene->beam_count > 0) {
+        const fxl_beam_set set = {scene->beams, scene->beam_count, scene->lit};
         const uint32_t size = fxl_beam_light_workspace_size(scene->beams, scene->beam_count);
         made->light = block(size);
-        DEMAND(fxl_renderer_set_beams(&made->renderer, scene->beams, scene->beam_count, scene->lit,
-                                      made->light, size - 1) == FXL_E_CAPACITY);
-        DEMAND(fxl_renderer_set_beams(&made->renderer, scene->beams, scene->beam_count, scene->lit,
-                                      made->light, size) == FXL_OK);
+        DEMAND(fxl_attach_beams(&made->renderer, &set, made->light, size - 1) == FXL_E_CAPACITY);
+        DEMAND(fxl_attach_beams(&made->renderer, &set, made->light, size) == FXL_OK);
     }
     made->renderer.workspace.counters.refused_calls = 0;
 }
 
+/* The order by tree, with so many bytes for pieces, and a target with the least memory. */
+static void choose(drawing *made, const fxl_target *target, uint32_t pieces)
+{
+    fxl_renderer *renderer = &made->renderer;
+    const uint32_t least = (fxl_by_tree.memory_size(renderer->scene) + 7u) & ~7u;
+    fxl_config config = fxl_config_for(1, 1, target);
+    config.order = &fxl_by_tree;
+    config.tree_size = least + pieces;
+    config.depth_size =
+        target->memory_size != NULL ? target->memory_size(&renderer->frame.view.lens) : 0;
+    config.tree = made->tree = block(config.tree_size);
+    config.depth = made->depth = block(config.depth_size);
+    if (least > 0) {
+        config.tree_size = least - 1;
+        DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_CAPACITY);
+        config.tree_size = least + pieces;
+    }
+    if (config.depth_size > 0) {
+        config.depth_size -= 1;
+        DEMAND(fxl_renderer_choose(renderer, &config) == FXL_E_CAPACITY);
+        config.depth_size += 1;
+    }
+    DEMAND(fxl_renderer_choose(renderer, &config) == FXL_OK);
+}
+
 static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *lens,
-                         const fxl_visibility *visibility, uint32_t pieces, bool triangles)
+                         const fxl_target *target, uint32_t pieces, bool triangles)
 {
     made->order = block(scene->order_needed * sizeof(fxl_order_entry));
     made->list = block(1);
     const fxl_memory memory = {made->order, scene->order_needed, made->list, 0, NULL, 0};
-    uint32_t room = (visibility->order->memory_size(scene) + 7u) & ~7u;
-    room +=
-        visibility->target->memory_size != NULL ? visibility->target->memory_size(lens) : 0;
     DEMAND(fxl_renderer_init_with(&made->renderer, scene, lens, &memory) == FXL_OK);
-    made->room = block(room);
-    made->pieces = block(pieces);
     made->clip = made->light = NULL;
-    DEMAND(room == 0 || fxl_renderer_set_visibility(&made->renderer, visibility, made->room,
-                                                    room - 1) == FXL_E_CAPACITY);
-    DEMAND(fxl_renderer_set_visibility(&made->renderer, visibility, made->room, room) == FXL_OK);
-    if (scene->bsp_nodes != NULL) {
-        fxl_bsp_workspace *tree = made->room;
-        tree->pieces = pieces > 0 ? made->pieces : NULL;
-        tree->pieces_size = pieces;
-    }
+    choose(made, target, pieces);
     set_others(made, scene, triangles);
     made->rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
     made->pixels = block((size_t)made->rows * lens->width);
@@ -95,7 +107,7 @@ static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
         DEMAND(fxl_frame_draw(&made->renderer, &band) == FXL_OK);
     }
     if (made->renderer.scene->bsp_nodes != NULL) {
-        const fxl_bsp_workspace *tree = made->room;
+        const fxl_bsp_workspace *tree = made->tree;
         DEMAND(tree->used <= tree->pieces_size);
         made->unsplit = tree->unsplit;
         record_number(tree->used);
@@ -108,8 +120,8 @@ static void close_drawing(drawing *made)
 {
     free(made->order);
     free(made->list);
-    free(made->room);
-    free(made->pieces);
+    free(made->tree);
+    free(made->depth);
     free(made->clip);
     free(made->light);
     free(made->pixels);
@@ -134,14 +146,14 @@ void draw_by_bsp(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *p
     drawing whole = {0}, bands = {0}, spans = {0};
     const uint32_t pieces = fuzz_below(in, 2) ? PIECES_MAX : fuzz_below(in, PIECES_MAX);
     const bool triangles = fuzz_below(in, 4) == 0;
-    open_drawing(&whole, scene, lens, &fxl_visibility_bsp, pieces, triangles);
+    open_drawing(&whole, scene, lens, &fxl_palette, pieces, triangles);
     draw(&whole, pose, whole.rows);
     DEMAND(whole.renderer.workspace.counters.in == draw_model_view(scene));
-    open_drawing(&bands, scene, lens, &fxl_visibility_bsp, pieces, triangles);
+    open_drawing(&bands, scene, lens, &fxl_palette, pieces, triangles);
     give_list(&bands, fuzz_below(in, 200));
     draw(&bands, pose, 1 + fuzz_below(in, bands.rows));
     demand_same(&whole, &bands);
-    open_drawing(&spans, scene, lens, &fxl_visibility_bsp_spans, pieces, triangles);
+    open_drawing(&spans, scene, lens, &fxl_palette_spans, pieces, triangles);
     give_list(&spans, fuzz_below(in, 200));
     draw(&spans, pose, 1 + fuzz_below(in, spans.rows));
     demand_same(&whole, &spans);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "draw.h"
 #include "stages.h"
 #include "study/clippers.h"
 #include "study/methods.h"
@@ -121,12 +122,14 @@ static void misuse_scene(void)
     DEMAND(fxl_scene_open(NULL, 0, NULL, NULL) == FXL_E_ARGUMENT);
 }
 
-/* A clipper, a visibility method and beams that the renderer must refuse; it keeps what it has. */
+/* A clipper, a target and beams that the renderer must refuse; it keeps what it has. */
 static void misuse_setters(fxl_renderer *renderer)
 {
     static uint64_t room[8];
     static const fxl_beam beams[FXL_BEAMS_MAX + 1];
     static const uint8_t lit[256];
+    const fxl_beam_set one = {beams, 1, lit}, no_beams = {NULL, 1, lit}, no_colours = {beams, 1, NULL},
+                       none = {beams, 0, lit}, too_many = {beams, FXL_BEAMS_MAX + 1, lit};
     uint8_t *const crooked = (uint8_t *)room + 4;
     const fxl_renderer before = *renderer;
     DEMAND(fxl_renderer_set_clipper(NULL, &fxl_clipper_view, NULL, 0) == FXL_E_ARGUMENT);
@@ -134,26 +137,26 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, NULL, 64) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, crooked, 60) == FXL_E_ALIGNMENT);
     DEMAND(fxl_renderer_set_clipper(renderer, &fxl_clipper_once, room, 64) == FXL_E_CAPACITY);
-    DEMAND(fxl_renderer_set_visibility(NULL, &fxl_visibility_sorted, NULL, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_visibility(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, NULL, 8) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_visibility(renderer, &fxl_visibility_spans, room, 8) == FXL_E_CAPACITY);
+    DEMAND(draw_choose(NULL, &fxl_palette, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(draw_choose(renderer, NULL, NULL, 0) == FXL_E_ARGUMENT);
+    DEMAND(draw_choose(renderer, &fxl_palette_spans, NULL, UINT32_MAX) == FXL_E_ARGUMENT);
+    DEMAND(draw_choose(renderer, &fxl_palette_spans, room, 8) == FXL_E_CAPACITY);
     DEMAND(fxl_renderer_set_centre(NULL, 0, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_set_centre(renderer, INT32_MAX, 0) == FXL_E_RANGE);
     DEMAND(fxl_renderer_set_centre(renderer, before.frame.view.lens.centre_x,
                                    before.frame.view.lens.centre_y) == FXL_OK);
-    DEMAND(fxl_renderer_set_beams(NULL, beams, 1, lit, room, 64) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_beams(renderer, NULL, 1, lit, room, 64) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, NULL, room, 64) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, NULL, 64) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, crooked, 60) == FXL_E_ALIGNMENT);
-    DEMAND(fxl_renderer_set_beams(renderer, beams, 1, lit, room, 64) == FXL_E_COUNT);
-    DEMAND(fxl_renderer_set_beams(renderer, beams, FXL_BEAMS_MAX + 1, lit, room, 64) ==
-           FXL_E_COUNT);
+    DEMAND(fxl_attach_beams(NULL, &one, room, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_beams(renderer, &no_beams, room, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_beams(renderer, &no_colours, room, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_beams(renderer, &one, NULL, 64) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_beams(renderer, &one, crooked, 60) == FXL_E_ALIGNMENT);
+    DEMAND(fxl_attach_beams(renderer, &one, room, 64) == FXL_E_COUNT);
+    DEMAND(fxl_attach_beams(renderer, &too_many, room, 64) == FXL_E_COUNT);
+    DEMAND(fxl_attach_beams(renderer, &none, room, 64) == FXL_E_COUNT);
     DEMAND(before.clipper == renderer->clipper && before.target == renderer->target &&
            before.order == renderer->order &&
            before.shader == renderer->shader);
-    DEMAND(fxl_renderer_set_beams(renderer, NULL, 0, NULL, NULL, 0) == FXL_OK);
+    DEMAND(fxl_attach_beams(renderer, NULL, NULL, 0) == FXL_OK);
 }
 
 static void misuse_wire(const fxl_scene *scene, const fxl_lens *lens, const fxl_band *band)

@@ -66,16 +66,16 @@ void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in)
     fxl_light_settings settings = any_settings(in);
     const fxl_light before = *light;
     const fxl_shader *const shader = renderer->shader;
-    DEMAND(fxl_renderer_set_light(renderer, light, &settings) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_light(renderer, light, &settings) == FXL_E_ARGUMENT);
     settings.ramp = ramp;
     if (fuzz_below(in, 4) == 0) {
         demand_ramp(&settings, ramp, in);
     }
-    DEMAND(fxl_renderer_set_light(NULL, light, &settings) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_light(renderer, NULL, &settings) == FXL_E_ARGUMENT);
-    DEMAND(fxl_renderer_set_light(&none, light, &settings) == FXL_E_ORDER);
-    if (fxl_renderer_set_light(renderer, light, &settings) != FXL_OK) {
+    DEMAND(fxl_attach_light(NULL, light, &settings) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_light(renderer, NULL, &settings) == FXL_E_ARGUMENT);
+    DEMAND(fxl_attach_light(&none, light, &settings) == FXL_E_ORDER);
+    if (fxl_attach_light(renderer, light, &settings) != FXL_OK) {
         DEMAND(memcmp(&before, light, sizeof before) == 0 && renderer->shader == shader);
-        DEMAND(fxl_renderer_set_light(renderer, NULL, NULL) == FXL_OK);
+        DEMAND(fxl_attach_light(renderer, NULL, NULL) == FXL_OK);
     }
 }

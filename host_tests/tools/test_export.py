@@ -122,7 +122,7 @@ int main(int argc, char **argv)
     fxl_surface_set set_of_image;
     const fxl_surface_set *ours = &OF(_surfaces), *theirs = &set_of_image;
     if (fxl_surfaces_open(&image, textures, 64, &set_of_image, NULL) != FXL_OK) { return 12; }
-    if (fxl_surfaces_check(ours, scene, NULL) != FXL_OK) { return 13; }
+    if (fxl_surfaces_check(ours, scene, 8, NULL) != FXL_OK) { return 13; }
     if (ours->texture_count != theirs->texture_count || ours->surface_count != theirs->surface_count ||
         ours->face_count != theirs->face_count || ours->normal_count != theirs->normal_count ||
         ours->blend_first != theirs->blend_first || ours->blend_count != theirs->blend_count) { return 14; }

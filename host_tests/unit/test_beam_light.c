@@ -47,7 +47,8 @@ static void make(uint32_t words)
 static void light(uint32_t count, const uint8_t *colours)
 {
     const fxl_beam_set set = {beams, count, colours};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, &set, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, count > 0 ? &set : NULL, room,
+                                               sizeof room));
 }
 
 static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
@@ -217,9 +218,11 @@ void test_what_makes_no_light_is_refused(void)
     }
     set.count = FXL_BEAMS_MAX + 1;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_attach_beams(&renderer, &set, room, sizeof room));
+    set.count = 0;
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_attach_beams(&renderer, &set, room, sizeof room));
     set.count = 2;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_attach_beams(&renderer, &set, room, needed - 1));
-    TEST_ASSERT_EQUAL_UINT32(8, renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EQUAL_UINT32(9, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_NULL(renderer.shader);
     beams[1].plane_count = 0;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_attach_beams(&renderer, &set, room, sizeof room));

@@ -352,9 +352,9 @@ void test_surfaces_of_the_last_model_are_checked(void)
     fxl_scene_fault fault;
     const fxl_model *last = &tiny->scene.models[tiny->scene.model_count - 1];
     TEST_ASSERT_TRUE(tiny->scene.model_count > 1 && last->first_face < sizeof face_map / 2);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&surface_set, &tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&surface_set, &tiny->scene, 8, &fault));
     face_map[last->first_face] = 2;
-    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_surfaces_check(&surface_set, &tiny->scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_surfaces_check(&surface_set, &tiny->scene, 8, &fault));
     TEST_ASSERT_EQUAL_STRING("face", fault.what);
     TEST_ASSERT_EQUAL_UINT32(last->first_face, fault.index);
 }

@@ -227,8 +227,7 @@ void test_bytes_are_swapped_for_a_display(void)
 {
     uint16_t two[2][3] = {{0x1234, 0xF00D, 0x5555}, {0xABCD, 1, 0x7777}};
     const uint16_t swapped[2][3] = {{0x3412, 0x0DF0, 0x5555}, {0xCDAB, 0x0100, 0x7777}};
-    const fxl_band_565 band = {.pixels = two[0], .width = 2, .stride = 3, .first_row = 0,
-                               .rows = 2};
+    const fxl_band band = {.pixels = (uint8_t *)(void *)two[0], .width = 2, .stride = 3, .rows = 2};
     fxl_swap_rgb565(&band);
     TEST_ASSERT_EQUAL_HEX16_ARRAY(swapped[0], two[0], 6);
     TEST_ASSERT_EQUAL_HEX16(31 << 11 | 50 << 5 | 1, FXL_RGB565(255, 200, 15));
@@ -246,24 +245,24 @@ void test_surfaces_of_the_wrong_kind_are_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
     walls_make_texture(FXL_TEXTURE_8);
     walls.surface[1].flags = FXL_SURFACE_ADD;
-    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, 8, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
     walls.surface[1].flags = FXL_SURFACE_ADD | FXL_SURFACE_BLEND;
-    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
     walls.surface[1].flags = FXL_SURFACE_BLEND;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&walls.set, &walls.scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&walls.set, &walls.scene, 8, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
     walls.texture.key_565 = 1;
-    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
     walls_make_texture(FXL_TEXTURE_565);
     walls.texture.key = 1;
-    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
     walls.texture.key = 0;
     walls.texture.format = FXL_TEXTURE_565 + 1;
-    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
     walls_make_texture(FXL_TEXTURE_565);
     walls.texture.texels++;
-    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_surfaces_check_rgb565(&walls.set, &walls.scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_surfaces_check(&walls.set, &walls.scene, 16, NULL));
 }
 
 /* A band of pixels has a palette. */

@@ -308,22 +308,22 @@ void test_a_blend_table_that_is_none_is_refused(void)
     quad_scene *quad = quad_make(false);
     const uint8_t table[1] = {0};
     quad_begin(quad);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
     quad->surface.flags = FXL_SURFACE_BLEND;
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
     quad->set.blend = table;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
     quad->set.blend_first = 1;
     quad->set.blend_count = 256;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
     quad->set.blend_count = 255;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
     quad->set.blend_first = 256;
     quad->set.blend_count = 0;
-    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
     quad->set.blend_first = 0;
     quad->surface.flags = 4;
-    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&quad->set, &quad->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_RESERVED, fxl_surfaces_check(&quad->set, &quad->scene, 8, NULL));
 }
 
 /* A grey of a palette of greys, some of them twice, blended with another. */

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "fixel/rgb565.h"
+#include "fixel/surfaces.h"
 #include "mapped_quad.h"
 #include "unit.h"
 
@@ -34,16 +34,16 @@ void tearDown(void)
 static void takes(void)
 {
     fault = (fxl_scene_fault){.what = "untouched"};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad.set, &quad.scene, &fault));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_surfaces_check(&quad.set, &quad.scene, 8, &fault));
     TEST_ASSERT_EQUAL_STRING("untouched", fault.what);
 }
 
 static void refuses(fxl_status status, const char *where, uint32_t number)
 {
-    TEST_ASSERT_EQUAL(status, fxl_surfaces_check(&quad.set, &quad.scene, &fault));
+    TEST_ASSERT_EQUAL(status, fxl_surfaces_check(&quad.set, &quad.scene, 8, &fault));
     TEST_ASSERT_EQUAL_STRING(where, fault.what);
     TEST_ASSERT_EQUAL_UINT32(number, fault.index);
-    TEST_ASSERT_EQUAL(status, fxl_surfaces_check(&quad.set, &quad.scene, NULL));
+    TEST_ASSERT_EQUAL(status, fxl_surfaces_check(&quad.set, &quad.scene, 8, NULL));
 }
 
 /* What the set says, from its texture on: the texels before that do not fit on a small stack. */
@@ -81,8 +81,8 @@ static void restore(void)
 void test_null_pointers(void)
 {
     takes();
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(NULL, &quad.scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&quad.set, NULL, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(NULL, &quad.scene, 8, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_check(&quad.set, NULL, 8, NULL));
     REFUSES(quad.set.face_map, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.textures, NULL, FXL_E_ARGUMENT, "surfaces");
     REFUSES(quad.set.surfaces, NULL, FXL_E_ARGUMENT, "surfaces");

@@ -79,9 +79,10 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
 static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL, true};
 
 /* Builds the record and its tables in the workspace. */
-static fxl_shader *build(const fxl_beam *beams, uint32_t beam_count, const uint8_t *lit,
-                         uint8_t *workspace)
+static fxl_shader *build(const fxl_beam_set *set, uint8_t *workspace)
 {
+    const fxl_beam *beams = set->beams;
+    const uint32_t beam_count = set->count;
     lighting *of = (lighting *)(void *)workspace;
     workspace += rounded_up(sizeof *of);
     fxl_lit_pieces *pieces = (fxl_lit_pieces *)(void *)workspace;
@@ -98,14 +99,14 @@ static fxl_shader *build(const fxl_beam *beams, uint32_t beam_count, const uint8
     of->shader.code = &code;
     of->beams = beams;
     of->beam_count = beam_count;
-    of->lit = lit;
+    of->lit = set->lit;
     of->pieces = pieces;
     return &of->shader;
 }
 
 static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t beam_count)
 {
-    if (beam_count > FXL_BEAMS_MAX) {
+    if (beam_count < 1 || beam_count > FXL_BEAMS_MAX) {
         return FXL_E_COUNT;
     }
     for (uint32_t i = 0; i < beam_count; i++) {
@@ -122,31 +123,31 @@ static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t 
     return FXL_OK;
 }
 
-fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
-                                  uint32_t beam_count, const uint8_t *lit, void *workspace,
-                                  uint32_t workspace_size)
+fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
+                            uint32_t size)
 {
+    fxl_shader *shader = NULL;
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
     if (renderer->scene == NULL) {
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
-    if (beam_count > 0) {
+    if (set != NULL) {
         fxl_status status = FXL_E_ARGUMENT;
-        if (beams != NULL && lit != NULL && workspace != NULL) {
-            status = ((uintptr_t)workspace & 7u) != 0 ? FXL_E_ALIGNMENT
-                                                      : check(renderer->scene, beams, beam_count);
+        if (set->beams != NULL && set->lit != NULL && memory != NULL) {
+            status = ((uintptr_t)memory & 7u) != 0
+                         ? FXL_E_ALIGNMENT
+                         : check(renderer->scene, set->beams, set->count);
         }
-        if (status == FXL_OK && workspace_size < fxl_beam_light_workspace_size(beams, beam_count)) {
+        if (status == FXL_OK && size < fxl_beam_light_workspace_size(set->beams, set->count)) {
             status = FXL_E_CAPACITY;
         }
         if (status != FXL_OK) {
             return fxl_refuse(&renderer->workspace, status);
         }
+        shader = build(set, (uint8_t *)memory);
     }
-    fxl_renderer_set_shader(renderer, FXL_SHADER_BEAMS,
-                            beam_count > 0 ? build(beams, beam_count, lit, (uint8_t *)workspace)
-                                           : NULL);
+    fxl_renderer_attach(renderer, FXL_SHADER_BEAMS, shader);
     return FXL_OK;
 }

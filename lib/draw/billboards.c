@@ -163,9 +163,8 @@ const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
 
 /* --- attaching -------------------------------------------------------------------------- */
 
-fxl_status fxl_billboards_check_attaching(const fxl_renderer *renderer,
-                                          const fxl_billboards *billboards,
-                                          const fxl_billboard_set *set)
+static fxl_status check(const fxl_renderer *renderer, const fxl_billboards *billboards,
+                        const fxl_billboard_set *set, const fxl_sprite_painter *painter)
 {
     if (renderer->scene == NULL) {
         return FXL_E_ORDER;
@@ -173,7 +172,7 @@ fxl_status fxl_billboards_check_attaching(const fxl_renderer *renderer,
     if (set == NULL) {
         return FXL_OK;
     }
-    if (billboards == NULL) {
+    if (billboards == NULL || painter == NULL) {
         return FXL_E_ARGUMENT;
     }
     return !fxl_is_aligned(billboards, FXL_POINTER) ? FXL_E_ALIGNMENT
@@ -189,10 +188,13 @@ static void change_order(fxl_renderer *renderer, const fxl_order *from, const fx
     }
 }
 
-fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboards,
+fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                  const fxl_billboard_set *set, const fxl_sprite_painter *painter)
 {
-    const fxl_status status = fxl_billboards_check_attaching(renderer, billboards, set);
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
+    const fxl_status status = check(renderer, billboards, set, painter);
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
@@ -209,6 +211,7 @@ fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboa
         renderer->billboards = NULL;
         change_order(renderer, &fxl_by_distance_with_billboards, &fxl_by_distance);
     }
+    renderer->check = fxl_check_combination;
     renderer->frame.state = FXL_FRAME_NONE;
     return FXL_OK;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a first program calls: the usual clipper and visibility method, one block of memory,
+/* What a first program calls: the usual clipper, one block of memory,
  * whole frames. A file of its own, so that a program which sets others does not link these. */
 #include "fixel.h"
 

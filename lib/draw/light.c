@@ -63,8 +63,8 @@ static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
     return settings->ramp[256u * fxl_light_level(brightness, settings->levels) + full];
 }
 
-fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
-                                  const fxl_light_settings *settings)
+fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
+                            const fxl_light_settings *settings)
 {
     static const fxl_shader_code code = {reaches, fxl_submit_coloured_face, NULL, colour, false};
     if (renderer == NULL) {
@@ -74,7 +74,7 @@ fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
         return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
     }
     if (settings == NULL) {
-        fxl_renderer_set_shader(renderer, FXL_SHADER_LIGHT, NULL);
+        fxl_renderer_attach(renderer, FXL_SHADER_LIGHT, NULL);
         return FXL_OK;
     }
     fxl_status status = FXL_E_ARGUMENT;
@@ -86,6 +86,6 @@ fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
     }
     light->settings = *settings;
     light->shader.code = &code;
-    fxl_renderer_set_shader(renderer, FXL_SHADER_LIGHT, &light->shader);
+    fxl_renderer_attach(renderer, FXL_SHADER_LIGHT, &light->shader);
     return FXL_OK;
 }

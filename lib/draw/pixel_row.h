@@ -31,7 +31,7 @@ static inline fxl_status fxl_check_band(const fxl_band *band)
 #else
 
 #include "../paint/rgb565_colour.h"
-#include "fixel/rgb565.h"
+#include "fixel/target.h"
 
 typedef uint16_t fxl_pixel;
 typedef uint16_t fxl_filling;

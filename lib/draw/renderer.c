@@ -198,36 +198,6 @@ fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *conf
     return FXL_OK;
 }
 
-fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
-                                       void *workspace, uint32_t workspace_size)
-{
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    if (visibility == NULL || visibility->order == NULL || visibility->target == NULL) {
-        return fxl_refuse(&renderer->workspace, FXL_E_ARGUMENT);
-    }
-    fxl_status status = check_workspace(renderer, workspace, workspace_size, 0);
-    if (status == FXL_OK) {
-        const uint32_t size = order_size(visibility->order, renderer->scene);
-        const bool has_room = workspace_size >= size;
-        fxl_config config = {.target = visibility->target,
-                             .order = visibility->order,
-                             .palette = renderer->palette,
-                             .tree = workspace,
-                             .tree_size = has_room ? size : workspace_size};
-        config.depth = has_room && size > 0 ? (uint8_t *)workspace + size : workspace;
-        config.depth_size = has_room ? workspace_size - size : 0;
-        status = fxl_choose_with_memory(renderer, &config);
-    }
-    if (status != FXL_OK) {
-        return fxl_refuse(&renderer->workspace, status);
-    }
-    renderer->near_first = visibility->front_to_back;
-    renderer->check = NULL; /* what was set is not looked at together */
-    return FXL_OK;
-}
-
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer)
 {
     if (renderer == NULL) {

@@ -85,21 +85,25 @@ const fxl_model_view *fxl_surfaces_view(const fxl_traversal *on, const fxl_insta
     return model_view;
 }
 
-fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
-                               const fxl_surface_set *set, fxl_surfaces_checker *check,
-                               const fxl_painter *painter)
+fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
+                               const fxl_surface_set *set, const fxl_painter *painter)
 {
     fxl_status status = FXL_OK;
+    if (renderer == NULL) {
+        return FXL_E_ARGUMENT;
+    }
     if (renderer->scene == NULL) {
         status = FXL_E_ORDER;
     } else if (set != NULL) {
-        status = surfaces == NULL ? FXL_E_ARGUMENT : check(set, renderer->scene, NULL);
+        status = surfaces == NULL || painter == NULL
+                     ? FXL_E_ARGUMENT
+                     : fxl_surfaces_check(set, renderer->scene, painter->target->pixel_bits, NULL);
     }
     if (status != FXL_OK) {
         return fxl_refuse(&renderer->workspace, status);
     }
     if (set == NULL) {
-        fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, NULL);
+        fxl_renderer_attach(renderer, FXL_SHADER_SURFACES, NULL);
         return FXL_OK;
     }
     surfaces->set = set;
@@ -108,6 +112,6 @@ fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
     surfaces->light_code = NULL;
     surfaces->shader.code = painter->code;
     renderer->draw_list = fxl_mixed_draw_list;
-    fxl_renderer_set_shader(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
+    fxl_renderer_attach(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return FXL_OK;
 }

@@ -96,20 +96,3 @@ fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)
     fxl_renderer_attach(renderer, FXL_SHADER_LIT, lit != NULL ? &lit->shader : NULL);
     return FXL_OK;
 }
-
-fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light)
-{
-    if (renderer == NULL) {
-        return FXL_E_ARGUMENT;
-    }
-    const fxl_shader *first = renderer->scene != NULL ? renderer->shader : NULL;
-    if (first == NULL || first->rank != FXL_SHADER_SURFACES ||
-        (light != NULL && light->settings.ramp == NULL)) {
-        return fxl_refuse(&renderer->workspace, FXL_E_ORDER);
-    }
-    fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)first;
-    surfaces->light = light;
-    surfaces->light_code = &code;
-    renderer->frame.state = FXL_FRAME_NONE;
-    return FXL_OK;
-}

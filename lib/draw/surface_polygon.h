@@ -84,15 +84,6 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                           fxl_paint *paint);
 
-/* fxl_surfaces_check, or fxl_surfaces_check_rgb565. */
-typedef fxl_status fxl_surfaces_checker(const fxl_surface_set *set, const fxl_scene *scene,
-                                        fxl_scene_fault *fault);
-
-/* fxl_renderer_set_surfaces without its visibility method. */
-fxl_status fxl_surfaces_attach(fxl_renderer *renderer, fxl_surfaces *surfaces,
-                               const fxl_surface_set *set, fxl_surfaces_checker *check,
-                               const fxl_painter *painter);
-
 /* What a face with a surface has beside its outlines, but for its depth. */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,

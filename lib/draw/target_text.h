@@ -65,7 +65,6 @@ static inline __attribute__((always_inline)) void paint_rows(const fxl_screen_po
 #include "../paint/depth_row.h"
 #include "depth_plane.h"
 #include "submit_polygons.h"
-#include "fixel/depth.h"
 
 /* A polygon of one colour, and its depth. */
 typedef struct {

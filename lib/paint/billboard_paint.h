@@ -31,15 +31,6 @@ static inline const fxl_sprite *fxl_billboard_sprite(const fxl_renderer *rendere
 /* fxl_by_distance with billboards among the faces. */
 extern const fxl_order fxl_by_distance_with_billboards;
 
-/* Checks the arguments of a setter, and the set. */
-fxl_status fxl_billboards_check_attaching(const fxl_renderer *renderer,
-                                          const fxl_billboards *billboards,
-                                          const fxl_billboard_set *set);
-
-/* fxl_renderer_set_billboards for a target of which `painter` is. */
-fxl_status fxl_billboards_attach(fxl_renderer *renderer, fxl_billboards *billboards,
-                                 const fxl_billboard_set *set, const fxl_sprite_painter *painter);
-
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "../raster/fill.h"
-#include "fixel/rgb565.h"
 #include "rgb565_colour.h"
 
 /* Two pixels are one aligned word, but for the first and the last one. */
@@ -13,15 +12,5 @@ void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
     fxl_fill_row((uint8_t *)pixel, (uint8_t *)whole, colour * 0x00010001u);
     if (whole != end) {
         *whole = colour;
-    }
-}
-
-void fxl_swap_rgb565(const fxl_band_565 *band)
-{
-    uint16_t *row = band->pixels;
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
-        for (uint32_t x = 0; x < band->width; x++) {
-            row[x] = (uint16_t)(row[x] << 8 | row[x] >> 8);
-        }
     }
 }

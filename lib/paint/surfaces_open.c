@@ -3,7 +3,7 @@
 #include "../math/memory.h"
 #include "../math/unit_vector.h"
 #include "../scene/scene_check.h"
-#include "fixel/rgb565.h"
+#include "fixel/surfaces.h"
 #include "surface_sections.h"
 
 FXL_STATIC_ASSERT(FXL_TEXTURES_MAX == FXL_SCENE_TABLE_MAX, "docs/formats.md, section 1");
@@ -97,7 +97,7 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
     found.blend = from->blend;
     found.blend_first = from->blend_first;
     found.blend_count = from->blend_count;
-    const fxl_status status = fxl_surfaces_check(&found, &image->scene, fault);
+    const fxl_status status = fxl_surfaces_check(&found, &image->scene, 8, fault);
     if (status == FXL_OK) {
         *set = found;
     }
@@ -237,9 +237,10 @@ static bool is_aligned(const fxl_surface_set *set)
            fxl_is_aligned(set->textures, FXL_POINTER);
 }
 
-static fxl_status check(const fxl_surface_set *set, const fxl_scene *scene, const frame_kind *kind,
-                        fxl_scene_fault *fault)
+fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
+                              uint32_t pixel_bits, fxl_scene_fault *fault)
 {
+    const frame_kind *kind = pixel_bits == 16 ? &of_565 : &of_palette;
     if (set == NULL || scene == NULL || set->face_map == NULL ||
         (set->textures == NULL && set->texture_count != 0) || set->surfaces == NULL ||
         set->faces == NULL || (set->normals == NULL && set->normal_count != 0)) {
@@ -271,16 +272,4 @@ static fxl_status check(const fxl_surface_set *set, const fxl_scene *scene, cons
         }
     }
     return check_faces(set, scene, fault);
-}
-
-fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
-                              fxl_scene_fault *fault)
-{
-    return check(set, scene, &of_palette, fault);
-}
-
-fxl_status fxl_surfaces_check_rgb565(const fxl_surface_set *set, const fxl_scene *scene,
-                                     fxl_scene_fault *fault)
-{
-    return check(set, scene, &of_565, fault);
 }

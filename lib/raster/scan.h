@@ -62,7 +62,7 @@ static inline bool fxl_scan_is_over(const fxl_scan *scan)
     return scan->trapezoid.end_row == scan->end_row;
 }
 
-/* Finds the next span: the same pixels, for visibility methods that decide by spans.
+/* Finds the next span: the same pixels, for targets that decide by spans.
  * Spans come by rows downward; those of a row come left to right and do not overlap.
  * Returns false if there are no more: span untouched. A scan is read either by
  * trapezoids or by spans, not by both. Exact. Source: A6. */

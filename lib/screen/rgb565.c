@@ -82,3 +82,11 @@ static void convert_low(const fxl_pixels *pixels, const fxl_band *band, uint8_t 
 
 const fxl_pixel_format fxl_pixels_rgb565 = {16, 1, prepare_high, convert_high};
 const fxl_pixel_format fxl_pixels_rgb565_low = {16, 1, prepare_low, convert_low};
+
+void fxl_swap_rgb565(const fxl_band *band)
+{
+    uint16_t *row = (uint16_t *)(void *)band->pixels;
+    for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
+        copy_swapped(row, row, band->width);
+    }
+}

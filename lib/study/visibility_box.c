@@ -20,5 +20,3 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
 }
 
 const fxl_target fxl_palette_box = {.pixel_bits = 8, .fill = fxl_fill_band, .flat = paint};
-
-const fxl_visibility fxl_visibility_box = {.order = &fxl_by_distance, .target = &fxl_palette_box};

@@ -44,9 +44,3 @@ const fxl_target fxl_palette_spans = {
     .begin_band = fxl_spans_begin,
     .flat = paint,
 };
-
-const fxl_visibility fxl_visibility_spans = {
-    .order = &fxl_by_distance,
-    .target = &fxl_palette_spans,
-    .front_to_back = true,
-};

@@ -32,9 +32,3 @@ const fxl_target fxl_palette_spans_box = {
     .begin_band = fxl_spans_begin,
     .flat = paint,
 };
-
-const fxl_visibility fxl_visibility_spans_box = {
-    .order = &fxl_by_distance,
-    .target = &fxl_palette_spans_box,
-    .front_to_back = true,
-};

@@ -2,7 +2,7 @@
 #include "predict/shares.h"
 
 #include "paint/lit_pieces.h"
-#include "fixel/depth.h"
+#include "fixel/render.h"
 #include "predict/records.h"
 
 static uint32_t aligned(uint32_t bytes)

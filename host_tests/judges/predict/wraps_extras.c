@@ -130,14 +130,14 @@ static void paint_joined(const fxl_renderer *renderer, fxl_workspace *workspace,
     joined->paint(renderer, workspace, points, band);
 }
 
-WRAPPED(fxl_status, fxl_billboards_attach,
+WRAPPED(fxl_status, fxl_attach_billboards,
         (fxl_renderer * renderer, fxl_billboards *billboards, const fxl_billboard_set *set,
          const fxl_sprite_painter *painter))
 {
     static fxl_sprite_painter counting;
     joined = painter;
     counting = (fxl_sprite_painter){painter->target, paint_joined, painter->points};
-    return __real_fxl_billboards_attach(renderer, billboards, set, &counting);
+    return __real_fxl_attach_billboards(renderer, billboards, set, &counting);
 }
 
 /* --- beams of light ------------------------------------------------------------------------- */

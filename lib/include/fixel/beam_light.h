@@ -15,21 +15,6 @@ extern "C" {
  * beams, or beams is null. Requires checked beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
-/* Makes a renderer draw with 1..FXL_BEAMS_MAX beams. beam_count 0 turns the light off; the other
- * arguments are then ignored. lit[c] is the lit variant of colour c. The renderer keeps pointers
- * to beams, lit and workspace. The caller must begin a frame anew.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: workspace is not aligned to 8 bytes.
- * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_COUNT: a count is out of its range.
- * The statuses of fxl_beam_check.
- * FXL_E_CAPACITY: the workspace is too small, or a face of the renderer's scene has too many
- * vertices for fxl_beams_fit.
- * With each of these statuses: the renderer is untouched, except for refused_calls. */
-fxl_status fxl_renderer_set_beams(fxl_renderer *renderer, const fxl_beam *beams,
-                                  uint32_t beam_count, const uint8_t *lit, void *workspace,
-                                  uint32_t workspace_size);
-
 /* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use. */
 typedef struct {
     const fxl_beam *beams;
@@ -37,8 +22,18 @@ typedef struct {
     const uint8_t *lit; /* lit[c]: the lit variant of colour c */
 } fxl_beam_set;
 
-/* Attaches beams to a renderer: fxl_renderer_set_beams, in any sequence with what else is attached.
- * Where set is null, they are detached. */
+/* Attaches the beams of a set to a renderer, in any sequence with what else is attached, or, where set
+ * is null, detaches them: then memory and size are ignored. memory has at least
+ * fxl_beam_light_workspace_size bytes, aligned to 8. The renderer keeps pointers to memory and to the
+ * set's tables. The caller must begin a frame anew.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes.
+ * FXL_E_ORDER: the renderer was never initialised.
+ * FXL_E_COUNT: a count is out of its range.
+ * The statuses of fxl_beam_check.
+ * FXL_E_CAPACITY: memory is too small, or a face of the renderer's scene has too many vertices for
+ * fxl_beams_fit.
+ * With each of these statuses: the renderer is untouched, except for refused_calls. */
 fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
                             uint32_t size);
 

@@ -86,40 +86,13 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
                                fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
                                fxl_scene_fault *fault);
 
-/* Has a renderer draw billboards, or, where set is null, draw without them by the method that was
- * set before them. If the renderer draws no billboards, a set that is null changes nothing, and a
- * frame that has begun stays; this is FXL_OK with any visibility method.
- * The renderer keeps a pointer to *billboards, and that one to *set. The visibility method becomes
- * fxl_visibility_billboards if it was fxl_visibility_sorted; if it was fxl_visibility_surfaces,
- * faces keep their surfaces. It is set after those, and ends where another method is set: then an
- * instance shows its face. A sprite may change between frames, and so may model_map. The frame must
- * begin anew. Several cores may draw bands of one frame.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the renderer was never initialised; or there is a set, and the visibility method is
- * another one: with a depth buffer fxl_renderer_set_billboards_by_depth does it, with a span
- * buffer, a BSP tree or outlines nothing does.
- * FXL_E_ALIGNMENT: billboards are not aligned.
- * The statuses of fxl_billboards_check.
- * With each of these statuses: nothing is changed but refused_calls. */
-fxl_status fxl_renderer_set_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
-                                       const fxl_billboard_set *set);
-
-/* The same for a renderer that draws with a depth buffer, with surfaces or without: it is called
- * after fxl_renderer_set_depth. Each pixel of a billboard has the distance of its instance's
- * centre; one with the colour key keeps no depth. In the display list a billboard takes 40 bytes.
- * fxl_renderer_set_billboards with a set that is null takes them away. The relative error of a
- * depth is below 2^-28. set must not be null.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the renderer was never initialised, or draws without a depth buffer.
- * FXL_E_ALIGNMENT: billboards are not aligned.
- * The statuses of fxl_billboards_check.
- * With each of these statuses: nothing is changed but refused_calls. */
-fxl_status fxl_renderer_set_billboards_by_depth(fxl_renderer *renderer, fxl_billboards *billboards,
-                                                const fxl_billboard_set *set);
-
 /* Attaches the billboards of a set to a renderer, or, where set is null, detaches them. painter is
  * FXL_SPRITES_OF the renderer's target. The renderer keeps a pointer to *billboards, and that one to
- * *set. What else is attached, before or after, does not matter. The next frame must begin anew.
+ * *set. What else is attached, before or after, does not matter. A sprite may change between frames,
+ * and so may model_map. With a depth buffer each pixel of a billboard has the distance of its
+ * instance's centre, to a relative error below 2^-28; one with the colour key keeps no depth. In the
+ * display list a billboard takes 32 bytes, or 40 with a depth buffer. The next frame must begin anew;
+ * where set is null and there are none, a frame that has begun stays.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_ALIGNMENT: billboards.
@@ -127,10 +100,6 @@ fxl_status fxl_renderer_set_billboards_by_depth(fxl_renderer *renderer, fxl_bill
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                  const fxl_billboard_set *set, const fxl_sprite_painter *painter);
-
-/* The order of fxl_visibility_sorted; a later polygon or sprite covers an earlier one. Of the
- * display list's memory a billboard takes 32 bytes. fxl_renderer_set_billboards sets it. */
-extern const fxl_visibility fxl_visibility_billboards;
 
 #ifdef __cplusplus
 }

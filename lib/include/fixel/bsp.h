@@ -19,9 +19,9 @@ typedef struct {
     uint16_t phase;
 } fxl_bsp_resume_point;
 
-/* The workspace of fxl_visibility_bsp begins with this record. The memory_size of its
- * order includes what follows it. The caller may set the first two members between two frames,
- * after fxl_renderer_set_visibility, which clears them. The rest is for reading only. */
+/* The memory of fxl_by_tree, `tree` of a configuration, begins with this record. The memory_size of the
+ * order includes what follows it, but for the pieces, which take the rest of tree_size. It is for
+ * reading only. */
 typedef struct {
     void *pieces;         /* memory for pieces of instances that move; null: none */
     uint32_t pieces_size; /* bytes; memory aligned to four; 12 a piece and 16 a vertex of one */
@@ -34,15 +34,12 @@ typedef struct {
     uint16_t movers;     /* the other entries of the layer */
 } fxl_bsp_workspace;
 
-/* Draws instances by layer and distance, as fxl_visibility_sorted does, except on the layer of
+/* Draws instances by layer and distance, as fxl_by_distance does, except on the layer of
  * the BSP's instance. That layer is drawn by the BSP, far to near, each polygon over those
- * before. A scene without a BSP is drawn as by fxl_visibility_sorted. The caller moves an
+ * before. A scene without a BSP is drawn as by fxl_by_distance. The caller moves an
  * instance by changing its centre in the scene's table; every vertex must stay in range. The
  * workspace is 36 bytes and a bit for each node. Where other instances are on the layer, it is
  * another bit and 4 bytes for each node, and 12 bytes for each of these instances, in addition. */
-extern const fxl_visibility fxl_visibility_bsp;
-
-/* Its order. */
 extern const fxl_order fxl_by_tree;
 
 #ifdef __cplusplus

@@ -25,23 +25,17 @@ typedef struct {
     fxl_light_settings settings;
 } fxl_light;
 
-/* Has a renderer draw faces in the light of these settings, or, where settings is null, as they
- * are. The settings are copied into *light, to which the renderer keeps a pointer, and the pointer
- * to the ramp; each renderer has a record of its own. A frame must begin anew, so call it between
- * frames for light that changes. Faces are lit after fxl_world_recolour and before beams: a beam's
- * lit colours are those of the colours that the ramp gives. Several cores may draw bands of one
- * frame.
+/* Attaches a light to a renderer, in any sequence with what else is attached, or, where settings is
+ * null, detaches it. The settings are copied into *light, to which the renderer keeps a pointer, and the
+ * pointer to the ramp; each renderer has a record of its own. A frame must begin anew, so call it
+ * between frames for light that changes. Faces are lit after fxl_world_recolour and before beams: a
+ * beam's lit colours are those of the colours that the ramp gives.
  * FXL_E_ARGUMENT: renderer is null; or light or ramp, if there are settings.
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_COUNT: point_count or levels is out of range.
  * FXL_E_NORMAL: the direction is not of unit length.
  * FXL_E_RANGE: another number is out of range.
  * With each of these statuses: nothing is changed but refused_calls. */
-fxl_status fxl_renderer_set_light(fxl_renderer *renderer, fxl_light *light,
-                                  const fxl_light_settings *settings);
-
-/* Attaches a light to a renderer: fxl_renderer_set_light, in any sequence with what else is attached.
- * Where settings is null, it is detached. */
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings);
 

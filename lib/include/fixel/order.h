@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Orders, and visibility methods: an order in which faces are submitted, and a target into which
- * they are drawn. Each is one constant record in a file of its own, so a program links only those
- * that it names. */
+/* Orders of drawing. Each is one constant record, and a program links only those that it names. */
 #ifndef FXL_ORDER_H
 #define FXL_ORDER_H
 
@@ -28,16 +26,6 @@ typedef struct fxl_order {
 
 /* Instances by layer and distance, the faces of a sorted model by distance, far to near. */
 extern const fxl_order fxl_by_distance;
-
-/* A visibility method. */
-typedef struct {
-    const fxl_order *order;
-    const fxl_target *target;
-    bool front_to_back; /* if false, a later polygon covers an earlier one */
-} fxl_visibility;
-
-/* The default: by distance, into a palette. A later polygon covers an earlier one. */
-extern const fxl_visibility fxl_visibility_sorted;
 
 #ifdef __cplusplus
 }

@@ -62,6 +62,11 @@ size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t 
 fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, void *out,
                               size_t size);
 
+/* Swaps the two bytes of every pixel of a band of RGB565 where it lies: so displays on SPI take it, the
+ * byte with red first, from a little-endian core. fxl_pixels_convert copies it so. The band is for
+ * sending then, not for drawing on. Requires pixels at an even address. */
+void fxl_swap_rgb565(const fxl_band *band);
+
 /* --- the parts, for a format of your own ------------------------------------------------------ */
 
 /* Writes table[*pixel] for each of count pixels. Runs of one colour take fewer instructions.

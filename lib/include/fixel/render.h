@@ -3,8 +3,8 @@
  *
  * A first program calls fxl_renderer_init and fxl_render. The second level is beneath: the
  * caller's own tables of memory (fxl_renderer_init_with), frames drawn in bands
- * (fxl_frame_begin, fxl_frame_fill, fxl_frame_draw), another clipper or another way to decide
- * what is visible (fxl_renderer_set_clipper, fxl_renderer_set_visibility). */
+ * (fxl_frame_begin, fxl_frame_fill, fxl_frame_draw), another clipper, order or target
+ * (fxl_renderer_set_clipper, fxl_renderer_choose). */
 #ifndef FXL_RENDER_H
 #define FXL_RENDER_H
 
@@ -241,16 +241,6 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
  * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 
-/* Sets the visibility method and its workspace, of the caller's memory, aligned to 8; the renderer
- * keeps the pointer. May be null where the method wants none. Then a frame must begin anew.
- * FXL_E_ARGUMENT: a null pointer, or a method of zeros.
- * FXL_E_ALIGNMENT: a pointer is not aligned.
- * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_CAPACITY: workspace_size is less than the method wants for this scene and this lens.
- * With each of these statuses: renderer untouched but for refused_calls. */
-fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibility *visibility,
-                                       void *workspace, uint32_t workspace_size);
-
 /* Begins a frame: camera; cull and sort the instances; then every face is transformed,
  * clipped, projected and appended to the display list, as far as that has room. Zeroes the
  * counters except refused_calls, and counts the faces that it came to. Then draw the frame
@@ -261,7 +251,7 @@ fxl_status fxl_renderer_set_visibility(fxl_renderer *renderer, const fxl_visibil
  * orientations. Requires that turns do not lose their turn_code, and that a scene gets no turns
  * without one.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no clipper, no visibility method, or turns without a turn_code.
+ * FXL_E_ORDER: no clipper, no target, or turns without a turn_code.
  * FXL_E_RANGE: pose, or an instance's turn.
  * FXL_E_TURN: the orientation of an instance in sight is no rotation.
  * FXL_E_CAPACITY: scene->instance_count has grown beyond the order's room.
@@ -288,7 +278,7 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
 /* Releases the scene before the frame is drawn: from here on fxl_frame_draw reads the display list
- * and nothing of the scene, whatever core draws and by whatever visibility method. The scene's
+ * and nothing of the scene, whatever core draws and whatever is attached. The scene's
  * instances and turns may then change, and a world (fixel/world.h) may. So one core draws a frame
  * while another core changes the scene and begins the next frame in a second renderer. Textures,
  * sprites, palettes and ramps are still read, and must stay. fxl_pick_face answers FXL_E_ORDER
@@ -309,29 +299,28 @@ fxl_status fxl_frame_end(fxl_renderer *renderer);
 /* --- several cores ------------------------------------------------------------------------ */
 
 /* Bytes of memory that another workspace needs at least, for the renderer's scene, clipper and
- * visibility method; 0 where the renderer is not set up. */
+ * target; 0 where the renderer is not set up. */
 size_t fxl_workspace_size(const fxl_renderer *renderer);
 
 /* Sets up a workspace beside the renderer's own, in one block of the caller's memory, aligned to 8
  * bytes; the workspace keeps the pointer. Bytes beyond fxl_workspace_size become a vertex cache and
  * memory for the raster backend. The workspace must be set up anew after the
- * renderer's clipper or visibility method was changed, or the renderer initialised.
+ * renderer's clipper, order or target was changed, or the renderer initialised.
  * FXL_E_ARGUMENT: a null pointer; also the renderer's own workspace.
  * FXL_E_ALIGNMENT: a pointer is not aligned.
- * FXL_E_ORDER: the renderer lacks a clipper or a visibility method.
+ * FXL_E_ORDER: the renderer lacks a clipper or a target.
  * FXL_E_CAPACITY: too little memory.
  * With each of these statuses: workspace untouched. */
 fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
                               size_t memory_size);
 
 /* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
- * may draw a band of its own at the same time, each in its own workspace, with any clipper and
- * the method fxl_visibility_sorted, _box, _spans, _spans_box or _depth, without light beams: a BSP
- * and beams have one workspace for all cores, so with them one band must be drawn after another.
+ * may draw a band of its own at the same time, each in its own workspace. Not with the order by tree
+ * or beams: these have one memory for all cores, so with them one band must be drawn after another.
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no frame begun; the workspace was set up for another clipper or method, or never:
+ * FXL_E_ORDER: no frame begun; the workspace was set up for another clipper or target, or never:
  * it is all zeros.
  * FXL_E_RANGE: a band that is not of this screen.
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */

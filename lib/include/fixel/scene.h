@@ -325,7 +325,7 @@ typedef struct {
     const fxl_bsp_node *bsp_nodes; /* a tree over the faces of one instance; or null */
     uint32_t bsp_node_count;
     uint32_t bsp_instance; /* the instance of the tree; no other has its model; 0 without a tree */
-    const fxl_beam *beams; /* for fxl_renderer_set_beams; or null */
+    const fxl_beam *beams; /* for fxl_attach_beams; or null */
     uint32_t beam_count;
     const uint8_t *lit; /* 256 entries: the colour that each colour has in a beam; or null */
     const fxl_cluster *clusters; /* of the models that have some, in turn; or null */
@@ -422,7 +422,7 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
  * On FXL_OK *fault is untouched. */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault);
 
-/* Makes the settings of an image's light, for fxl_renderer_set_light. The ramp is that of the
+/* Makes the settings of an image's light, for fxl_attach_light. The ramp is that of the
  * image. Requires a light that has a base and at most FXL_LIGHT_POINTS_MAX point lights, as that of
  * an image that fxl_scene_open opened has. */
 void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *settings);

@@ -29,7 +29,7 @@ enum {
     FXL_TEXTURE_4 = 1,  /* two texels a byte, the left one in the lower bits: an index into
                            `colours`; log_width is at least 1 */
     FXL_TEXTURE_565 = 2 /* two bytes a texel: an array of uint16_t, RGB565 in the core's byte order.
-                           In frames of 16 bits a pixel alone: fixel/rgb565.h */
+                           In frames of 16 bits a pixel alone: docs/extras/rgb565.md */
 };
 
 enum {
@@ -64,7 +64,7 @@ enum {
 
 enum {
     FXL_SURFACE_LIT = 1u << 0, /* light is found at the three corners, and is linear over the face:
-                                  fxl_renderer_light_surfaces */
+                                  fxl_attach_lit */
     FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath, by the set's table; in
                                     a frame of 16 bits a pixel half and half, without a table */
     FXL_SURFACE_ADD = 1u << 2 /* colours are added to those beneath: in such a frame alone, and not
@@ -129,21 +129,22 @@ typedef struct {
 
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
  * corners of a face are not on one line; that normals have unit length; that a set with a surface
- * that is FXL_SURFACE_BLEND has a table. Requires a checked scene and tables as long as their
- * counts; fault may be null.
+ * that is FXL_SURFACE_BLEND has a table. pixel_bits: of the frames that they are for, 8 or 16. With 16,
+ * textures may be FXL_TEXTURE_565, surfaces may be FXL_SURFACE_ADD, and FXL_SURFACE_BLEND needs no
+ * table. Requires a checked scene and tables as long as their counts; fault may be null.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: a table is not aligned.
+ * FXL_E_ALIGNMENT: a table is not aligned, or the texels of a texture FXL_TEXTURE_565 to 2 bytes.
  * FXL_E_COUNT: a count is out of its range.
  * FXL_E_INDEX: an index is past the end of its table.
  * FXL_E_RANGE: a number is out of its range.
  * FXL_E_NORMAL: a normal is not of unit length.
  * FXL_E_DEGENERATE: corners on one line.
- * FXL_E_RESERVED: an unknown value; also a texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD,
- * which are for fxl_surfaces_check_rgb565.
+ * FXL_E_RESERVED: an unknown value; with 8 bits also a texture FXL_TEXTURE_565 and a surface
+ * FXL_SURFACE_ADD.
  * With each of these statuses: *fault written.
  * On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
-                              fxl_scene_fault *fault);
+                              uint32_t pixel_bits, fxl_scene_fault *fault);
 
 /* Makes a set of the surfaces of a scene image. textures: memory for its textures, which must
  * outlive *set, as the image must; it may be null if there are none. Checks that each texture lies
@@ -159,35 +160,12 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
 fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
                              fxl_surface_set *set, fxl_scene_fault *fault);
 
-/* Has a renderer draw faces with the surfaces of a set, or, where set is null, as they are. The
- * renderer keeps a pointer to *surfaces, and that one to *set. Sets the visibility method
- * fxl_visibility_surfaces; another method that draws surfaces may be set after that. By any other
- * method, by light beams and by a BSP, faces are drawn in their own colours. A frame must begin
- * anew.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the renderer was never initialised.
- * The statuses of fxl_surfaces_check.
- * With each of these statuses: nothing is changed but refused_calls. */
-fxl_status fxl_renderer_set_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
-                                     const fxl_surface_set *set);
-
-/* Has the surfaces of a renderer that are FXL_SURFACE_LIT take a light, or, where light is null,
- * has them drawn at full brightness. The light is one that fxl_renderer_set_light has set, so the
- * same settings light flat faces and surfaces; another call of that function with the same *light
- * changes both. The renderer keeps a pointer to *light. fxl_renderer_set_surfaces takes the light
- * away. A frame must begin anew. Error of a corner's brightness: FXL_LIGHT_ERROR_MAX, given its
- * place and its normal. Of a pixel's level: docs/extras/surfaces.md, section 5.
- * FXL_E_ARGUMENT: renderer is null.
- * FXL_E_ORDER: the renderer has no surfaces; a *light of zeros, which was never set.
- * With each of these statuses: nothing is changed but refused_calls. */
-fxl_status fxl_renderer_light_surfaces(fxl_renderer *renderer, const fxl_light *light);
-
 /* Attaches the surfaces of a set to a renderer, or, where set is null, detaches them. painter is
  * FXL_SURFACES_OF the renderer's target. The renderer keeps a pointer to *surfaces, and that one to
  * *set. What else is attached, before or after, does not matter. The next frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * And those of fxl_surfaces_check, or, for a painter of RGB565, of fxl_surfaces_check_rgb565.
+ * And those of fxl_surfaces_check, for the bits of the painter's pixels.
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, const fxl_painter *painter);
@@ -219,10 +197,6 @@ fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit);
  * With each of these statuses: table untouched. */
 fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,
                                 uint32_t count, uint8_t *table);
-
-/* The order of fxl_visibility_sorted; a later polygon covers an earlier one; faces with surfaces
- * show them. */
-extern const fxl_visibility fxl_visibility_surfaces;
 
 #ifdef __cplusplus
 }

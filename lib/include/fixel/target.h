@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Targets: what a renderer draws into. A target is a pixel format, and a depth buffer or none. Each
- * is one constant record in a file of its own, so a program links only those that it names. */
+ * is one constant record, and a program links only those that it names. */
 #ifndef FXL_TARGET_H
 #define FXL_TARGET_H
 
@@ -64,13 +64,24 @@ typedef struct fxl_target {
 
 /* A palette index of 8 bits a pixel: fxl_render draws into bytes. */
 extern const fxl_target fxl_palette;          /* a later polygon covers an earlier one */
-extern const fxl_target fxl_palette_depth_16; /* at each pixel the nearest face: fixel/depth.h */
+extern const fxl_target fxl_palette_depth_16; /* at each pixel the nearest face */
 extern const fxl_target fxl_palette_depth_32;
 
-/* RGB565, 16 bits a pixel: fixel/rgb565.h. */
+/* RGB565, 16 bits a pixel: docs/extras/rgb565.md. */
 extern const fxl_target fxl_rgb565;
 extern const fxl_target fxl_rgb565_depth_16;
 extern const fxl_target fxl_rgb565_depth_32;
+
+/* Bytes of a depth buffer for so many rows of so many pixels, of 16 or 32 bits each, and for what
+ * the buffer keeps beside them. A band with more rows than the buffer is drawn in parts, each of which
+ * counts in split_bands; the pixels are the same. docs/extras/depth.md says which faces are told apart. */
+#define FXL_DEPTH_BYTES(width, rows, bits) \
+    (8u + (((uint32_t)(width) * (uint32_t)(rows) * ((bits) / 8u) + 7u) & ~7u))
+
+/* A pixel of RGB565: five bits of red above six of green above five of blue. The value of a colour of
+ * three bytes, as docs/extras/pixels.md defines it. A constant expression. */
+#define FXL_RGB565(red, green, blue) \
+    FXL_CAST(uint16_t, ((red) / 8u) << 11 | ((green) / 4u) << 5 | (blue) / 8u)
 
 /* Sets every pixel of a band of palette indices. The bytes between width and stride are untouched.
  * fxl_frame_fill (fixel/render.h) does it in the renderer's format. */

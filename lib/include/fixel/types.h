@@ -164,7 +164,7 @@ const char *fxl_status_text(fxl_status status);
  *   project -> fxl_screen_polygon -> display list -> scan -> fxl_trapezoid -> fill ->
  *   fxl_band
  *
- * A visibility method that decides by spans takes the same pixels from scan as
+ * A target that decides by spans takes the same pixels from scan as
  * fxl_span instead, and gives spans to fill.
  *
  * If all vertices of a face are inside the frustum, the projected vertices are
@@ -319,7 +319,7 @@ enum {
     FXL_POLYGON_FLAT = 0,    /* one colour */
     FXL_POLYGON_SURFACE = 1, /* a surface (fixel/surfaces.h) */
     FXL_POLYGON_SPRITE = 2,  /* a sprite (fixel/billboards.h) */
-    FXL_POLYGON_DEPTH = 3    /* one colour, with a depth (fixel/depth.h) */
+    FXL_POLYGON_DEPTH = 3    /* one colour, with a depth */
 };
 
 /* The rows first <= row < end. No rows if the two are equal. */

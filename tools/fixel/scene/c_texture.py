@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""An image as a texture of 16 bits a texel, as text of C: lib/include/fixel/rgb565.h."""
+"""An image as a texture of 16 bits a texel, as text of C: docs/extras/rgb565.md."""
 
 import os
 
@@ -46,6 +46,6 @@ def header(file, name, size=None, levels=1, clamp=False):
     members = [f"FXL_CAST(const uint8_t *, FXL_CAST(const void *, {name}_texels))", "NULL", wide.bit_length() - 1,
                high.bit_length() - 1, "FXL_TEXTURE_565", flags, 0, len(made), key or 0]
     return c_text.header(f"Written by tools/scene.py from {c_scene.printable(os.path.basename(file))}.",
-                         f"{name.upper()}_TEXTURE_H", ["fixel/rgb565.h"],
+                         f"{name.upper()}_TEXTURE_H", ["fixel/surfaces.h"],
                          [table("uint16_t", f"{name}_texels", [f"0x{texel:04X}" for texel in texels], about),
                           record("fxl_texture", f"{name}_texture", [", ".join(map(str, members))])]), len(texels)
