@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 import time
+import types
 
 import pytest
 
@@ -273,6 +274,19 @@ def test_a_failed_verification_leaves_the_old_image(elf, scene, image, monkeypat
 
     monkeypatch.setattr(qemu, "read_memory", stuck_bit)
     assert "verification failed at 0x80100" in refuse(image, BOARD, elf, scene)
+
+
+def test_an_emulator_that_does_not_read_the_flash_is_ended(elf, image, monkeypatch):
+    done = []
+
+    def refuse(*_, **__):
+        raise ToolError("QEMU refuses 'memsave'")
+    machine = types.SimpleNamespace(execute=refuse, close=lambda: done.append("closed"))
+    monkeypatch.setattr(qemu, "start_stopped", lambda *_: ("process", machine))
+    monkeypatch.setattr(qemu.execute, "kill", done.append)
+    with pytest.raises(ToolError, match="could not read the flash back: QEMU refuses 'memsave'"):
+        qemu.read_memory(firmware.load(elf, BOARD), image)
+    assert done == ["closed", "process"]
 
 
 def test_missing_qemu_leaves_the_old_image(elf, scene, image, monkeypatch, tmp_path):

@@ -372,6 +372,17 @@ def test_the_growth_measured_is_linear_in_faces(measured):
     assert all(500 < row["instructions"] / row["faces"] < 1500 for row in rows)
 
 
+@pytest.mark.parametrize("asked, cores", [(["m3"], ["m3"]), (None, list(bench_plan.CORES))])
+def test_the_cores_that_are_asked_for_are_measured_or_all(monkeypatch, asked, cores):
+    def measure(_plan, given, left_out):
+        assert (given, left_out) == (cores, ["m0"])
+        raise ToolError("nothing is measured here")
+    monkeypatch.setattr(bench_report, "measure", measure)
+    options = types.SimpleNamespace(build=CHECKOUT / "build", workloads=None, cores=asked, left_out=["m0"])
+    with pytest.raises(ToolError, match="nothing is measured here"):
+        bench_report.command(options)
+
+
 # --- the document -------------------------------------------------------------------
 
 def test_the_document_s_tables_are_made_from_the_baseline(baseline, plan):

@@ -189,3 +189,12 @@ def test_nodes_that_read_the_same_part_often(tmp_path):
     data["meshes"][0]["primitives"] *= 100
     with pytest.raises(ToolError, match="65,535 primitives"):
         read(tmp_path, glb(data, blob))
+
+
+def test_a_part_that_is_cut_off_behind_its_head_is_refused(tmp_path):
+    data, blob = make()
+    whole = glb(data, blob)
+    cut = bytearray(whole[:len(whole) - len(blob)])
+    struct.pack_into("<I", cut, 8, len(cut))
+    with pytest.raises(ToolError, match=f"a part promises {len(blob):,} bytes and 0 are there"):
+        read(tmp_path, bytes(cut))

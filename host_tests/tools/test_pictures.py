@@ -2,12 +2,16 @@
 """Pictures of frames: colours, animations, and what a comparison shows."""
 
 import io
+import types
 
 import numpy
 import pytest
 from PIL import Image
 
+from conftest import dump_bytes
 from fixel.base import picture
+from fixel.base.errors import ToolError
+from fixel.report import picture_row
 
 PALETTE = numpy.array([[number, 255 - number, 7] for number in range(256)], dtype=numpy.uint8)
 
@@ -99,3 +103,19 @@ def test_equal_or_small_frames_are_not_enlarged():
         differs = numpy.ones((height, 48), bool)
         enlarged = (rows - 1) * (2 * height + picture.CAPTION + picture.GAP)
         assert picture.side_by_side(small, small, differs, ["a", "b"]).size[1] == 2 * picture.GAP + picture.CAPTION + height + enlarged
+
+
+def test_frames_stand_side_by_side_with_white_between_them(tmp_path):
+    drawn = [noise(6, 10, seed) % 3 for seed in range(3)]
+    (tmp_path / "a.fxld").write_bytes(dump_bytes(drawn, PALETTE.tobytes()))
+    options = types.SimpleNamespace(frames="2,0", dumps=[tmp_path / "a.fxld"] * 2, run=None, out=tmp_path / "row.png")
+    assert picture_row.command(options) == 0
+    with Image.open(options.out) as opened:
+        row = numpy.asarray(opened.convert("RGB"))
+    gap = picture_row.GAP
+    assert row.shape == (6, 2 * 10 + gap, 3)
+    assert (row[:, :10] == PALETTE[drawn[2]]).all() and (row[:, 10 + gap:] == PALETTE[drawn[0]]).all()
+    assert (row[:, 10:10 + gap] == 255).all()
+    options.frames = "2"
+    with pytest.raises(ToolError, match="a number for each of --dumps"):
+        picture_row.command(options)

@@ -107,6 +107,7 @@ def test_a_base_rises_with_the_size(tmp_path):
 @pytest.mark.parametrize("text, parts", [
     ("size = 0\n", ["size = 0", "256"]),
     ("size = 257\n", ["size = 257"]),
+    ("size = 200\nmotion = { keys = [{ frames = 5 }, { size = 2 }] }\n", ["size = 400", "256"]),
     ("turn = [1, 2]\n", ["turn", "yaw, pitch, roll"]),
     ("spin = {}\n", ["spin", "axis"]),
     ("spin = { axis = [0, 0, 0], degrees = 1 }\n", ["spin", "no axis"]),
