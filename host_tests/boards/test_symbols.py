@@ -102,6 +102,13 @@ def test_places(faults):
     assert symbols.place("address", 0x20000000) == ""
 
 
+def test_a_remark_beside_an_address_stays_behind_its_name(faults):
+    start, _ = function(faults, "divide")
+    line = f"  pc  0x{start:08x}  "
+    named = Symbols(faults).name_faults(f"fault: x\n{line}as it was\n").splitlines()[1]
+    assert named.startswith(f"{line}in divide+0x0 (") and named.endswith("), as it was")
+
+
 def test_a_program_without_symbols(tmp_path, faults):
     stripped = tmp_path / "stripped.elf"
     subprocess.run(["arm-none-eabi-strip", "-o", stripped, faults], check=True)
