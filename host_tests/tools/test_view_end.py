@@ -13,7 +13,8 @@ import time
 import pytest
 from conftest import CHECKOUT, LAUNCHER, assert_one_sentence, environment, run_cli
 
-from fixel.view import browser
+from fixel.base.errors import ToolError
+from fixel.view import browser, live, view
 from viewers import HEIGHT, WIDTH, assert_gone, assert_refuses, assert_started, children, left, own_build, own_port, \
     plaza_image, ready, ready_board     # two are fixtures
 
@@ -132,3 +133,10 @@ def test_refused(scene, programs, options, words):
     start = ["--board", "mps2-an385", "--scene", scene, "--build", programs]
     assert_one_sentence(run_cli("view", *start, *options), words)
     assert not left(programs)
+
+
+def test_a_visibility_method_that_there_is_not_is_refused_before_a_program_is_looked_for(monkeypatch):
+    monkeypatch.setattr(live, "view", None)
+    options = view.parser().parse_args(["--board", "mps2-an385", "--scene", "scene.toml", "--visibility", "none"])
+    with pytest.raises(ToolError, match="there is no VISIBILITY 'none'; the visibility methods are: "):
+        live.command(options)
