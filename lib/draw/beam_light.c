@@ -6,17 +6,23 @@
 #include "../math/arith.h"
 #include "../paint/lit_pieces.h"
 #include "renderer.h"
+#include "scratch.h"
 #include "submit.h"
 
 /* The light of a renderer, at the beginning of the workspace. */
 typedef struct {
-    fxl_shader shader;
+    fxl_beam_shader shader;
     const fxl_beam *beams;
     const uint8_t *lit;
-    fxl_lit_pieces *pieces; /* after this record; their tables follow them */
-    fxl_point *outline; /* outline of one piece; not on the stack, which is small on some boards */
-    uint32_t beam_count;
+    uint8_t *tables; /* after this record */
+    uint32_t beam_count, corner_capacity, piece_capacity;
 } lighting;
+
+/* A face that is split, in tables of a workspace. */
+typedef struct {
+    fxl_lit_pieces pieces;
+    fxl_point *outline; /* outline of one piece; not on the stack, which is small on some boards */
+} lit_face;
 
 #define REFUSED ((fxl_outcome)1 << FXL_CLIP_CAPACITY)
 
@@ -25,17 +31,39 @@ static uint32_t rounded_up(size_t size)
     return ((uint32_t)size + 7u) & ~7u;
 }
 
+static uint32_t table_bytes(uint32_t corners, uint32_t pieces)
+{
+    return rounded_up(corners * sizeof(fxl_point)) + rounded_up(corners * sizeof(uint16_t)) +
+           rounded_up(pieces * sizeof(fxl_lit_piece)) +
+           rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
+}
+
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count)
 {
     if (beams == NULL || beam_count < 1 || beam_count > FXL_BEAMS_MAX ||
         !fxl_beams_fit(beams, beam_count, 3)) {
         return 0;
     }
-    return rounded_up(sizeof(lighting)) + rounded_up(sizeof(fxl_lit_pieces)) +
-           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(fxl_point)) +
-           rounded_up(fxl_lit_corners_needed(beams, beam_count) * sizeof(uint16_t)) +
-           rounded_up(fxl_lit_pieces_needed(beams, beam_count) * sizeof(fxl_lit_piece)) +
-           rounded_up(FXL_POLYGON_CAPACITY * sizeof(fxl_point));
+    return rounded_up(sizeof(lighting)) + table_bytes(fxl_lit_corners_needed(beams, beam_count),
+                                                      fxl_lit_pieces_needed(beams, beam_count));
+}
+
+/* The tables of the workspace that draws. */
+static void lay_out(const lighting *of, const fxl_traversal *on, lit_face *face)
+{
+    uint8_t *at = fxl_is_own_workspace(on)
+                      ? of->tables
+                      : (uint8_t *)fxl_beam_scratch(on, of->shader.scratch_size);
+    fxl_lit_pieces *pieces = &face->pieces;
+    pieces->corner_capacity = of->corner_capacity;
+    pieces->points = (fxl_point *)(void *)at;
+    at += rounded_up(pieces->corner_capacity * sizeof *pieces->points);
+    pieces->next = (uint16_t *)(void *)at;
+    at += rounded_up(pieces->corner_capacity * sizeof *pieces->next);
+    pieces->piece_capacity = of->piece_capacity;
+    pieces->pieces = (fxl_lit_piece *)(void *)at;
+    at += rounded_up(pieces->piece_capacity * sizeof *pieces->pieces);
+    face->outline = (fxl_point *)(void *)at;
 }
 
 static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
@@ -56,7 +84,9 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
                   const fxl_point *points, uint32_t count)
 {
     const lighting *of = (const lighting *)shader;
-    fxl_lit_pieces *made = of->pieces;
+    lit_face lit;
+    fxl_lit_pieces *made = &lit.pieces;
+    lay_out(of, pieces->on, &lit);
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= REFUSED;
         return fxl_submit_split_piece(shader, pieces, face, points, count, face->material);
@@ -64,12 +94,12 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     const bool reverse = pieces->on->renderer->near_first;
     for (uint32_t i = 0; i < made->piece_count; i++) {
         const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
-        if (!fxl_lit_outline(made, piece, of->outline)) {
+        if (!fxl_lit_outline(made, piece, lit.outline)) {
             pieces->outcome |= REFUSED;
             continue;
         }
         uint8_t colour = piece->is_lit ? of->lit[face->material] : face->material;
-        if (!fxl_submit_split_piece(shader, pieces, face, of->outline, piece->count, colour)) {
+        if (!fxl_submit_split_piece(shader, pieces, face, lit.outline, piece->count, colour)) {
             return false;
         }
     }
@@ -78,30 +108,21 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
 
 static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL, true};
 
-/* Builds the record and its tables in the workspace. */
+/* Builds the record in the workspace; its tables follow. */
 static fxl_shader *build(const fxl_beam_set *set, uint8_t *workspace)
 {
     const fxl_beam *beams = set->beams;
     const uint32_t beam_count = set->count;
     lighting *of = (lighting *)(void *)workspace;
-    workspace += rounded_up(sizeof *of);
-    fxl_lit_pieces *pieces = (fxl_lit_pieces *)(void *)workspace;
-    workspace += rounded_up(sizeof *pieces);
-    pieces->corner_capacity = fxl_lit_corners_needed(beams, beam_count);
-    pieces->points = (fxl_point *)(void *)workspace;
-    workspace += rounded_up(pieces->corner_capacity * sizeof *pieces->points);
-    pieces->next = (uint16_t *)(void *)workspace;
-    workspace += rounded_up(pieces->corner_capacity * sizeof *pieces->next);
-    pieces->piece_capacity = fxl_lit_pieces_needed(beams, beam_count);
-    pieces->pieces = (fxl_lit_piece *)(void *)workspace;
-    workspace += rounded_up(pieces->piece_capacity * sizeof *pieces->pieces);
-    of->outline = (fxl_point *)(void *)workspace;
-    of->shader.code = &code;
+    of->corner_capacity = fxl_lit_corners_needed(beams, beam_count);
+    of->piece_capacity = fxl_lit_pieces_needed(beams, beam_count);
+    of->tables = workspace + rounded_up(sizeof *of);
+    of->shader.scratch_size = table_bytes(of->corner_capacity, of->piece_capacity);
+    of->shader.shader.code = &code;
     of->beams = beams;
     of->beam_count = beam_count;
     of->lit = set->lit;
-    of->pieces = pieces;
-    return &of->shader;
+    return &of->shader.shader;
 }
 
 static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t beam_count)
@@ -149,5 +170,6 @@ fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, voi
         shader = build(set, (uint8_t *)memory);
     }
     fxl_renderer_attach(renderer, FXL_SHADER_BEAMS, shader);
+    renderer->workspace.settings_version += 1; /* other workspaces have no room for these beams */
     return FXL_OK;
 }

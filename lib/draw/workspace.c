@@ -3,10 +3,11 @@
 #include "../math/memory.h"
 #include "../view/model_view.h"
 #include "renderer.h"
+#include "scratch.h"
 
 /* A workspace's block of memory: how many bytes each part takes, in the order of the parts. */
 typedef struct {
-    size_t face_order, clipper, raster;
+    size_t scratch, face_order, clipper, raster;
 } parts;
 
 static parts parts_of(const fxl_renderer *renderer)
@@ -15,6 +16,7 @@ static parts parts_of(const fxl_renderer *renderer)
     const fxl_target *target = renderer->target;
     const uint32_t entries = scene->order_needed - fxl_order_instances_most(scene);
     parts of;
+    of.scratch = fxl_beam_scratch_size(renderer) + fxl_tree_scratch_size(renderer);
     of.face_order = fxl_aligned(entries * sizeof(fxl_order_entry));
     of.clipper = fxl_aligned(renderer->clipper->workspace_size);
     of.raster = target->memory_size != NULL
@@ -25,7 +27,8 @@ static parts parts_of(const fxl_renderer *renderer)
 
 static bool is_set_up(const fxl_renderer *renderer)
 {
-    return renderer->scene != NULL && renderer->clipper != NULL && renderer->target != NULL;
+    return renderer->scene != NULL && renderer->clipper != NULL && renderer->target != NULL &&
+           renderer->order != NULL;
 }
 
 /* The largest power of two of entries, for the vertices of the largest model, in so many bytes. */
@@ -51,7 +54,7 @@ size_t fxl_workspace_size(const fxl_renderer *renderer)
         return 0;
     }
     const parts of = parts_of(renderer);
-    return of.face_order + of.clipper + of.raster;
+    return of.scratch + of.face_order + of.clipper + of.raster;
 }
 
 fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
@@ -68,14 +71,14 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
         return FXL_E_ORDER;
     }
     const parts of = parts_of(renderer);
-    const size_t least = of.face_order + of.clipper + of.raster;
+    const size_t least = of.scratch + of.face_order + of.clipper + of.raster;
     if (memory_size < least) {
         return FXL_E_CAPACITY;
     }
     /* What is over: first vertices that faces share, the rest for the backend. */
     const size_t over = of.raster != 0 ? (memory_size - least) / 4 : memory_size - least;
     const uint32_t entries = fxl_cache_entries(renderer->scene, over);
-    uint8_t *at = (uint8_t *)memory;
+    uint8_t *at = (uint8_t *)memory + of.scratch;
     memset(workspace, 0, sizeof *workspace);
     workspace->settings_version = renderer->workspace.settings_version;
     workspace->face_order = (fxl_order_entry *)(void *)at;

@@ -5,6 +5,7 @@
 #include "fixel/billboards.h"
 
 #include "../draw/renderer.h"
+#include "../draw/scratch.h"
 #include "../scene/bsp_node.h"
 
 /* What is done at a node so far. */
@@ -327,6 +328,9 @@ bool fxl_submit_by_bsp(const fxl_traversal *on)
     }
     fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer->order_memory;
     fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
+    if (!fxl_is_own_workspace(on)) {
+        parts.sides = (uint32_t *)fxl_tree_scratch(on);
+    }
     if (on->display_list != NULL) {
         find_layer(on, workspace);
         if (renderer->scene->turns != NULL) {

@@ -11,7 +11,8 @@ extern "C" {
 #endif
 
 /* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
- * needs 1,320, 1,408 or 1,624 on a 32-bit core. Returns 0 where fxl_beams_fit does not allow the
+ * needs 1,296, 1,384 or 1,600 on a 32-bit core; another workspace (fxl_workspace_init) needs 40 less
+ * beside. Returns 0 where fxl_beams_fit does not allow the
  * beams, or beams is null. Requires checked beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 

@@ -298,30 +298,30 @@ fxl_status fxl_frame_end(fxl_renderer *renderer);
 
 /* --- several cores ------------------------------------------------------------------------ */
 
-/* Bytes of memory that another workspace needs at least, for the renderer's scene, clipper and
- * target; 0 where the renderer is not set up. */
+/* Bytes of memory that another workspace needs at least, for the renderer's scene, clipper, order,
+ * target and beams; 0 where the renderer is not set up. */
 size_t fxl_workspace_size(const fxl_renderer *renderer);
 
 /* Sets up a workspace beside the renderer's own, in one block of the caller's memory, aligned to 8
  * bytes; the workspace keeps the pointer. Bytes beyond fxl_workspace_size become a vertex cache and
- * memory for the raster backend. The workspace must be set up anew after the
- * renderer's clipper, order or target was changed, or the renderer initialised.
+ * memory for the target. The workspace must be set up anew after the renderer's clipper, order,
+ * target, outlines or beams were changed, or the renderer was initialised.
  * FXL_E_ARGUMENT: a null pointer; also the renderer's own workspace.
  * FXL_E_ALIGNMENT: a pointer is not aligned.
- * FXL_E_ORDER: the renderer lacks a clipper or a target.
+ * FXL_E_ORDER: the renderer lacks a clipper, an order or a target.
  * FXL_E_CAPACITY: too little memory.
  * With each of these statuses: workspace untouched. */
 fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
                               size_t memory_size);
 
 /* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
- * may draw a band of its own at the same time, each in its own workspace. Not with the order by tree
- * or beams: these have one memory for all cores, so with them one band must be drawn after another.
+ * may draw a band of its own at the same time, each in its own workspace, with any clipper, order and
+ * target and all that is attached, whether the display list holds the whole frame or not.
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no frame begun; the workspace was set up for another clipper or target, or never:
- * it is all zeros.
+ * FXL_E_ORDER: no frame begun; the workspace was set up before the settings above were changed,
+ * or never: it is all zeros.
  * FXL_E_RANGE: a band that is not of this screen.
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* What the order by tree and beams write while they draw. That of the renderer's own workspace lies
+ * in their own memory, that of another one in front of its face order: beams, then the tree.
+ * Internal. */
+#ifndef FXL_SCRATCH_H
+#define FXL_SCRATCH_H
+
+#include "renderer.h"
+#include "submit.h"
+
+/* The shader of beams begins with this record. */
+typedef struct {
+    fxl_shader shader;
+    uint32_t scratch_size; /* a multiple of 8 */
+} fxl_beam_shader;
+
+/* A bit for each node of the tree. */
+static inline uint32_t fxl_tree_scratch_size(const fxl_renderer *renderer)
+{
+    return renderer->order->memory_size != NULL
+               ? (uint32_t)fxl_aligned((renderer->scene->bsp_node_count + 31u) / 32u * 4u)
+               : 0;
+}
+
+static inline uint32_t fxl_beam_scratch_size(const fxl_renderer *renderer)
+{
+    const fxl_shader *shader = renderer->shader;
+    while (shader != NULL && shader->rank != FXL_SHADER_BEAMS) {
+        shader = shader->next;
+    }
+    return shader != NULL ? ((const fxl_beam_shader *)(const void *)shader)->scratch_size : 0;
+}
+
+/* Of a workspace that is not the renderer's own. */
+static inline void *fxl_tree_scratch(const fxl_traversal *on)
+{
+    return (uint8_t *)on->workspace->face_order - fxl_tree_scratch_size(on->renderer);
+}
+
+static inline void *fxl_beam_scratch(const fxl_traversal *on, uint32_t size)
+{
+    return (uint8_t *)fxl_tree_scratch(on) - size;
+}
+
+/* Whether a traversal works in the renderer's own workspace. */
+static inline bool fxl_is_own_workspace(const fxl_traversal *on)
+{
+    return on->workspace == &on->renderer->workspace;
+}
+
+#endif
