@@ -312,14 +312,14 @@ def test_a_page_that_comes_while_the_board_is_paused(paused, window, chromium):
 
 # --- pixels ---------------------------------------------------------------------------
 
-PIXEL = re.compile(r"Pixel (\d+), (\d+): colour (\d+), RGB (\d+) (\d+) (\d+); (?:instance (\d+), face (\d+)|background)$")
+PIXEL = re.compile(r"Pixel (\d+), (\d+): colour (\d+), RGB (\d+) (\d+) (\d+); (?:instance (\d+), face (\d+), [\d.]+ away(?:, texel \d+, \d+ of \d+ × \d+)?|background)$")
 
 
 def pixel_told(page, x, y):
     """What the page says of pixel x, y of a frame of 320 x 240: (x, y), colour, RGB, (instance, face) or None."""
     width = page.eval_on_selector("#fixed", "canvas => canvas.getBoundingClientRect().width")
     page.hover("#fixed", position={"x": (x + 0.5) * width / 320, "y": (y + 0.5) * width / 320})
-    page.wait_for_function(f"words => /^Pixel {x}, {y}:.*(face|background)/.test(document.getElementById('pixel-words').textContent)")
+    page.wait_for_function(f"words => /^Pixel {x}, {y}:.*(away|background)/.test(document.getElementById('pixel-words').textContent)")
     at_x, at_y, colour, *rest = (None if each is None else int(each)
                                  for each in PIXEL.match(page.inner_text("#pixel-words")).groups())
     return (at_x, at_y), colour, tuple(rest[:3]), None if rest[3] is None else tuple(rest[3:])

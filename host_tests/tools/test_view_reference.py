@@ -24,12 +24,12 @@ class Case:
     """Frames that the library drew of a scene, and what the judge says of them."""
 
     def __init__(self, build, folder, name, *methods):
-        self.build, self.methods = build, methods
+        self.build, self.methods = build, [] if "--pixels" in methods else methods   # the image asks for its pixels
         self.image = folder / f"{name}.fxls"
         making.build(str(ROOT / "scenes" / f"{name}.toml"), str(self.image), None, (160, 120))
         frames, names, verdict = (folder / each for each in ("frames.fxld", "names.fxld", "verdict.json"))
         self.run("frames", self.image, frames, "--frames", str(FRAMES), *methods)
-        self.run("judge", self.image, frames, "--json", verdict, "--names", names, *methods)
+        self.run("judge", self.image, frames, "--json", verdict, "--names", names, *self.methods)
         self.verdict = json.loads(verdict.read_text())
         self.frames, self.names = dump.read_dump(frames).frames, dump.read_dump(names).frames
 
@@ -47,9 +47,17 @@ class Case:
             reference.close()
 
 
+FACE = numpy.dtype([("face", "<u2", 2), ("distance", "<f4"), ("texel", "<u2", 2), ("level", "<u2", 2)])
+
+
+def shown_of(answer):
+    """What each pixel shows, as FACE."""
+    return numpy.frombuffer(answer.parts[2], FACE).reshape(answer.frame.pixels.shape)
+
+
 def faces_of(answer):
     """[instance, face] of each pixel."""
-    return numpy.frombuffer(answer.parts[2], "<u2").reshape(*answer.frame.pixels.shape, 2)
+    return shown_of(answer)["face"]
 
 
 def verdict_of(answer):
@@ -71,6 +79,51 @@ def test_the_faces_of_a_frame(name, methods, build, tmp_path):
         faces = faces_of(answer)
         assert numpy.array_equal(names_of(faces.astype(numpy.uint32)), names.pixels)
         assert len(numpy.unique(faces.reshape(-1, 2), axis=0)) > 5
+
+
+# A wall of 80 texels a unit, five units away, and a post before it.
+WALL = """
+screen = {{ width = 160, height = 120 }}
+view = {{ focal = 160, near = 0.5, far = 20{more} }}
+
+[[textures]]
+name = "wall"
+pattern = "bricks"
+size = [16, 32]
+
+[[objects]]
+solid = "box"
+scale = [6, 6, 2]
+position = [0, 0, 6]
+texture = "wall"
+texels_per_unit = 80
+
+[[objects]]
+solid = "box"
+scale = [0.5, 6, 1]
+position = [0, 0, 3.5]
+colour = "teal"
+layer = 1
+
+[path]
+keys = [{{ position = [0, 0, 0] }}]
+"""
+
+
+@pytest.mark.parametrize("more", ["", ", depth = 16", ', pixels = "rgb565"'])
+def test_how_far_away_and_which_texel(build, tmp_path, more):
+    (tmp_path / "wall.toml").write_text(WALL.format(more=more), encoding="utf-8")
+    case = Case(build, tmp_path, tmp_path / "wall", *(["--pixels", "rgb565"] if "rgb565" in more else []))
+    (answer,) = case.answers(case.frames, FRAME | FACES)
+    shown = shown_of(answer)
+    wall, post = (shown["face"][..., 0] == number for number in (0, 1))
+    assert wall.sum() + post.sum() == 160 * 120 and 0 < post.sum() < wall.sum()
+    assert numpy.allclose(shown["distance"][wall], 5, rtol=1e-6) and numpy.allclose(shown["distance"][post], 3, rtol=1e-6)
+    assert (shown["level"][post] == 0).all() and (shown["level"][wall] == (16, 32)).all()
+    assert (shown["texel"][wall] < (16, 32)).all()
+    # A pixel is 5 / 160 units wide there, which are two texels and a half.
+    columns = shown["texel"][2, :20, 0].astype(int)
+    assert set(numpy.diff(columns) % 16) <= {2, 3, 13, 14} and len(set(numpy.diff(columns) % 16)) == 2
 
 
 def test_the_colours_of_faces(build, tmp_path):

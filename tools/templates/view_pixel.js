@@ -2,6 +2,7 @@
 // The pixel under the pointer, in words.
 
 const NO_FACE = 0xffff;
+const FACE_SIZE = 16;  // bytes of a pixel's face: host_tests/judges/live/main.c
 
 /** The pixel of a frame of width x height that an event of the pointer is at, on a canvas that shows it. */
 export function pixelAt(canvas, event, width, height) {
@@ -11,13 +12,15 @@ export function pixelAt(canvas, event, width, height) {
 }
 
 /** What a frame shows at a pixel: {index, red, green, blue}; and by the reference renderer's answer, if that came with
- * the frame, double: the colour there, face: {instance, face} or null for the background. */
+ * the frame, double: the colour there, face: null for the background, or {instance, face,
+ * distance, texel}: texel is null or its column, row, and width and height of its level. */
 export function lookAt(frame, pixel, width, palette) {
   const place = pixel.y * width + pixel.x, seen = { board: colour(frame.pixels[place], palette) };
   if (frame.faces.byteLength && frame.double.length) {
-    const instance = frame.faces.getUint16(4 * place, true), face = frame.faces.getUint16(4 * place + 2, true);
+    const at = FACE_SIZE * place, numbers = [0, 2, 8, 10, 12, 14].map(offset => frame.faces.getUint16(at + offset, true));
+    const [instance, face, ...texel] = numbers, distance = frame.faces.getFloat32(at + 4, true);
     seen.double = colour(frame.double[place], palette);
-    seen.face = instance === NO_FACE ? null : { instance, face };
+    seen.face = instance === NO_FACE ? null : { instance, face, distance, texel: texel[2] ? texel : null };
   }
   return seen;
 }
@@ -31,13 +34,18 @@ function colourWords({ index, rgb }) {
   return `colour ${index}, RGB ${rgb.join(" ")}`;
 }
 
+function faceWords({ instance, face, distance, texel }) {
+  const words = `instance ${instance}, face ${face}, ${distance.toPrecision(4)} away`;
+  return texel ? `${words}, texel ${texel[0]}, ${texel[1]} of ${texel[2]} × ${texel[3]}` : words;
+}
+
 /** A pixel in a sentence. isJudged: the reference renderer can say which face it shows. */
 export function pixelWords(pixel, seen, isJudged) {
   const words = `Pixel ${pixel.x}, ${pixel.y}: ${colourWords(seen.board)}`;
   if (!seen.double) {
     return isJudged ? `${words}; …` : words;
   }
-  const face = seen.face ? `instance ${seen.face.instance}, face ${seen.face.face}` : "background";
+  const face = seen.face ? faceWords(seen.face) : "background";
   return seen.double.index === seen.board.index ? `${words}; ${face}`
     : `${words}. Double precision: ${colourWords(seen.double)}; ${face}`;
 }

@@ -17,8 +17,9 @@
  *   frame     u8 palette index; or u16 of RGB565, as the board's pixels are then
  *   outlines  in the order of drawing: u16 points, u8 colour, u8 0, then for each
  *             point f32 x, f32 y in pixels
- *   faces     u16 instance, u16 face within its model: what the frame shows, or
- *             FFFF FFFF where that is the background
+ *   faces     what the frame shows: u16 instance, u16 face within its model, or FFFF FFFF where
+ *             that is the background; f32 how far away, along the view's axis; of its texel u16
+ *             column and row, then u16 width and height of the level, 0 without a texture
  *   verdict   u8: 0 the board's pixel equals the frame's, 1 it is explained within
  *             the bound by which `make run` judges, 2 it is not
  *
@@ -31,6 +32,7 @@
 #include "frames/moving_reference.h"
 #include "frames/read_file.h"
 #include "judge/pixel.h"
+#include "live/faces.h"
 #include "reference/clipper.h"
 #include "reference/render.h"
 #include "reference/scene.h"
@@ -46,8 +48,7 @@ enum {
     WANT_FACES = 4,
     WANT_VERDICT = 8,
     WANT_ALL = 15,
-    PARTS = 4,
-    FACE_SIZE = 4 /* bytes of a pixel's face */
+    PARTS = 4
 };
 
 /* A pixel of the verdict. */
@@ -78,27 +79,6 @@ static int fail(const char *where, const char *what)
 {
     fprintf(stderr, "error: live: %s: %s\n", where, what);
     return 2;
-}
-
-static void put_u32(uint8_t *to, uint32_t value)
-{
-    for (int i = 0; i < 4; i++) {
-        to[i] = (uint8_t)(value >> 8 * i);
-    }
-}
-
-static void put_u16(uint8_t *to, uint32_t value)
-{
-    to[0] = (uint8_t)value;
-    to[1] = (uint8_t)(value >> 8);
-}
-
-static void put_f32(uint8_t *to, double value)
-{
-    float narrow = (float)value;
-    uint32_t bits;
-    memcpy(&bits, &narrow, sizeof bits);
-    put_u32(to, bits);
 }
 
 static size_t outlines_size(const ref_renderer *renderer)
@@ -179,21 +159,6 @@ static void collect_frame(session *run)
     }
 }
 
-/* The face of each pixel of the frame that was drawn. */
-static void collect_faces(session *run)
-{
-    for (size_t i = 0; i < run->area; i++) {
-        uint8_t *to = run->faces + FACE_SIZE * i;
-        if (run->shown[i] == 0) {
-            put_u32(to, UINT32_MAX);
-        } else {
-            const ref_drawn *drawn = &run->renderer.display_list.drawn[run->shown[i] - 1];
-            put_u16(to, drawn->instance);
-            put_u16(to + 2, drawn->face);
-        }
-    }
-}
-
 /* Judges each pixel of the board's frame. False where memory is short. */
 static bool judge_board(session *run)
 {
@@ -227,7 +192,7 @@ static bool work_out(session *run, uint8_t wants, const ref_pose *pose, uint32_t
         collect_frame(run);
     }
     if ((wants & WANT_FACES) != 0) {
-        collect_faces(run);
+        collect_faces(&run->renderer, run->faces);
     }
     return ((wants & WANT_OUTLINES) == 0 || collect_outlines(run, outlines_size)) &&
            ((wants & WANT_VERDICT) == 0 || judge_board(run));

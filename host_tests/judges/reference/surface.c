@@ -276,6 +276,19 @@ int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row)
     return texture->is_keyed && colour == texture->key ? REF_CLEAR : colour;
 }
 
+bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                          int texel[2])
+{
+    ref_place place;
+    if (!view->surface || !view->texture || !ref_surface_place(view, lens, x, y, &place)) {
+        return false;
+    }
+    const bool clamps = view->texture->clamps;
+    texel[0] = (int)within((int64_t)floor(place.values[REF_U]), view->level->width, clamps);
+    texel[1] = (int)within((int64_t)floor(place.values[REF_V]), view->level->height, clamps);
+    return true;
+}
+
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
 {
     return view->light ? view->light->ramp[within(level, view->light->levels, true)][colour]

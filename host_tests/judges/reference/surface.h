@@ -98,6 +98,11 @@ bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, doubl
  * texture: the face's own. */
 int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row);
 
+/* Finds the column and the row, within its level, of the texel at a point of the screen. False: there is
+ * none. */
+bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, double x, double y,
+                          int texel[2]);
+
 /* A colour at a level of light, counted from 0 and limited to those that there are. */
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour);
 

@@ -17,7 +17,7 @@ from fixel.base.errors import ToolError
 PARTS = 4                                       # of an answer, in the order of these bits
 FRAME, OUTLINES, FACES, VERDICT = 1, 2, 4, 8    # what may be wanted, as bits; host_tests/judges/live says what each is
 WANTS_ALL = FRAME | OUTLINES | FACES | VERDICT
-FACE_SIZE = 4                                   # bytes of a pixel's face
+FACE_SIZE = 16                                  # bytes of a pixel's face: host_tests/judges/live/main.c
 REQUEST = struct.Struct("<4sB3x3i3II")
 ANSWER = struct.Struct(f"<4sI{PARTS}I")
 
