@@ -192,6 +192,23 @@ def test_what_surely_crosses_itself():
         assert not triangles._crosses_itself(star)
 
 
+def test_what_crosses_itself_by_the_sides_of_its_corners():
+    """Of four and five random points no three lie nearly on a line."""
+    def side(a, b, c):
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0
+
+    def cross(a, b, c, d):
+        return side(a, b, c) != side(a, b, d) and side(c, d, a) != side(c, d, b)
+    chance, seen = random.Random(9), set()
+    for count in 40 * [4, 5]:
+        points = [(chance.randrange(10 ** 6), chance.randrange(10 ** 6)) for _ in range(count)]
+        edges = list(zip(points, points[1:] + points[:1]))
+        crosses = any(cross(*edges[i], *edges[j]) for i in range(count) for j in range(i + 2, count - (i == 0)))
+        assert triangles._crosses_itself(points) == crosses
+        seen.add((count, crosses))
+    assert len(seen) == 4
+
+
 def test_large_faces_with_surfaces(tmp_path):
     """The coordinates of all corners were looked up for each piece."""
     (tmp_path / "m.obj").write_text("".join(f"v {1e3 * math.cos(i / 3000 * 2 * math.pi):.3f} {1e3 * math.sin(i / 3000 * 2 * math.pi):.3f} 0\n"
