@@ -2,7 +2,7 @@
 /* Draws with Fixel, any clipper, order and target, the frame in one band. */
 #include "combination.h"
 #include "contract/system.h"
-#include "fixel/beam_light.h"
+#include "fixel/beams.h"
 #include "text.h"
 
 /* Zeroes take space in the image, and the scene follows them: all together must be below 480 KB. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* For the BSP: memory for pieces of moving instances, enough for any scene of the comparison. */
 #include "combination.h"
-#include "fixel/bsp.h"
+#include "fixel/order.h"
 
 static uint32_t pieces[65536u / 4u];
 static uint32_t most;

@@ -21,12 +21,12 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 # The room of each public header: that of the code which it declares.
 ROOM_OF = {
     "math": {"config", "types"},
-    "scene": {"beam", "camera", "records", "scene"},
+    "scene": {"camera", "records", "scene"},
     "clip": {"line"},
     # These also declare how lib/draw attaches what they describe to a renderer.
-    "paint": {"beam_light", "beams", "billboards", "light", "surfaces"},
+    "paint": {"beams", "billboards", "light", "surfaces"},
     "draw": {"fixel", "order", "render", "target"},
-    "order": {"bsp", "wire"},
+    "order": {"wire"},
     "screen": {"display", "overlay", "pixels", "pump"},
     "game": {"collide", "motion", "orientation", "pick", "player", "world"},
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "study/span_buffer.h"
 
 #include <string.h>

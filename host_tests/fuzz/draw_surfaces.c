@@ -5,7 +5,7 @@
 #include "demand.h"
 #include "draw.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "make_scene.h"
 #include "record.h"
 #include "stages.h"

@@ -4,7 +4,7 @@
 #include "demand.h"
 #include "draw.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "record.h"
 
 enum {

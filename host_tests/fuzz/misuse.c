@@ -7,7 +7,7 @@
 #include "draw.h"
 #include "stages.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 enum {
     PIXELS = 4096

@@ -5,7 +5,7 @@
 
 #include "draw/stages.h"
 #include "fixel/all.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 typedef struct {
     const fxl_order *order;

@@ -24,7 +24,7 @@ static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
 #define fxl_span_buffer_draw  counted_span_buffer_draw
 #define fxl_fill_row          count_and_fill
 #include "../../lib/study/span_buffer.c"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "study/span_buffer.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,

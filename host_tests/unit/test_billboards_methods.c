@@ -6,7 +6,7 @@
 #include "tiny.h"
 #include "tiny_board.h"
 #include "tiny_frames.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 enum {
     WIDTH = 32,

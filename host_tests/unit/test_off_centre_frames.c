@@ -5,7 +5,7 @@
 #include "clippers_list.h"
 #include "tiny.h"
 #include "tiny_frames.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 enum {
     WIDTH = 48,

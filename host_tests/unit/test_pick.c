@@ -8,7 +8,7 @@
 #include "tiny.h"
 #include "tiny_frames.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "study/span_buffer.h"
 
 enum {

@@ -3,7 +3,7 @@
 #include "bsp_scene.h"
 #include "choices.h"
 #include "tiny.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "study/span_buffer.h"
 
 enum {

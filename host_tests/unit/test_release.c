@@ -3,7 +3,7 @@
  * their pixels stay. */
 #include "draw/stages.h"
 #include "fixel/all.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "choices.h"
 #include "world_unit.h"
 

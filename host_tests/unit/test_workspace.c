@@ -4,7 +4,7 @@
 #include "draw/stages.h"
 #include "fixel/all.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "choices.h"
 #include "tiny.h"
 

@@ -3,7 +3,7 @@
 #include "../../lib/draw/renderer.h"
 #include "choices.h"
 #include "tiny.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 enum {
     WIDTH = 24,

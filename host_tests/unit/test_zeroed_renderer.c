@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A renderer that is all zeros was never initialised: no call may set anything in it. */
 #include "tiny.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 static fxl_renderer renderer, zeros;
 static FXL_ALIGN_8 uint8_t memory[1024];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../scene/beam.h"
 #include "../scene/turn_code.h"
-#include "fixel/beam_light.h"
+#include "fixel/beams.h"
 
 #include "../math/arith.h"
 #include "../paint/lit_pieces.h"

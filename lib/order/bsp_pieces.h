@@ -5,7 +5,7 @@
 #define FXL_BSP_PIECES_H
 
 #include "../draw/submit.h"
-#include "fixel/bsp.h"
+#include "fixel/order.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -4,7 +4,7 @@
 #ifndef FXL_LIT_PIECES_H
 #define FXL_LIT_PIECES_H
 
-#include "fixel/beam.h"
+#include "fixel/scene.h"
 
 typedef struct {
     uint16_t last; /* the last corner; the first one follows it */

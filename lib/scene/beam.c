@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/plane.h"
 #include "beam.h"
-#include "fixel/beam.h"
+#include "fixel/scene.h"
 
 #include "../math/arith.h"
 #include "../math/unit_vector.h"

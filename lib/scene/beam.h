@@ -3,7 +3,7 @@
 #ifndef FXL_SCENE_BEAM_H
 #define FXL_SCENE_BEAM_H
 
-#include "fixel/beam.h"
+#include "fixel/scene.h"
 
 #ifdef __cplusplus
 extern "C" {

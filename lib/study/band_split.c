@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
-#include "visibility_spans.h"
+#include "target_spans.h"
 
 fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band)

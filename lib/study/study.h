@@ -8,7 +8,7 @@
 #include "clip_world.h"
 #include "clippers.h"
 #include "half_space.h"
-#include "methods.h"
+#include "targets.h"
 #include "normalised.h"
 #include "rectangle.h"
 #include "scan_box.h"

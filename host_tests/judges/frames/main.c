@@ -14,7 +14,7 @@
 #include "frames/methods.h"
 #include "frames/session.h"
 #include "path.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 typedef struct {
     const char *scene, *out;

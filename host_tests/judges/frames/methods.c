@@ -3,7 +3,7 @@
 
 #include <string.h>
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 
 static const named_clipper clippers[] = {
     {"view", &fxl_clipper_view, NULL},

@@ -16,7 +16,7 @@
 #include "frames/session.h"
 #include "path.h"
 #include "study/clippers.h"
-#include "study/methods.h"
+#include "study/targets.h"
 #include "study/span_buffer.h"
 
 enum {

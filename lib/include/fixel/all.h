@@ -6,7 +6,6 @@
 #include "fixel.h"
 #include "fixel/beams.h"
 #include "fixel/billboards.h"
-#include "fixel/bsp.h"
 #include "fixel/camera.h"
 #include "fixel/collide.h"
 #include "fixel/display.h"

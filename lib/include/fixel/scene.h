@@ -456,6 +456,34 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
  * section 8.1, has the exact test. A mirror image is no rotation. */
 fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius);
 
+/* --- beams of light ---------------------------------------------------------------------- */
+
+/* Makes the beam that falls through a window from a light at a point, or from a direction. The
+ * window is a convex polygon of 3 to FXL_BEAM_PLANES_MAX - 1 corners, in either winding. The
+ * beam has a plane for each side of the window, in order; the side goes from its corner to the
+ * next. After them comes the window's own plane, through its first three corners; the beam
+ * begins there, on the side away from the light. Each plane passes exactly through its side's
+ * first corner (the window's own plane through the first one).
+ * Error: a component of a normal 2 units of 2^-30 from the exact one's.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_COUNT: a count is out of its range.
+ * FXL_E_RANGE: a corner or a point beyond FXL_COORDINATE_MAX, a direction not of unit length.
+ * FXL_E_DEGENERATE: the light lies in the plane of the window or of one of its sides, or the
+ * window is not convex; all to within 2^-12 unit.
+ * With each of these statuses: *beam untouched. */
+fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, uint32_t count,
+                               fxl_beam *beam);
+fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
+                                   uint32_t count, fxl_beam *beam);
+
+/* Checks a beam that was written as a table.
+ * FXL_E_ARGUMENT: it is null.
+ * FXL_E_RESERVED: its kind is unknown, or an unused member is not 0.
+ * FXL_E_COUNT: it has too few planes or too many.
+ * FXL_E_RANGE: its point or a distance is out of range.
+ * FXL_E_NORMAL: a normal or a direction is not of unit length. */
+fxl_status fxl_beam_check(const fxl_beam *beam);
+
 #ifdef __cplusplus
 }
 #endif

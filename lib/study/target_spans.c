@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../raster/scan.h"
-#include "visibility_spans.h"
+#include "target_spans.h"
 #include "../draw/renderer.h"
 
 uint32_t fxl_spans_workspace_size(const fxl_lens *lens)

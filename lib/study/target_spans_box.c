@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scan_box.h"
-#include "visibility_spans.h"
+#include "target_spans.h"
 #include "../draw/renderer.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* What the raster backends with a span buffer share. Internal. */
-#ifndef FXL_VISIBILITY_SPANS_H
-#define FXL_VISIBILITY_SPANS_H
+#ifndef FXL_TARGET_SPANS_H
+#define FXL_TARGET_SPANS_H
 
 #include "span_buffer.h"
 #include "../draw/submit.h"
-#include "methods.h"
+#include "targets.h"
 
 /* fxl_target.workspace_size and .begin_band: the span buffer fills the whole workspace
  * of the backend. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Targets with a span buffer, or with a scan by bounding boxes: palette indices without a depth
  * buffer. */
-#ifndef FXL_STUDY_METHODS_H
-#define FXL_STUDY_METHODS_H
+#ifndef FXL_STUDY_TARGETS_H
+#define FXL_STUDY_TARGETS_H
 
 #include "fixel/target.h"
 

@@ -3,7 +3,7 @@
  * the sides of the screen to the scan. */
 #include "../draw/submit.h"
 #include "../raster/fill.h"
-#include "methods.h"
+#include "targets.h"
 #include "scan_box.h"
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
