@@ -333,10 +333,18 @@ def test_a_blend_table_has_the_nearest_entries(tmp_path):
         assert beneath == made.blend_first == shown or distances[shown] == min(distances)
 
 
-def test_a_tree_leaves_surfaces_out_and_says_so(tmp_path):
-    done = run_cli("build", "scenes/room.toml", "-o", tmp_path / "room.fxls", "--tree", "most")
-    assert done.returncode == 0 and "surfaces are left out" in done.stderr
-    assert image.load(tmp_path / "room.fxls").surfaces is None
+def test_a_tree_s_own_faces_lose_their_surfaces_and_it_says_so(tmp_path):
+    done = run_cli("build", "scenes/room.toml", "-o", tmp_path / "room.fxls", "--tree", "all")
+    assert done.returncode == 0 and "faces of the tree's object lose their surfaces" in done.stderr
+    made = image.load(tmp_path / "room.fxls")
+    assert all(face.mapped is None for face in made.models[made.objects[made.tree.object].model].faces)
+    (tmp_path / "moving.toml").write_text(
+        'tree = "all"\n' + TEXTURE + '[[objects]]\nsolid = "box"\nposition = [0, 0, 8]\n'
+        '[[objects]]\nsolid = "tile"\nposition = [0, 0, 4]\ntexture = "t"\nmoves = true\n[path]\nkeys = [{ position = [0, 0, 0] }]\n')
+    done = run_cli("build", tmp_path / "moving.toml", "-o", tmp_path / "moving.fxls")
+    assert done.returncode == 0 and "lose their surfaces" not in done.stderr, done.stderr
+    made = image.load(tmp_path / "moving.fxls")
+    assert made.surfaces is not None and any(face.mapped for model in made.models for face in model.faces)
 
 
 # --- refusals ------------------------------------------------------------------------------------

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../math/arith.h"
 #include "../scene/turn_code.h"
 #include "../view/cull.h"
 #include "../view/model_view.h"
@@ -159,12 +160,30 @@ bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_order_entry
     return billboards != NULL && billboards->set->model_map[model] != 0;
 }
 
-/* An instance that is drawn whole, in the leaf of its centre. number: of the instances that the
+/* The middle of an instance's billboard, were the camera upright: above the instance's centre by half
+ * of the height less the anchor, by the instance's scale. A centre is often on the ground, and so on
+ * no side of it. A height is below 2^29 and lies within the radius, which the scale leaves within
+ * FXL_COORDINATE_MAX. */
+static fxl_point middle_of(const fxl_renderer *renderer, const fxl_order_entry *entry)
+{
+    const fxl_scene *scene = renderer->scene;
+    const fxl_instance *instance = &scene->instances[entry->index];
+    const fxl_billboard_set *set = renderer->billboards->set;
+    const fxl_billboard *board = &set->billboards[set->model_map[instance->model] - 1];
+    const fxl_q16_16 scale = fxl_turn_code_of(scene, entry->index) != NULL
+                                 ? fxl_turn_of(scene, entry->index)->scale
+                                 : 65536;
+    fxl_point middle = instance->centre;
+    middle.y += (int32_t)(fxl_multiply_s32(board->height - 2 * board->anchor_y, scale) >> 17);
+    return middle;
+}
+
+/* An instance that is drawn whole, in the leaf of a point. number: of the instances that the
  * workspace has room for. */
 static void put_whole(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
-                      const fxl_point *centre, uint32_t entry, bool reverse)
+                      const fxl_point *point, uint32_t entry, bool reverse)
 {
-    const fxl_bsp_item whole = {FXL_IN_LEAF | leaf_of(scene, centre),
+    const fxl_bsp_item whole = {FXL_IN_LEAF | leaf_of(scene, point),
                                 FXL_ITEM_NONE,
                                 (uint16_t)entry,
                                 FXL_ITEM_NONE,
@@ -200,7 +219,8 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
         const fxl_order_entry *entry = &renderer->frame.order[at];
         const fxl_instance *instance = &scene->instances[entry->index];
         if (fxl_bsp_shows_billboard(renderer, entry)) {
-            put_whole(scene, &parts, mover++, &instance->centre, at, reverse);
+            const fxl_point middle = middle_of(renderer, entry);
+            put_whole(scene, &parts, mover++, &middle, at, reverse);
             continue;
         }
         count_faces(on, entry);

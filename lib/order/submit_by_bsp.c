@@ -301,6 +301,9 @@ static bool submit_layer(const fxl_traversal *on, fxl_bsp_workspace *workspace,
     fxl_bsp_resume_point place = {0, 0, 0, FIRST};
     if (on->resume->faces != 0) {
         place = workspace->rest;
+        for (uint32_t node = place.node; node != FXL_BSP_NONE; node = scene->bsp_nodes[node].parent) {
+            find_side(&traversal, node); /* another workspace has not come down to the node */
+        }
     }
     bool done = submit_nodes(&traversal, &place);
     if (!done && on->band == NULL) {

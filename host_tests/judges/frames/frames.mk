@@ -17,6 +17,6 @@ $(BUILD)/host/objects/judges/frames/path.o: firmware/walk/path.c
 	$(SAY)
 	$(FRAMES_CC) $< -o $@
 
-$(BUILD)/host/frames: $(FRAMES_OBJECTS) $(HOST_LIBRARIES)
+$(BUILD)/host/frames: $(FRAMES_OBJECTS) $(BUILD)/host/libreference.a $(HOST_LIBRARIES)
 	$(SAY)
-	$(HOSTCC) $^ -o $@
+	$(HOSTCC) $^ -lm -o $@

@@ -13,6 +13,7 @@
 #include "frames/dump.h"
 #include "frames/methods.h"
 #include "frames/session.h"
+#include "reference/render.h"
 #include "path.h"
 #include "study/targets.h"
 
@@ -23,7 +24,13 @@ typedef struct {
     const named_light *light;
     uint8_t pixel_bits; /* 0: as the scene asks */
     uint32_t frames, rows, list, cache, sliver, pieces;
+    uint32_t cores, outlines, border; /* palette indices; NO_COLOUR: none */
+    const char *picks; /* where the names of what is picked go; null: nowhere */
 } options;
+
+enum {
+    NO_COLOUR = 256
+};
 
 /* Sums over the frames. */
 typedef struct {
@@ -48,7 +55,8 @@ static bool parse_number(const char *text, uint32_t *number)
 static bool parse(int count, char **arguments, options *wanted)
 {
     *wanted = (options){
-        .clipper = find_clipper("view"), .list = 1u << 20, .cache = 256, .pieces = 1u << 20};
+        .clipper = find_clipper("view"), .list = 1u << 20, .cache = 256, .pieces = 1u << 20,
+        .outlines = NO_COLOUR, .border = NO_COLOUR};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         if (strncmp(name, "--", 2) != 0) {
@@ -76,6 +84,8 @@ static bool parse(int count, char **arguments, options *wanted)
             if (wanted->pixel_bits == 0) {
                 return false;
             }
+        } else if (strcmp(name, "--picks") == 0) {
+            wanted->picks = value;
         } else if (strcmp(name, "--light") == 0) {
             wanted->light = find_light(value);
             if (!wanted->light) {
@@ -88,7 +98,10 @@ static bool parse(int count, char **arguments, options *wanted)
                                : strcmp(name, "--cache") == 0  ? &wanted->cache
                                : strcmp(name, "--sliver") == 0 ? &wanted->sliver
                                : strcmp(name, "--pieces") == 0 ? &wanted->pieces
-                                                               : NULL;
+                               : strcmp(name, "--cores") == 0  ? &wanted->cores
+                               : strcmp(name, "--outlines") == 0 ? &wanted->outlines
+                               : strcmp(name, "--border") == 0   ? &wanted->border
+                                                                 : NULL;
             if (!number || !parse_number(value, number)) {
                 return false;
             }
@@ -135,11 +148,37 @@ static const char *open_scene(const options *wanted, session *run)
     if (status == FXL_OK && wanted->light) {
         status = session_light(run, wanted->light);
     }
+    if (status == FXL_OK && wanted->outlines < NO_COLOUR) {
+        const fxl_outline_style style = {.line = (uint8_t)wanted->outlines, .keeps_colours = true};
+        status = fxl_attach_outlines(&run->renderer, &run->outlines, &style);
+    }
+    run->border = wanted->border < NO_COLOUR ? wanted->border + 1 : 0;
+    if (status == FXL_OK && wanted->cores == 2) {
+        status = session_add_core(run);
+    }
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
 
-static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32_t frames,
-                           sums *counted)
+/* The names of what is picked at each pixel of the frame, as the reference has them; 0: nothing. */
+static fxl_status pick_all(session *run, uint8_t *names)
+{
+    const fxl_lens *lens = &run->image.lens;
+    fxl_status status = FXL_OK;
+    for (uint16_t y = 0; y < lens->height; y++) {
+        for (uint16_t x = 0; x < lens->width && status == FXL_OK; x++) {
+            fxl_picked picked;
+            status = fxl_pick_face(&run->renderer, x, y, &picked);
+            *names++ = picked.instance == FXL_PICK_NONE
+                           ? 0
+                           : ref_face_name(picked.instance, picked.face);
+        }
+    }
+    return status;
+}
+
+/* picks: where their names go; or null. */
+static fxl_status draw_all(const options *wanted, session *run, dump *to, dump *picks,
+                           uint32_t frames, sums *counted)
 {
     const size_t area = (size_t)run->image.lens.width * run->image.lens.height;
     const fxl_counters *counters = &run->renderer.workspace.counters;
@@ -157,6 +196,13 @@ static fxl_status draw_all(const options *wanted, session *run, dump *to, uint32
             return status;
         }
         dump_frame(to, &path.viewer.pose, pixels, area, counters, path.viewer.clamped);
+        if (picks) {
+            status = pick_all(run, pixels);
+            dump_frame(picks, &path.viewer.pose, pixels, area, counters, path.viewer.clamped);
+        }
+        if (status != FXL_OK) {
+            return status;
+        }
         counted->drawn += counters->drawn;
         counted->clipped += counters->clipped;
         counted->refused += counters->refused;
@@ -172,7 +218,8 @@ int main(int count, char **arguments)
     if (!parse(count, arguments, &wanted)) {
         return fail("usage", "frames SCENE.fxls OUT.fxld [--clipper NAME] [--hidden NAME] "
                              "[--pixels palette|rgb565] [--frames N] [--rows N] [--list WORDS] [--cache ENTRIES] "
-                             "[--sliver UNITS] [--pieces BYTES]");
+                             "[--sliver UNITS] [--pieces BYTES] [--cores 2] [--outlines COLOUR] "
+                             "[--border COLOUR] [--picks OUT.fxld]");
     }
     const char *wrong = open_scene(&wanted, &run);
     if (wrong) {
@@ -187,12 +234,24 @@ int main(int count, char **arguments)
     dump to;
     sums counted = {0};
     dump_begin(&to, file, &run.image, frames, session_pixel_bits(&run));
-    fxl_status status = draw_all(&wanted, &run, &to, frames, &counted);
+    dump picks;
+    FILE *pick_file = wanted.picks ? fopen(wanted.picks, "wb") : NULL;
+    if (wanted.picks && !pick_file) {
+        return fail(wanted.picks, "it cannot be written");
+    }
+    if (pick_file) {
+        dump_begin(&picks, pick_file, &run.image, frames, 8);
+    }
+    fxl_status status =
+        draw_all(&wanted, &run, &to, pick_file ? &picks : NULL, frames, &counted);
     if (status != FXL_OK) {
         fclose(file);
         return fail(wanted.scene, fxl_status_text(status));
     }
     bool saved = dump_end(&to);
+    if (pick_file) {
+        saved = dump_end(&picks) && fclose(pick_file) == 0 && saved;
+    }
     if (fclose(file) != 0 || !saved) {
         return fail(wanted.out, "it cannot be written");
     }

@@ -262,12 +262,33 @@ uint8_t session_pixel_bits(const session *run)
     return run->renderer.target->pixel_bits;
 }
 
+fxl_status session_add_core(session *run)
+{
+    const size_t size = fxl_workspace_size(&run->renderer) + 4096;
+    run->has_second = true;
+    return fxl_workspace_init(&run->second, &run->renderer, session_memory(size), size);
+}
+
+/* A band of a frame, in the workspace whose turn it is, and what is drawn over it. */
+static fxl_status draw_in_turn(void *with, const fxl_band *band)
+{
+    session *run = with;
+    const bool is_second = run->has_second && run->bands++ % 2 != 0;
+    fxl_status status = is_second ? fxl_frame_draw_with(&run->renderer, &run->second, band)
+                                  : fxl_frame_draw(&run->renderer, band);
+    if (status == FXL_OK && run->border > 0) {
+        status = fxl_draw_border(band, 4, 4, 24, 16, (uint8_t)(run->border - 1));
+    }
+    return status;
+}
+
 fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8_t background,
                         void *pixels)
 {
     const uint16_t *palette = session_pixel_bits(run) == 16 ? run->palette : NULL;
     fxl_status status = fxl_frame_begin(&run->renderer, pose);
+    run->bands = 0;
     return status == FXL_OK ? draw_bands(&run->image.lens, rows, background, palette, pixels,
-                                         session_draw_band, &run->renderer)
+                                         draw_in_turn, run)
                             : status;
 }

@@ -35,6 +35,11 @@ typedef struct {
     fxl_billboards billboards;
     uint8_t ramp[FXL_LIGHT_RAMP_BYTES(FXL_LIGHT_LEVELS_MAX)];
     void *tree, *depth, *beam_light; /* memory of the order, the target, the beams */
+    fxl_outlines outlines;
+    fxl_workspace second; /* of another core, which draws every second band, if there is one */
+    bool has_second;
+    uint32_t bands;       /* drawn since the frame began */
+    uint32_t border;      /* 1 + the palette index of a border that is drawn over each frame; 0: none */
     uint16_t palette[256];           /* in RGB565 */
 } session;
 
@@ -60,6 +65,10 @@ fxl_status session_set_up(session *run, const session_settings *settings);
 
 /* Has the renderer, which is set up, draw in a light. What the library answers. */
 fxl_status session_light(session *run, const named_light *light);
+
+/* Has the renderer, which is set up with all that is attached, draw every second band as another core
+ * does. What the library answers. */
+fxl_status session_add_core(session *run);
 
 /* Draws a frame into pixels, uint8_t or uint16_t, as large as the lens says: begins it, fills each band of
  * so many rows (0: the whole frame) with the background, and draws the band. Ends at the first

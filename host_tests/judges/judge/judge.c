@@ -22,7 +22,7 @@
 #include "judge/walk.h"
 
 typedef struct {
-    const char *scene, *dump, *json, *twin, *names;
+    const char *scene, *dump, *json, *twin, *names, *shown;
     unsigned cuts; /* the planes that the board's clipper cuts by */
     bool by_points;
     bool by_bsp;    /* the board drew in the order of the scene's BSP */
@@ -30,6 +30,7 @@ typedef struct {
     int depth_bits; /* the board drew by a depth buffer of so many; else 0 */
     bool unasked;   /* the board drew as the scene says */
     double distance;
+    int line;                 /* the palette index of outlines that the board drew; below 0: none */
     const named_light *light; /* in which the board drew; or null */
 } options;
 
@@ -37,7 +38,7 @@ typedef struct {
     ref_scene_image image;
     uint8_t *bytes; /* of the image */
     size_t size;
-    judge_dump dump, twin, names;
+    judge_dump dump, twin, names, shown;
     judge_frame *frames;
     judge_walk walk;
     ref_light light;
@@ -156,7 +157,8 @@ static void say_all(report *out, const options *wanted, const session *run)
 static bool parse_options(int count, char **arguments, options *wanted)
 {
     *wanted =
-        (options){.distance = JUDGE_DISTANCE, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true};
+        (options){.distance = JUDGE_DISTANCE, .cuts = REF_CUT_ALL, .by_bsp = true, .unasked = true,
+                  .line = -1};
     for (int i = 1; i < count; i++) {
         const char *name = arguments[i];
         const char *value = i + 1 < count ? arguments[i + 1] : NULL;
@@ -177,6 +179,10 @@ static bool parse_options(int count, char **arguments, options *wanted)
             wanted->twin = value;
         } else if (strcmp(name, "--names") == 0) {
             wanted->names = value;
+        } else if (strcmp(name, "--outlines") == 0) {
+            wanted->line = atoi(value) & 255;
+        } else if (strcmp(name, "--shown") == 0) {
+            wanted->shown = value;
         } else if (strcmp(name, "--clipper") == 0) {
             if (!ref_clipper_cuts(value, &wanted->cuts, &wanted->by_points)) {
                 return false;
@@ -250,9 +256,11 @@ static int judge(options *wanted, session *run)
     run->frames = calloc(run->dump.frame_count, sizeof *run->frames);
     if (!run->frames || (wanted->twin && !judge_dump_like(&run->dump, run->dump.pixel_bits, &run->twin)) ||
         (wanted->names && !judge_dump_like(&run->dump, 8, &run->names)) ||
+        (wanted->shown && !judge_dump_like(&run->dump, 8, &run->shown)) ||
         !judge_frames(&scene, &run->dump, wanted->cuts, wanted->by_points, wanted->by_bsp,
-                      wanted->flat, wanted->depth_bits, wanted->distance, run->frames,
-                      wanted->twin ? &run->twin : NULL, wanted->names ? &run->names : NULL)) {
+                      wanted->flat, wanted->depth_bits, wanted->distance, wanted->line, run->frames,
+                      wanted->twin ? &run->twin : NULL, wanted->names ? &run->names : NULL,
+                      wanted->shown ? &run->shown : NULL)) {
         return fail("there is not enough memory to judge %s, or the library refuses its scene",
                     wanted->dump);
     }
@@ -261,6 +269,9 @@ static int judge(options *wanted, session *run)
     }
     if (wanted->names && !judge_dump_save(&run->names, wanted->names)) {
         return fail("%s: it cannot be written", wanted->names);
+    }
+    if (wanted->shown && !judge_dump_save(&run->shown, wanted->shown)) {
+        return fail("%s: it cannot be written", wanted->shown);
     }
     report out = {0};
     say_all(&out, wanted, run);
@@ -274,6 +285,7 @@ int main(int count, char **arguments)
     options wanted;
     if (!parse_options(count, arguments, &wanted)) {
         return fail("usage: judge SCENE.fxls DUMP.fxld --json OUT.json [--twin TWIN.fxld] "
+                    "[--names NAMES.fxld] [--shown NAMES.fxld] [--outlines COLOUR] "
                     "[--distance PIXELS] [--clipper NAME] [--hidden NAME] [--light NAME]");
     }
     static session run;
@@ -282,6 +294,7 @@ int main(int count, char **arguments)
     free(run.bytes);
     judge_dump_close(&run.twin);
     judge_dump_close(&run.names);
+    judge_dump_close(&run.shown);
     judge_dump_close(&run.dump);
     ref_scene_close(&run.image);
     return code;

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "frames/moving_reference.h"
+#include "judge/outlined.h"
 #include "judge/pixel.h"
 #include "oracle/tie.h"
 #include "reference/fill.h"
@@ -30,8 +31,9 @@ typedef struct {
     bool flat;
     int depth_bits;
     double distance;
+    int line; /* the palette index of outlines; below 0: none */
     judge_frame *frames;
-    judge_dump *twin, *names;
+    judge_dump *twin, *names, *shown;
     ref_rgb565 rgb565; /* where the dump has 16 bits a pixel */
     pthread_mutex_t lock;
     uint32_t next, done;
@@ -136,6 +138,10 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
             if (board == twin[place]) {
                 continue;
             }
+            if (work->line >= 0 && board == ref_pixel_of(renderer, (uint8_t)work->line) &&
+                judge_is_on_outline(renderer, x, y)) {
+                continue;
+            }
             if (!boxes && !(boxes = judge_boxes_of(&renderer->display_list))) {
                 return false;
             }
@@ -146,6 +152,28 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
         }
     }
     free(boxes);
+    return true;
+}
+
+/* The names of what changed each pixel last. pixels: of the band, which is a frame. */
+static bool put_shown(const job *work, ref_renderer *renderer, const ref_band *band,
+                      uint16_t *pixels, uint32_t number)
+{
+    const size_t area = (size_t)work->dump->width * (size_t)work->dump->height;
+    renderer->shown = calloc(area, sizeof *renderer->shown);
+    if (!renderer->shown) {
+        return false;
+    }
+    ref_fill_band(band, ref_pixel_of(renderer, work->image->background));
+    ref_frame_draw(renderer, band);
+    for (size_t i = 0; i < area; i++) {
+        const uint32_t place = renderer->shown[i];
+        const ref_drawn *drawn = &renderer->display_list.drawn[place > 0 ? place - 1 : 0];
+        pixels[i] = place > 0 ? ref_face_name(drawn->instance, drawn->face) : 0;
+    }
+    judge_dump_put(work->shown, number, pixels, &renderer->counters);
+    free(renderer->shown);
+    renderer->shown = NULL;
     return true;
 }
 
@@ -170,7 +198,7 @@ static bool judge_one(const job *work, ref_renderer *renderer, uint16_t *pixels,
         renderer->draws_names = false;
         judge_dump_put(work->names, number, pixels, &renderer->counters);
     }
-    return compared;
+    return compared && (!work->shown || put_shown(work, renderer, &band, pixels, number));
 }
 
 /* Called under the lock. Prints nothing in the first second, and then at most once a second. */
@@ -224,8 +252,9 @@ static void *run_worker(void *argument)
 }
 
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, bool flat, int depth_bits, double distance, judge_frame *frames,
-                  judge_dump *twin, judge_dump *names)
+                  bool by_bsp, bool flat, int depth_bits, double distance, int line,
+                  judge_frame *frames,
+                  judge_dump *twin, judge_dump *names, judge_dump *shown)
 {
     job work = {.scene = scene,
                 .image = scene->image,
@@ -236,9 +265,11 @@ bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cut
                 .flat = flat,
                 .depth_bits = depth_bits,
                 .distance = distance,
+                .line = line,
                 .frames = frames,
                 .twin = twin,
                 .names = names,
+                .shown = shown,
                 .lock = PTHREAD_MUTEX_INITIALIZER,
                 .reported = time(NULL)};
     ref_rgb565_make(&work.rgb565, scene->image->palette, scene->image->dark);

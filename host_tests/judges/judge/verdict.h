@@ -41,9 +41,12 @@ typedef struct {
  * depth buffer of so many bits; else 0. twin (may be null) receives the pixels of the reference
  * renderer, names (may be null) the names of the faces that it shows. Prints progress on stderr.
  * Returns false where memory is short, or where the library refuses a scene in which something
- * moves. */
+ * moves. shown (may be null) receives the names of the faces and billboards that changed each pixel
+ * last, also where they let through; 0: nothing did. line: the palette index of outlines that the
+ * board drew, which are explained along the edges of polygons; below 0: none. */
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
-                  bool by_bsp, bool flat, int depth_bits, double distance, judge_frame *frames,
-                  judge_dump *twin, judge_dump *names);
+                  bool by_bsp, bool flat, int depth_bits, double distance, int line,
+                  judge_frame *frames,
+                  judge_dump *twin, judge_dump *names, judge_dump *shown);
 
 #endif

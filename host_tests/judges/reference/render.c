@@ -179,28 +179,33 @@ uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instan
                         : face->material;
 }
 
-/* Submits a face of an instance that a beam may reach: in pieces, lit and dark. */
-static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
+static bool is_lit_by_beams(const ref_renderer *renderer, uint32_t instance_number,
+                            uint32_t face_number)
+{
+    const ref_scene *scene = renderer->scene;
+    const ref_instance *instance = &scene->instances[instance_number];
+    return !shows_surface(renderer, instance, face_number) &&
+           ref_beam_light_reaches(scene, &instance->centre, ref_instance_radius(scene, instance));
+}
+
+bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t instance_number,
+                      uint32_t face_number, ref_counters *counters)
 {
     ref_lit_pieces pieces; /* not static: judges run in threads */
     const ref_scene *scene = renderer->scene;
     const ref_instance *instance = &scene->instances[instance_number];
     const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
-    ref_piece whole = {.count = face->count};
-    ref_counters counted = {0};
     const uint8_t colour = ref_face_colour(renderer, instance, face);
-    for (int i = 0; i < whole.count; i++) {
-        whole.points[i] = ref_face_vertex(scene, instance, face, i);
-    }
     const ref_turn *turn = ref_turn_of(scene, instance);
     int32_t normal[3];
     memcpy(normal, face->normal, sizeof normal);
     if (turn) {
         ref_turn_normal(turn, face->normal, normal);
     }
-    if (!ref_beam_light_split(scene, &whole, normal, &pieces)) {
+    if (!is_lit_by_beams(renderer, instance_number, face_number) ||
+        !ref_beam_light_split(scene, whole, normal, &pieces)) {
         pieces.count = 1;
-        pieces.pieces[0] = (ref_lit_piece){whole, false};
+        pieces.pieces[0] = (ref_lit_piece){*whole, false};
     }
     for (int i = 0; i < pieces.count; i++) {
         const ref_lit_piece *piece = &pieces.pieces[i];
@@ -209,9 +214,26 @@ static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, ui
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!ref_submit_polygon(renderer, &polygon, instance_number, face_number, &counted)) {
+        if (!ref_submit_polygon(renderer, &polygon, instance_number, face_number, counters)) {
             return false;
         }
+    }
+    return true;
+}
+
+/* Submits a face of an instance that a beam may reach: in pieces, lit and dark. */
+static bool submit_lit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t face_number)
+{
+    const ref_scene *scene = renderer->scene;
+    const ref_instance *instance = &scene->instances[instance_number];
+    const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
+    ref_piece whole = {.count = face->count};
+    ref_counters counted = {0};
+    for (int i = 0; i < whole.count; i++) {
+        whole.points[i] = ref_face_vertex(scene, instance, face, i);
+    }
+    if (!ref_submit_piece(renderer, &whole, instance_number, face_number, &counted)) {
+        return false;
     }
     count_once(&counted, &renderer->counters);
     return true;
@@ -223,7 +245,7 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
     const ref_model *model = &renderer->scene->models[instance->model];
     const bool is_reached = ref_beam_light_reaches(
         renderer->scene, &instance->centre, ref_instance_radius(renderer->scene, instance));
-    if (!shows_surface(renderer, instance, face_number) && is_reached) {
+    if (is_lit_by_beams(renderer, instance_number, face_number)) {
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "reference/submit_by_bsp.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "reference/billboard.h"
 #include "reference/camera.h"
+#include "reference/turn.h"
 #include "reference/cull.h"
 #include "reference/bsp_cut.h"
 
@@ -48,16 +50,8 @@ static bool submit_leaf(const bsp_traversal *traversal, uint32_t node, bool behi
             }
             continue;
         }
-        const ref_face *face =
-            &traversal->scene
-                 ->faces[traversal->scene->models[instance->model].first_face + piece->face];
-        ref_polygon polygon = {.colour = ref_face_colour(traversal->renderer, instance, face),
-                               .count = piece->shape.count};
-        for (int k = 0; k < polygon.count; k++) {
-            polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
-        }
-        if (!ref_submit_polygon(traversal->renderer, &polygon, piece->instance, piece->face,
-                                &counted_already)) {
+        if (!ref_submit_piece(traversal->renderer, &piece->shape, piece->instance, piece->face,
+                              &counted_already)) {
             return false;
         }
     }
@@ -104,15 +98,15 @@ static bool count_faces(ref_renderer *renderer, uint32_t number)
     return true;
 }
 
-/* Puts a piece into the leaf of the centre of its instance. */
-static void put_into_leaf(const ref_scene *scene, ref_bsp_piece *piece)
+/* Puts a piece into the leaf of a point. */
+static void put_into_leaf(const ref_scene *scene, const ref_lattice_point *point,
+                          ref_bsp_piece *piece)
 {
-    const ref_lattice_point *centre = &scene->instances[piece->instance].centre;
     uint32_t below = 0;
     while (below != REF_BSP_NONE) {
         const ref_bsp_node *node = &scene->bsp_nodes[below];
         piece->node = below;
-        piece->behind = !ref_bsp_is_front(scene, node, centre);
+        piece->behind = !ref_bsp_is_front(scene, node, point);
         below = piece->behind ? node->back : node->front;
     }
     piece->in_leaf = true;
@@ -126,16 +120,22 @@ static bool put_whole(const ref_renderer *renderer, uint32_t number, ref_bsp_pie
         return false;
     }
     for (size_t i = first; i < pieces->count; i++) {
-        put_into_leaf(renderer->scene, &pieces->pieces[i]);
+        put_into_leaf(renderer->scene, &renderer->scene->instances[number].centre,
+                      &pieces->pieces[i]);
     }
     return true;
 }
 
-/* A billboard, which is never cut. */
+/* A billboard, which is never cut, in the leaf of its middle (docs/extras/bsp.md, 3.8). */
 static bool put_billboard(const ref_scene *scene, uint32_t number, ref_bsp_pieces *pieces)
 {
+    const ref_instance *instance = &scene->instances[number];
+    const ref_billboard *board = ref_billboard_of(scene, instance);
+    const ref_turn *turn = ref_turn_of(scene, instance);
     ref_bsp_piece piece = {.instance = number};
-    put_into_leaf(scene, &piece);
+    ref_lattice_point middle = instance->centre;
+    middle.y += (int32_t)floor((board->height / 2 - board->anchor_y) * (turn ? turn->scale : REF_ONE));
+    put_into_leaf(scene, &middle, &piece);
     return ref_bsp_append(pieces, &piece);
 }
 

@@ -5,6 +5,7 @@
 #define REF_SUBMIT_BY_BSP_H
 
 #include "reference/render.h"
+#include "reference/split.h"
 
 /* A face number for ref_submit_polygon: count the polygon, but do not draw it. */
 #define REF_NO_FACE 0xFFFFFFFFu
@@ -13,6 +14,11 @@
  * memory is short, as do the functions below. */
 bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
                         uint32_t face, ref_counters *counters);
+
+/* Takes a piece of a face, or all of it, to the display list: where beams reach it and it has no
+ * surface, in lit parts and dark ones, each counted. */
+bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t instance,
+                      uint32_t face, ref_counters *counters);
 
 /* Submits a face that faces the eye. */
 bool ref_submit_face(ref_renderer *renderer, uint32_t instance, uint32_t face);

@@ -337,7 +337,7 @@ def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
     last of them; answers the counts. Billboards of these layers go to the last, where the tree has a
     place for each. The others stay as they are; the new object is the last that
-    is not turned. No face keeps a surface: by a tree all are drawn in their own colours."""
+    is not turned. Its faces have no surface: where a face was cut, its mapped corners are gone."""
     members = _members(scene, layers, moving)
     for item in scene.objects:
         if item.layer in layers and _shows_billboard(scene, item):
@@ -357,9 +357,8 @@ def plant(scene, layers, moving=(), progress=None):
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
     _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
     scene.tree = Tree(nodes, len(scene.objects) - len(scene.turns) - 1)
-    scene.surfaces = None
-    for face in (face for model in scene.models for face in model.faces):
-        face.mapped = None
+    if all(face.mapped is None for model in scene.models for face in model.faces):
+        scene.surfaces = None
     return counts
 
 

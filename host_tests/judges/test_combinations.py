@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: MIT
+"""What goes together (docs/extras/combinations.md, section 3): every order, target and attribute is drawn, whatever the delivery, and the
+reference renderer explains each pixel. This file writes the table of that page: .venv/bin/python host_tests/judges/test_combinations.py."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy
+import pytest
+
+HERE = Path(__file__).resolve().parent
+if __name__ == "__main__":
+    sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "tools")]
+
+from fixel.board import dump
+from fixel.image import image
+from fixel.scene import compiler
+
+PAGE = HERE.parents[1] / "docs" / "extras" / "combinations.md"
+BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
+LEAST = 5           # per cent of the frame that an attribute must change
+LINE, BORDER = 1, 2     # palette indices
+
+TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in ("palette", "rgb565") for bits in (0, 16, 32)}
+WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if order == "distance" or not TARGETS[name][1]]
+
+BASE = """background = "#203040"
+%(top)s
+[screen]
+width = 64
+height = 48
+[view]
+pixels = "%(pixels)s"
+depth = %(depth)d
+near = 0.25
+far = 64
+%(tables)s
+[[objects]]
+solid = "floor"
+cells = [3, 3]
+scale = [14, 1, 14]
+position = [0, -2, 0]
+colour = "#4c6c54"
+[[objects]]
+solid = "box"
+scale = [0.8, 5, 0.8]
+position = [-2.2, 0, 0.4]
+colour = "#a0703c"
+[[objects]]
+solid = "box"
+scale = [0.7, 4, 0.7]
+position = [1.6, 0, -1.2]
+colour = "#d8d0a0"
+[[objects]]
+solid = "box"
+name = "subject"
+scale = [3.4, 2.8, 2.2]
+position = [0.2, 0, 0]
+colour = "#b04838"
+%(moves)s
+%(subject)s
+[path]
+keys = [{ position = [1.6, 1.2, -5.5], look_at = [0, 0, 0] }, { position = [-2.5, 0.8, -5], look_at = [0, 0, 0], frames = 1 }]
+"""
+TEXTURE = '[[textures]]\nname = "t"\npattern = "%s"\nsize = [16, 16]\n%s\n'
+LIGHT = '[light]\nlevels = 16\ndirection = [0.3, -1, 0.8]\nambient = 0.35\ndark = "#203040"\n'
+
+# Of an attribute: what the scene has beside, and what its subject has. "flat" is the scene itself.
+ATTRIBUTES = {
+    "flat": ("", ""),
+    "texture of 8 bits": (TEXTURE % ("stones", ""), 'texture = "t"'),
+    "texture of 4 bits": (TEXTURE % ("bricks", "bits = 4"), 'texture = "t"'),
+    "texture with holes": (TEXTURE % ("grille", ""), 'texture = "t"'),
+    "stipple": ("", "opacity = 7"),
+    "blend": ("", "blend = true"),
+    "lit flat": (LIGHT, ""),
+    "lit smooth": (LIGHT, "smooth = true"),
+    "fog": (LIGHT + "fog = { near = 2, far = 14 }\n", ""),
+    "beams": ('[glow]\nstrength = 2\n[[beams]]\ndirection = [0.2, -0.5, 1]\n'
+              "window = [[-3, 0.5, -4], [-3, 4, -4], [3, 4, -4], [3, 0.5, -4]]\n", ""),
+    "billboards": ('[[billboards]]\nname = "b"\npattern = "tree"\npixels = [16, 24]\nsize = [2, 3]\n'
+                   '[[objects]]\nbillboard = "b"\nposition = [-1.2, -2, -2]\n', ""),
+    "outlines": ("", ""),
+}
+
+# How a frame is delivered: options of build/host/frames. The pixels are those of the whole frame.
+DELIVERIES = {"bands": ("--rows", "7"), "spilled list": ("--rows", "7", "--list", "60"), "two cores": ("--rows", "7", "--cores", "2"),
+              "two cores, spilled list": ("--rows", "7", "--cores", "2", "--list", "60")}
+
+
+def is_refused(order, bits, name):
+    """The outlines of docs/extras/combinations.md, section 2: the scene's subject moves, and a tree would cut it."""
+    return name == "outlines" and (bits > 0 or order == "tree")
+
+
+def build_image(folder, order, target, name):
+    """The image of the scene with an attribute; "": without one."""
+    pixels, bits = TARGETS[target]
+    tables, subject = ATTRIBUTES[name] if name else ("", "")
+    file = folder / "scene.toml"
+    file.write_text(BASE % {"top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
+                            "moves": "moves = true" if order == "tree" else "", "subject": subject})
+    compiled, _ = compiler.compile_scene(str(file))
+    made = folder / f"{name or 'without'}.fxls"
+    made.write_bytes(image.pack(compiled))
+    return made
+
+
+def run(build, program, *words):
+    return subprocess.run([build / "host" / program, *map(str, words)], text=True, capture_output=True, check=False)
+
+
+def frames_of(build, scene, *options):
+    out = scene.with_suffix(".fxld")
+    done = run(build, "frames", scene, out, *options)
+    assert done.returncode == 0, (scene, options, done.stderr)
+    return dump.read_dump(out)
+
+
+def shown(read):
+    """The colours of all frames."""
+    return numpy.array([read.palette[frame.pixels] for frame in read.frames], dtype=int)
+
+
+def values(read):
+    return numpy.array([frame.pixels for frame in read.frames])
+
+
+def judged(build, scene, *options):
+    """What the reference says of the frames that were drawn last: the number of pixels that it cannot explain; the names of what it
+    shows; its pixels."""
+    out, names, twin = (scene.with_suffix(suffix) for suffix in (".json", ".names", ".twin"))
+    done = run(build, "judge", scene, scene.with_suffix(".fxld"), "--json", out, "--shown", names, "--twin", twin, *options)
+    assert done.returncode == 0, done.stderr
+    return json.loads(out.read_text())["pixels_unexplained"], values(dump.read_dump(names)), values(dump.read_dump(twin))
+
+
+def near(names):
+    """For each pixel the names of the nine about it."""
+    padded = numpy.pad(names, ((0, 0), (1, 1), (1, 1)), mode="edge")
+    count, height, width = names.shape
+    return numpy.array([padded[:, y:y + height, x:x + width] for y in range(3) for x in range(3)]).reshape(9, count, height, width)
+
+
+def check_cell(build, folder, order, target, name, without):
+    """Per cent of the frames that the attribute changes. without: the colours of the frames without it."""
+    scene = build_image(folder, order, target, name)
+    extra = ("--outlines", LINE) if name == "outlines" else ()
+    picks = scene.with_suffix(".picks")
+    whole = frames_of(build, scene, *extra, "--picks", picks)
+    unexplained, names, twin = judged(build, scene, *extra)
+    where = (order, target, name)
+    assert unexplained == 0, where
+    # Where the frame is the reference's, the pick is what the reference shows. At the edge of a face it may be that of a neighbour of
+    # the same colour. A line of an outline is not picked.
+    picked = values(dump.read_dump(picks))
+    assert ((near(names) == picked).any(axis=0) | (values(whole) != twin)).all(), where
+    assert (picked == names).mean() > 0.98, where
+    for delivery, options in DELIVERIES.items():
+        assert (values(frames_of(build, scene, *extra, *options)) == values(whole)).all(), (where, delivery)
+    over = frames_of(build, scene, *extra, "--border", BORDER, "--rows", "7")
+    border = numpy.zeros((48, 64), bool)
+    border[4:20, 4:28] = True
+    border[5:19, 5:27] = False
+    assert (values(over)[:, ~border] == values(whole)[:, ~border]).all(), where
+    assert len(numpy.unique(values(over)[:, border])) == 1, where
+    return round(100 * (shown(whole) != without).any(axis=-1).mean())
+
+
+def background_of(pixels):
+    """The colour of the scene's background."""
+    red, green, blue = 0x20, 0x30, 0x40
+    number = red // 8 << 11 | green // 4 << 5 | blue // 8
+    return dump.colours(16, None)[number] if pixels == "rgb565" else numpy.array((red, green, blue))
+
+
+def cells_of(build, folder):
+    """(order, target, attribute) -> per cent, or None where it is refused."""
+    made = {}
+    for order, target in WAYS:
+        plain = shown(frames_of(build, build_image(folder, order, target, "")))
+        empty = numpy.broadcast_to(background_of(TARGETS[target][0]), plain.shape)
+        for name in ATTRIBUTES:
+            if is_refused(order, TARGETS[target][1], name):
+                done = run(build, "frames", build_image(folder, order, target, name), folder / "none.fxld", "--outlines", LINE)
+                assert done.returncode == 2 and "do not go together" in done.stderr, (order, target, name)
+                made[order, target, name] = None
+            else:
+                made[order, target, name] = check_cell(build, folder, order, target, name, empty if name == "flat" else plain)
+    return made
+
+
+def table_of(cells):
+    head = ["attribute", *(f"{order}: {target}" for order, target in WAYS)]
+    rows = [[name, *("refused" if cells[(*way, name)] is None else f"{cells[(*way, name)]} %" for way in WAYS)] for name in ATTRIBUTES]
+    return "".join(f"| {' | '.join(row)} |\n" for row in (head, ["---"] * len(head), *rows))
+
+
+@pytest.fixture(scope="module", name="cells")
+def fixture_cells(build, tmp_path_factory):
+    return cells_of(build, tmp_path_factory.mktemp("combinations"))
+
+
+def test_each_attribute_changes_the_frame(cells):
+    assert {key: value for key, value in cells.items() if value is not None and value < LEAST} == {}
+    assert sum(value is None for value in cells.values()) == 6
+
+
+def test_the_page_has_the_table(cells):
+    written = PAGE.read_text(encoding="utf-8").split(BEGIN)[1].split(END)[0]
+    assert written == table_of(cells), f"{PAGE}: .venv/bin/python {Path(__file__).name} writes the table"
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as scratch:
+        made = table_of(cells_of(HERE.parents[1] / "build", Path(scratch)))
+    before, rest = PAGE.read_text(encoding="utf-8").split(BEGIN)
+    PAGE.write_text(before + BEGIN + made + END + rest.split(END)[1], encoding="utf-8")
+    os.write(1, made.encode())
