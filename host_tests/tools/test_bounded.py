@@ -28,7 +28,7 @@ def run(folder, body, limits=SMALL, subject="x.toml"):
 
 
 def test_a_job_answers(tmp_path):
-    assert run(tmp_path, 'print("noise")\nreturn [request["asked"], "ä\\n"]') == [5, "ä\n"]
+    assert run(tmp_path, 'print("noise", flush=True)\nreturn [request["asked"], "ä\\n"]') == [5, "ä\n"]
 
 
 def test_the_files_that_a_job_read_are_known(tmp_path):

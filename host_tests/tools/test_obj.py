@@ -61,6 +61,13 @@ def test_a_right_handed_cube_faces_outward_and_is_not_mirrored(tmp_path):
     assert any("1 x o" in note and "1 x usemtl" in note for note in notes)
 
 
+def test_a_corner_that_is_named_twice_counts_once(tmp_path):
+    made, _ = read(tmp_path, CUBE + "f 1 2 3 3\nf 1 1 2 2\n")
+    shape = mesh.shape(made, ONE, "cube")
+    assert sorted(len(face.corners) for face in shape.faces) == [3, 4, 4, 4, 4, 4, 4]
+    assert any("1 face without area dropped" in note for note in shape.notes)
+
+
 @pytest.mark.parametrize("line, parts", [
     ("f 1 2 9", ["model.obj:20", "v 9 does not exist", "8 stand above"]),
     ("f 1 2 0", ["model.obj:20", "v 0"]),
