@@ -268,17 +268,16 @@ static int draw_bands(const fxl_scene_image *image, uint32_t frame, stopwatch *w
     uint32_t row, rows;
 
     for (row = 0; row < height; row += rows) {
-        fxl_band band;
+        fxl_band band = {.pixels = band_pixels,
+                         .width = width,
+                         .stride = width,
+                         .first_row = (uint16_t)row,
+                         .palette = renderer.palette};
         fxl_status status;
 
         system_alive();
         rows = rows_max < height - row ? rows_max : height - row;
-        band.pixels = band_pixels;
-        band.width = width;
-        band.stride = width;
-        band.first_row = (uint16_t)row;
         band.rows = (uint16_t)rows;
-        band.palette = renderer.palette;
         stopwatch_start(watch);
         methods.draws.target->fill(&band, image->background);
         status = fxl_frame_draw(&renderer, &band);

@@ -124,12 +124,11 @@ uint64_t draw_model_view(const fxl_scene *scene)
 /* A band of memory of its own, so that the sanitizer sees every byte beside it. */
 static fxl_band make_band(const fxl_lens *lens, uint32_t gap, uint32_t first_row, uint32_t rows)
 {
-    fxl_band band;
+    fxl_band band = {.palette = NULL};
     band.width = lens->width;
     band.stride = (uint16_t)(lens->width + gap);
     band.first_row = (uint16_t)first_row;
     band.rows = (uint16_t)rows;
-    band.palette = NULL;
     band.pixels = malloc((size_t)band.stride * rows);
     DEMAND(band.pixels != NULL);
     memset(band.pixels, GAP, (size_t)band.stride * rows);

@@ -126,7 +126,7 @@ void fuzz_scan(fuzz_input *in)
     uint8_t pixels[BAND_PIXELS] = {0};
     fxl_scan scan;
     fxl_screen_polygon polygon;
-    fxl_band band;
+    fxl_band band = {.palette = NULL};
     polygon.colour = 1;
     band.width = (uint16_t)(1 + fuzz_below(in, 24));
     band.stride = 24;

@@ -88,7 +88,7 @@ void stages_measure_cover(stages_tally *tally, const fxl_screen_polygon *polygon
     const size_t pixels = (size_t)width * height;
     void *room = malloc(size);
     bool *covered = malloc(pixels * sizeof *covered);
-    sides of = {.band = {calloc(pixels, 1), width, width, rows.first, height},
+    sides of = {.band = {.pixels = calloc(pixels, 1), .width = width, .stride = width, .first_row = rows.first, .rows = height},
                 .twin = {calloc(pixels, 1), width, width, rows.first, height}};
     if (room && covered && of.band.pixels && of.twin.pixels) {
         of.buffer = fxl_span_buffer_make(room, size, height);

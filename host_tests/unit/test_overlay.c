@@ -386,6 +386,48 @@ static void expect_refused_by_all(fxl_status status, const fxl_band *wrong)
     expect_wanted();
 }
 
+/* Everything at once, in a band of some columns: the pixels of the band of all of them. */
+void test_a_band_of_some_columns(void)
+{
+    static const uint8_t row[2] = {0xA5, 0x3C};
+    const fxl_sprite sprite = {row, NULL, 8, 2, 1, 0};
+    const fxl_text_style style = {&fxl_font_5x7, 5, 0};
+    for (int i = 0; i < UNIT_REPEAT / 100; i++) {
+        fxl_band parts[2] = {band, band_565};
+        const int32_t first = unit_between(0, WIDTH - 1);
+        const int32_t columns = unit_between(1, WIDTH - first);
+        int32_t at[8];
+        for (int k = 0; k < 8; k++) {
+            at[k] = unit_between(-12, 40);
+        }
+        for (int k = 0; k < 3; k++) {
+            const fxl_band *into = k < 2 ? &parts[k] : &band;
+            if (k < 2) {
+                parts[k].first_column = (uint16_t)first;
+                parts[k].columns = (uint16_t)columns;
+                parts[k].pixels += (uint32_t)first << k;
+            } else {
+                memcpy(wanted, drawn, sizeof drawn);
+                memset(drawn, GROUND, sizeof drawn);
+            }
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_rectangle(into, at[0], at[1], at[2], at[3], 7));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_border(into, at[1], at[2], at[3], at[4], 8));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_line(into, at[4], at[5], at[6], at[7], 9));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_sprite(into, at[7], at[0], &sprite));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_draw_text(into, at[3], at[6], "Wg", &style));
+        }
+        for (int32_t y = 0; y < HEIGHT; y++) {
+            for (int32_t x = 0; x < STRIDE; x++) {
+                const bool inside = x >= first && x < first + columns;
+                const uint8_t colour = inside ? drawn[y][x] : GROUND;
+                TEST_ASSERT_EQUAL_HEX8(colour, wanted[y][x]);
+                TEST_ASSERT_EQUAL_HEX16(colour_of(colour), drawn_565[y][x]);
+            }
+        }
+        setUp();
+    }
+}
+
 void test_bands_that_are_none_are_refused(void)
 {
     const fxl_band bad[] = {{.pixels = drawn[1], .width = 0, .stride = STRIDE, .first_row = 0,
@@ -401,6 +443,10 @@ void test_bands_that_are_none_are_refused(void)
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         expect_refused_by_all(FXL_E_RANGE, &bad[i]);
     }
+    fxl_band beyond = band;
+    beyond.first_column = 1;
+    beyond.columns = WIDTH;
+    expect_refused_by_all(FXL_E_RANGE, &beyond);
     uint8_t pixel = 5;
     const fxl_band least = {.pixels = &pixel, .width = 1, .stride = 1,
                             .first_row = FXL_SCREEN_MAX - 1, .rows = 1}; /* the last row there is */

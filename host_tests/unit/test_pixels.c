@@ -175,6 +175,35 @@ void test_every_width_of_rgb565_at_every_place_of_a_word(void)
     }
 }
 
+/* Some columns: those of the band of all of them, the dither too. */
+void test_some_columns(void)
+{
+    for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[f], palette));
+        for (uint32_t k = 0; k < 40; k++) {
+            fxl_band band = {.pixels = frame, .width = 60, .stride = 60, .first_row = 8, .rows = 9};
+            const uint16_t first = (uint16_t)unit_between(0, 59);
+            const uint16_t columns = (uint16_t)unit_between(1, 60 - first);
+            uint32_t all[60];
+            any_frame();
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, sizeof out_words));
+            for (uint32_t x = 0; x < columns; x++) {
+                all[x] = got(&band, first + x, 2);
+            }
+            band.first_column = first;
+            band.columns = columns;
+            band.pixels = frame + first;
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_convert(&pixels, &band, out, sizeof out_words));
+            const fxl_band seen = {.width = columns};
+            for (uint32_t x = 0; x < columns; x++) {
+                TEST_ASSERT_EQUAL_HEX(all[x], got(&seen, x, 2));
+            }
+            band.columns = (uint16_t)(61 - first);
+            TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pixels_convert(&pixels, &band, out, sizeof out_words));
+        }
+    }
+}
+
 /* Every colour has the entry that a palette with its three bytes has. */
 void test_greys_of_rgb565(void)
 {

@@ -265,6 +265,77 @@ void test_bands_that_are_not_of_the_target(void)
     }
 }
 
+/* Any rectangle of the frame that was begun, in a buffer of its own: its pixels are those of
+ * `pixels`, the whole frame, and no other byte of the buffer is written. */
+static void expect_rectangle(const way *into)
+{
+    static uint16_t buffer[DEPTH_SCENE_WIDTH * (DEPTH_SCENE_HEIGHT + 2)];
+    const uint32_t bytes = into->target->pixel_bits / 8u;
+    fxl_band band = {.width = DEPTH_SCENE_WIDTH,
+                     .palette = bytes == 2 ? colours : NULL};
+    band.columns = (uint16_t)unit_between(1, DEPTH_SCENE_WIDTH);
+    band.first_column = (uint16_t)unit_between(0, DEPTH_SCENE_WIDTH - band.columns);
+    band.rows = (uint16_t)unit_between(1, DEPTH_SCENE_HEIGHT);
+    band.first_row = (uint16_t)unit_between(0, DEPTH_SCENE_HEIGHT - band.rows);
+    band.stride = (uint16_t)unit_between(band.columns, DEPTH_SCENE_WIDTH);
+    uint8_t *first = (uint8_t *)buffer + DEPTH_SCENE_WIDTH * bytes;
+    band.pixels = first;
+    memset(buffer, 0x5A, sizeof buffer);
+    fxl_frame_fill(&made->renderer, &band, made->renderer.frame.background);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
+    for (uint32_t i = 0; i < sizeof buffer; i++) {
+        const uint32_t at = i - DEPTH_SCENE_WIDTH * bytes, row_bytes = band.stride * bytes;
+        const uint32_t row = at / row_bytes, in_row = at % row_bytes;
+        const bool inside = i >= DEPTH_SCENE_WIDTH * bytes && row < band.rows &&
+                            in_row < band.columns * bytes;
+        const uint32_t whole = ((band.first_row + row) * DEPTH_SCENE_WIDTH + band.first_column) *
+                               bytes + in_row;
+        TEST_ASSERT_EQUAL_HEX8(inside ? ((const uint8_t *)pixels)[whole] : 0x5A,
+                               ((const uint8_t *)buffer)[i]);
+    }
+}
+
+void test_a_rectangle_has_the_pixels_of_the_whole_frame(void)
+{
+    const int32_t repeat = UNIT_REPEAT > 10000 ? 6 : 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    for (uint32_t i = 0; i < TARGETS; i++) {
+        for (uint32_t set = 0; set < 1u << THINGS; set++) {
+            if (is_refused(&ways[i], set)) {
+                continue;
+            }
+            start(&ways[i]);
+            for (uint32_t thing = 0; thing < THINGS; thing++) {
+                TEST_ASSERT_EQUAL(FXL_OK, attach(&ways[i], thing, HAS(set, thing)));
+            }
+            TEST_ASSERT_EQUAL(
+                FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, pixels, DEPTH_SCENE_WIDTH));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
+            for (int32_t k = 0; k < repeat; k++) {
+                expect_rectangle(&ways[i]);
+            }
+        }
+    }
+}
+
+/* Columns beyond the frame or the stride. */
+void test_rectangles_that_are_none(void)
+{
+    fxl_band band = {.pixels = (uint8_t *)pixels, .width = DEPTH_SCENE_WIDTH, .stride = 8,
+                     .rows = 1, .first_column = DEPTH_SCENE_WIDTH - 7, .columns = 8};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    start(&ways[0]);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
+    memset(pixels, 0x5A, sizeof pixels);
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw(&made->renderer, &band));
+    band.first_column--;
+    band.stride = 7;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_draw(&made->renderer, &band));
+    TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, pixels, sizeof pixels);
+    band.stride = 8;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
+}
+
 /* A refused frame changes no pixel, and what was refused can be detached. */
 void test_after_a_refusal(void)
 {

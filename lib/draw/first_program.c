@@ -4,6 +4,7 @@
 #include "fixel.h"
 
 #include "renderer.h"
+#include "submit.h"
 
 fxl_config fxl_config_for(uint16_t width, uint16_t height, const fxl_target *target)
 {
@@ -105,5 +106,5 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
         return status;
     }
     renderer->target->fill(&whole, renderer->frame.background);
-    return fxl_frame_draw(renderer, &whole);
+    return fxl_draw_checked_band(renderer, &renderer->workspace, &whole);
 }

@@ -12,6 +12,7 @@
  * indirect calls on its way: the clipper's and the target's. */
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "../raster/columns.h"
 #include "../raster/draw_outline.h"
 #include "../raster/scan.h"
 #include "../view/order.h"
@@ -49,14 +50,17 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->order == &fxl_by_distance;
 }
 
-static inline fxl_submit_way way_of(const fxl_renderer *renderer, bool is_begin)
+/* band: null where a frame begins. */
+static inline fxl_submit_way way_of(const fxl_renderer *renderer, const fxl_band *band)
 {
     if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
         return FXL_SUBMIT_ANY;
     }
-    return is_begin                       ? FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND
-           : renderer->target->draws_over ? FXL_SUBMIT_DRAW
-                                          : FXL_SUBMIT_ANY;
+    if (band == NULL) {
+        return FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND;
+    }
+    return renderer->target->draws_over && FXL_DRAWS_COLUMNS(band) ? FXL_SUBMIT_DRAW
+                                                                  : FXL_SUBMIT_ANY;
 }
 
 /* look for a scene without turns. */
@@ -129,7 +133,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                               .band = NULL,
                               .resume = &frame->resume,
                               .counters = &workspace->counters,
-                              .way = way_of(renderer, true)};
+                              .way = way_of(renderer, NULL)};
     frame->state = FXL_FRAME_BEGUN;
     if (!renderer->order->submit(&on) && measures_rows(renderer)) {
         fxl_reach_measure(&on, frame);
@@ -308,7 +312,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
                               .resume = &resume,
                               .counters =
                                   workspace->rest_counted ? &uncounted : &workspace->counters,
-                              .way = way_of(renderer, false)};
+                              .way = way_of(renderer, band)};
     if (renderer->target->begin_band != NULL) {
         renderer->target->begin_band(renderer, workspace, band);
     }
@@ -327,8 +331,17 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
 
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 {
-    return band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&
-           band->first_row + band->rows <= lens->height;
+    return band->width == lens->width && fxl_band_is_within(band, lens->width, lens->height);
+}
+
+fxl_status fxl_draw_checked_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                 const fxl_band *band)
+{
+    if (renderer->target->draw_band != NULL) {
+        return renderer->target->draw_band(renderer, workspace, band);
+    }
+    (void)fxl_draw_band(renderer, workspace, band);
+    return FXL_OK;
 }
 
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
@@ -351,11 +364,8 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
     if (workspace->frame_number != frame->view.frame) {
         begin_workspace(workspace, &frame->view, true);
     }
-    if (renderer->target->draw_band != NULL) {
-        return renderer->target->draw_band(renderer, workspace, band);
-    }
-    (void)fxl_draw_band(renderer, workspace, band);
-    return FXL_OK;
+    const fxl_band from_0 = fxl_band_from_column_0(band);
+    return fxl_draw_checked_band(renderer, workspace, &from_0);
 }
 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)

@@ -10,6 +10,7 @@
 
 #include "../paint/billboard_paint.h"
 #include "../paint/billboard_walk.h"
+#include "../raster/columns.h"
 #include "pixel_row.h"
 
 #if FXL_TARGET_PIXEL_BITS == 8
@@ -153,7 +154,7 @@ static void paint(const fxl_renderer *renderer, fxl_workspace *workspace,
                   const fxl_screen_point *points, const fxl_band *band)
 {
     sprite_place place;
-    fxl_rows columns = {0, band->width};
+    fxl_rows columns = {band->first_column, (uint16_t)fxl_band_end_column(band)};
     if (points[2].y != 0) {
         columns.end = (uint16_t)points[2].y;
         columns.first = (uint16_t)(columns.end - 1);

@@ -79,6 +79,10 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_e
  * backend's workspace is full: what was counted must then be forgotten. */
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
+/* fxl_frame_draw_with for a band of this screen, whose pixels are those from column 0 on. */
+fxl_status fxl_draw_checked_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                                 const fxl_band *band);
+
 /* What draws models with clusters. */
 struct fxl_cluster_code {
     /* What fxl_order_model does before the sort, for a model with clusters. Clusters outside the

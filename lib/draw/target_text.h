@@ -10,6 +10,7 @@
 #ifndef FXL_TARGET_TEXT_H
 #define FXL_TARGET_TEXT_H
 
+#include "../raster/columns.h"
 #include "../raster/draw_outline.h"
 #include "../raster/fill.h"
 #include "../raster/scan.h"
@@ -24,8 +25,10 @@
 static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                  uint8_t colour, const fxl_band *band)
 {
-    workspace->work.scan.colour = colour;
-    (void)fxl_draw_outline(points, count, band, &workspace->work.scan);
+    fxl_scan *scan = &workspace->work.scan;
+    scan->colour = colour;
+    (void)(FXL_DRAWS_COLUMNS(band) ? fxl_draw_outline(points, count, band, scan)
+                                   : fxl_draw_by_active_edges(points, count, band, scan));
     return true;
 }
 
@@ -263,7 +266,7 @@ static void fill(const fxl_band *band, uint8_t colour)
         return;
     }
     for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
-        fxl_fill_row_rgb565(row, row + band->width, band->palette[colour]);
+        fxl_fill_row_rgb565(row, row + fxl_band_columns(band), band->palette[colour]);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "../clip/volume.h"
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "../raster/columns.h"
 #include "../raster/draw_outline.h"
 #include "../scene/lens.h"
 #include "../scene/turn_code.h"
@@ -129,13 +130,14 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
     if (!wire->ready) {
         return FXL_E_ORDER;
     }
-    if (band->width != wire->view.lens.width || band->stride < band->width || band->rows < 1 ||
-        band->first_row + band->rows > wire->view.lens.height) {
+    const fxl_lens *lens = &wire->view.lens;
+    if (band->width != lens->width || !fxl_band_is_within(band, lens->width, lens->height)) {
         return FXL_E_RANGE;
     }
     if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
         return FXL_E_ALIGNMENT;
     }
+    const fxl_band from_0 = fxl_band_from_column_0(band);
     const fxl_scene *scene = wire->scene;
     memset(&wire->counters, 0, sizeof wire->counters);
     for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -144,7 +146,7 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
             fxl_sphere_planes(&wire->view.camera, &wire->view.view_frustum, &instance->centre,
                               fxl_instance_radius(scene, instance));
         if (planes != FXL_SPHERE_OUTSIDE) {
-            draw_instance(wire, i, band);
+            draw_instance(wire, i, &from_0);
         }
     }
     return FXL_OK;

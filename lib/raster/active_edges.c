@@ -4,6 +4,7 @@
 #include "scan.h"
 
 #include "../math/memory.h"
+#include "columns.h"
 #include "edge.h"
 
 /* Finds the edges that cross the row, and the first crossing. An edge is always divided from its
@@ -77,7 +78,8 @@ void fxl_active_edges_begin(fxl_active_edges *edges, const fxl_screen_point *poi
     edges->points = points;
     edges->count = (uint8_t)count;
     edges->x = FXL_NO_CROSSING;
-    edges->width = (int16_t)band->width;
+    edges->left = (int16_t)band->first_column;
+    edges->right = (int16_t)fxl_band_end_column(band);
     edges->steady_end = INT16_MIN;
     edges->row = (int16_t)((first_row < band->first_row ? band->first_row : first_row) - 1);
     edges->end_row = (int16_t)(end_row < band_end ? end_row : band_end);
@@ -147,8 +149,8 @@ bool fxl_active_edges_next(fxl_active_edges *edges, fxl_span *span)
     while (edges->x != FXL_NO_CROSSING || next_row(edges)) {
         int32_t x0 = edges->x;
         int32_t x1 = edges->found_count == 2 ? end_of_two(edges) : end_of_stretch(edges);
-        x0 = x0 < 0 ? 0 : x0;
-        x1 = x1 > edges->width ? edges->width : x1;
+        x0 = x0 < edges->left ? edges->left : x0;
+        x1 = x1 > edges->right ? edges->right : x1;
         if (x0 < x1) {
             span->y = edges->row;
             span->x0 = (int16_t)x0;
@@ -177,7 +179,7 @@ void fxl_active_edges_fill(fxl_active_edges *edges, const fxl_span *span, const 
         const int32_t a = step(&edges->found[0].slope), b = step(&edges->found[1].slope);
         x0 = a < b ? a : b;
         x1 = a < b ? b : a;
-        x0 = x0 < 0 ? 0 : x0;
-        x1 = x1 > edges->width ? edges->width : x1;
+        x0 = x0 < edges->left ? edges->left : x0;
+        x1 = x1 > edges->right ? edges->right : x1;
     }
 }

@@ -4,6 +4,7 @@
 #ifndef FXL_DRAW_OUTLINE_H
 #define FXL_DRAW_OUTLINE_H
 
+#include "../math/family.h"
 #include "fixel/records.h"
 #include "fixel/types.h"
 
@@ -14,9 +15,12 @@ extern "C" {
 /* Fills the pixels of a band that an outline covers with scan->colour. Returns whether the outline
  * reaches a row of the band; with FXL_SMALL it is always true. Requires what fxl_scan_begin
  * requires of outline and band; the rest of scan is workspace. It is a kernel: each family of
- * cores may have its own, and all write the same pixels. Exact. */
+ * cores may have its own, and all write the same pixels. Requires FXL_DRAWS_COLUMNS. Exact. */
 bool fxl_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                       fxl_scan *scan);
+
+/* Whether the kernel of this core knows the columns of a band: that of Armv7-M fills all of them. */
+#define FXL_DRAWS_COLUMNS(band) (!FXL_KERNELS_ARMV7M || (band)->columns == 0)
 
 /* The same by active edges, for an outline that is not scanned between two chains, or with
  * FXL_SMALL. A kernel calls it. */

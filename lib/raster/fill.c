@@ -2,6 +2,7 @@
 #include "../math/arith.h"
 #include "../math/family.h"
 #include "../math/memory.h"
+#include "columns.h"
 #include "fill.h"
 #include "fixel/target.h"
 
@@ -24,13 +25,13 @@ void fxl_fill_band(const fxl_band *band, uint8_t colour)
 {
     if (FXL_IS_COMPACT) {
         for (uint32_t row = 0; row < band->rows; row++) {
-            memset(band->pixels + (size_t)row * band->stride, colour, band->width);
+            memset(band->pixels + (size_t)row * band->stride, colour, fxl_band_columns(band));
         }
         return;
     }
     const fxl_trapezoid rows = {(int16_t)band->first_row,
                                 (int16_t)(band->first_row + band->rows),
-                                {{0, 0, 0, 0}, {band->width, 0, 0, 0}}};
+                                {{0, 0, 0, 0}, {(int32_t)fxl_band_columns(band), 0, 0, 0}}};
     fxl_fill_trapezoid(band, &rows, colour);
 }
 

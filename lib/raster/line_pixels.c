@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
+#include "columns.h"
 #include "draw_outline.h"
 #include "fill.h"
 
 static void set_pixel(const fxl_band *band, int32_t x, int32_t y, uint8_t colour)
 {
     const int32_t row = y - band->first_row;
-    if (x >= 0 && x < band->width && row >= 0 && row < band->rows) {
+    if (x >= band->first_column && x < (int32_t)fxl_band_end_column(band) &&
+        row >= 0 && row < band->rows) {
         fxl_set_pixel(band, (size_t)row * band->stride + (size_t)x, colour);
     }
 }

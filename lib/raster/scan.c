@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 
+#include "columns.h"
 #include "draw_outline.h"
 #include "edge.h"
 #include "scan.h"
@@ -21,7 +22,8 @@ static fxl_status check(const fxl_screen_polygon *polygon, const fxl_band *band)
         return FXL_E_CAPACITY;
     }
     if (band->width < 1 || band->width > FXL_SCREEN_MAX || band->rows < 1 ||
-        band->first_row + band->rows > FXL_SCREEN_MAX) {
+        band->first_row + band->rows > FXL_SCREEN_MAX ||
+        fxl_band_end_column(band) > band->width) {
         return FXL_E_RANGE;
     }
     for (uint32_t i = 0; i < polygon->count; i++) {
@@ -110,7 +112,7 @@ void fxl_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_
     survey(points, count, band->width, &found);
     scan->points = points;
     scan->count = (uint8_t)count;
-    scan->by_chains = found.by_chains;
+    scan->by_chains = found.by_chains && band->columns == 0; /* active edges end at any column */
     scan->outline_first = (int16_t)found.top_row;
     scan->outline_end = (int16_t)found.end_row;
     if (scan->by_chains) {

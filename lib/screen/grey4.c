@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "dither.h"
 
+#include "../raster/columns.h"
+
 #define HIGHEST 15u
 
 static void prepare(uint16_t *entries, const uint8_t *palette)
@@ -12,16 +14,17 @@ static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out
 {
     const uint8_t *row = band->pixels;
     const bool is_wide = band->palette != NULL;
+    const uint32_t end = fxl_band_end_column(band);
     for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
         const uint8_t *dither = fxl_dither_row(y);
-        uint32_t x = 0;
-        for (; x + 1u < band->width; x += 2) {
+        uint32_t x = band->first_column;
+        for (; x + 1u < end; x += 2) {
             const uint32_t left = fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
             const uint32_t right =
                 fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x + 1u);
             *out++ = (uint8_t)(left << 4 | right);
         }
-        if (x < band->width) {
+        if (x < end) {
             *out++ = (uint8_t)(fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x) << 4);
         }
         row += (size_t)band->stride << is_wide;

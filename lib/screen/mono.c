@@ -2,6 +2,7 @@
 #include "dither.h"
 
 #include "../math/memory.h"
+#include "../raster/columns.h"
 
 #define HIGHEST 1u
 
@@ -14,10 +15,11 @@ static void convert_rows(const fxl_pixels *pixels, const fxl_band *band, uint8_t
 {
     const uint8_t *row = band->pixels;
     const bool is_wide = band->palette != NULL;
+    const uint32_t first = band->first_column, end = fxl_band_end_column(band);
     for (uint32_t y = band->first_row; y < (uint32_t)band->first_row + band->rows; y++) {
         const uint8_t *dither = fxl_dither_row(y);
         uint32_t byte = 1; /* with eight more bits behind this 1 it is full */
-        for (uint32_t x = 0; x < band->width; x++) {
+        for (uint32_t x = first; x < end; x++) {
             byte = byte << 1 | fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
             if (byte > 0xFFu) {
                 *out++ = (uint8_t)byte;
@@ -38,14 +40,15 @@ static void convert_pages(const fxl_pixels *pixels, const fxl_band *band, uint8_
 {
     const uint8_t *row = band->pixels;
     const bool is_wide = band->palette != NULL;
-    memset(out, 0, fxl_pixels_size(pixels->format, band->width, band->rows));
+    const uint32_t first = band->first_column, end = fxl_band_end_column(band);
+    memset(out, 0, fxl_pixels_size(pixels->format, (uint16_t)(end - first), band->rows));
     for (uint32_t y = 0; y < band->rows; y++) { /* first_row is a multiple of 8 */
         const uint8_t *dither = fxl_dither_row(y);
-        uint8_t *page = out + (size_t)(y / 8u) * band->width;
-        for (uint32_t x = 0; x < band->width; x++) {
+        uint8_t *page = out + (size_t)(y / 8u) * (end - first);
+        for (uint32_t x = first; x < end; x++) {
             const uint32_t level =
                 fxl_dithered_pixel(pixels, row, is_wide, HIGHEST, dither, x);
-            page[x] = (uint8_t)(page[x] | level << (y & 7u));
+            page[x - first] = (uint8_t)(page[x - first] | level << (y & 7u));
         }
         row += (size_t)band->stride << is_wide;
     }

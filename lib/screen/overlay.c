@@ -2,6 +2,7 @@
 #include "../math/arith.h"
 #include "../paint/rgb565_colour.h"
 #include "../paint/sprite_texel.h"
+#include "../raster/columns.h"
 #include "../raster/draw_outline.h"
 #include "../raster/fill.h"
 #include "overlay_band.h"
@@ -51,15 +52,17 @@ fxl_status fxl_draw_line(const fxl_band *band, int32_t x0, int32_t y0, int32_t x
     if (!in_range(x0, y0) || !in_range(x1, y1)) {
         return FXL_E_RANGE;
     }
+    const fxl_band from_0 = fxl_band_from_column_0(band);
     const int32_t width = x1 - x0, height = y1 - y0; /* below 2^30 */
     if ((height < 0 ? -height : height) > (width < 0 ? -width : width)) {
         const pixel_line line = {height < 0 ? y1 : y0, height < 0 ? y0 : y1, height < 0 ? x1 : x0,
                                  height < 0 ? -width : width};
-        draw_part(&line, true, band->first_row, band->first_row + band->rows, colour, band);
+        draw_part(&line, true, band->first_row, band->first_row + band->rows, colour, &from_0);
     } else {
         const pixel_line line = {width < 0 ? x1 : x0, width < 0 ? x0 : x1, width < 0 ? y1 : y0,
                                  width < 0 ? -height : height};
-        draw_part(&line, false, 0, band->width, colour, band);
+        draw_part(&line, false, band->first_column,
+                  (int32_t)fxl_band_end_column(band), colour, &from_0);
     }
     return FXL_OK;
 }
@@ -72,25 +75,38 @@ fxl_status fxl_overlay_check(const fxl_band *band)
     if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
         return FXL_E_ALIGNMENT;
     }
-    return band->width >= 1 && band->width <= FXL_SCREEN_MAX && band->stride >= band->width &&
-                   band->rows >= 1 && band->first_row + band->rows <= FXL_SCREEN_MAX
+    return band->width >= 1 && band->width <= FXL_SCREEN_MAX &&
+                   fxl_band_is_within(band, band->width, FXL_SCREEN_MAX)
                ? FXL_OK
                : FXL_E_RANGE;
 }
 
+/* The columns of a stretch that the band has. */
+static fxl_stretch clip_columns(const fxl_band *band, int64_t x, int64_t width)
+{
+    return fxl_clip_stretch(x, width, band->first_column,
+                            (int32_t)fxl_band_end_column(band));
+}
+
+/* In pixels, from the band's first. */
 static size_t place_of(const fxl_band *band, int32_t row, int32_t column)
 {
-    return (size_t)(row - band->first_row) * band->stride + (size_t)column;
+    return (size_t)(row - band->first_row) * band->stride +
+           ((size_t)column - band->first_column);
 }
 
 /* Pixels of a row of the band, at least one. */
 static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *columns, uint8_t colour)
 {
     if (band->palette != NULL) {
-        uint16_t *pixels = (uint16_t *)(void *)band->pixels + place_of(band, row, 0);
-        fxl_fill_row_rgb565(pixels + columns->first, pixels + columns->end, band->palette[colour]);
+        uint16_t *pixels =
+            (uint16_t *)(void *)band->pixels + place_of(band, row, columns->first);
+        fxl_fill_row_rgb565(pixels, pixels + (columns->end - columns->first),
+                            band->palette[colour]);
     } else {
-        const fxl_span span = {(int16_t)row, (int16_t)columns->first, (int16_t)columns->end};
+        const int32_t first = band->first_column;
+        const fxl_span span = {(int16_t)row, (int16_t)(columns->first - first),
+                               (int16_t)(columns->end - first)};
         fxl_fill_span(band, &span, colour);
     }
 }
@@ -98,7 +114,7 @@ static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *colum
 static void fill(const fxl_band *band, int64_t x, int64_t y, int64_t width, int64_t height,
                  uint8_t colour)
 {
-    const fxl_stretch columns = fxl_clip_stretch(x, width, 0, band->width);
+    const fxl_stretch columns = clip_columns(band, x, width);
     const fxl_stretch rows =
         fxl_clip_stretch(y, height, band->first_row, band->first_row + band->rows);
     for (int32_t row = rows.first; row < rows.end && columns.first < columns.end; row++) {
@@ -133,7 +149,7 @@ void fxl_overlay_sprite(const fxl_band *band, int64_t x, int64_t y, const fxl_sp
 {
     const unsigned shift = fxl_sprite_shift(sprite);
     const size_t row_bytes = fxl_sprite_row_bytes(sprite);
-    const fxl_stretch columns = fxl_clip_stretch(x, sprite->width, 0, band->width);
+    const fxl_stretch columns = clip_columns(band, x, sprite->width);
     const fxl_stretch rows =
         fxl_clip_stretch(y, sprite->height, band->first_row, band->first_row + band->rows);
     if (columns.first == columns.end) {

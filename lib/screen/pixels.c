@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/pixels.h"
 
+#include "../raster/columns.h"
+
 fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
                            const uint8_t *palette)
 {
@@ -38,12 +40,14 @@ fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, vo
         (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0)) {
         return FXL_E_ALIGNMENT;
     }
-    if (band->stride < band->width || band->first_row % pixels->format->rows != 0) {
+    if (!fxl_band_is_within(band, band->width, UINT32_MAX) ||
+        band->first_row % pixels->format->rows != 0) {
         return FXL_E_RANGE;
     }
-    if (size < fxl_pixels_size(pixels->format, band->width, band->rows)) {
+    if (size < fxl_pixels_size(pixels->format, (uint16_t)fxl_band_columns(band), band->rows)) {
         return FXL_E_CAPACITY;
     }
-    pixels->format->convert(pixels, band, (uint8_t *)out);
+    const fxl_band from_0 = fxl_band_from_column_0(band);
+    pixels->format->convert(pixels, &from_0, (uint8_t *)out);
     return FXL_OK;
 }

@@ -72,6 +72,7 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
     pump->band.first_row = 0;
     pump->band.rows = 0;
     pump->band.palette = config->palette;
+    pump->band.first_column = pump->band.columns = 0;
     return FXL_OK;
 }
 
@@ -165,7 +166,7 @@ fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows)
     if (pump == NULL || rows == NULL || rows->pixels == NULL || rows->rows == 0) {
         return FXL_E_ARGUMENT;
     }
-    if (rows->width != pump->config.width || rows->stride < rows->width ||
+    if (rows->width != pump->config.width || rows->columns != 0 || rows->stride < rows->width ||
         rows->rows > pump->config.rows ||
         (uint32_t)rows->first_row + rows->rows > pump->config.height) {
         return FXL_E_RANGE;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "fixel/pixels.h"
 
+#include "../raster/columns.h"
+
 /* The upper bits of each colour: it loses less than 32/255 of red and green, 64/255 of blue. */
 static void prepare(uint16_t *entries, const uint8_t *palette)
 {
@@ -20,7 +22,7 @@ static void convert(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out
     const uint8_t *row = band->pixels;
     const bool is_wide = band->palette != NULL;
     for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
-        for (uint32_t x = 0; x < band->width; x++) {
+        for (uint32_t x = band->first_column; x < fxl_band_end_column(band); x++) {
             *out++ = (uint8_t)(is_wide ? entry_of_rgb565(((const uint16_t *)(const void *)row)[x])
                                        : pixels->entries[row[x]]);
         }

@@ -3,6 +3,7 @@
 
 #include "../math/family.h"
 #include "../math/memory.h"
+#include "../raster/columns.h"
 #include "../raster/fill.h"
 
 /* The upper bits of each colour: it loses less than 8/255 of red and blue, 4/255 of green. The
@@ -56,17 +57,18 @@ static inline void convert(const fxl_pixels *pixels, const fxl_band *band, uint8
                            bool red_first)
 {
     const bool is_wide = band->palette != NULL;
-    const uint8_t *row = band->pixels;
+    const uint32_t columns = fxl_band_columns(band);
+    const uint8_t *row = band->pixels + (band->first_column << is_wide);
     for (uint32_t rows = band->rows; rows > 0; rows--, row += (size_t)band->stride << is_wide) {
         uint16_t *to = (uint16_t *)(void *)out;
         if (!is_wide) {
-            fxl_row_to_16(row, band->width, pixels->entries, to);
+            fxl_row_to_16(row, columns, pixels->entries, to);
         } else if (red_first != core_has_red_first()) {
-            copy_swapped(to, (const uint16_t *)(const void *)row, band->width);
+            copy_swapped(to, (const uint16_t *)(const void *)row, columns);
         } else {
-            memcpy(to, row, 2u * band->width);
+            memcpy(to, row, 2u * columns);
         }
-        out += 2u * band->width;
+        out += 2u * columns;
     }
 }
 
@@ -87,6 +89,6 @@ void fxl_swap_rgb565(const fxl_band *band)
 {
     uint16_t *row = (uint16_t *)(void *)band->pixels;
     for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
-        copy_swapped(row, row, band->width);
+        copy_swapped(row, row, fxl_band_columns(band));
     }
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../raster/columns.h"
 #include "scan_box.h"
 
 #include "../math/arith.h"
@@ -23,8 +24,10 @@ void fxl_scan_box_begin(const fxl_screen_point *points, uint32_t count, const fx
     int32_t top = band->first_row, bottom = top + band->rows;
     scan->points = points;
     scan->count = count;
-    scan->left = clamped(fxl_first_centre_from(low.x), 0, band->width);
-    scan->right = clamped(fxl_first_centre_from(high.x), 0, band->width);
+    const int32_t left = band->first_column;
+    const int32_t right = (int32_t)fxl_band_end_column(band);
+    scan->left = clamped(fxl_first_centre_from(low.x), left, right);
+    scan->right = clamped(fxl_first_centre_from(high.x), left, right);
     scan->row = clamped(fxl_first_centre_from(low.y), top, bottom);
     scan->bottom = clamped(fxl_first_centre_from(high.y), top, bottom);
     scan->column = scan->left;

@@ -22,8 +22,8 @@ extern "C" {
 
 /* All functions that draw:
  * FXL_E_ARGUMENT: a null pointer, also in a record.
- * FXL_E_RANGE: a band whose width is 0 or above FXL_SCREEN_MAX, whose stride is less than its
- * width, or that has no rows; and what the function states.
+ * FXL_E_RANGE: a band whose width is 0 or above FXL_SCREEN_MAX, whose columns are beyond it or its
+ * stride, or that has no rows; and what the function states.
  * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
  * With each of these statuses: band untouched. */
 

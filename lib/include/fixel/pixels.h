@@ -20,6 +20,7 @@ typedef struct {
     uint8_t bits; /* of a pixel: 16, 8, 4 or 1 */
     uint8_t rows; /* of the frame in a byte: 1, or 8 in pages */
     void (*prepare)(uint16_t *entries, const uint8_t *palette);
+    /* band: its pixels are those from column 0 on, also where it has some columns alone. */
     void (*convert)(const fxl_pixels *pixels, const fxl_band *band, uint8_t *out);
 } fxl_pixel_format;
 
@@ -51,12 +52,12 @@ size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t 
 
 /* Converts a band, of palette indices or of RGB565 (band->palette is not null; its colours stay,
  * and the prepared palette is not read), into `size` bytes at `out`, aligned to 4: row after row, without a gap. Bits of a
- * last byte that no pixel has are 0. The dither counts columns from the band's left edge and rows
- * from the top of the frame, so the result does not depend on how a frame is cut into bands.
+ * last byte that no pixel has are 0. The dither counts columns from the left of the frame and rows
+ * from its top, so the result does not depend on how a frame is cut into bands.
  * FXL_E_ARGUMENT: a null pointer, a band without rows or columns.
  * FXL_E_ORDER: fxl_pixels_init did not prepare the pixels: they are all zeros.
  * FXL_E_ALIGNMENT: out is not aligned, or a band of RGB565 is at an odd address.
- * FXL_E_RANGE: a stride below the width; with pages, a first row that is no multiple of 8.
+ * FXL_E_RANGE: columns beyond the width or the stride; with pages, a first row that is no multiple of 8.
  * FXL_E_CAPACITY: size is less than fxl_pixels_size.
  * With each of these statuses: *out untouched. */
 fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, void *out,

@@ -201,9 +201,10 @@ typedef struct {
     const fxl_screen_point *points;
     int16_t row, end_row; /* the current row; one past the last row */
     int16_t steady_end;   /* no edge begins or ends above this row */
-    int16_t width;        /* of the band */
+    int16_t right;        /* one past the last column of the band */
     uint8_t count;        /* points */
     uint8_t found_count;  /* edges that cross the row */
+    int16_t left;         /* the first column of the band */
     int32_t x;            /* on the row, where the next stretch of pixels may begin */
     fxl_active_edge found[FXL_POLYGON_CAPACITY];
 } fxl_active_edges;

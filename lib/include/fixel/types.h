@@ -352,16 +352,19 @@ typedef struct {
     int16_t y, x0, x1;
 } fxl_span;
 
-/* A band of rows of the frame, or the whole frame: rows first_row ..
- * first_row + rows - 1, one byte a pixel. The first pixel of row first_row is
- * pixels[0], that of the next row is pixels[stride]. The caller owns the pixels. */
+/* A rectangle of the frame, or the whole frame: rows first_row .. first_row + rows - 1, and all
+ * columns, or columns first_column .. first_column + columns - 1; one byte a pixel. The first pixel
+ * of row first_row is pixels[0], that of the next row is pixels[stride]. The caller owns the
+ * pixels. Those outside of the rectangle are neither read nor written. */
 typedef struct {
     uint8_t *pixels;
-    uint16_t width;  /* 1..FXL_SCREEN_MAX */
-    uint16_t stride; /* >= width */
+    uint16_t width;  /* of the frame, 1..FXL_SCREEN_MAX */
+    uint16_t stride; /* in pixels, at least those of a row */
     uint16_t first_row;
     uint16_t rows;           /* >= 1; first_row + rows <= screen height */
     const uint16_t *palette; /* null; of 16 bits a pixel: 256 colours, and pixels are uint16_t */
+    uint16_t first_column;
+    uint16_t columns; /* first_column + columns <= width; 0: all, and first_column is 0 */
 } fxl_band;
 
 /* What happened to the faces of a frame. Each face is counted once:

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* The columns of a band. What draws works with columns of the frame, in a band whose pixels are
+ * those from column 0 on: fxl_band_from_column_0. Internal. */
+#ifndef FXL_COLUMNS_H
+#define FXL_COLUMNS_H
+
+#include "fixel/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How many there are. */
+static inline uint32_t fxl_band_columns(const fxl_band *band)
+{
+    return band->columns != 0 ? band->columns : band->width;
+}
+
+static inline uint32_t fxl_band_end_column(const fxl_band *band)
+{
+    return band->first_column + fxl_band_columns(band);
+}
+
+/* Whether rows and columns lie within a frame, and those of a row within the stride. */
+static inline bool fxl_band_is_within(const fxl_band *band, uint32_t width, uint32_t height)
+{
+    return band->stride >= fxl_band_columns(band) && fxl_band_end_column(band) <= width &&
+           band->rows >= 1 && (uint32_t)band->first_row + band->rows <= height;
+}
+
+/* The same pixels, counted from column 0 of the frame. No pixel before
+ * the first column is read or written: the address is that of none. */
+static inline fxl_band fxl_band_from_column_0(const fxl_band *band)
+{
+    fxl_band from = *band;
+    const uint32_t bytes = (uint32_t)band->first_column << (band->palette != NULL);
+    from.pixels = (uint8_t *)((uintptr_t)band->pixels - bytes);
+    return from;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
