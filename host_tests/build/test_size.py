@@ -4,6 +4,7 @@
 import re
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -188,6 +189,29 @@ def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
     assert found["stack_measured"] > 500 and len(found["stack_path"]) > 4
     figure = sizes.stack_text(found)
     assert int(figure.removeprefix("at least ").replace(",", "")) >= found["stack_measured"]
+
+
+@pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3"])
+def test_a_flat_program_in_rgb565_links_at_most_3_kib_more(build, tmp_path, core):
+    """At -Os, which is where a byte counts."""
+    program = tmp_path / "first.c"
+    wide = linked_size.in_rgb565(linked_size.first_program())
+    program.write_text(wide, encoding="utf-8")
+    root = build.parent
+    library = sorted(str(each.relative_to(root)) for kind in "cS" for each in (root / "lib").glob(f"*/*.{kind}"))
+    said = subprocess.run([sys.executable, "lib/needs.py", *library, "--", program], cwd=root, check=True, text=True, capture_output=True)
+    needed = next(line for line in said.stdout.splitlines() if line.startswith(f"LIB_NEEDS.{program} ")).split(":=")[1].split()
+    objects = []
+    for source in (each for each in library if each[4:-2] in needed):
+        objects.append(tmp_path / f"{source[4:].replace('/', '_')}.o")
+        subprocess.run([f"{CROSS}gcc", f"-mcpu={core}", "-mthumb", "-masm-syntax-unified", "-std=c11", "-Os", "-ffreestanding",
+                        "-ffunction-sections", "-fdata-sections", "-Ilib/include", "-c", source, "-o", objects[-1]], cwd=root, check=True)
+    archive = tmp_path / "libfixel.a"
+    subprocess.run([f"{CROSS}ar", "rcs", archive, *objects], check=True)
+    palette = linked_size.measure(core, archive, CROSS)["linked_flash"]
+    more = linked_size.measure(core, archive, CROSS, program=wide)["linked_flash"] - palette
+    print(f"{core} at -Os: a flat program in a palette links {palette:,} bytes, in RGB565 {more:,} more")
+    assert 0 < more <= 3 * 1024
 
 
 def test_the_first_program_links_a_part_of_the_library(build):

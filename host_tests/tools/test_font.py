@@ -65,7 +65,7 @@ PROGRAM = """
 int main(void)
 {
     static uint8_t pixels[20][24];
-    const fxl_band band = {.pixels = pixels[0], .width = 24, .stride = 24, .rows = 20};
+    const fxl_band band = {pixels[0], 24, 24, 0, 20, NULL, 0, 0};
     const fxl_text_style style = {&made_font, 1, 0};
     if (fxl_draw_text(&band, 1, 0, "A?BA\\n@", &style) != FXL_OK) { return 1; }
     for (int row = 0; row < 20; row++) {

@@ -24,12 +24,24 @@ def first_program(readme=ROOT / "README.md"):
     return found[1]
 
 
-def measure(core, library, cross, include=ROOT / "lib" / "include"):
-    """{"linked_flash", "linked_ram", "linked_helpers"}: bytes that the first program links of the library, of
+def in_rgb565(program):
+    """The first program, of which nothing is another but the format of its pixels."""
+    changes = (("static uint8_t pixels", "static const uint16_t colours[256] = {1};\nstatic uint16_t pixels"),
+               ("fxl_config_default(320, 240);", "fxl_config_for(320, 240, &fxl_rgb565);"),
+               ("    if (fxl_renderer_init", "    config.palette = colours;\n    if (fxl_renderer_init"))
+    for before, after in changes:
+        if before not in program:
+            raise ToolError(f"the first program of README.md has no '{before}'")
+        program = program.replace(before, after)
+    return program
+
+
+def measure(core, library, cross, include=ROOT / "lib" / "include", program=None):
+    """{"linked_flash", "linked_ram", "linked_helpers"}: bytes that a program, the first one, links of the library, of
     flash and of variables, and of the compiler's arithmetic. The scene's tables are the program's own."""
     with scratch.folder("size") as folder:
         write_scene(folder)
-        (folder / "first.c").write_text(first_program(), encoding="utf-8")
+        (folder / "first.c").write_text(program or first_program(), encoding="utf-8")
         stack.run([f"{cross}gcc", f"-mcpu={core}", "-mthumb", "-std=c11", "-O2", "-ffreestanding", "-fno-builtin",
                    "-nostdlib", f"-I{folder}", f"-I{include}", str(folder / "first.c"), str(library), "-lgcc",
                    *(f"-Wl,--defsym={each}=0" for each in SYSTEM), "-Wl,--gc-sections", "-Wl,--entry=main",
