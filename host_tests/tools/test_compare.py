@@ -326,3 +326,17 @@ def test_the_largest_picture(width, height, taken):
         return
     with pytest.raises(ToolError, match="pixels are too many"):
         comparison.check_size("a.png", width, height)
+
+
+@pytest.mark.parametrize("places", [[50], [40, 70], [0], [99], [10, 80, 85, 90]])
+def test_of_a_large_picture_the_part_is_shown_that_differs_most(monkeypatch, places):
+    """Of several parts of a screen's size that differ as much, the middle one."""
+    monkeypatch.setattr(comparison.dump, "SCREEN_MAX", 40)
+    counts = numpy.zeros(100, int)
+    counts[places] = 1
+    shown = comparison.fullest(counts)
+    most = max(counts[first:first + 40].sum() for first in range(61))
+    assert shown.stop - shown.start == 40 and counts[shown].sum() == most
+    starts = [first for first in range(61) if counts[first:first + 40].sum() == most]
+    assert shown.start == starts[len(starts) // 2]
+    assert comparison.fullest(counts[:30]) == slice(0, 30)

@@ -15,6 +15,7 @@ from fixel.bench import frame_costs
 from fixel.image import c_names, c_scene, c_text, image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.scene import compiler, making
+from scene_text import build
 
 CUBE = ROOT / "examples" / "cube" / "cube.obj"
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-initializers", "-Wredundant-decls", "-Werror"]
@@ -536,6 +537,17 @@ def test_a_scene_without_a_path_is_seen_from_all_sides(tmp_path):
             compiler.compile_scene(str(tmp_path / "scene.toml"))
     (tmp_path / "scene.toml").write_text("[view]\nfar = 20\n" + boxes, encoding="utf-8")
     assert any("view.far = " in note for note in compiler.compile_scene(str(tmp_path / "scene.toml"))[1])
+
+
+def test_a_header_has_the_bounds_of_each_face_of_a_sorted_model(tmp_path):
+    """A face of the unit box that is twice as large is 1 unit from the middle, in 2^-46."""
+    box = '[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\n'
+    scene = build(tmp_path, box + box + 'kind = "sorted"\nscale = 2\n' + box + 'kind = "sorted"\nscale = 3\n')
+    tables = c_scene._Tables(scene, "it")
+    assert [model.count("FXL_MODEL_SORTED") for model in tables.models] == [0, 1, 1]
+    assert [model.rstrip("}").split(", ")[-1] for model in tables.models] == ["0", "0", "6"]
+    heights = [bounds.partition("u, 0x")[2].partition("u,")[0] for bounds in tables.bounds]
+    assert heights == 6 * ["00004000"] + 6 * ["00006000"]
 
 
 def test_a_comment_is_broken_between_words_where_it_is_too_long():

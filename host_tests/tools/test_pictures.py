@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of frames: colours, animations, and what a comparison shows."""
+"""Pictures of frames: colours, animations, what a comparison shows, and how a recording is played."""
 
 import io
 import types
@@ -12,6 +12,7 @@ from conftest import dump_bytes
 from fixel.base import picture
 from fixel.base.errors import ToolError
 from fixel.report import picture_row
+from fixel.view import recording
 
 PALETTE = numpy.array([[number, 255 - number, 7] for number in range(256)], dtype=numpy.uint8)
 
@@ -119,3 +120,10 @@ def test_frames_stand_side_by_side_with_white_between_them(tmp_path):
     options.frames = "2"
     with pytest.raises(ToolError, match="a number for each of --dumps"):
         picture_row.command(options)
+
+
+def test_a_recording_holds_keys_down_until_it_lets_them_go():
+    said = []
+    keyboard = types.SimpleNamespace(**{name: lambda key, name=name: said.append((name, key)) for name in ("down", "up", "press")})
+    recording.play(types.SimpleNamespace(keyboard=keyboard), ["+w", "2", "-w"])
+    assert said == [("down", "w"), ("press", "2"), ("up", "w")]

@@ -9,7 +9,6 @@ import base64
 import io
 import re
 import socket
-import types
 
 import numpy
 import pytest
@@ -547,13 +546,6 @@ def test_the_recording(scene, build, tmp_path):
     assert len(frames) >= 30 and file.stat().st_size < 1.5e6
     changes = [numpy.mean((one != other).any(axis=2)) for one, other in zip(frames, frames[1:])]
     assert numpy.mean(numpy.array(changes) > 0.01) > 0.7    # it walks most of the time
-
-
-def test_a_recording_holds_keys_down_until_it_lets_them_go():
-    said = []
-    keyboard = types.SimpleNamespace(**{name: lambda key, name=name: said.append((name, key)) for name in ("down", "up", "press")})
-    recording.play(types.SimpleNamespace(keyboard=keyboard), ["+w", "2", "-w"])
-    assert said == [("down", "w"), ("press", "2"), ("up", "w")]
 
 
 def test_a_recording_of_much_change_is_made_smaller_until_it_fits(monkeypatch):
