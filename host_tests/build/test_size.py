@@ -222,3 +222,20 @@ def test_the_first_program_links_a_part_of_the_library(build):
     assert "fxl_render(&renderer" in linked_size.first_program()
     said = re.search(r"program below links ([\d.]+) KB of library code on a Cortex-M3", (build.parent / "README.md").read_text(encoding="utf-8"))
     assert abs(float(said.group(1)) * 1000 - linked["linked_flash"]) < 500, linked
+
+
+@pytest.mark.parametrize("passes, wrong, last", [
+    (True, [], "no float, no heap: linked alone for cortex-m0; asks only for memcpy"),
+    (False, ["linked, it contains malloc"], "FAIL: the library for cortex-m0 is not free of float and heap:\n  linked, it contains malloc")])
+def test_what_is_printed(capsys, passes, wrong, last):
+    firmware = {"flash": 5000, "ram": 300, "stack": 100, "stack_measured": 120, "stack_reserved": 2048,
+                "not_bounded": ["f calls a pointer"], "stack_path": ["main", "f"]}
+    library = {"core": "cortex-m3", "linked_flash": 4000, "linked_ram": 0, "linked_helpers": 77, "stack": 64,
+               "not_bounded": [], "stack_path": ["g"]}
+    proof = {"passes": passes, "core": "cortex-m0", "undefined": ["memcpy"], "wrong": wrong}
+    sizes.print_sizes({"board": "b", "firmware": [firmware], "library": [library], "proof": proof})
+    said = capsys.readouterr().out
+    rows = {" ".join(line.split()) for line in said.splitlines()}
+    assert {"firmware b 5,000 300 at least 120 120 2,048", "library cortex-m3 4,000 0 64 - -"} <= rows
+    assert "(77 bytes)" in said
+    assert said.endswith(f"deepest, b: main > f\n  not bounded: f calls a pointer\ndeepest, cortex-m3: g\n{last}\n")

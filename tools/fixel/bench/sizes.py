@@ -123,7 +123,7 @@ def undefined_symbols(library, cross):
     wanted, defined = set(), set()
     for line in stack.run([f"{cross}nm", str(library)]).splitlines():
         fields = line.split()
-        if len(fields) >= 2 and fields[-2] in "Uw" and len(fields) == 2:
+        if len(fields) == 2 and fields[0] in "Uw":
             wanted.add(fields[1])
         elif len(fields) == 3:
             defined.add(fields[2])
