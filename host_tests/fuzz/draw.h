@@ -67,6 +67,10 @@ void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
 /* Some pixels of a band that was drawn of the renderer's frame, by fxl_pick_face. */
 void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in);
 
+/* What is picked at some places of the renderer's frame: it is in the scene, and, where the pixels of
+ * the frame are given, which show faces of one colour, it is what they show. Takes no input. */
+void draw_all_picks(fxl_renderer *renderer, const void *pixels);
+
 /* A point on the screen, a segment from the eye, and a sphere that slides away from there. */
 void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in);
 

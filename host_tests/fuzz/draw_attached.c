@@ -57,6 +57,9 @@ static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
     DEMAND(conflict == (names[0] != NULL && names[1] != NULL));
     DEMAND(fxl_render(renderer, pose, to->pixels, renderer->frame.view.lens.width) ==
            (conflict ? FXL_E_COMBINATION : FXL_OK));
+    if (!conflict) {
+        draw_all_picks(renderer, set & OUTLINES ? NULL : to->pixels);
+    }
 }
 
 static void choose(attached *to, const fxl_order *order, const fxl_target *target)
@@ -113,6 +116,9 @@ static void misuse(attached *to)
 static void open(attached *made, const fxl_scene *scene, const fxl_lens *lens)
 {
     memset(made, 0, sizeof *made);
+    for (uint32_t i = 0; i < 256; i++) {
+        made->palette[i] = (uint16_t)(i * 0x0101u);
+    }
     const uint32_t area = (uint32_t)lens->width * lens->height;
     made->order = malloc(scene->order_needed * sizeof(fxl_order_entry));
     made->depth_size = FXL_DEPTH_BYTES(lens->width, lens->height, 32);

@@ -183,6 +183,7 @@ static void draw_both(const boards *made, const way *by, const fxl_lens *lens,
     DEMAND(whole != NULL);
     fxl_renderer *first = start(made, &one, by, lens, pose, 0);
     draw(first, whole, rows, rows);
+    draw_all_picks(first, NULL);
     fxl_counters counters = first->workspace.counters;
     DEMAND(counters.in == (uint64_t)counters.backfacing + counters.outside + counters.degenerate +
                               counters.refused + counters.drawn);

@@ -42,6 +42,30 @@ void draw_picks(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
     renderer->workspace.counters.refused_calls = refused;
 }
 
+void draw_all_picks(fxl_renderer *renderer, const void *pixels)
+{
+    static const uint8_t eighths[] = {1, 4, 6};
+    const fxl_scene *scene = renderer->scene;
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    for (uint32_t i = 0; i < sizeof eighths * sizeof eighths; i++) {
+        const uint32_t x = lens->width * eighths[i % sizeof eighths] / 8u;
+        const uint32_t y = lens->height * eighths[i / sizeof eighths] / 8u;
+        const uint32_t place = y * lens->width + x;
+        fxl_picked picked;
+        DEMAND(fxl_pick_face(renderer, (uint16_t)x, (uint16_t)y, &picked) == FXL_OK);
+        if (picked.instance == FXL_PICK_NONE) {
+            continue;
+        }
+        DEMAND(picked.instance < scene->instance_count);
+        DEMAND(picked.face < scene->models[scene->instances[picked.instance].model].face_count);
+        if (pixels != NULL && renderer->target->pixel_bits == 16) {
+            DEMAND(((const uint16_t *)pixels)[place] == renderer->palette[picked.colour]);
+        } else if (pixels != NULL) {
+            DEMAND(((const uint8_t *)pixels)[place] == picked.colour);
+        }
+    }
+}
+
 static void find_points(const fxl_view *view, fuzz_input *in)
 {
     fxl_screen_place place = {{0, 0}, 0, 99};

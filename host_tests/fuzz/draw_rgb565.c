@@ -174,6 +174,7 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     fxl_swap_rgb565(&frame);
     fxl_swap_rgb565(&frame);
     DEMAND(memcmp(whole, bands, 2 * count) == 0);
+    draw_all_picks(renderer, NULL);
     DEMAND(fxl_render(renderer, &pose, bands, frame.stride) == FXL_OK);
     record_bytes(whole, 2 * count);
     record_bytes(bands, 2 * count);

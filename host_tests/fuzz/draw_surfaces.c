@@ -228,6 +228,7 @@ static void draw_twice(fxl_renderer *renderer, fuzz_input *in)
     renderer->frame.display_list.capacity = words;
     draw(renderer, &pose, bands, 1 + fuzz_below(in, lens->height));
     DEMAND(memcmp(whole, bands, size) == 0);
+    draw_all_picks(renderer, NULL);
     draw_in_another(renderer, whole, BACKGROUND, in);
     record_bytes(whole, size);
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
