@@ -103,6 +103,12 @@ def test_the_function_of_a_line():
         [("f", 0), ("f", 1), ("f", 2), None, None, None, ("C.h", 0), ("C.h", 1), ("C.h", 2)]
 
 
+def test_functions_of_tests_and_their_arguments():
+    text = "def test_a(b):\n    pass\n\n\n@c\nasync def test_d(e):\n    pass\n\n\ndef f():\n    pass\n"
+    assert list(lines.functions_of(text)) == ["test_a", "test_d"]
+    assert lines.arguments_of(text) == {"test_a": ["b"], "test_d": ["e"], "f": []}
+
+
 def test_quick_tests_come_first_and_parameters_of_one_are_spread():
     seconds = {"f::a[1]": 0.1, "f::a[2]": 0.1, "f::a[3]": 0.1, "f::b": 0.15, "f::c": 9.0}
     assert lines.spread(set(seconds), seconds) == ["f::a[1]", "f::b", "f::a[2]", "f::a[3]", "f::c"]

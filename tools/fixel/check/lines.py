@@ -23,6 +23,7 @@ RUN, RUNS = 6.0, 6  # CPU seconds of a run of a file of tests, and runs; what di
 PARAMETERS = 1.0    # CPU seconds for the parameters of a test; its later ones are taken for like the slowest of these
 KEPT = 30           # tests for a line
 LEAST = 0.05        # CPU seconds; a test costs no less: its file is imported
+FUNCTION = ast.FunctionDef, ast.AsyncFunctionDef
 
 
 class Functions:
@@ -34,7 +35,7 @@ class Functions:
 
     def _collect(self, node, name):
         for each in ast.iter_child_nodes(node):
-            if isinstance(each, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            if isinstance(each, FUNCTION):
                 first = min([each.lineno, *(mark.lineno for mark in each.decorator_list)])
                 self._found.append((first, each.end_lineno, f"{name}{each.name}"))
             else:
@@ -67,12 +68,12 @@ def files_of_tests(checkout):
 def functions_of(text):
     """{name: hash of its text} of the functions of a file of tests."""
     return {node.name: hashlib.sha256(ast.unparse(node).encode()).hexdigest()
-            for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name.startswith("test")}
+            for node in ast.parse(text).body if isinstance(node, FUNCTION) and node.name.startswith("test")}
 
 
 def arguments_of(text):
     """{name: its arguments} of the functions of a file of tests: parameters and fixtures."""
-    return {node.name: [each.arg for each in node.args.args] for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    return {node.name: [each.arg for each in node.args.args] for node in ast.parse(text).body if isinstance(node, FUNCTION)}
 
 
 def function_of(test):
