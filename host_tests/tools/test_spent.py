@@ -37,3 +37,10 @@ def test_what_this_process_took_counts():
     while sum(os.times()[:2]) < own + 0.2:
         sum(range(10_000))
     assert spent.seconds() > before + 0.15    # the kernel counts in hundredths
+
+
+def test_what_the_kernel_says_of_this_process():
+    from fixel.base import spent
+    _, parent, taken = spent._process(os.getpid())
+    own = sum(os.times()[:4])
+    assert parent == os.getppid() and 0.5 * own < taken <= own
