@@ -2,6 +2,7 @@
 """What goes together (docs/extras/combinations.md, section 3): every order, target and attribute is drawn, whatever the delivery, and the
 reference renderer explains each pixel. This file writes the table of that page: .venv/bin/python host_tests/judges/test_combinations.py."""
 
+import itertools
 import json
 import os
 import subprocess
@@ -97,17 +98,29 @@ def is_refused(order, bits, name):
     return name == "outlines" and (bits > 0 or order == "tree")
 
 
-def build_image(folder, order, target, name):
-    """The image of the scene with an attribute; "": without one."""
+def image_of(folder, order, target, name, tables, subject):
+    """The image of the scene with tables and lines of its subject. name: of the file."""
     pixels, bits = TARGETS[target]
-    tables, subject = ATTRIBUTES[name] if name else ("", "")
     file = folder / "scene.toml"
     file.write_text(BASE % {"top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
                             "moves": "moves = true" if order == "tree" else "", "subject": subject})
     compiled, _ = compiler.compile_scene(str(file))
-    made = folder / f"{name or 'without'}.fxls"
+    made = folder / f"{name}.fxls"
     made.write_bytes(image.pack(compiled))
     return made
+
+
+def build_image(folder, order, target, name):
+    """The image of the scene with an attribute; "": without one."""
+    return image_of(folder, order, target, name or "without", *(ATTRIBUTES[name] if name else ("", "")))
+
+
+def tables_of(first, second):
+    """The tables of two attributes; light stands there once."""
+    tables = [ATTRIBUTES[name][0] for name in (first, second)]
+    if all(each.startswith(LIGHT) for each in tables):
+        return max(tables, key=len)
+    return "".join(tables)
 
 
 def run(build, program, *words):
@@ -213,6 +226,29 @@ def test_each_attribute_changes_the_frame(cells):
 def test_the_page_has_the_table(cells):
     written = PAGE.read_text(encoding="utf-8").split(BEGIN)[1].split(END)[0]
     assert written == table_of(cells), f"{PAGE}: .venv/bin/python {Path(__file__).name} writes the table"
+
+
+# Where something is blended over a line, the reference, which draws no lines, cannot say what the pixel shows.
+NOT_JUDGED = {("blend", "outlines")}
+
+
+def test_pairs_of_attributes_are_those_of_the_reference(build, tmp_path):
+    names = [name for name in ATTRIBUTES if name != "flat"]
+    count, wrong = 0, []
+    for first, second in itertools.combinations(names, 2):
+        if (first, second) in NOT_JUDGED or second.startswith("texture"):
+            continue
+        extra = ("--outlines", LINE) if second == "outlines" else ()
+        for order, target in WAYS:
+            if is_refused(order, TARGETS[target][1], second) or (first, second) == ("beams", "outlines"):
+                continue
+            scene = image_of(tmp_path, order, target, "pair", tables_of(first, second),
+                             "\n".join(ATTRIBUTES[name][1] for name in (first, second)))
+            frames_of(build, scene, *extra)
+            count += 1
+            if judged(build, scene, *extra)[0] != 0:
+                wrong.append((order, target, first, second))
+    assert not wrong and count > 300, (count, wrong)
 
 
 if __name__ == "__main__":

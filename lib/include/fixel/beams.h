@@ -13,9 +13,9 @@ extern "C" {
 #endif
 
 /* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
- * needs 1,296, 1,384 or 1,600 on a 32-bit core; another workspace (fxl_workspace_init) needs 40 less
- * beside. Returns 0 where fxl_beams_fit does not allow the
- * beams, or beams is null. Requires checked beams. */
+ * needs 1,296, 1,384 or 1,600 on a 32-bit core. Another workspace (fxl_workspace_init) needs 40 less
+ * for it. Returns 0 where fxl_beams_fit does not allow the beams, or beams is null. Requires checked
+ * beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
 /* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use. */
