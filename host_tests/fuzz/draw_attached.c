@@ -48,6 +48,26 @@ static void attach(attached *to, uint32_t set)
     }
 }
 
+/* The frame that fxl_render has drawn, as another core would draw it: the same pixels. */
+static void draw_as_another(const attached *to)
+{
+    static fxl_workspace workspace;
+    const fxl_renderer *renderer = &to->renderer;
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const size_t size = fxl_workspace_size(renderer);
+    const size_t bytes = (size_t)lens->width * lens->height * renderer->target->pixel_bits / 8u;
+    void *memory = malloc(size + 8), *pixels = malloc(bytes);
+    DEMAND(memory != NULL && pixels != NULL);
+    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width,
+                           .rows = lens->height, .palette = renderer->palette};
+    DEMAND(fxl_workspace_init(&workspace, renderer, memory, size) == FXL_OK);
+    fxl_frame_fill(renderer, &band, renderer->frame.background);
+    DEMAND(fxl_frame_draw_with(renderer, &workspace, &band) == FXL_OK);
+    DEMAND(memcmp(pixels, to->pixels, bytes) == 0);
+    free(memory);
+    free(pixels);
+}
+
 static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
 {
     const char *names[2] = {NULL, NULL};
@@ -59,6 +79,7 @@ static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
            (conflict ? FXL_E_COMBINATION : FXL_OK));
     if (!conflict) {
         draw_all_picks(renderer, set & OUTLINES ? NULL : to->pixels);
+        draw_as_another(to);
     }
 }
 

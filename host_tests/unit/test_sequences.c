@@ -219,7 +219,7 @@ void test_a_target_is_chosen_after_init(void)
                           : has_depth ? FXL_E_CAPACITY
                                       : FXL_OK,
                           fxl_renderer_choose(&made->renderer, &config));
-        config.palette = is_rgb565 ? colours : NULL;
+        config.palette = colours; /* a target of palette indices does not take it */
         config.depth = has_depth ? (uint8_t *)cells + 4 : NULL;
         config.depth_size = has_depth ? (uint32_t)sizeof cells - 4 : 0;
         TEST_ASSERT_EQUAL(has_depth ? FXL_E_ALIGNMENT : FXL_OK,
@@ -227,6 +227,7 @@ void test_a_target_is_chosen_after_init(void)
         config.depth = has_depth ? cells : NULL;
         made->renderer.workspace.counters.refused_calls = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &config));
+        TEST_ASSERT_EQUAL_PTR(is_rgb565 ? colours : NULL, made->renderer.palette);
         look(&ways[i], 0);
         TEST_ASSERT_EQUAL(FXL_OK, attach(&ways[i], LIGHT, true));
         TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_choose(&made->renderer, &config));

@@ -186,7 +186,7 @@ fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *conf
     renderer->target = target;
     renderer->near_first = target->near_first;
     renderer->check = NULL;
-    renderer->palette = config->palette;
+    renderer->palette = target->pixel_bits == 16 ? config->palette : NULL;
     if (target->extras != NULL) {
         renderer->draw_list = target->extras->draw_list; /* it draws flat records, too */
     }

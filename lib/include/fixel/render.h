@@ -26,7 +26,7 @@ typedef struct fxl_config {
     uint8_t background;       /* palette index that fxl_render clears to */
     const fxl_target *target; /* what pixels are, and whether there is a depth buffer */
     const fxl_order *order;   /* null: fxl_by_distance */
-    const uint16_t *palette;  /* of RGB565 targets: 256 colours; else null */
+    const uint16_t *palette;  /* of RGB565 targets: 256 colours; others do not take it */
     void *depth;              /* memory of the target's depth buffer, aligned to 8 bytes; or null */
     uint32_t depth_size;      /* bytes: FXL_DEPTH_BYTES of one row at least */
     void *tree;               /* of fxl_by_tree, aligned to 8 bytes; else null */
