@@ -68,6 +68,28 @@ static void draw_as_another(const attached *to)
     free(pixels);
 }
 
+/* A rectangle of the frame that was drawn has its pixels. */
+static void demand_rectangle(attached *to, const fxl_pose *pose)
+{
+    fxl_renderer *renderer = &to->renderer;
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const uint32_t bytes = renderer->target->pixel_bits / 8u;
+    fxl_band band = {.width = lens->width, .first_row = lens->height / 3,
+                     .palette = bytes == 2 ? to->palette : NULL, .first_column = lens->width / 3};
+    band.columns = band.stride = (uint16_t)((lens->width + 1) / 2);
+    band.rows = (uint16_t)((lens->height + 1) / 2);
+    band.pixels = malloc((size_t)band.columns * band.rows * bytes);
+    DEMAND(band.pixels != NULL && fxl_frame_begin(renderer, pose) == FXL_OK);
+    fxl_frame_fill(renderer, &band, renderer->frame.background);
+    DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
+    for (uint32_t row = 0; row < band.rows; row++) {
+        const size_t at = (size_t)(band.first_row + row) * lens->width + band.first_column;
+        DEMAND(memcmp(band.pixels + row * band.columns * bytes,
+                      (const uint8_t *)to->pixels + at * bytes, band.columns * bytes) == 0);
+    }
+    free(band.pixels);
+}
+
 static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
 {
     const char *names[2] = {NULL, NULL};
@@ -80,6 +102,9 @@ static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
     if (!conflict) {
         draw_all_picks(renderer, set & OUTLINES ? NULL : to->pixels);
         draw_as_another(to);
+        if (!(set & OUTLINES)) {
+            demand_rectangle(to, pose);
+        }
     }
 }
 

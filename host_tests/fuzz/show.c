@@ -74,6 +74,36 @@ static void pause(void *user, uint32_t milliseconds)
     DEMAND(milliseconds < 1000);
 }
 
+/* A band of RGB565, or some columns of it, of the same shape: the same status, and no byte behind
+ * the result. */
+static void demand_565(const fxl_pixels *pixels, const fxl_band *band, fxl_status status)
+{
+    static uint16_t frame[WIDEST * ROWS];
+    static uint32_t out[WIDEST * ROWS / 2 + 2];
+    static const uint16_t colours[256];
+    for (uint32_t i = 0; i < WIDEST * ROWS; i++) {
+        frame[i] = (uint16_t)(i * 40503u);
+    }
+    for (uint16_t columns = 0; columns <= band->width; columns = (uint16_t)(columns + 3)) {
+        fxl_band wide = *band;
+        wide.pixels = (uint8_t *)frame;
+        wide.palette = colours;
+        wide.columns = columns;
+        wide.first_column = (uint16_t)(columns == 0 ? 0 : (band->width - columns) / 2);
+        const size_t size = fxl_pixels_size(pixels->format,
+                                            columns == 0 ? band->width : columns, band->rows);
+        memset(out, GUARD, sizeof out);
+        const fxl_status answer = fxl_pixels_convert(pixels, &wide, out, size);
+        DEMAND(answer == status || (columns != 0 && status == FXL_E_RANGE));
+        for (size_t at = answer == FXL_OK ? size : 0; at < sizeof out; at++) {
+            DEMAND(((const uint8_t *)out)[at] == GUARD);
+        }
+        wide.pixels++;
+        DEMAND(answer == FXL_E_ARGUMENT ||
+               fxl_pixels_convert(pixels, &wide, out, size) == FXL_E_ALIGNMENT);
+    }
+}
+
 /* Bands of any shape in each format: a status, and no byte behind the result. */
 static void fuzz_formats(fuzz_input *in)
 {
@@ -97,6 +127,7 @@ static void fuzz_formats(fuzz_input *in)
         const bool is_empty = band.width == 0 || band.rows == 0;
         const bool is_wrong = band.stride < band.width || band.first_row % formats[i]->rows != 0;
         DEMAND(status == (is_empty ? FXL_E_ARGUMENT : is_wrong ? FXL_E_RANGE : FXL_OK));
+        demand_565(&pixels, &band, status);
         const uint8_t *bytes = (const uint8_t *)out;
         for (size_t at = status == FXL_OK ? size : 0; at < sizeof out; at++) {
             DEMAND(bytes[at] == GUARD);
@@ -157,6 +188,7 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
 {
     static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, HEIGHT, 16)];
     static uint8_t lent[10 * (WIDTH + 2)];
+    static const uint16_t colours[256];
     static fxl_pixels pixels;
     static fxl_pump pump;
     const uint32_t format = fuzz_below(in, 7);
@@ -177,6 +209,13 @@ static void fuzz_pump(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *ey
     DEMAND(fxl_pump_init(&pump, &config, &sink, memory, size - 1) == FXL_E_CAPACITY);
     DEMAND(fxl_pump_init(&pump, &config, &sink, (uint8_t *)memory + 4, size) == FXL_E_ALIGNMENT);
     DEMAND(fxl_pump_send(&pump) == FXL_E_ORDER && fxl_pump_band(&pump) == NULL);
+    pump.config.palette = colours;
+    DEMAND(fxl_pump_frame(&pump, renderer, eye) == FXL_E_COMBINATION);
+    if (config.pixels == NULL && config.rows > 0) {
+        const fxl_band rows = {.pixels = lent, .width = WIDTH, .stride = WIDTH, .rows = 1};
+        DEMAND(fxl_pump_send_rows(&pump, &rows) == FXL_E_COMBINATION);
+    }
+    pump.config.palette = NULL;
     status = fxl_pump_frame(&pump, renderer, eye);
     DEMAND(status == FXL_OK || (status == FXL_E_DISPLAY && fxl_pump_band(&pump) == NULL));
     if (status == FXL_OK) {

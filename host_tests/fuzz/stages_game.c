@@ -60,7 +60,9 @@ static void draw_any_text(fuzz_input *in, const fxl_band *band)
     const fxl_status status = fxl_draw_text(band, x, y, text, &style);
     DEMAND(status == (sound ? FXL_OK : FXL_E_RANGE));
     DEMAND(fxl_measure_text(text, &style, &size) == status);
-    record_bytes(&size, sizeof size);
+    if (band->palette == NULL) { /* the same call in RGB565 has nothing to add */
+        record_bytes(&size, sizeof size);
+    }
     DEMAND(sound ? size.height % font.line_height == 0 : size.width == 1 && size.height == 2);
     DEMAND(fxl_measure_text(NULL, &style, &size) == FXL_E_ARGUMENT);
     DEMAND(fxl_measure_text(text, &style, NULL) == FXL_E_ARGUMENT);
@@ -118,10 +120,50 @@ static void demand_refused(const fxl_band *band)
     DEMAND(fxl_draw_text(band, 0, 0, "x", &style) == FXL_E_ARGUMENT);
 }
 
+/* The same calls in RGB565 and in two rectangles side by side: the same pixels. */
+typedef struct {
+    uint16_t pixels[ROWS * STRIDE], colours[256];
+} overlay_565;
+
+static void begin_565(overlay_565 *wide)
+{
+    for (uint32_t i = 0; i < 256; i++) {
+        wide->colours[i] = (uint16_t)(i * 40503u);
+    }
+    for (uint32_t i = 0; i < ROWS * STRIDE; i++) {
+        wide->pixels[i] = wide->colours[GROUND];
+    }
+}
+
+static void draw_565(const fuzz_input *in, overlay_565 *wide)
+{
+    const uint16_t columns[2] = {WIDTH / 3, WIDTH - WIDTH / 3};
+    for (uint32_t i = 0; i < 2; i++) {
+        fuzz_input again = *in;
+        const uint16_t first = i == 0 ? 0 : columns[0];
+        const fxl_band band = {.pixels = (uint8_t *)(wide->pixels + first), .width = WIDTH,
+                               .stride = STRIDE, .first_row = 0, .rows = ROWS,
+                               .palette = wide->colours, .first_column = first,
+                               .columns = columns[i]};
+        draw_any(&again, &band);
+    }
+}
+
+static void demand_565(const overlay_565 *wide, const uint8_t *whole)
+{
+    fxl_band odd = {.pixels = (uint8_t *)(uintptr_t)wide->pixels + 1, .width = WIDTH,
+                    .stride = STRIDE, .first_row = 0, .rows = ROWS, .palette = wide->colours};
+    DEMAND(fxl_draw_rectangle(&odd, 0, 0, 1, 1, 1) == FXL_E_ALIGNMENT);
+    for (uint32_t i = 0; i < ROWS * STRIDE; i++) {
+        DEMAND(wide->pixels[i] == wide->colours[whole[i]]);
+    }
+}
+
 /* The same calls into a whole screen and into its bands: the same pixels, none beside the band. */
 void fuzz_overlay(fuzz_input *in)
 {
     uint8_t whole[ROWS * STRIDE], bands[ROWS * STRIDE];
+    overlay_565 wide;
     const uint16_t step = (uint16_t)(1 + fuzz_below(in, ROWS));
     const fxl_band all = {.pixels = whole, .width = WIDTH, .stride = STRIDE, .first_row = 0,
                           .rows = ROWS};
@@ -131,11 +173,13 @@ void fuzz_overlay(fuzz_input *in)
     wrong.first_row = (uint16_t)fuzz_any(in);
     memset(whole, GROUND, sizeof whole);
     memset(bands, GROUND, sizeof bands);
+    begin_565(&wide);
     demand_refused(&all);
     DEMAND(fxl_draw_rectangle(&wrong, 0, 0, 1, 1, 1) == FXL_E_RANGE);
     for (uint32_t i = 0; i < 8 && (i == 0 || in->left > 0); i++) {
         const fuzz_input before = *in;
         draw_any(in, &all);
+        draw_565(&before, &wide);
         for (uint16_t row = 0; row < ROWS; row = (uint16_t)(row + step)) {
             const uint16_t rows = row + step <= ROWS ? step : (uint16_t)(ROWS - row);
             const fxl_band band = {.pixels = bands + row * STRIDE, .width = WIDTH,
@@ -145,6 +189,7 @@ void fuzz_overlay(fuzz_input *in)
         }
     }
     DEMAND(memcmp(whole, bands, sizeof whole) == 0);
+    demand_565(&wide, whole);
     record_bytes(whole, sizeof whole);
     for (uint32_t i = 0; i < ROWS; i++) {
         DEMAND(whole[i * STRIDE + WIDTH] == GROUND && whole[i * STRIDE + STRIDE - 1] == GROUND);
