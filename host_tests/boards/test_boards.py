@@ -75,7 +75,7 @@ def test_boards_draw_what_is_asked_for(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     (small,), (smallest,) = (board["scenes"] for board in result["boards"])
     assert small["hash_equal"] and small["frames"] == 16 and small["why_not"] is None
-    assert "no room to draw" in smallest["why_not"] and smallest["frames"] == 0
+    assert "draws no RGB565" in smallest["why_not"] and smallest["frames"] == 0
     assert "stm32vldiscovery: tiny does not fit" in done.stdout
 
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* A pick draws the frame once more, with all that the renderer has, into a band of one pixel that
- * counts. The clipper gives a small square about that pixel in place of each polygon that covers it,
- * so a painter paints this pixel alone, with the texel, the light and the depth that it has there. A
- * shader before all others knows which face it is. What has changed the pixel is what is shown. */
+ * counts. The clipper gives a small square about that pixel in place of each polygon that covers
+ * it, so a painter paints this pixel alone, with the texel, the light and the depth that it has
+ * there. A shader before all others knows which face it is. What has changed the pixel is what is
+ * shown. */
 #include "../draw/renderer.h"
 #include "../draw/surface_polygon.h"
 #include "../math/arith.h"
@@ -27,9 +28,9 @@ typedef struct {
     uint32_t pixel; /* this one: 8 or 16 bits of it */
     uint8_t *cell;  /* its cell of the depth buffer; null: there is none */
     uint16_t x;
-    bool stops;  /* at the first that is shown: near to far, without a depth buffer */
-    bool covers; /* a polygon of the face that is drawn covers the pixel */
-    uint8_t colour; /* of that polygon */
+    bool stops;        /* at the first that is shown: near to far, without a depth buffer */
+    bool covers;       /* a polygon of the face that is drawn covers the pixel */
+    uint8_t colour;    /* of that polygon */
     uint16_t instance; /* whose billboard is drawn */
     fxl_picked found;
 } probe;
@@ -73,10 +74,10 @@ static fxl_clip_result find_covering(probe *of, const fxl_model_view *model_view
         of->covers = true;
         of->colour = screen->colour;
         screen->count = 4;
-        screen->points[0] = (fxl_screen_point){x, y};
-        screen->points[1] = (fxl_screen_point){x + 65536, y};
-        screen->points[2] = (fxl_screen_point){x + 65536, y + 65536};
-        screen->points[3] = (fxl_screen_point){x, y + 65536};
+        for (uint32_t i = 0; i < 4; i++) { /* clockwise from the upper left corner */
+            screen->points[i].x = i == 1 || i == 2 ? x + 65536 : x;
+            screen->points[i].y = i >= 2 ? y + 65536 : y;
+        }
     }
     return result;
 }
@@ -104,7 +105,8 @@ static fxl_clip_result next_by(const fxl_model_view *model_view, fxl_clipper_wor
 
 /* --- what is shown -------------------------------------------------------------------------- */
 
-/* A face, a piece or a billboard, drawn over two colours: what is the same as both was not drawn. */
+/* A face, a piece or a billboard, drawn over two colours: what is the same as both was not drawn.
+ */
 typedef struct {
     uint32_t over_0;
     uint32_t cell_before;
@@ -288,12 +290,15 @@ static const fxl_target *target_of(const fxl_renderer *renderer)
 static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t y)
 {
     static const fxl_shader_code code = {reaches, take_face, take_piece, NULL, false};
+    static const fxl_picked none = {FXL_PICK_NONE, 0, 0};
+    const fxl_shader shader = {renderer->shader, FXL_SHADER_TARGET, &code};
     const fxl_target *target = renderer->target;
     const uint16_t width = renderer->frame.view.lens.width;
     const bool is_wide = target->pixel_bits == 16;
     of->renderer = renderer;
     of->x = x;
-    of->band = (fxl_band){.width = width, .stride = width, .first_row = y, .rows = 1};
+    const fxl_band row = {.width = width, .stride = width, .first_row = y, .rows = 1};
+    of->band = row;
     of->band.pixels = (uint8_t *)((uintptr_t)&of->pixel - (is_wide ? 2u * x : x));
     of->band.palette = is_wide ? renderer->palette : NULL;
     of->cell = NULL;
@@ -302,8 +307,8 @@ static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t 
                    x * (target->depth_bits / 8u);
     }
     of->stops = renderer->near_first && target->depth_bits == 0;
-    of->found = (fxl_picked){FXL_PICK_NONE, 0, 0};
-    of->shader = (fxl_shader){renderer->shader, FXL_SHADER_TARGET, &code};
+    of->found = none;
+    of->shader = shader;
     of->real_clipper = renderer->clipper;
     of->clipper = *renderer->clipper;
     of->clipper.clip = clip_by;
@@ -321,7 +326,8 @@ static void probe_billboards(probe *of, fxl_billboard_code *code)
         code->instance = take_instance;
         of->sprites = *real->painter;
         of->sprites.paint = paint_sprite;
-        of->billboards = (fxl_billboards){real->set, &of->sprites, code};
+        const fxl_billboards billboards = {real->set, &of->sprites, code};
+        of->billboards = billboards;
         of->renderer->billboards = &of->billboards;
     }
 }
@@ -345,7 +351,8 @@ static void draw_frame(probe *of)
     const uint32_t used = frame->display_list.used;
     const uint8_t state = frame->state;
     const bool rest_counted = workspace->rest_counted;
-    frame->resume = (fxl_resume_point){0, 0};
+    frame->resume.instances = 0;
+    frame->resume.faces = 0;
     frame->display_list.used = 0;
     frame->state = FXL_FRAME_BEGUN;
     workspace->rest_counted = true;
@@ -362,8 +369,8 @@ static void draw_frame(probe *of)
     frame->resume = resume;
 }
 
-/* Without a depth buffer the order by distance is turned round, so that the first face that is shown
- * ends the traversal. A tree's leaves are in the order in which the frame began. */
+/* Without a depth buffer the order by distance is turned round, so that the first face that is
+ * shown ends the traversal. A tree's leaves are in the order in which the frame began. */
 static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked)
 {
     const fxl_target *target = renderer->target;

@@ -82,7 +82,8 @@ static void change_target(fxl_renderer *renderer, fxl_outlines *outlines)
     workspace->settings_version += 1;
     if (outlines != NULL) {
         outlines->height = renderer->frame.view.lens.height;
-        outlines->extras = (fxl_target_extras){.outlined = target, .outline = draw_edges};
+        const fxl_target_extras extras = {.outlined = target, .outline = draw_edges};
+        outlines->extras = extras;
         outlines->target = *target;
         outlines->target.draws_over = false;
         outlines->target.begin_band = begin;

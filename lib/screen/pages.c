@@ -70,11 +70,13 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
 const fxl_display_family fxl_display_pages = {&fxl_pixels_mono_pages, set_up, send_rows,
                                               DISPLAY_ON};
 
-/* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own commands,
- * the columns of its memory, and the column where the glass begins. */
-#define DRIVER(commands, columns, left) \
-    {&fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, \
-     {0x09, 0x00, 0x00, 0x00}, false, false}
+/* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own
+ * commands, the columns of its memory, and the column where the glass begins. */
+#define OF_64_ROWS(commands, columns, left) \
+    { \
+        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, \
+            {0x09, 0x00, 0x00, 0x00}, false, false \
+    }
 
 static const uint8_t sh1106_commands[] = {
     0xAD, 0x8B, /* its own voltage converter on */
@@ -90,5 +92,5 @@ static const uint8_t ssd1306_commands[] = {
 };
 
 /* The glass is joined to the middle 128 of 132 columns. */
-const fxl_display_driver fxl_sh1106 = DRIVER(sh1106_commands, 132, 2);
-const fxl_display_driver fxl_ssd1306 = DRIVER(ssd1306_commands, 128, 0);
+const fxl_display_driver fxl_sh1106 = OF_64_ROWS(sh1106_commands, 132, 2);
+const fxl_display_driver fxl_ssd1306 = OF_64_ROWS(ssd1306_commands, 128, 0);
