@@ -102,9 +102,7 @@ static void draw_set(attached *to, uint32_t set, const fxl_pose *pose)
     if (!conflict) {
         draw_all_picks(renderer, set & OUTLINES ? NULL : to->pixels);
         draw_as_another(to);
-        if (!(set & OUTLINES)) {
-            demand_rectangle(to, pose);
-        }
+        demand_rectangle(to, pose);
     }
 }
 
