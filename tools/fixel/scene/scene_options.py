@@ -16,6 +16,7 @@ def add(parser, frames=True, targets=True):
         parser.set_defaults(frames=None)
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     bounded.add_options(parser)
+    parser.set_defaults(has_targets=targets)     # another command may have an --order of its own
     if targets:
         target.add_options(parser)
 
@@ -24,7 +25,7 @@ def check(options):
     """Makes numbers of --frames and --screen where they are given, and options.target of what it is drawn as."""
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = making.parse_screen(options.screen) if options.screen else None
-    options.target = target.of_options(options)
+    options.target = target.of_options(options) if options.has_targets else target.Target()
 
 
 def frame_count(text):
