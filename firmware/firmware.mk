@@ -185,6 +185,7 @@ endif
 endef
 $(if $(filter tree,$(ORDER)),$(eval $(call CHECK_ROOM,ORDER=tree,WALK_WITHOUT_BSP)))
 $(if $(filter rgb565,$(PIXELS)),$(eval $(call CHECK_ROOM,PIXELS=rgb565,WALK_WITHOUT_RGB565)))
+$(if $(and $(filter game,$(PROGRAM)),$(filter rgb565,$(PIXELS)),$(DEPTH_GIVEN)),$(eval $(call CHECK_ROOM,PROGRAM=game in PIXELS=rgb565 with DEPTH=$(DEPTH),GAME_WITHOUT_RGB565_DEPTH)))
 $(if $(DEPTH_GIVEN),$(eval $(call CHECK_ROOM,DEPTH=$(DEPTH),WALK_WITHOUT_DEPTH $(if $(filter 32,$(DEPTH)),WALK_WITHOUT_DEPTH_32))))
 
 # With ROWS=, its bands have so many rows at most: another program too.

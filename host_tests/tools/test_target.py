@@ -92,6 +92,7 @@ def test_a_flash_image_is_booted_as_something_else(build, tmp_path):
     ("BOARD=stm32vldiscovery DEPTH=16", "DEPTH=16 needs more memory than BOARD=stm32vldiscovery has; the boards that it fits are: host "),
     ("BOARD=stm32vldiscovery PIXELS=rgb565", "PIXELS=rgb565 needs more memory than BOARD=stm32vldiscovery has"),
     ("BOARD=stm32vldiscovery ORDER=tree", "ORDER=tree needs more memory than BOARD=stm32vldiscovery has"),
+    ("PROGRAM=game BOARD=microbit PIXELS=rgb565 DEPTH=16", "PROGRAM=game in PIXELS=rgb565 with DEPTH=16 needs more memory than BOARD=microbit has"),
     ("BOARD=stm32vldiscovery VISIBILITY=spans", "VISIBILITY=spans needs more memory than BOARD=stm32vldiscovery has"),
 ])
 def test_make_refuses_before_anything_is_built(settings, sentence):
