@@ -12,7 +12,7 @@ import pytest
 from board_programs import ROOT, built, made
 from conftest import assert_one_sentence, dry_run, run_cli, run_make
 from fixel.base.errors import ToolError
-from fixel.scene import making
+from fixel.scene import making, target
 from fixel.image import image, memory_needed
 from fixel.bench import bench_plan, costs_renewal, frame_costs, prediction
 from fixel.board import dump, emulator, flash_memory, fleet
@@ -41,15 +41,18 @@ direction = [0.6, -0.64, 0.48]
 window = [[-4, 1, -2], [-4, 4, -2], [-4, 4, 2], [-4, 1, 2]]
 """
 PUT = {"depth": ("[view]\n", "[view]\nvisibility = \"depth\"\n"), "ferns": ("\n[path]", FERNS + "\n[path]"),
-       "beam": ("\n[[objects]]", BEAM + "\n[[objects]]")}
+       "beam": ("\n[[objects]]", BEAM + "\n[[objects]]"), "rgb565": ("[view]\n", "[view]\npixels = \"rgb565\"\n")}
 # A scene of the repository, and what is put into it.
 KINDS = {
     "mps2-an385": ("scenes/gallery.toml", "scenes/car.toml", "scenes/knot-moving.toml depth", "scenes/room.toml depth",
                    "scenes/grove.toml", "scenes/room.toml ferns", "scenes/spin.toml ferns",
                    "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml beam",
-                   "scenes/beam.toml depth ferns", "scenes/grove.toml depth beam"),
+                   "scenes/beam.toml depth ferns", "scenes/grove.toml depth beam",
+                   "scenes/gallery.toml rgb565", "scenes/room.toml rgb565", "scenes/lit.toml rgb565", "scenes/grove.toml depth rgb565",
+                   "scenes/knot.toml", "scenes/knot.toml rgb565"),
     "microbit": ("scenes/car.toml", "scenes/knot-moving.toml depth", "scenes/grove.toml", "scenes/knot-moving.toml ferns",
-                 "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml depth beam")}
+                 "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml depth beam",
+                 "scenes/room.toml rgb565", "scenes/grove.toml rgb565", "scenes/car.toml rgb565")}
 MEASURED = (*((board, scene) for board in BOARDS for scene in SCENES), *LOOKS,
             *((board, scene) for board, scenes in KINDS.items() for scene in scenes))
 FRAMES = 12
@@ -190,11 +193,12 @@ def test_the_records_of_a_board():
     """What a scene has beside its faces takes as much on a board as the host's program thinks."""
     records = {"INSTANCE": "fxl_instance", "TURN": "fxl_turn", "POINT": "fxl_point", "BEAM_LIGHT": "lighting",
                "LIT_PIECES": "fxl_lit_pieces", "LIT_PIECE": "fxl_lit_piece", "LIGHT": "fxl_light", "SURFACES": "surface_memory",
-               "TEXTURE": "fxl_texture", "BILLBOARDS": "billboard_memory", "BILLBOARD": "fxl_billboard", "SPRITE": "fxl_sprite"}
+               "TEXTURE": "fxl_texture", "BILLBOARDS": "billboard_memory", "BILLBOARD": "fxl_billboard", "SPRITE": "fxl_sprite",
+               "BSP_WORKSPACE": "fxl_bsp_workspace", "BSP_ITEM": "fxl_bsp_item"}
     header = ROOT / "host_tests/judges/predict/records.h"
     assert re.findall(r"ARM_(\w+) =", header.read_text(encoding="utf-8")) == list(records)
     compile_for_a_board("".join(
-        [*(f'#include "{ROOT / file}"\n' for file in ("lib/draw/beam_light.c", "firmware/walk/surfaces.c")),
+        [*(f'#include "{ROOT / file}"\n' for file in ("lib/draw/beam_light.c", "lib/order/bsp_pieces.h", "firmware/walk/surfaces.c")),
          "#define aligned another_aligned\n", *(f'#include "{file}"\n' for file in (ROOT / "firmware/walk/billboards.c", header)),
          *(f'_Static_assert(sizeof({record}) == ARM_{name}, "{record}");\n' for name, record in records.items())]))
 
@@ -214,10 +218,6 @@ def test_boards_and_scenes_without_costs():
     words = [word for pair in options_of("mps2-an505").items() for word in pair]
     done = run_cli("predict", "--board", "mps2-an505", "--scene", ROOT / "scenes/tiny.toml", *words)
     assert_one_sentence(done, "mps2-an505", "no costs of its core and flags", "FXL_SMALL", "microbit")
-    words = [word for pair in options_of("mps2-an385").items() for word in pair]
-    done = run_cli("predict", "--board", "mps2-an385", "--scene", ROOT / "scenes/knot.toml", *words)
-    assert_one_sentence(done, f"error: {ROOT / 'scenes/knot.toml'}: the scene has a BSP tree",
-                        "costs of BSP trees and of RGB565 are not known")
 
 
 @pytest.mark.parametrize("scene", ["scenes/gallery.toml", "scenes/grove.toml", "scenes/beam.toml"])
@@ -242,11 +242,13 @@ def test_every_count_has_a_cost_and_a_name():
 def test_every_count_counts(tmp_path):
     """A function that nobody calls any more would count nothing, in silence."""
     total = 0
-    for number, source in enumerate(("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml",
-                                  "bench/costs_surfaces.toml", "bench/costs_lights.toml", "bench/costs_turned_lit.toml",
-                                  "bench/costs_billboards.toml", "bench/costs_glass.toml", "bench/costs_all.toml")):
+    plain = ("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml", "bench/costs_surfaces.toml",
+             "bench/costs_lights.toml", "bench/costs_turned_lit.toml", "bench/costs_billboards.toml", "bench/costs_glass.toml",
+             "bench/costs_all.toml", "bench/costs_tree.toml")
+    wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml")
+    for number, (source, pixels) in enumerate([*((source, "palette") for source in plain), *((source, "rgb565") for source in wide)]):
         image = tmp_path / f"{number}.fxls"
-        making.build(str(ROOT / source), image, 12 if number < 2 else None)
+        making.build(str(ROOT / source), image, 12 if number < 2 else None, asked=target.Target(pixels))
         words = 4096 if number in (0, 2, 3) else 12288
         names, counts = frame_costs.count(made("build/host/predict").parents[1], image, 2560, 0, words, 8)
         total = total + counts.sum(axis=0)

@@ -3,6 +3,7 @@
 #ifndef PREDICT_COUNTS_H
 #define PREDICT_COUNTS_H
 
+#include "fixel/order.h"
 #include "fixel/types.h"
 
 #define PREDICT_COUNTS(X) \
@@ -82,7 +83,27 @@
     X(lit_corners) \
     X(lit_cuts) \
     X(lit_searched) \
-    X(turned_normals)
+    X(turned_normals) \
+    X(tree_nodes) \
+    X(tree_spheres) \
+    X(tree_faces) \
+    X(tree_leaves) \
+    X(tree_pieces) \
+    X(tree_vertices) \
+    X(wide_polygons) \
+    X(wide_edges) \
+    X(wide_outline_rows) \
+    X(wide_rows) \
+    X(wide_pixels) \
+    X(wide_texture_rows) \
+    X(wide_segments) \
+    X(wide_painted) \
+    X(wide_divided) \
+    X(wide_values) \
+    X(wide_texels) \
+    X(wide_lit) \
+    X(wide_blended) \
+    X(wide_billboard_drawn)
 
 typedef struct {
 #define X(name) double name;
@@ -96,6 +117,12 @@ extern predict_counts counted;
 /* Under way is a band with a depth buffer; and a surface of which it keeps not every depth: a
  * blended one, or one with holes. */
 extern bool has_depth_buffer, paints_surface, keeps_less;
+
+/* The frame is of RGB565: its pixels are wide. */
+extern bool is_wide;
+
+/* The order by tree, which counts what it visits. */
+extern const fxl_order counting_tree;
 
 /* A polygon between two rows: its area in pixels, which is on the average the pixels whose centres
  * it covers; and its rows. */

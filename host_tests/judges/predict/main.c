@@ -36,14 +36,14 @@ static int fail(const char *what, const char *why)
 static const char *why_no_room(const fxl_scene_image *image, const uint32_t settings[SETTINGS],
                                uint32_t taken)
 {
-    if (settings[BAND] < image->lens.width) {
+    if (settings[BAND] < image->lens.width * (image->pixel_bits / 8u)) {
         return "a band holds no row of the screen";
     }
     if (settings[ORDER] > 0 && image->scene.order_needed > settings[ORDER]) {
         return "the order has too few entries";
     }
     const uint32_t left = taken < settings[LIST] ? settings[LIST] - taken : 0;
-    return taken > settings[LIST] || depth_bytes(image, left) > left
+    return taken > settings[LIST] || depth_bytes(image, left) + tree_bytes(image, left) > left
                ? "the display list's memory is too small for what the scene has beside its faces"
                : NULL;
 }
@@ -70,13 +70,19 @@ static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint3
     const uint32_t order =
         settings[ORDER] > 0 ? settings[ORDER] : run->image.scene.order_needed;
     const uint32_t depth = depth_bytes(&run->image, settings[LIST] - taken);
-    uint32_t list = settings[LIST] - taken - depth;
+    const uint32_t tree = tree_bytes(&run->image, settings[LIST] - taken);
+    uint32_t list = settings[LIST] - taken - depth - tree;
     list = settings[LIST_MOST] > 0 && list > settings[LIST_MOST] ? settings[LIST_MOST] : list;
     session_settings methods = {.clipper = &fxl_clipper_view,
                                 .display_list_words = list / 4,
                                 .cache_entries = settings[CACHE],
-                                .raster_bytes = depth};
+                                .raster_bytes = depth,
+                                .pixel_bits = run->image.pixel_bits,
+                                .pieces_bytes = tree - tree_bytes(&run->image, 0)};
     session_follow_scene(run, &methods);
+    if (draws_by_tree(&run->image)) {
+        methods.order = &counting_tree;
+    }
     session_reserve(run, &methods);
     run->memory.order = session_memory(order * sizeof(fxl_order_entry));
     run->memory.order_capacity = order;
@@ -99,7 +105,8 @@ static void print_counts(bool first)
 
 static fxl_status draw_all(session *run, uint32_t frames, uint32_t rows)
 {
-    uint8_t *pixels = session_memory((size_t)run->image.lens.width * run->image.lens.height);
+    uint8_t *pixels = session_memory((size_t)run->image.lens.width * run->image.lens.height * 2u);
+    is_wide = run->image.pixel_bits == 16;
     walk_path path;
     walk_path_begin(&path, &run->image, false);
     for (uint32_t i = 0; i < frames; i++) {
@@ -113,6 +120,7 @@ static fxl_status draw_all(session *run, uint32_t frames, uint32_t rows)
             return status;
         }
         counted.frames = 1;
+        counted.bands += is_wide ? (run->image.lens.height + rows - 1) / rows : 0;
         counted.instances = run->image.scene.instance_count;
         counted.instances_seen = run->renderer.frame.visible_count;
         print_counts(i == 0);
@@ -129,11 +137,6 @@ int main(int count, char **arguments)
                              "CACHE_ENTRIES LIST_MOST FRAMES");
     }
     const char *wrong = session_open(&run, arguments[1]);
-    if (wrong == NULL && ((run.image.scene.bsp_nodes != NULL && !run.image.by_distance) ||
-                          run.image.pixel_bits == 16)) {
-        wrong = "the scene has a BSP tree or asks for RGB565; costs of BSP trees and of RGB565 are not known, and make "
-                "run counts the instructions";
-    }
     const uint32_t taken = wrong == NULL ? taken_bytes(&run.image) : 0;
     const char *no_room = wrong == NULL ? why_no_room(&run.image, settings, taken) : NULL;
     if (no_room != NULL) {
@@ -157,7 +160,7 @@ int main(int count, char **arguments)
         printf("%s\"%s\"", i > 0 ? ", " : "", names[i]);
     }
     printf("],\n\"frames\": [");
-    const fxl_status status = draw_all(&run, frames, settings[BAND] / run.image.lens.width);
+    const fxl_status status = draw_all(&run, frames, settings[BAND] / (run.image.lens.width * (run.image.pixel_bits / 8u)));
     if (status != FXL_OK) {
         return fail(arguments[1], fxl_status_text(status));
     }

@@ -6,7 +6,7 @@ PREDICT_OBJECTS := $(patsubst host_tests/%.c,$(BUILD)/host/objects/%.o,$(wildcar
 HOST_TOOLS += $(BUILD)/host/predict
 
 # The functions and records that the files wraps*.c put their own in the place of.
-PREDICT_WRAPPED = $(shell sed -n 's/^WRAPPED[_A-Z]*.[a-z0-9_ *]*, \(fxl_[a-z_]*\)[^a-z_].*/\1/p' host_tests/judges/predict/wraps*.c)
+PREDICT_WRAPPED = $(shell sed -n 's/^WRAPPED[_A-Z]*.[a-z0-9_ *]*, \(fxl_[a-z0-9_]*\)[^a-z0-9_].*/\1/p' host_tests/judges/predict/wraps*.c)
 
 $(BUILD)/host/objects/judges/predict/%.o: host_tests/judges/predict/%.c
 	@mkdir -p $(@D)

@@ -16,7 +16,9 @@ enum {
     ARM_TEXTURE = 16,    /* fxl_texture */
     ARM_BILLBOARDS = 24, /* what firmware/walk/billboards.c has before its records */
     ARM_BILLBOARD = 20,  /* fxl_billboard */
-    ARM_SPRITE = 16      /* fxl_sprite */
+    ARM_SPRITE = 16,     /* fxl_sprite */
+    ARM_BSP_WORKSPACE = 36, /* fxl_bsp_workspace */
+    ARM_BSP_ITEM = 12       /* fxl_bsp_item */
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "paint/lit_pieces.h"
 #include "fixel/render.h"
+#include "order/bsp_pieces.h"
 #include "predict/records.h"
 
 static uint32_t aligned(uint32_t bytes)
@@ -46,7 +47,33 @@ uint32_t taken_bytes(const fxl_scene_image *image)
            (image->surfaces.face_map != NULL
                 ? aligned(ARM_SURFACES + ARM_TEXTURE * image->surfaces.texture_count)
                 : 0) +
-           billboard_bytes(&image->billboards);
+           billboard_bytes(&image->billboards) +
+           (image->pixel_bits == 16 ? 256 * (uint32_t)sizeof(uint16_t) : 0);
+}
+
+bool draws_by_tree(const fxl_scene_image *image)
+{
+    return image->scene.bsp_nodes != NULL && !image->by_distance && image->depth_bits == 0;
+}
+
+/* fxl_bsp_workspace_size on a board. */
+static uint32_t least_tree_bytes(const fxl_scene *scene, uint32_t movers)
+{
+    const uint32_t bits = (scene->bsp_node_count + 31) / 32 * (uint32_t)sizeof(uint32_t);
+    return ARM_BSP_WORKSPACE + bits +
+           (movers > 0 ? bits + 2 * scene->bsp_node_count * (uint32_t)sizeof(uint16_t) +
+                             movers * ARM_BSP_ITEM
+                       : 0);
+}
+
+uint32_t tree_bytes(const fxl_scene_image *image, uint32_t room)
+{
+    if (!draws_by_tree(image)) {
+        return 0;
+    }
+    const uint32_t movers = fxl_bsp_movers(&image->scene);
+    const uint32_t least = aligned(least_tree_bytes(&image->scene, movers));
+    return least + (movers > 0 && room > least ? (room - least) / 2u & ~7u : 0);
 }
 
 /* A row at least, and half of the rest. */
@@ -55,6 +82,6 @@ uint32_t depth_bytes(const fxl_scene_image *image, uint32_t room)
     if (image->depth_bits == 0) {
         return 0;
     }
-    const uint32_t row = aligned(FXL_DEPTH_BYTES(image->lens.width, 1, 16));
+    const uint32_t row = aligned(FXL_DEPTH_BYTES(image->lens.width, 1, image->depth_bits));
     return row + (room > row ? (room - row) / 2u & ~7u : 0);
 }

@@ -18,9 +18,11 @@
 
 #include "draw/surface_polygon.h"
 #include "paint/light_level.h"
+#include "paint/rgb565_colour.h"
 #include "paint/segments.h"
 
 predict_counts counted;
+bool is_wide;
 
 /* Under way is a band that looks at those faces alone of which it knows that they reach it. */
 static bool passes_over;
@@ -209,6 +211,14 @@ WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
     __real_fxl_fill_band(band, colour);
 }
 
+/* A row of a band that is cleared, or of a polygon. */
+WRAPPED(void, fxl_fill_row_rgb565, (uint16_t *pixel, uint16_t *end, uint16_t colour))
+{
+    counted.wide_rows += 1;
+    counted.wide_pixels += (double)(end - pixel);
+    __real_fxl_fill_row_rgb565(pixel, end, colour);
+}
+
 /* --- light and surfaces --------------------------------------------------------------------- */
 
 /* A lamp that lights a face takes a root and two divisions; one out of range, or behind, none. */
@@ -327,6 +337,18 @@ static bool suffices(const fxl_paint *paint, const fxl_paint_row *row, int32_t f
     return (a < b ? a : b) >= least;
 }
 
+/* Pixels of 16 bits that are painted, and what each of them takes. */
+static void count_wide(const fxl_paint *paint, double pixels, bool linear)
+{
+    *(linear ? &counted.wide_painted : &counted.wide_divided) += pixels;
+    counted.wide_segments += linear;
+    counted.wide_values += pixels * paint->gradients->count;
+    counted.wide_texels += paint->level.texels != NULL ? pixels : 0;
+    counted.wide_lit += paint->of_565.part_of_level != 0 ? pixels : 0;
+    counted.wide_blended +=
+        (paint->of_565.flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ? pixels : 0;
+}
+
 /* The pixels x0 <= x < x1 of a row, which the kernel does not paint: how often they are divided. */
 static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
@@ -336,9 +358,13 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
             of_16 || (paint->division != FXL_DIVIDE_1 && suffices(paint, row, x0 & ~7, 8));
         const int32_t size = of_16 ? 16 : 8, border = (x0 & ~(size - 1)) + size;
         const int32_t end = border < x1 ? border : x1;
-        counted.slow_segments += linear;
+        if (is_wide) {
+            count_wide(paint, end - x0, linear);
+        } else {
+            counted.slow_segments += linear;
+            *pixels_of(paint, linear) += end - x0;
+        }
         counted.slow_attributes += linear ? paint->gradients->count : 0;
-        *pixels_of(paint, linear) += end - x0;
         x0 = end;
     }
 }
@@ -377,4 +403,15 @@ WRAPPED(void, fxl_paint_pixels,
     __real_fxl_paint_pixels(paint, row, x0, x1);
     slow_paint = NULL;
     count_slow(paint, row, counted_to, x1);
+}
+
+WRAPPED(void, fxl_paint_pixels_565,
+        (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    counted.wide_texture_rows += 1;
+    if (has_depth_buffer && has_holes(paint)) {
+        counted.depth_holes += x1 - x0;
+    }
+    count_slow(paint, row, x0, x1);
+    __real_fxl_paint_pixels_565(paint, row, x0, x1);
 }

@@ -51,6 +51,11 @@ WRAPPED(void, fxl_scan_outline,
         counted.painted_edges += count;
         counted.painted_rows += rows_between(points, count, top, bottom);
     }
+    if (is_wide && !has_depth_buffer && !paints_surface) {
+        counted.wide_polygons += 1;
+        counted.wide_edges += count;
+        counted.wide_outline_rows += rows_between(points, count, top, bottom);
+    }
     if (has_depth_buffer && compares_each) {
         counted.depth_each_rows += rows_between(points, count, top, bottom);
         *(keeps_less ? &counted.depth_each_unkept : &counted.depth_each) +=
@@ -101,6 +106,7 @@ static void count_row(fxl_billboard_row *row, const void *with)
     *(has_depth_buffer ? &counted.billboard_tested : &counted.billboard_texels) +=
         row->columns.end - row->columns.first;
     *(has_depth_buffer ? &counted.billboard_compared : &counted.billboard_drawn) += drawn;
+    counted.wide_billboard_drawn += is_wide ? drawn : 0;
 }
 
 static bool is_passed_over(const fxl_workspace *workspace)

@@ -24,6 +24,9 @@ def parser():
     made.add_argument("--sizes", nargs="+", type=setting, metavar="NAME=ROWS:WORDS:ENTRIES:MORE",
                       help="of the cores' programs: rows of a band, words of the list, entries of the cache, and how many more "
                            "entries of the order than a scene needs")
+    made.add_argument("--only-new", action="store_true", help="find the costs that the file lacks, by the scenes that have some; "
+                                                                 "those that it has stay")
+    made.add_argument("--frames", type=int, default=30, help="of each scene, at most (30)")
     made.add_argument("--boards", nargs="*", default=[], help="others stay as they are in the file")
     made.add_argument("--build", default="build", help="folder that make builds in")
     return made

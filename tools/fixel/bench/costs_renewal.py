@@ -1,27 +1,32 @@
 # SPDX-License-Identifier: MIT
 """bench/costs.json renewed: what frames cost on cores, and what the walk takes on boards."""
 
+import dataclasses
 import pathlib
 import sys
 
 import numpy as np
 
 from fixel.base import output, parallel, scratch
-from fixel.scene import making
+from fixel.scene import making, target
 from fixel.bench import bench_plan, bench_run, frame_costs
 from fixel.board import fleet, methods, qemu
 from fixel.image import image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 
-FRAMES = 30         # of each scene, at most
 OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_turned", "_turned_lit", "_depth", "_depth_textures", "_glass",
-       "_billboards", "_wood", "_beams", "_all")
+       "_billboards", "_wood", "_beams", "_tree", "_all")
 MORE = (*(f"bench/costs{name}.toml" for name in OWN), "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
         "scenes/landscape.toml")
+# Scenes of these drawn as something else: RGB565, and by a tree of all their layers.
+WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights", "_depth", "_glass", "_billboards", "_wood", "_all")) + \
+    ("scenes/w1.toml", "scenes/w2.toml", "scenes/tiny.toml", "scenes/cube.toml")
+TREES = (*(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights")), "scenes/plaza.toml", "scenes/landscape.toml",
+         "scenes/w1.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
 STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml", "bench/costs_all.toml", "bench/costs_glass.toml",
-               "bench/costs_beams.toml")
+               "bench/costs_beams.toml", "bench/costs_tree.toml")
 STACK_FRAMES = 4
 
 
@@ -31,45 +36,79 @@ def room_of(words):
     return 8 * words + 65536
 
 
+@dataclasses.dataclass(frozen=True)
+class Source:
+    """A scene of the fit, and what it is drawn as. layers: of its tree, instead of what it says."""
+    scene: str
+    asked: target.Target = target.Target()
+    layers: str = None
+
+    @property
+    def name(self):
+        """What people know it by."""
+        return " ".join([self.scene, *([self.asked.text] if self.asked else [])])
+
+
 def scenes_of(plan):
     """The scenes of the fit."""
     return [each["scene"] for each in plan.workloads.values()] + list(MORE)
 
 
-def measure(plan, core, size, settings, file):
+def sources_of(plan):
+    """The scenes, and some of them drawn as something else."""
+    return [*(Source(scene) for scene in dict.fromkeys(scenes_of(plan))), *(Source(scene, target.Target(pixels="rgb565")) for scene in WIDE),
+            *(Source(scene, target.Target(order="tree", depth="0"), "all") for scene in TREES)]
+
+
+def measure(plan, core, size, settings, file, frames):
     """(counts, instructions) of the frames of a scene image. settings: rows of a band, words of the list, entries of
-    the cache, and of the order beside those that the scene needs."""
+    the cache, and of the order beside those that the scene needs. frames: at most."""
     scene = image.load(file)
     rows, words, cache, more = settings
-    names, counts = frame_costs.count(plan.build, file, rows * scene.width, memory_needed.order_needed(scene) + more,
-                                      room_of(words), cache, 4 * words, FRAMES)
+    names, counts = frame_costs.count(plan.build, file, rows * scene.width * scene.pixel_bits // 8,
+                                      memory_needed.order_needed(scene) + more, room_of(words), cache, 4 * words, frames)
     drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
     return names, counts, np.array(drawn.instructions, dtype=float)
 
 
-def fit(core, measured):
-    """Costs of a core, and the error of each scene's mean frame; each program and scene has the same weight."""
+def fit(measured, known):
+    """Costs of a core, and the error of each scene's mean frame; each program and scene has the same weight. known: costs that
+    stay."""
     names = next(iter(measured.values()))[0]
     rows = np.concatenate([counts for _, counts, _ in measured.values()])
     wanted = np.concatenate([taken for *_, taken in measured.values()])
     weights = np.concatenate([np.full(len(taken), 1 / len(taken)) for *_, taken in measured.values()])
-    found = frame_costs.fit(rows, wanted, weights)
+    found = frame_costs.fit(rows, wanted, weights, np.array([known.get(name, np.nan) for name in names]))
     errors = {key: float((counts @ found).mean() / taken.mean() - 1) for key, (_, counts, taken) in measured.items()}
     return dict(zip(names, (round(float(cost), 3) for cost in found))), errors
 
 
-def cores(plan, names, sizes, folder):
-    """{core: costs}, and a table of errors."""
+def counts_new(plan, file, known):
+    """Whether the library does something in a scene image whose cost is not among the known."""
+    names, counts = frame_costs.count(plan.build, file, 240 * image.load(file).width * 2, 0, room_of(4096), 64, 0, 4)
+    return any(times > 0 and name not in known for name, times in zip(names, counts.sum(axis=0)))
+
+
+def build_scenes(plan, folder, known):
+    """{name: image file} of the scenes of the fit; of those in which a cost is not known, if some are."""
     files = {}
-    for source in scenes_of(plan):
-        files[source] = pathlib.Path(folder) / f"{pathlib.Path(source).stem}.fxls"
-        making.build(source, files[source])
-    jobs = {(core, size, source): (measure, plan, core, size, settings, file)
+    for number, source in enumerate(sources_of(plan)):
+        file = pathlib.Path(folder) / f"{number}.fxls"
+        making.build(source.scene, file, layers=source.layers, asked=source.asked)
+        if not known or counts_new(plan, file, known):
+            files[source.name] = file
+    return files
+
+
+def cores(plan, names, sizes, folder, known, frames):
+    """{core: costs}, and a table of errors. known: {core: costs that stay}."""
+    files = build_scenes(plan, folder, set.intersection(*(set(known.get(core, {})) for core in names)))
+    jobs = {(core, size, source): (measure, plan, core, size, settings, file, frames)
             for core in names for size, settings in sizes.items() for source, file in files.items()}
     measured, result, rows = parallel.run("measuring", jobs), {}, []
     for core in names:
         own = {key[1:]: found for key, found in measured.items() if key[0] == core}
-        result[core], errors = fit(core, own)
+        result[core], errors = fit(own, known.get(core, {}))
         rows += [[core, source, *(f"{100 * errors[size, source]:+.1f} %" for size in sizes)] for source in files]
     return result, table(rows, ["core", "scene", *sizes])
 
@@ -109,7 +148,8 @@ def command(options):
         raise ToolError("--cores needs --sizes")
     known = frame_costs.load() if frame_costs.FILE.exists() else {"cores": {}, "boards": {}}
     with scratch.folder("costs") as folder:
-        found, errors = cores(plan, options.cores, dict(options.sizes or []), folder) if options.cores else ({}, "")
+        stays = known["cores"] if options.only_new else {}
+        found, errors = cores(plan, options.cores, dict(options.sizes or []), folder, stays, options.frames) if options.cores else ({}, "")
         boards = {board: board_sizes(board, options.build, folder) for board in options.boards}
     output.write_json(frame_costs.FILE, {"cores": {**known["cores"], **found}, "boards": {**known["boards"], **boards}})
     print(errors)

@@ -60,7 +60,16 @@ NAMES = {
     "instances_in_beams": "an instance and a beam that may reach it", "plane_distances": "a corner and a plane of a beam",
     "lit_pieces": "a piece of a face that beams split", "lit_corners": "a corner of a piece",
     "lit_cuts": "an edge that a beam cuts", "lit_searched": "a corner that is looked through for a cut",
-    "turned_normals": "a turned face whose normal is turned into the world"}
+    "turned_normals": "a turned face whose normal is turned into the world",
+    "tree_nodes": "a node of the tree", "tree_spheres": "a node whose sphere is tested", "tree_faces": "a face of a node",
+    "tree_leaves": "a leaf that is looked at for what moves",
+    "tree_pieces": "a piece of a face that the tree cuts", "tree_vertices": "a vertex of such a piece",
+    "wide_polygons": "a polygon of RGB565 that is scanned", "wide_edges": "an edge of such a polygon", "wide_outline_rows": "a row of such a polygon",
+    "wide_rows": "a row of RGB565 that is filled", "wide_pixels": "a pixel of RGB565 that is filled",
+    "wide_texture_rows": "a row of a surface in RGB565", "wide_segments": "8 or 16 columns of a surface in RGB565",
+    "wide_painted": "a pixel of a surface in RGB565", "wide_divided": "such a pixel that is divided by itself",
+    "wide_values": "an attribute of such a pixel", "wide_texels": "a texel in RGB565", "wide_lit": "a lit pixel of RGB565",
+    "wide_blended": "a blended pixel of RGB565", "wide_billboard_drawn": "a pixel of a billboard in RGB565"}
 
 
 class NoRoom(ToolError):
@@ -102,14 +111,18 @@ def count(build, image, band, order, words, cache, most=0, frames=0, name=None):
     return data["names"], np.array(data["frames"], dtype=float)
 
 
-def fit(rows, wanted, weights):
-    """Costs, none below 0, with the least sum of weights times squares of relative errors: coordinate descent."""
+def fit(rows, wanted, weights, known=None):
+    """Costs, none below 0, with the least sum of weights times squares of relative errors: coordinate descent. known: costs
+    that stay; NaN where one is to be found."""
+    known = np.full(rows.shape[1], np.nan) if known is None else known
+    free, stays = np.isnan(known), np.nan_to_num(known)
     scaled = rows / wanted[:, None] * np.sqrt(weights)[:, None]
     sizes = np.sqrt((scaled ** 2).sum(axis=0))
-    used = sizes > 0
+    used = (sizes > 0) & free
+    target = np.sqrt(weights) - scaled @ stays
     scaled = scaled[:, used] / sizes[used]
     matrix = scaled.T @ scaled + RIDGE * np.eye(used.sum())
-    target = scaled.T @ np.sqrt(weights)
+    target = scaled.T @ target
     found = np.zeros(used.sum())
     for _ in range(SWEEPS):
         before = found.copy()
@@ -117,7 +130,7 @@ def fit(rows, wanted, weights):
             found[i] = max(0.0, found[i] + (target[i] - matrix[i] @ found) / matrix[i, i])
         if np.abs(found - before).max() < 1e-12:
             break
-    costs = np.zeros(len(sizes))
+    costs = stays.copy()
     costs[used] = found / sizes[used]
     return costs
 

@@ -30,7 +30,8 @@ def by_depth(scene):
 
 def has_looks(scene):
     """Whether a scene has more than flat colours by distance: then the stack goes deeper."""
-    return bool(scene.surfaces or scene.light or scene.beams or scene.billboards or by_depth(scene))
+    return bool(scene.surfaces or scene.light or scene.beams or scene.billboards or by_depth(scene) or scene.tree
+                or scene.pixel_bits == 16)
 
 
 def board_of(options, known):
