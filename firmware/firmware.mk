@@ -38,6 +38,10 @@ CORE_OUT := $(BUILD)/core
 
 # --- settings ------------------------------------------------------------------
 
+# Drivers that DRIVER= may name, which a board's memory may look at.
+DRIVERS_OF_COLOUR := st7789 ili9341 st7735
+DRIVERS_OF_PAGES := ssd1306 sh1106
+
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
 BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
@@ -196,8 +200,6 @@ endif
 endif
 # With DRIVER=, its frames go through that driver of the library too, and what it sends is recorded:
 # boards/parts/driver_panel.c, in bands of eight rows where ROWS= is not given.
-DRIVERS_OF_COLOUR := st7789 ili9341 st7735
-DRIVERS_OF_PAGES := ssd1306 sh1106
 ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)),none),)
 $(error there is no DRIVER "$(DRIVER)"; the drivers are: $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES))
 endif

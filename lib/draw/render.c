@@ -334,7 +334,7 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
     return band->width == lens->width && fxl_band_is_within(band, lens->width, lens->height);
 }
 
-fxl_status fxl_draw_checked_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                                  const fxl_band *band)
 {
     if (renderer->target->draw_band != NULL) {
@@ -365,7 +365,7 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
         begin_workspace(workspace, &frame->view, true);
     }
     const fxl_band from_0 = fxl_band_from_column_0(band);
-    return fxl_draw_checked_band(renderer, workspace, &from_0);
+    return fxl_draw_valid_band(renderer, workspace, &from_0);
 }
 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)

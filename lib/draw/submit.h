@@ -80,7 +80,7 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_e
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
 /* fxl_frame_draw_with for a band of this screen, whose pixels are those from column 0 on. */
-fxl_status fxl_draw_checked_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                                  const fxl_band *band);
 
 /* What draws models with clusters. */
