@@ -25,7 +25,7 @@ def test_every_command_starts_either_way(command):
 
 @pytest.mark.parametrize("words", [["build", "none.toml", "-o", "x.fxls"], ["build"], ["--none"], []])
 def test_what_is_refused(words):
-    warm, cold = both([TOOLS / "scene.py", *words])
+    warm, cold = ([*ended, without_progress(said)] for *ended, said in both([TOOLS / "scene.py", *words]))
     assert warm == cold and cold[0] == 2
 
 

@@ -169,8 +169,6 @@ class Board:
             return False
         self.look()
         self._resumed()
-        if getattr(self._keys, "error", None):
-            raise self._keys.error
         passed = self._limit.check()
         if passed:
             raise ToolError(f"board {self.program.board} hangs: no frame came: {passed}", exit_code=1,
@@ -186,6 +184,8 @@ class Board:
     def frame(self, waits=True):
         """The next frame; None once the board is being stopped. waits: as in view_window.py."""
         self._limit.renew()
+        if getattr(self._keys, "error", None):
+            raise self._keys.error
         return self._link.frame(self._check, waits)
 
     def hold(self, keys):
