@@ -60,7 +60,7 @@ static inline fxl_submit_way way_of(const fxl_renderer *renderer, const fxl_band
         return FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND;
     }
     return renderer->target->draws_over && FXL_DRAWS_COLUMNS(band) ? FXL_SUBMIT_DRAW
-                                                                  : FXL_SUBMIT_ANY;
+                                                                   : FXL_SUBMIT_ANY;
 }
 
 /* look for a scene without turns. */
@@ -79,8 +79,8 @@ static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, ui
     return FXL_OK;
 }
 
-/* What goes together, the camera, and the order of the instances in sight; culled: the faces of the others. The code of
- * turns tests the order's room itself, because it ends the frame before. */
+/* What goes together, the camera, and the order of the instances in sight; culled: the faces of the
+ * others. The code of turns tests the order's room itself, because it ends the frame before. */
 static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     const fxl_scene *scene = renderer->scene;
@@ -161,8 +161,8 @@ static fxl_outcome deliver(const fxl_traversal *on)
         fxl_rows_add(on->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
-    return on->renderer->target->flat(workspace, screen->points, screen->count,
-                                                           screen->colour, on->band)
+    return on->renderer->target->flat(workspace, screen->points, screen->count, screen->colour,
+                                      on->band)
                ? FXL_OUTCOME_SPILLED
                : FXL_OUTCOME_FULL;
 }
@@ -335,7 +335,7 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 }
 
 fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
-                                 const fxl_band *band)
+                               const fxl_band *band)
 {
     if (renderer->target->draw_band != NULL) {
         return renderer->target->draw_band(renderer, workspace, band);

@@ -81,7 +81,7 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
 
 /* fxl_frame_draw_with for a band of this screen, whose pixels are those from column 0 on. */
 fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
-                                 const fxl_band *band);
+                               const fxl_band *band);
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {

@@ -34,13 +34,4 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     return true;
 }
 
-const fxl_target fxl_palette_spans = {
-    .pixel_bits = 8,
-    .near_first = true,
-    .fill = fxl_fill_band,
-    .choose = fxl_choose_with_memory,
-    .memory_size = fxl_spans_workspace_size,
-    .draw_band = fxl_band_split_draw,
-    .begin_band = fxl_spans_begin,
-    .flat = paint,
-};
+const fxl_target fxl_palette_spans = FXL_TARGET_OF_SPANS(paint);

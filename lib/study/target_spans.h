@@ -7,8 +7,8 @@
 #include "../draw/submit.h"
 #include "targets.h"
 
-/* fxl_target.workspace_size and .begin_band: the span buffer fills the whole workspace
- * of the backend. */
+/* fxl_target.memory_size and .begin_band: the span buffer fills all the
+ * memory of the target. */
 uint32_t fxl_spans_workspace_size(const fxl_lens *lens);
 void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
@@ -21,5 +21,16 @@ static inline fxl_span_buffer *fxl_spans_of(const fxl_workspace *workspace)
 {
     return (fxl_span_buffer *)workspace->target_memory;
 }
+
+/* A target of a span buffer that paints a flat face by a function. */
+#define FXL_TARGET_OF_SPANS(paints) \
+    {.pixel_bits = 8, \
+     .near_first = true, \
+     .fill = fxl_fill_band, \
+     .choose = fxl_choose_with_memory, \
+     .memory_size = fxl_spans_workspace_size, \
+     .draw_band = fxl_band_split_draw, \
+     .begin_band = fxl_spans_begin, \
+     .flat = (paints)}
 
 #endif

@@ -56,7 +56,7 @@ typedef struct {
  * the BSP's instance. That layer is drawn by the BSP, far to near, each polygon over those
  * before. A scene without a BSP is drawn as by fxl_by_distance. The caller moves an
  * instance by changing its centre in the scene's table; every vertex must stay in range. The
- * workspace is 36 bytes and a bit for each node. Where other instances are on the layer, it is
+ * memory is 36 bytes and a bit for each node. Where other instances are on the layer, it is
  * another bit and 4 bytes for each node, and 12 bytes for each of these instances, in addition. */
 extern const fxl_order fxl_by_tree;
 
