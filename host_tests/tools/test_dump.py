@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The dump reader: what is whole is read, what is not is refused and said."""
 
+import os
 import struct
 import zlib
 
@@ -189,3 +190,20 @@ def test_frames_are_told_while_a_dump_grows(tmp_path):
     assert look() == (len(WHOLE), None)
     file.write_bytes(WHOLE + b"x")
     assert look() == (len(WHOLE) + 1, "it writes more than it announced")
+
+
+@pytest.mark.parametrize("looks", range(8))
+def test_a_dump_that_is_renamed_while_it_is_looked_at(tmp_path, monkeypatch, looks):
+    """The host's board renames it when it is whole: at any moment of a look."""
+    file, part, real, asked = tmp_path / "board.fxld", tmp_path / "board.fxld.part", os.stat, []
+    part.write_bytes(WHOLE)
+
+    def stat(path, *more, **how):
+        asked.append(path)
+        if len(asked) == looks + 1:
+            part.rename(file)
+        return real(path, *more, **how)
+
+    monkeypatch.setattr(os, "stat", stat)
+    look = dump_file.watch(file, None)
+    assert [look() for _ in range(4)][-1] == (len(WHOLE), None)

@@ -20,7 +20,8 @@ _made = set()       # (device, inode) of each file that this process has put in 
 
 
 def _unwritable(path, error):
-    return ToolError(f"{path}: cannot be written: {error.strerror or error}")
+    about = f" ({error.filename})" if error.filename and str(error.filename) != str(path) else ""
+    return ToolError(f"{path}: cannot be written: {error.strerror or error}{about}")
 
 
 def not_a_file(path):

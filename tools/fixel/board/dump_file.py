@@ -48,16 +48,23 @@ def check(path, frames):
         raise ToolError("the board's dump is damaged: its checksum does not match", exit_code=1)
 
 
+def _size(path):
+    """Bytes of a file; 0 where none is, or is no more: the board may rename it at any moment."""
+    try:
+        return path.stat().st_size
+    except FileNotFoundError:
+        return 0
+
+
 def watch(path, progress):
     """A watch for fixel.board.execute: news is the dump's size."""
     announced = None
 
     def look():
         nonlocal announced
-        part = path.with_name(path.name + ".part")  # the host's name for it
-        current = part if part.exists() else path
-        announced = announced or shape(current)
-        size = current.stat().st_size if current.exists() else 0
+        part = path.with_name(path.name + ".part")  # the host's name for it, until it is whole
+        announced = announced or shape(part) or shape(path)
+        size = max(_size(part), _size(path))
         if announced is None:
             return size, None
         frames, total = announced
