@@ -11,14 +11,14 @@
 #define BAND_ROWS     3u
 #define LIST_WORDS    150u
 
-static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_draw_entry order[ORDER_ENTRIES];
 static uint32_t list[LIST_WORDS];
 static fxl_renderer renderer;
 static uint32_t order_used;
 
 int draw_open(const fxl_scene_image *image)
 {
-    order_used = image->scene.order_needed;
+    order_used = image->scene.draw_list_needed;
     const fxl_memory memory = {order, order_used, list, LIST_WORDS, NULL, 0};
 
     if (order_used > ORDER_ENTRIES) {

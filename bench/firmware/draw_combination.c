@@ -12,7 +12,7 @@
 #define HIDDEN_BYTES  65536u
 #define LIGHT_BYTES   8192u
 
-static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_draw_entry order[ORDER_ENTRIES];
 static fxl_cached_vertex cache[CACHE_ENTRIES];
 static uint64_t clipper_room[CLIPPER_BYTES / 8u], hidden_room[HIDDEN_BYTES / 8u];
 static uint64_t light_room[LIGHT_BYTES / 8u];
@@ -45,7 +45,7 @@ int draw_open(const fxl_scene_image *image)
     const fxl_config config = choice_for(image);
     const fxl_beam_set beams = {image->scene.beams, image->scene.beam_count, image->scene.lit};
 
-    order_used = image->scene.order_needed;
+    order_used = image->scene.draw_list_needed;
     hidden_used = config.tree_size + config.depth_size;
     light_used = image->scene.beam_count > 0
                      ? fxl_beam_light_workspace_size(image->scene.beams, image->scene.beam_count)
@@ -62,8 +62,7 @@ int draw_open(const fxl_scene_image *image)
         fxl_renderer_choose(&renderer, &config) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
-    if (light_used > 0 &&
-        fxl_attach_beams(&renderer, &beams, light_room, light_used) != FXL_OK) {
+    if (light_used > 0 && fxl_attach_beams(&renderer, &beams, light_room, light_used) != FXL_OK) {
         return SYSTEM_EXIT_RENDER;
     }
     combination_prepare(&renderer);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Draws as the walk does on a board: in bands that are cleared first, with the scene's light,
  * beams, surfaces, billboards and depth buffer. Compiled once for each size of memory that
- * `make costs` measures, and once for `make bench PIXELS= ORDER= DEPTH=`: bench/bench.mk says which.
- * What the scene has beside its faces has a room of its own, so the display list has all its words. */
+ * `make costs` measures, and once for `make bench PIXELS= ORDER= DEPTH=`: bench/bench.mk says
+ * which. What the scene has beside its faces has a room of its own, so the display list has all its
+ * words. */
 #include "bands.h"
 #include "billboards.h"
 #include "contract/system.h"
@@ -18,7 +19,7 @@
 #define DRAW_ROOM_BYTES (8u * DRAW_LIST_WORDS + 65536u) /* room_of in costs_renewal.py */
 #endif
 
-static fxl_order_entry order[DRAW_ORDER_ENTRIES];
+static fxl_draw_entry order[DRAW_ORDER_ENTRIES];
 static uint32_t list[DRAW_LIST_WORDS];
 static uint64_t room[DRAW_ROOM_BYTES / 8u];
 static fxl_renderer renderer;
@@ -57,7 +58,7 @@ static fxl_status open_looks(const fxl_scene_image *image)
 
 int draw_open(const fxl_scene_image *image)
 {
-    order_used = image->scene.order_needed + DRAW_ORDER_MORE;
+    order_used = image->scene.draw_list_needed + DRAW_ORDER_MORE;
     background = image->background;
     const fxl_memory memory = {order, order_used, list, DRAW_LIST_WORDS, cache, DRAW_CACHE_ENTRIES};
 

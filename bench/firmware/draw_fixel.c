@@ -10,10 +10,10 @@
 #define CACHE_ENTRIES 256u  /* at most */
 #define LOOKS_BYTES   4096u
 
-static fxl_order_entry order[ORDER_ENTRIES];
+static fxl_draw_entry order[ORDER_ENTRIES];
 static fxl_cached_vertex cache[CACHE_ENTRIES];
 static fxl_renderer renderer;
-static uint32_t order_needed;
+static uint32_t draw_list_needed;
 static uint32_t cache_used;
 
 /* Of a scene with surfaces, and of one that asks for a depth buffer. */
@@ -61,11 +61,11 @@ static fxl_status open_looks(const fxl_scene_image *image)
 int draw_open(const fxl_scene_image *image)
 {
     cache_used = cache_entries(&image->scene);
-    order_needed = image->scene.order_needed;
-    const fxl_memory memory = {order, order_needed, NULL, 0, cache, cache_used};
+    draw_list_needed = image->scene.draw_list_needed;
+    const fxl_memory memory = {order, draw_list_needed, NULL, 0, cache, cache_used};
 
-    if (order_needed > ORDER_ENTRIES) {
-        text_with_number("bench: order entries needed", "", ": ", order_needed);
+    if (draw_list_needed > ORDER_ENTRIES) {
+        text_with_number("bench: order entries needed", "", ": ", draw_list_needed);
         return SYSTEM_EXIT_CAPACITY;
     }
     return fxl_renderer_init_with(&renderer, &image->scene, &image->lens, &memory) == FXL_OK &&
@@ -82,7 +82,7 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band)
 uint32_t draw_memory(void)
 {
     return (uint32_t)(sizeof renderer + cache_used * sizeof cache[0] +
-                      order_needed * sizeof order[0]) +
+                      draw_list_needed * sizeof order[0]) +
            looks_used + cells_used;
 }
 

@@ -21,7 +21,7 @@
 
 static _Alignas(2) uint8_t pixels[2u * DRAW_PIXELS_MAX]; /* of RGB565 at most */
 static fxl_instance instances[MOVING_MAX];
-static fxl_turn turns[MOVING_MAX];
+static fxl_placement turns[MOVING_MAX];
 static fxl_motion_player motion;
 
 /* Fills the memory below the stack pointer. Uses a volatile pointer and no call, because a call
@@ -64,8 +64,11 @@ static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const
 static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number,
                      uint32_t *stack)
 {
-    const fxl_band band = {.pixels = pixels, .width = image->lens.width,
-                           .stride = image->lens.width, .first_row = 0, .rows = image->lens.height};
+    const fxl_band band = {.pixels = pixels,
+                           .width = image->lens.width,
+                           .stride = image->lens.width,
+                           .first_row = 0,
+                           .rows = image->lens.height};
 
     if (walk_path_next(path, 0) != FXL_OK) {
         return SYSTEM_EXIT_INPUT;

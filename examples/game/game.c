@@ -51,10 +51,10 @@ fxl_status game_begin(game *state, const fxl_scene *scene, const fxl_pose *eye)
 {
     const fxl_world_memory memory = {.instances = state->instances,
                                      .slots = state->slots,
-                                     .turns = state->turns,
+                                     .placements = state->turns,
                                      .capacity = GAME_STANDING + GAME_SHOTS,
                                      .turned_capacity = GAME_ROCKS,
-                                     .turn_code = &fxl_turned_instances};
+                                     .placement_code = &fxl_turned_instances};
     fxl_status status;
 
     memset(state, 0, sizeof *state);
@@ -78,7 +78,7 @@ static fxl_status add_rock(game *state, game_thing *rock)
     const fxl_point from = {FXL_UNITS(dice(state, 61) - 30), FXL_UNITS(dice(state, 18) + 2),
                             FAR_AWAY};
     const fxl_instance instance = {.centre = from, .model = ROCK, .layer = 2};
-    fxl_turn turn = {FXL_ORIENTATION_NONE, FXL_RATIO(2 + dice(state, 5), 4)};
+    fxl_placement turn = {FXL_ORIENTATION_NONE, FXL_RATIO(2 + dice(state, 5), 4)};
 
     rock->speed.x = (eye->x + FXL_UNITS(dice(state, 9) - 4) - from.x) / steps;
     rock->speed.y = (eye->y + FXL_UNITS(dice(state, 3)) - from.y) / steps;
@@ -90,11 +90,11 @@ static fxl_status add_rock(game *state, game_thing *rock)
 
 static fxl_status turn_rock(game *state, const game_thing *rock)
 {
-    fxl_turn turn = *fxl_world_turn_of(&state->world, rock->handle);
+    fxl_placement turn = *fxl_world_placement(&state->world, rock->handle);
     const fxl_status status =
         fxl_orientation_from_axis(&rock->axis, state->frame * FXL_DEGREES(4), &turn.orientation);
 
-    return status == FXL_OK ? fxl_world_turn(&state->world, rock->handle, &turn) : status;
+    return status == FXL_OK ? fxl_world_set_placement(&state->world, rock->handle, &turn) : status;
 }
 
 /* Where a thing is, and where its speed takes it. */

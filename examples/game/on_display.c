@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The game on a display of the library, with no board of this project: it is drawn in bands of eight
- * rows, and a band is sent while the next one is drawn. */
+/* The game on a display of the library, with no board of this project: it is drawn in bands of
+ * eight rows, and a band is sent while the next one is drawn. */
 #include "on_display.h"
 
-#define WIDTH  320
-#define ROWS   8
-#define ORDER  200 /* entries: the game's faces and instances */
-#define BITS   16  /* of a pixel, at most */
+#define WIDTH 320
+#define ROWS  8
+#define ORDER 200 /* entries: the game's faces and instances */
+#define BITS  16  /* of a pixel, at most */
 
 static game state;
 static fxl_scene_image image;
-static fxl_order_entry order[ORDER];
+static fxl_draw_entry order[ORDER];
 static fxl_renderer renderer;
 static fxl_display display;
 static fxl_pump pump;
@@ -18,7 +18,7 @@ static uint64_t memory[FXL_PUMP_MEMORY(WIDTH, ROWS, BITS)];
 
 static fxl_status open_game(const void *scene, size_t scene_size)
 {
-    const fxl_memory of = {.order = order, .order_capacity = ORDER};
+    const fxl_memory of = {.draw_list = order, .draw_list_capacity = ORDER};
     fxl_status status = fxl_scene_open(scene, scene_size, &image, NULL);
 
     if (status == FXL_OK) {
@@ -39,7 +39,8 @@ static fxl_status open_display(const fxl_display_config *module, const fxl_displ
     if (status == FXL_OK) {
         status = fxl_display_place(&display, lens->width, lens->height);
     }
-    return status == FXL_OK ? fxl_pump_init(&pump, &bands, &display.sink, memory, sizeof memory) : status;
+    return status == FXL_OK ? fxl_pump_init(&pump, &bands, &display.sink, memory, sizeof memory)
+                            : status;
 }
 
 static fxl_status draw_frame(void)

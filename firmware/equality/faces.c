@@ -69,10 +69,11 @@ static void any_faces(fxl_face *faces, fxl_face_bounds *keys, const fxl_point *e
     }
 }
 
-static bool same_entries(const fxl_order_entry *a, const fxl_order_entry *b, uint32_t count)
+static bool same_entries(const fxl_draw_entry *a, const fxl_draw_entry *b, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        if (fxl_order_distance(&a[i]) != fxl_order_distance(&b[i]) || a[i].index != b[i].index) {
+        if (fxl_draw_entry_distance(&a[i]) != fxl_draw_entry_distance(&b[i]) ||
+            a[i].index != b[i].index) {
             return false;
         }
     }
@@ -83,7 +84,7 @@ void test_front_faces(uint32_t rounds)
 {
     static fxl_face faces[FACES];
     static fxl_face_bounds keys[FACES];
-    fxl_order_entry core[FACES], portable[FACES];
+    fxl_draw_entry core[FACES], portable[FACES];
     for (uint32_t i = 0; i < rounds; i++) {
         const fxl_point eye = {coordinate(), coordinate(), coordinate()};
         const uint32_t count = 1u + (any_32() >> 11) % FACES;

@@ -40,9 +40,9 @@ void portable_transform_vertex(const fxl_model_view *placed, uint32_t number,
                                fxl_cached_vertex *entry);
 fxl_clip_result portable_clip_by_view(const fxl_model_view *placed, const fxl_face *face,
                                       fxl_clipper_work *work, fxl_screen_polygon *screen);
-fxl_order_entry *portable_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
-                                      const fxl_point *from, fxl_order_entry *entry, uint32_t count,
-                                      uint32_t end);
+fxl_draw_entry *portable_front_faces(const fxl_face *faces, const fxl_face_bounds *keys,
+                                     const fxl_point *from, fxl_draw_entry *entry, uint32_t count,
+                                     uint32_t end);
 void portable_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table,
                         uint16_t *out);
 void portable_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
@@ -62,7 +62,7 @@ void portable_turn_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axe
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */
-void portable_order_sort_faces(fxl_order_entry *entries, uint32_t count, fxl_order_work *work);
+void portable_order_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work);
 void portable_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                            fxl_scan *scan);
 bool portable_scan_next(fxl_scan *scan, fxl_span *span);

@@ -19,17 +19,17 @@ static int32_t within(int32_t limit)
 
 void test_order(uint32_t rounds)
 {
-    static fxl_order_entry core[ENTRIES], portable[ENTRIES];
-    static fxl_order_work work;
+    static fxl_draw_entry core[ENTRIES], portable[ENTRIES];
+    static fxl_sort_work work;
     for (uint32_t i = 0; i < rounds; i++) {
         const uint32_t count = 1u + (any_32() >> 7) % ENTRIES;
         const bool few = (any_32() & 0x300u) == 0;
         bool same = true;
         for (uint32_t place = 0; place < count; place++) {
             uint64_t distance = few ? any_32() >> 29 : any_64() >> (any_32() >> 9 & 31u);
-            core[place] = portable[place] = fxl_order_entry_of(distance, (uint16_t)place, 0);
+            core[place] = portable[place] = fxl_draw_entry_of(distance, (uint16_t)place, 0);
         }
-        fxl_order_sort_faces(core, count, &work);
+        fxl_sort_faces(core, count, &work);
         portable_order_sort_faces(portable, count, &work);
         for (uint32_t place = 0; place < count; place++) {
             same &= core[place].face == portable[place].face;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the matrix of an instance that is turned. */
 #include "turn_rows.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 #include "equality.h"
 #include "sides.h"
@@ -57,7 +57,7 @@ void test_turn_rows(uint32_t rounds)
         any_matrix(entries[1]);
         memcpy(&view, entries[0], sizeof view);
         memcpy(&of, entries[1], sizeof of);
-        fxl_turn_rows(&view, &of, &core);
+        fxl_placement_rows(&view, &of, &core);
         portable_turn_rows(&view, &of, &portable);
         equality_case(memcmp(&core, &portable, sizeof core) == 0);
     }

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* fxl_turn_rows. */
+/* fxl_placement_rows. */
 void test_turn_rows(uint32_t rounds);
 
 #endif

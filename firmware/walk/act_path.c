@@ -15,7 +15,7 @@ uint32_t act_bytes(const fxl_scene_image *image)
         return 0;
     }
     return (scene->instance_count * (uint32_t)sizeof(fxl_instance) +
-            (scene->instance_count - scene->first_turned) * (uint32_t)sizeof(fxl_turn) + 7u) &
+            (scene->instance_count - scene->first_turned) * (uint32_t)sizeof(fxl_placement) + 7u) &
            ~7u;
 }
 
@@ -32,7 +32,7 @@ fxl_status act_open(fxl_scene_image *image, void *memory, const fxl_scene **scen
     }
     copies.instances = memory;
     copies.instance_capacity = of->instance_count;
-    copies.turns = (fxl_turn *)(void *)(copies.instances + of->instance_count);
+    copies.placements = (fxl_placement *)(void *)(copies.instances + of->instance_count);
     copies.turn_capacity = of->instance_count - of->first_turned;
     return fxl_motion_begin(&motion, &image->motion, of, &copies);
 }

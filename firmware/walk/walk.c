@@ -25,7 +25,7 @@ _Static_assert(WALK_BAND_BYTES >= FXL_SCREEN_MAX, "WALK_BAND_BYTES is less than 
 #define BAND_BYTES WALK_BAND_BYTES
 #endif
 static _Alignas(4) uint8_t band_pixels[BAND_BYTES];
-static fxl_order_entry order[WALK_ORDER_ENTRIES];
+static fxl_draw_entry order[WALK_ORDER_ENTRIES];
 #if WALK_LIST_BYTES >= 4
 static _Alignas(8) uint32_t list[WALK_LIST_BYTES / 4]; /* methods and beams take of it */
 #else
@@ -228,21 +228,21 @@ static int open_renderer(fxl_scene_image *image)
     if (status != FXL_OK) {
         return fail_status("scene", status, SYSTEM_EXIT_RENDER);
     }
-    const fxl_memory memory = {.order = order,
-                               .order_capacity = WALK_ORDER_ENTRIES,
+    const fxl_memory memory = {.draw_list = order,
+                               .draw_list_capacity = WALK_ORDER_ENTRIES,
                                .display_list = of.taken > 0 ? list + of.taken / 4 : list,
                                .display_list_capacity = list_bytes(of.taken) / 4,
                                .cache = cache,
                                .cache_capacity = WALK_CACHE_ENTRIES};
     status = fxl_renderer_init_with(&renderer, scene, &image->lens, &memory);
     if (status == FXL_E_CAPACITY) {
-        print_with_number("walk: the scene needs ", scene->order_needed, " order entries");
+        print_with_number("walk: the scene needs ", scene->draw_list_needed, " order entries");
         print_with_number(", this board has ", WALK_ORDER_ENTRIES, "\n");
         return SYSTEM_EXIT_CAPACITY;
     }
     if (status == FXL_OK) {
-        status = walk_methods_set(&methods, image, &renderer,
-                                  bytes + of.act + of.looks + of.billboards);
+        status =
+            walk_methods_set(&methods, image, &renderer, bytes + of.act + of.looks + of.billboards);
     }
     if (status == FXL_OK) {
         status = walk_looks_open(image, methods.draws.surfaces, &renderer, bytes + of.act);

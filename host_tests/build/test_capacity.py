@@ -138,7 +138,7 @@ def test_a_renderer_is_as_large_as_its_header_says(tmp_path, core, capacity):
     size = {SMALL: small, USUAL: usual}[capacity]
     source.write_text("#include <fixel.h>\n"
                       f"_Static_assert(sizeof(fxl_renderer) == {size}, \"renderer\");\n"
-                      "_Static_assert(sizeof(fxl_order_entry) == 12, \"entry\");\n", encoding="utf-8")
+                      "_Static_assert(sizeof(fxl_draw_entry) == 12, \"entry\");\n", encoding="utf-8")
     done = gcc("-std=c11", "-fsyntax-only", f"-mcpu={core}", "-mthumb", *INCLUDES,
                f"-DFXL_POLYGON_CAPACITY={capacity}", source, compiler="arm-none-eabi-gcc")
     assert done.returncode == 0, done.stderr

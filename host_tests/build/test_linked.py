@@ -14,7 +14,7 @@ int main(void)
     return NAME != FXL_E_ARGUMENT;
 }
 """
-MORE = {"fxl_bsp_check", "fxl_beam_check", "fxl_beams_fit", "fxl_cluster_check", "fxl_clusters", "fxl_order_clusters"}
+MORE = {"fxl_bsp_check", "fxl_beam_check", "fxl_beams_fit", "fxl_cluster_check", "fxl_clusters", "fxl_list_clusters"}
 
 UNDEFINED, DEFINED = " U ", re.compile(r" [BDRTVW] ")
 

@@ -184,13 +184,13 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
 {
     fxl_renderer *renderer = malloc(sizeof *renderer);
     fxl_memory memory;
-    memory.order_capacity = scene->order_needed;
-    memory.order = malloc(scene->order_needed * sizeof *memory.order);
+    memory.draw_list_capacity = scene->draw_list_needed;
+    memory.draw_list = malloc(scene->draw_list_needed * sizeof *memory.draw_list);
     memory.display_list_capacity = list_words;
     memory.display_list = malloc(list_words * sizeof *memory.display_list + 1);
     memory.cache_capacity = cache_entries;
     memory.cache = cache_entries > 0 ? malloc(cache_entries * sizeof *memory.cache) : NULL;
-    DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
+    DEMAND(renderer != NULL && memory.draw_list != NULL && memory.display_list != NULL);
     DEMAND(memory.cache != NULL || cache_entries == 0);
     memset(renderer, GAP, sizeof *renderer);
     DEMAND(fxl_renderer_init_with(renderer, scene, lens, &memory) == FXL_OK);
@@ -201,7 +201,8 @@ static fxl_renderer *make_renderer(const fxl_scene *scene, const fxl_lens *lens,
     return renderer;
 }
 
-fxl_status draw_choose(fxl_renderer *renderer, const fxl_target *target, void *memory, uint32_t size)
+fxl_status draw_choose(fxl_renderer *renderer, const fxl_target *target, void *memory,
+                       uint32_t size)
 {
     fxl_config config = fxl_config_for(1, 1, target);
     config.depth = memory;
@@ -226,8 +227,8 @@ static void attach_beams(fxl_renderer *renderer)
 static bool has_own_cache(const fxl_renderer *renderer)
 {
     const uintptr_t at = (uintptr_t)renderer->workspace.cache.entries;
-    return at < (uintptr_t)renderer->frame.order ||
-           at >= (uintptr_t)(renderer->frame.order + renderer->scene->order_needed);
+    return at < (uintptr_t)renderer->frame.draw_list ||
+           at >= (uintptr_t)(renderer->frame.draw_list + renderer->scene->draw_list_needed);
 }
 
 static void free_renderer(fxl_renderer *renderer)
@@ -237,7 +238,7 @@ static void free_renderer(fxl_renderer *renderer)
     if (has_own_cache(renderer)) {
         free(renderer->workspace.cache.entries);
     }
-    free(renderer->frame.order);
+    free(renderer->frame.draw_list);
     free((void *)(uintptr_t)renderer->shader); /* it lies at the beginning of its room */
     free(renderer);
 }
@@ -274,8 +275,7 @@ static void draw_front_to_back(const fxl_renderer *first, const fxl_pose *pose,
     uint32_t words = fuzz_below(in, (counters.drawn + 1) * FXL_DISPLAY_LIST_WORDS(8));
     uint32_t size = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     fxl_renderer *renderer = make_renderer(first->scene, lens, clipper, words, fuzz_below(in, 40));
-    const fxl_target *target =
-        fuzz_below(in, 4) ? &fxl_palette_spans : &fxl_palette_spans_box;
+    const fxl_target *target = fuzz_below(in, 4) ? &fxl_palette_spans : &fxl_palette_spans_box;
     void *room = malloc(size += fuzz_below(in, 12u * lens->height));
     DEMAND(room != NULL);
     DEMAND(draw_choose(renderer, target, room, size) == FXL_OK);
@@ -305,8 +305,8 @@ static void draw_by_depth(const fxl_renderer *first, const fxl_pose *pose, const
     fxl_band band = make_band(lens, 1, whole->first_row, whole->rows);
     void *cells = malloc(size);
     DEMAND(cells != NULL);
-    DEMAND(draw_choose(renderer, wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16, cells, size) ==
-           FXL_OK);
+    DEMAND(draw_choose(renderer, wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16, cells,
+                       size) == FXL_OK);
     attach_beams(renderer);
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -405,8 +405,8 @@ void draw_scene(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     record_bytes(&renderer->workspace.counters, sizeof renderer->workspace.counters);
     draw_again(renderer, pose, &whole, choice->clipper, in);
     if (scene->beam_count == 0 &&
-        scene->turns == NULL) { /* larger spheres reach into beams, and split outlines anew; turned
-                                   ones leave the world */
+        scene->placements == NULL) { /* larger spheres reach into beams, and split outlines anew;
+                                   turned ones leave the world */
         draw_all_instances(renderer, pose, &whole, choice->clipper);
     }
     draw_front_to_back(renderer, pose, &whole, choice->clipper, in);

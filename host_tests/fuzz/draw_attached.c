@@ -43,8 +43,8 @@ static void attach(attached *to, uint32_t set)
     DEMAND(fxl_attach_lit(renderer, set & LIGHT ? &to->lit : NULL) == FXL_OK);
     DEMAND(fxl_attach_outlines(renderer, &to->outlines, set & OUTLINES ? &style : NULL) == FXL_OK);
     if (scene->beam_count > 0) {
-        DEMAND(fxl_attach_beams(renderer, set & BEAMS ? &beams : NULL, to->beams,
-                                to->beams_size) == FXL_OK);
+        DEMAND(fxl_attach_beams(renderer, set & BEAMS ? &beams : NULL, to->beams, to->beams_size) ==
+               FXL_OK);
     }
 }
 
@@ -58,8 +58,11 @@ static void draw_as_another(const attached *to)
     const size_t bytes = (size_t)lens->width * lens->height * renderer->target->pixel_bits / 8u;
     void *memory = malloc(size + 8), *pixels = malloc(bytes);
     DEMAND(memory != NULL && pixels != NULL);
-    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width,
-                           .rows = lens->height, .palette = renderer->palette};
+    const fxl_band band = {.pixels = pixels,
+                           .width = lens->width,
+                           .stride = lens->width,
+                           .rows = lens->height,
+                           .palette = renderer->palette};
     DEMAND(fxl_workspace_init(&workspace, renderer, memory, size) == FXL_OK);
     fxl_frame_fill(renderer, &band, renderer->frame.background);
     DEMAND(fxl_frame_draw_with(renderer, &workspace, &band) == FXL_OK);
@@ -74,8 +77,10 @@ static void demand_rectangle(attached *to, const fxl_pose *pose)
     fxl_renderer *renderer = &to->renderer;
     const fxl_lens *lens = &renderer->frame.view.lens;
     const uint32_t bytes = renderer->target->pixel_bits / 8u;
-    fxl_band band = {.width = lens->width, .first_row = lens->height / 3,
-                     .palette = bytes == 2 ? to->palette : NULL, .first_column = lens->width / 3};
+    fxl_band band = {.width = lens->width,
+                     .first_row = lens->height / 3,
+                     .palette = bytes == 2 ? to->palette : NULL,
+                     .first_column = lens->width / 3};
     band.columns = band.stride = (uint16_t)((lens->width + 1) / 2);
     band.rows = (uint16_t)((lens->height + 1) / 2);
     band.pixels = malloc((size_t)band.columns * band.rows * bytes);
@@ -164,7 +169,7 @@ static void open(attached *made, const fxl_scene *scene, const fxl_lens *lens)
         made->palette[i] = (uint16_t)(i * 0x0101u);
     }
     const uint32_t area = (uint32_t)lens->width * lens->height;
-    made->order = malloc(scene->order_needed * sizeof(fxl_order_entry));
+    made->order = malloc(scene->draw_list_needed * sizeof(fxl_draw_entry));
     made->depth_size = FXL_DEPTH_BYTES(lens->width, lens->height, 32);
     const uint32_t spans = FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
     made->depth_size = made->depth_size < spans ? spans : made->depth_size;
@@ -184,7 +189,7 @@ void draw_attached(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose 
                                                 &fxl_rgb565_depth_32, &fxl_palette_spans};
     static attached made;
     open(&made, scene, lens);
-    const fxl_memory memory = {made.order, scene->order_needed, NULL, 0, NULL, 0};
+    const fxl_memory memory = {made.order, scene->draw_list_needed, NULL, 0, NULL, 0};
     DEMAND(fxl_renderer_init_with(&made.renderer, scene, lens, &memory) == FXL_OK);
     misuse(&made);
     for (uint32_t i = 0; i < sizeof targets / sizeof *targets; i++) {

@@ -138,10 +138,10 @@ static fxl_renderer *start(const boards *made, parts *own, const way *by, const 
 {
     const uint32_t size = FXL_DEPTH_BYTES(lens->width, 3, 32);
     fxl_renderer *renderer = malloc(sizeof *renderer);
-    const uint32_t entries = made->scene.order_needed;
+    const uint32_t entries = made->scene.draw_list_needed;
     fxl_memory memory = {
-        malloc(entries * sizeof(fxl_order_entry)), entries, malloc(words * 4 + 4), words, NULL, 0};
-    DEMAND(renderer != NULL && memory.order != NULL && memory.display_list != NULL);
+        malloc(entries * sizeof(fxl_draw_entry)), entries, malloc(words * 4 + 4), words, NULL, 0};
+    DEMAND(renderer != NULL && memory.draw_list != NULL && memory.display_list != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &made->scene, lens, &memory) == FXL_OK);
     own->cells = malloc(size);
     DEMAND(own->cells != NULL && draw_choose(renderer, by->target, own->cells, size) == FXL_OK);
@@ -155,7 +155,7 @@ static fxl_renderer *start(const boards *made, parts *own, const way *by, const 
 static void end(fxl_renderer *renderer, parts *own)
 {
     free(own->cells);
-    free(renderer->frame.order);
+    free(renderer->frame.draw_list);
     free(renderer->frame.display_list.words);
     free(renderer);
 }
@@ -165,16 +165,18 @@ static void draw(fxl_renderer *renderer, uint8_t *pixels, uint32_t rows, uint32_
     const uint16_t width = renderer->frame.view.lens.width;
     for (uint32_t row = 0, count; row < rows; row += count) {
         count = step < rows - row ? step : rows - row;
-        const fxl_band band = {.pixels = pixels + (size_t)row * width, .width = width,
-                               .stride = width, .first_row = (uint16_t)row,
+        const fxl_band band = {.pixels = pixels + (size_t)row * width,
+                               .width = width,
+                               .stride = width,
+                               .first_row = (uint16_t)row,
                                .rows = (uint16_t)count};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }
 }
 
-static void draw_both(const boards *made, const way *by, const fxl_lens *lens,
-                      const fxl_pose *pose, fuzz_input *in)
+static void draw_both(const boards *made, const way *by, const fxl_lens *lens, const fxl_pose *pose,
+                      fuzz_input *in)
 {
     const uint32_t rows = lens->height < ROWS_MAX ? lens->height : ROWS_MAX;
     const size_t size = (size_t)rows * lens->width;

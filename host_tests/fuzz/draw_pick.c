@@ -93,7 +93,7 @@ static void slide(const fxl_scene *scene, const fxl_point *from, fuzz_input *in)
     }
     const fxl_status status = fxl_slide_sphere(scene, &sphere, &move, &done);
     DEMAND(status == FXL_OK ||
-           ((status == FXL_E_RANGE || (status == FXL_E_TURN && scene->turns != NULL)) &&
+           ((status == FXL_E_RANGE || (status == FXL_E_PLACEMENT && scene->placements != NULL)) &&
             memcmp(&before, &sphere, sizeof sphere) == 0));
     record_bytes(&sphere, sizeof sphere);
     record_bytes(&done, sizeof done);
@@ -119,7 +119,7 @@ void draw_hits(const fxl_scene *scene, const fxl_view *view, fuzz_input *in)
         const fxl_instance *instance = &scene->instances[hit.instance];
         const fxl_face *face = &scene->faces[scene->models[instance->model].first_face + hit.face];
         /* Of an instance that is turned, the rounded normal decides. */
-        DEMAND((scene->turns != NULL && hit.instance >= scene->first_turned) ||
+        DEMAND((scene->placements != NULL && hit.instance >= scene->first_turned) ||
                fxl_face_is_front(scene, instance, face, eye));
     }
     to.x = FXL_COORDINATE_MAX + 1;

@@ -205,8 +205,10 @@ static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *pixels, 
     DEMAND(fxl_frame_begin(renderer, pose) == FXL_OK);
     for (uint32_t row = 0, rows; row < lens->height; row += rows) {
         rows = step < lens->height - row ? step : lens->height - row;
-        const fxl_band band = {.pixels = pixels + (size_t)row * lens->width, .width = lens->width,
-                               .stride = lens->width, .first_row = (uint16_t)row,
+        const fxl_band band = {.pixels = pixels + (size_t)row * lens->width,
+                               .width = lens->width,
+                               .stride = lens->width,
+                               .first_row = (uint16_t)row,
                                .rows = (uint16_t)rows};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -270,7 +272,8 @@ static void draw_twice_by_depth(fxl_renderer *renderer, draw_parts *parts,
     DEMAND(draw_choose(renderer, target, cells, least - 1) == FXL_E_CAPACITY);
     DEMAND(draw_choose(renderer, target, cells, size) == FXL_OK);
     draw_attach(renderer, parts, set,
-                wide ? FXL_SURFACES_OF(fxl_palette_depth_32) : FXL_SURFACES_OF(fxl_palette_depth_16),
+                wide ? FXL_SURFACES_OF(fxl_palette_depth_32)
+                     : FXL_SURFACES_OF(fxl_palette_depth_16),
                 is_lit);
     draw_twice(renderer, in);
     draw_detach(renderer);
@@ -295,10 +298,10 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
     static draw_parts parts;
     const fxl_clipper *clipper = clippers[fuzz_below(in, 4)];
     const fxl_lens lens = fuzz_lens(in, PIXELS);
-    const uint32_t order_size = scene->order_needed * (uint32_t)sizeof(fxl_order_entry);
+    const uint32_t order_size = scene->draw_list_needed * (uint32_t)sizeof(fxl_draw_entry);
     uint8_t *order = block(order_size), *room = block(clipper->workspace_size);
-    fxl_memory memory = {.order = (fxl_order_entry *)(void *)order,
-                         .order_capacity = scene->order_needed};
+    fxl_memory memory = {.draw_list = (fxl_draw_entry *)(void *)order,
+                         .draw_list_capacity = scene->draw_list_needed};
     fxl_renderer renderer;
     fxl_scene_fault fault = {NULL, 0};
     memset(&parts, 0, sizeof parts);

@@ -76,9 +76,9 @@ static void choose(drawing *made, const fxl_target *target, uint32_t pieces)
 static void open_drawing(drawing *made, const fxl_scene *scene, const fxl_lens *lens,
                          const fxl_target *target, uint32_t pieces, bool triangles)
 {
-    made->order = block(scene->order_needed * sizeof(fxl_order_entry));
+    made->order = block(scene->draw_list_needed * sizeof(fxl_draw_entry));
     made->list = block(1);
-    const fxl_memory memory = {made->order, scene->order_needed, made->list, 0, NULL, 0};
+    const fxl_memory memory = {made->order, scene->draw_list_needed, made->list, 0, NULL, 0};
     DEMAND(fxl_renderer_init_with(&made->renderer, scene, lens, &memory) == FXL_OK);
     made->clip = made->light = NULL;
     choose(made, target, pieces);
@@ -101,8 +101,11 @@ static void draw(drawing *made, const fxl_pose *pose, uint32_t step)
     DEMAND(fxl_frame_begin(&made->renderer, pose) == FXL_OK);
     for (uint32_t row = 0, rows; row < made->rows; row += rows) {
         rows = step < made->rows - row ? step : made->rows - row;
-        fxl_band band = {.pixels = made->pixels + (size_t)row * width, .width = width,
-                         .stride = width, .first_row = (uint16_t)row, .rows = (uint16_t)rows};
+        fxl_band band = {.pixels = made->pixels + (size_t)row * width,
+                         .width = width,
+                         .stride = width,
+                         .first_row = (uint16_t)row,
+                         .rows = (uint16_t)rows};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_frame_draw(&made->renderer, &band) == FXL_OK);
     }

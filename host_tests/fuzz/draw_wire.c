@@ -18,8 +18,10 @@ static uint8_t *draw(fxl_wire *wire, const fxl_lens *lens, uint32_t rows, uint32
     DEMAND(pixels != NULL);
     for (uint32_t row = 0, count; row < rows; row += count) {
         count = step < rows - row ? step : rows - row;
-        fxl_band band = {.pixels = pixels + (size_t)row * lens->width, .width = lens->width,
-                         .stride = lens->width, .first_row = (uint16_t)row,
+        fxl_band band = {.pixels = pixels + (size_t)row * lens->width,
+                         .width = lens->width,
+                         .stride = lens->width,
+                         .first_row = (uint16_t)row,
                          .rows = (uint16_t)count};
         fxl_fill_band(&band, BACKGROUND);
         DEMAND(fxl_wire_draw(wire, &band) == FXL_OK);
@@ -80,7 +82,7 @@ void draw_boxes(const fxl_scene *scene, const fxl_lens *lens, const fxl_pose *po
     fxl_wire wire; /* for its view */
     DEMAND(fxl_wire_init(&wire, scene, lens, fxl_line_by_codes) == FXL_OK);
     DEMAND(fxl_wire_begin(&wire, pose) == FXL_OK);
-    const uint32_t end = scene->turns != NULL && scene->first_turned < scene->instance_count
+    const uint32_t end = scene->placements != NULL && scene->first_turned < scene->instance_count
                              ? scene->first_turned /* a box is that of a still instance */
                              : scene->instance_count;
     for (uint32_t i = 0; i < end; i++) {

@@ -19,14 +19,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 static bool check_scene(fxl_scene *scene)
 {
     fxl_scene_fault fault = {NULL, 0};
-    scene->order_needed = UINT32_MAX;
+    scene->draw_list_needed = UINT32_MAX;
     fxl_status status = fxl_scene_check_all(scene, &fault);
     DEMAND((status == FXL_OK) == (fault.what == NULL));
-    DEMAND((status == FXL_OK) == (scene->order_needed != UINT32_MAX));
+    DEMAND((status == FXL_OK) == (scene->draw_list_needed != UINT32_MAX));
     DEMAND(fxl_scene_check_all(scene, NULL) == status);
     record_text(fault.what);
     record_number(fault.index);
-    record_number(scene->order_needed);
+    record_number(scene->draw_list_needed);
     bool bare = scene->bsp_nodes == NULL && scene->bsp_node_count == 0 &&
                 scene->bsp_instance == 0 && scene->beam_count == 0 && scene->clusters == NULL &&
                 scene->cluster_count == 0;
@@ -84,7 +84,7 @@ static void fuzz_placed_limit(fuzz_input *in)
     scene.vertex_count = model.vertex_count;
     uint64_t model_view = (uint64_t)scene.instance_count * scene.vertex_count;
     DEMAND(check_scene(&scene) == (model_view <= FXL_SCENE_PLACED_MAX));
-    DEMAND(model_view > FXL_SCENE_PLACED_MAX || scene.order_needed == scene.instance_count + 1);
+    DEMAND(model_view > FXL_SCENE_PLACED_MAX || scene.draw_list_needed == scene.instance_count + 1);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -39,9 +39,9 @@ static void read_tables(const fxl_scene_image *opened)
     sum += sum_bytes(scene->face_bounds, scene->face_bounds_count * sizeof *scene->face_bounds);
     sum += sum_bytes(scene->bsp_nodes, scene->bsp_node_count * sizeof *scene->bsp_nodes);
     sum += sum_bytes(scene->clusters, scene->cluster_count * sizeof *scene->clusters);
-    if (scene->turns != NULL) {
-        sum += sum_bytes(scene->turns,
-                         (scene->instance_count - scene->first_turned) * sizeof *scene->turns);
+    if (scene->placements != NULL) {
+        sum += sum_bytes(scene->placements,
+                         (scene->instance_count - scene->first_turned) * sizeof *scene->placements);
     }
     sum += sum_bytes(opened->motion.motions,
                      opened->motion.motion_count * sizeof *opened->motion.motions);
@@ -85,8 +85,9 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
 static void demand_turns_in_range(const fxl_scene *scene)
 {
     for (uint32_t j = scene->first_turned; j < scene->instance_count; j++) {
-        DEMAND(fxl_turn_check(&scene->turns[j - scene->first_turned], &scene->instances[j].centre,
-                              scene->models[scene->instances[j].model].radius) == FXL_OK);
+        DEMAND(fxl_placement_check(&scene->placements[j - scene->first_turned],
+                                   &scene->instances[j].centre,
+                                   scene->models[scene->instances[j].model].radius) == FXL_OK);
     }
 }
 
@@ -96,7 +97,7 @@ static void record_moved(const fxl_scene *scene)
         record_bytes(&scene->instances[i].centre, sizeof scene->instances[i].centre);
     }
     for (uint32_t i = 0; i + scene->first_turned < scene->instance_count; i++) {
-        record_bytes(&scene->turns[i], sizeof scene->turns[i]);
+        record_bytes(&scene->placements[i], sizeof scene->placements[i]);
     }
 }
 
@@ -104,7 +105,7 @@ static void record_moved(const fxl_scene *scene)
 static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *player)
 {
     static fxl_instance instances[MOVED];
-    static fxl_turn turns[MOVED];
+    static fxl_placement turns[MOVED];
     const fxl_motion_memory memory = {instances, MOVED, turns, MOVED};
     fxl_scene *scene = &opened->scene;
     player->set.motion_count = 0;
@@ -125,7 +126,7 @@ static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *pla
 static void play_others(const fxl_scene_image *opened, fuzz_input in)
 {
     static fxl_instance instances[MOVED];
-    static fxl_turn turns[MOVED];
+    static fxl_placement turns[MOVED];
     static fxl_motion motions[MOVED];
     const fxl_motion_memory memory = {instances, MOVED, turns, MOVED};
     const uint32_t count = opened->motion.motion_count;

@@ -427,10 +427,10 @@ void add_turns(made_scene *made, fuzz_input *in)
         return;
     }
     const uint32_t first = fuzz_below(in, count);
-    fxl_turn turns[MADE_INSTANCES] = {0};
+    fxl_placement turns[MADE_INSTANCES] = {0};
     for (uint32_t i = first; i < count; i++) {
         const fxl_instance *instance = &made->instances[i];
-        fxl_turn *turn = &turns[i - first];
+        fxl_placement *turn = &turns[i - first];
         turn->orientation = about_axis(in);
         turn->scale = FXL_Q16_16_ONE;
         if (fuzz_below(in, 4) != 0) {
@@ -438,7 +438,7 @@ void add_turns(made_scene *made, fuzz_input *in)
             turn->scale = (int32_t)(small << fuzz_below(in, 8));
         }
         while (turn->scale > FXL_SCALE_MIN && instance->model < MADE_MODELS &&
-               fxl_turn_check(turn, &instance->centre, made->models[instance->model].radius) ==
+               fxl_placement_check(turn, &instance->centre, made->models[instance->model].radius) ==
                    FXL_E_RANGE) {
             turn->scale /= 2;
         }
@@ -447,14 +447,14 @@ void add_turns(made_scene *made, fuzz_input *in)
         int32_t *const number = &turns[0].orientation.x.x + fuzz_below(in, 10);
         *number = fuzz_any(in);
     }
-    scene->turns = copy(turns, (count - first) * sizeof *turns);
+    scene->placements = copy(turns, (count - first) * sizeof *turns);
     scene->first_turned = first;
-    scene->turn_code = &fxl_turned_instances;
+    scene->placement_code = &fxl_turned_instances;
 }
 
 void free_scene(made_scene *made)
 {
-    free((void *)(uintptr_t)made->scene.turns);
+    free((void *)(uintptr_t)made->scene.placements);
     free((void *)(uintptr_t)made->scene.vertices);
     free((void *)(uintptr_t)made->scene.indices);
     free((void *)(uintptr_t)made->scene.faces);

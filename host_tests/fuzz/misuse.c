@@ -14,7 +14,7 @@ enum {
 };
 
 static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fxl_lens *lens,
-                        fxl_order_entry *order)
+                        fxl_draw_entry *order)
 {
     static fxl_renderer untouched;
     const fxl_memory memory = {order, 2, NULL, 0, NULL, 0}, no_order = {NULL, 2, NULL, 0, NULL, 0},
@@ -24,7 +24,7 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
     static const fxl_lens no_lens;
     const fxl_scene unchecked = {0};
     fxl_memory misplaced = memory;
-    misplaced.order = (fxl_order_entry *)(void *)((uint8_t *)order + 2);
+    misplaced.draw_list = (fxl_draw_entry *)(void *)((uint8_t *)order + 2);
     *renderer = untouched;
     DEMAND(fxl_renderer_init_with(NULL, scene, lens, &memory) == FXL_E_ARGUMENT);
     DEMAND(fxl_renderer_init_with(renderer, NULL, lens, &memory) == FXL_E_ARGUMENT);
@@ -44,7 +44,10 @@ static void misuse_init(fxl_renderer *renderer, const fxl_scene *scene, const fx
 /* A band of the lens's screen with one number spoilt, or none. */
 static fxl_band any_band(const fxl_lens *lens, uint8_t *pixels, fuzz_input *in)
 {
-    fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width, .first_row = 0,
+    fxl_band band = {.pixels = pixels,
+                     .width = lens->width,
+                     .stride = lens->width,
+                     .first_row = 0,
                      .rows = lens->height};
     uint16_t *const numbers[] = {&band.width, &band.stride, &band.first_row, &band.rows};
     uint32_t which = fuzz_below(in, 8);
@@ -128,8 +131,9 @@ static void misuse_setters(fxl_renderer *renderer)
     static uint64_t room[8];
     static const fxl_beam beams[FXL_BEAMS_MAX + 1];
     static const uint8_t lit[256];
-    const fxl_beam_set one = {beams, 1, lit}, no_beams = {NULL, 1, lit}, no_colours = {beams, 1, NULL},
-                       none = {beams, 0, lit}, too_many = {beams, FXL_BEAMS_MAX + 1, lit};
+    const fxl_beam_set one = {beams, 1, lit}, no_beams = {NULL, 1, lit},
+                       no_colours = {beams, 1, NULL}, none = {beams, 0, lit},
+                       too_many = {beams, FXL_BEAMS_MAX + 1, lit};
     uint8_t *const crooked = (uint8_t *)room + 4;
     const fxl_renderer before = *renderer;
     DEMAND(fxl_renderer_set_clipper(NULL, &fxl_clipper_view, NULL, 0) == FXL_E_ARGUMENT);
@@ -154,8 +158,7 @@ static void misuse_setters(fxl_renderer *renderer)
     DEMAND(fxl_attach_beams(renderer, &too_many, room, 64) == FXL_E_COUNT);
     DEMAND(fxl_attach_beams(renderer, &none, room, 64) == FXL_E_COUNT);
     DEMAND(before.clipper == renderer->clipper && before.target == renderer->target &&
-           before.order == renderer->order &&
-           before.shader == renderer->shader);
+           before.order == renderer->order && before.shader == renderer->shader);
     DEMAND(fxl_attach_beams(renderer, NULL, NULL, 0) == FXL_OK);
 }
 
@@ -186,7 +189,7 @@ void fuzz_misuse(fuzz_input *in)
 {
     static fxl_renderer renderer;
     uint8_t pixels[1] = {0x5A};
-    fxl_order_entry order[2];
+    fxl_draw_entry order[2];
     fxl_scene empty = {0};
     fxl_camera camera;
     fxl_player viewer = {0};
@@ -194,7 +197,7 @@ void fuzz_misuse(fuzz_input *in)
     fxl_pose pose = {0};
     fxl_lens lens = fuzz_lens(in, PIXELS);
     fxl_band band = any_band(&lens, pixels, in);
-    empty.order_needed = 2;
+    empty.draw_list_needed = 2;
     misuse_init(&renderer, &empty, &lens, order);
     misuse_frame(&renderer, &band, in);
     misuse_scan(&band);

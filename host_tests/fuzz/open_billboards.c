@@ -16,15 +16,17 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
                      const fxl_pose *pose)
 {
     const fxl_lens *lens = &opened->lens;
-    const uint32_t entries = opened->scene.order_needed;
+    const uint32_t entries = opened->scene.draw_list_needed;
     fxl_renderer *renderer = malloc(sizeof *renderer);
     uint8_t *pixels = malloc(lens->width);
-    const fxl_memory memory = {
-        malloc(entries * sizeof(fxl_order_entry)), entries, NULL, 0, NULL, 0};
-    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width,
-                           .first_row = (uint16_t)(lens->height / 2), .rows = 1};
+    const fxl_memory memory = {malloc(entries * sizeof(fxl_draw_entry)), entries, NULL, 0, NULL, 0};
+    const fxl_band band = {.pixels = pixels,
+                           .width = lens->width,
+                           .stride = lens->width,
+                           .first_row = (uint16_t)(lens->height / 2),
+                           .rows = 1};
     fxl_billboards billboards;
-    DEMAND(renderer != NULL && pixels != NULL && memory.order != NULL);
+    DEMAND(renderer != NULL && pixels != NULL && memory.draw_list != NULL);
     DEMAND(fxl_renderer_init_with(renderer, &opened->scene, lens, &memory) == FXL_OK);
     DEMAND(fxl_attach_billboards(renderer, &billboards, set, FXL_SPRITES_OF(fxl_palette)) ==
            FXL_OK);
@@ -33,7 +35,7 @@ static void draw_row(const fxl_scene_image *opened, const fxl_billboard_set *set
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }
     record_band(&band);
-    free(memory.order);
+    free(memory.draw_list);
     free(pixels);
     free(renderer);
 }

@@ -36,14 +36,16 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
                       const fxl_pose *pose)
 {
     const fxl_scene *scene = &opened->scene;
-    fxl_order_entry *order = malloc(scene->order_needed * sizeof *order);
+    fxl_draw_entry *order = malloc(scene->draw_list_needed * sizeof *order);
     fxl_renderer *renderer = malloc(sizeof *renderer);
     uint8_t *pixels = malloc((size_t)opened->lens.width * ROWS);
-    const fxl_memory memory = {.order = order, .order_capacity = scene->order_needed};
+    const fxl_memory memory = {.draw_list = order, .draw_list_capacity = scene->draw_list_needed};
     const uint16_t rows = opened->lens.height < ROWS ? opened->lens.height : ROWS;
-    const fxl_band band = {.pixels = pixels, .width = opened->lens.width,
+    const fxl_band band = {.pixels = pixels,
+                           .width = opened->lens.width,
                            .stride = opened->lens.width,
-                           .first_row = (uint16_t)((opened->lens.height - rows) / 2), .rows = rows};
+                           .first_row = (uint16_t)((opened->lens.height - rows) / 2),
+                           .rows = rows};
     fxl_surfaces surfaces;
     DEMAND(order != NULL && renderer != NULL && pixels != NULL);
     DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);

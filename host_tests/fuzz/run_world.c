@@ -19,16 +19,16 @@ enum {
 typedef struct {
     fxl_world world;
     fxl_instance instances[PLACES];
-    fxl_turn turns[TURNS];
+    fxl_placement turns[TURNS];
     fxl_world_slot slots[PLACES];
     uint8_t colours[2 * 256];
     fxl_handle handles[PLACES];
 } any_world;
 
-static fxl_turn any_turn(fuzz_input *in)
+static fxl_placement any_turn(fuzz_input *in)
 {
     fxl_camera camera;
-    fxl_turn turn;
+    fxl_placement turn;
     fxl_pose pose = fuzz_pose(in);
     DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
     turn.orientation.x = camera.axes.right;
@@ -60,8 +60,8 @@ static fxl_status change(any_world *of, fuzz_input *in)
     fxl_handle *handle = &of->handles[fuzz_below(in, PLACES)];
     const fxl_instance instance = any_instance(in);
     const uint32_t what = fuzz_below(in, 10);
-    const fxl_turn turn = any_turn(in);
-    const fxl_turn *const or_none = fuzz_below(in, 2) ? &turn : NULL;
+    const fxl_placement turn = any_turn(in);
+    const fxl_placement *const or_none = fuzz_below(in, 2) ? &turn : NULL;
     switch (what) {
     case 0:
         return fxl_world_remove(&of->world, *handle);
@@ -72,7 +72,7 @@ static fxl_status change(any_world *of, fuzz_input *in)
     case 3:
         return fxl_world_move(&of->world, *handle, &instance.centre);
     case 4:
-        return fxl_world_turn(&of->world, *handle, or_none);
+        return fxl_world_set_placement(&of->world, *handle, or_none);
     case 5:
         return fxl_world_set_model(&of->world, *handle, instance.model);
     case 6:
@@ -108,7 +108,7 @@ static void demand_change(any_world *of, fuzz_input *in)
                 fxl_world_handle_at(&of->world, (uint32_t)(found - scene->instances));
             DEMAND(memcmp(&handle, &of->handles[i], sizeof handle) == 0);
         }
-        DEMAND(found != NULL || fxl_world_turn_of(&of->world, of->handles[i]) == NULL);
+        DEMAND(found != NULL || fxl_world_placement(&of->world, of->handles[i]) == NULL);
     }
 }
 
@@ -116,8 +116,11 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
 {
     static uint8_t pixels[PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = lens->width,
-                           .first_row = 0, .rows = lens->height};
+    const fxl_band band = {.pixels = pixels,
+                           .width = lens->width,
+                           .stride = lens->width,
+                           .first_row = 0,
+                           .rows = lens->height};
     const fxl_pose pose = fuzz_pose(in);
     uint64_t faces = 0;
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
@@ -137,8 +140,11 @@ static void demand_release(any_world *of, fxl_renderer *renderer, fuzz_input *in
     static uint8_t pixels[2][PIXELS];
     const fxl_lens *lens = &renderer->frame.view.lens;
     for (int i = 0; i < 2; i++) {
-        const fxl_band band = {.pixels = pixels[i], .width = lens->width, .stride = lens->width,
-                               .first_row = 0, .rows = lens->height};
+        const fxl_band band = {.pixels = pixels[i],
+                               .width = lens->width,
+                               .stride = lens->width,
+                               .first_row = 0,
+                               .rows = lens->height};
         memset(pixels[i], 0, sizeof pixels[i]);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
         if (i == 0 && fxl_frame_release_scene(renderer) != FXL_OK) {
@@ -165,7 +171,7 @@ static void misuse_world(fxl_world *world, fxl_renderer *renderer)
     DEMAND(fxl_world_show(NULL, handle) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_move(NULL, handle, &centre) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_move(world, handle, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_world_turn(NULL, handle, NULL) == FXL_E_ARGUMENT);
+    DEMAND(fxl_world_set_placement(NULL, handle, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_set_model(NULL, handle, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_set_layer(NULL, handle, 0) == FXL_E_ARGUMENT);
     DEMAND(fxl_world_recolour(NULL, handle, 0) == FXL_E_ARGUMENT);
@@ -189,7 +195,7 @@ static void play(any_world *of, const fxl_lens *lens, fuzz_input *in)
 {
     static fxl_renderer renderer;
     static fxl_world_colours colours;
-    static fxl_order_entry order[PLACES + MADE_FACES];
+    static fxl_draw_entry order[PLACES + MADE_FACES];
     static uint32_t list[LIST];
     static fxl_light light;
     const fxl_memory memory = {order, PLACES + MADE_FACES, list, fuzz_below(in, LIST), NULL, 0};
@@ -286,7 +292,7 @@ void fuzz_world(fuzz_input *in)
     for (uint32_t i = 0; i < PLACES; i++) {
         of.handles[i] = fxl_world_handle(i);
     }
-    scene.order_needed = 0;
+    scene.draw_list_needed = 0;
     fxl_world_memory memory = {of.instances, of.slots,   of.turns, 1,
                                turned,       of.colours, 2,        &fxl_turned_instances};
     DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ORDER);

@@ -28,9 +28,9 @@ static fxl_view_point any_place(fuzz_input *in)
 /* Distances of any order, many of them equal: the sort must be stable. */
 void fuzz_sort(fuzz_input *in)
 {
-    static fxl_order_entry entries[ENTRIES];
+    static fxl_draw_entry entries[ENTRIES];
     static uint64_t distances[ENTRIES];
-    static fxl_order_work work;
+    static fxl_sort_work work;
     uint32_t count = fuzz_below(in, ENTRIES), kind = fuzz_below(in, 6);
     uint64_t mask = kind < 3 ? 0xFFu >> kind : UINT64_MAX >> fuzz_below(in, 64);
     uint64_t at = 0;
@@ -38,9 +38,9 @@ void fuzz_sort(fuzz_input *in)
         uint64_t next = fuzz_bits(in, kind < 3 ? 1 : 8);
         at = kind == 4 ? at + (next & 0xFFFF) : kind == 5 ? at - (next & 0xFFFF) : next & mask;
         distances[i] = at >> 2;
-        entries[i] = fxl_order_entry_of(distances[i], (uint16_t)i, 0);
+        entries[i] = fxl_draw_entry_of(distances[i], (uint16_t)i, 0);
     }
-    fxl_order_sort_faces(entries, count, &work);
+    fxl_sort_faces(entries, count, &work);
     for (uint32_t i = 0; i < count; i++) {
         record_number(entries[i].face);
     }
@@ -349,7 +349,7 @@ void fuzz_first_program(fuzz_input *in)
            FXL_E_ALIGNMENT);
     config.near_z = kind == 0 ? 0 : config.near_z;
     fxl_status status = fxl_renderer_init(&renderer, &scene, &config, memory, size);
-    size_t least = (scene.order_needed * sizeof(fxl_order_entry) + 7) & ~(size_t)7;
+    size_t least = (scene.draw_list_needed * sizeof(fxl_draw_entry) + 7) & ~(size_t)7;
     DEMAND(status == (kind == 0 ? FXL_E_RANGE : size < least ? FXL_E_CAPACITY : FXL_OK));
     DEMAND(fxl_render(NULL, &eye, pixels, 24) == FXL_E_ARGUMENT);
     if (status != FXL_OK) {

@@ -21,8 +21,8 @@ static fxl_point any_vector(fuzz_input *in)
 
 static void demand_made(fxl_status status, const fxl_orientation *o, const fxl_orientation *before)
 {
-    const fxl_turn turn = {*o, FXL_Q16_16_ONE};
-    DEMAND(status == FXL_OK ? fxl_turn_check(&turn, &origin, 0) == FXL_OK
+    const fxl_placement turn = {*o, FXL_Q16_16_ONE};
+    DEMAND(status == FXL_OK ? fxl_placement_check(&turn, &origin, 0) == FXL_OK
                             : memcmp(o, before, sizeof *o) == 0);
     record_bytes(o, sizeof *o);
 }
@@ -55,7 +55,7 @@ static fxl_orientation any_orientation(fuzz_input *in)
 
 void fuzz_orientations(fuzz_input *in)
 {
-    fxl_turn parent, child, turn, before = FXL_TURN_NONE;
+    fxl_placement parent, child, turn, before = FXL_PLACEMENT_NONE;
     fxl_point centre = origin;
     parent.orientation = any_orientation(in);
     child.orientation = any_orientation(in);
@@ -67,16 +67,16 @@ void fuzz_orientations(fuzz_input *in)
         &turn.orientation, &before.orientation);
     const fxl_point at = any_vector(in), local = any_vector(in);
     turn = before;
-    const fxl_status status = fxl_turn_attach(&at, &parent, &local, &child, &centre, &turn);
+    const fxl_status status = fxl_placement_attach(&at, &parent, &local, &child, &centre, &turn);
     record_bytes(&turn, sizeof turn);
     record_bytes(&centre, sizeof centre);
     if (status == FXL_OK) {
-        DEMAND(fxl_turn_check(&turn, &centre, 0) == FXL_OK);
+        DEMAND(fxl_placement_check(&turn, &centre, 0) == FXL_OK);
     } else {
         DEMAND(memcmp(&turn, &before, sizeof turn) == 0);
         DEMAND(memcmp(&centre, &origin, sizeof centre) == 0);
     }
-    DEMAND(fxl_turn_attach(&at, NULL, &local, &child, &centre, &turn) == FXL_E_ARGUMENT);
+    DEMAND(fxl_placement_attach(&at, NULL, &local, &child, &centre, &turn) == FXL_E_ARGUMENT);
     DEMAND(fxl_orientation_look_at(&at, &local, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_orientation_multiply(NULL, &child.orientation, &turn.orientation) == FXL_E_ARGUMENT);
 }

@@ -50,7 +50,7 @@ static void random_rows(stages_random *random, int32_t rows[3][3])
 }
 
 typedef struct {
-    fxl_turn turn;
+    fxl_placement turn;
     ref_turn exact;
     fxl_q16_16 radius;
     fxl_point centre, vertex;
@@ -69,12 +69,13 @@ static instance random_instance(stages_random *random)
     of.turn.scale = stages_random_below(random, 4) == 0 ? FXL_Q16_16_ONE
                                                         : (int32_t)exp2(8 + 16 * uniform(random));
     of.exact.scale = of.turn.scale;
-    const int64_t most = ((int64_t)(FXL_COORDINATE_MAX - FXL_TURN_SLACK) << 16) / of.turn.scale;
+    const int64_t most =
+        ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / of.turn.scale;
     of.radius = most < FXL_RADIUS_MAX ? (fxl_q16_16)most : FXL_RADIUS_MAX;
     of.radius >>= stages_random_below(random, 16);
     const int32_t side = (int32_t)((int64_t)of.radius * 577 / 1000);
     of.vertex = (fxl_point){within(random, side), within(random, side), within(random, side)};
-    const int32_t free = FXL_COORDINATE_MAX - fxl_turn_radius(&of.turn, of.radius);
+    const int32_t free = FXL_COORDINATE_MAX - fxl_placement_radius(&of.turn, of.radius);
     of.centre = (fxl_point){within(random, free), within(random, free), within(random, free)};
     return of;
 }
@@ -99,7 +100,7 @@ static void measure_vertex(stages_tally *tally, const fxl_camera *camera, const 
                            const fxl_point *from_eye)
 {
     fxl_axes matrix;
-    const unsigned shift = fxl_turn_matrix(&of->turn, &camera->axes, &matrix);
+    const unsigned shift = fxl_placement_matrix(&of->turn, &camera->axes, &matrix);
     const int64_t scale = (int64_t)1 << shift;
     const fxl_view_point fixed = {
         along(&camera->axes.right, from_eye) + scale * along(&matrix.right, &of->vertex),
@@ -123,7 +124,7 @@ void stages_measure_turn(stages_tally *tally, stages_random *random)
     const instance of = random_instance(random);
     const fxl_pose pose = stages_random_pose(random);
     fxl_camera camera;
-    if (fxl_turn_check(&of.turn, &of.centre, of.radius) != FXL_OK ||
+    if (fxl_placement_check(&of.turn, &of.centre, of.radius) != FXL_OK ||
         fxl_camera_from_pose(&pose, &camera) != FXL_OK) {
         tally->mismatched++;
         return;
@@ -131,7 +132,7 @@ void stages_measure_turn(stages_tally *tally, stages_random *random)
     fxl_point near = pose.position, rounded, in_model;
     if (stages_random_below(random,
                             2)) { /* an eye that lies almost on a plane through the vertex */
-        fxl_turn_point(&of.turn, &of.centre, &of.vertex, &near);
+        fxl_placement_point(&of.turn, &of.centre, &of.vertex, &near);
         camera.position = near;
     }
     const fxl_point from_eye = {of.centre.x - near.x, of.centre.y - near.y, of.centre.z - near.z};
@@ -140,26 +141,27 @@ void stages_measure_turn(stages_tally *tally, stages_random *random)
     const ref_lattice_point centre = lattice(&of.centre), vertex = lattice(&of.vertex),
                             eye = lattice(&near);
     ref_lattice_point exact = ref_turn_rounded(&of.exact, &centre, &vertex);
-    fxl_turn_point(&of.turn, &of.centre, &of.vertex, &rounded);
+    fxl_placement_point(&of.turn, &of.centre, &of.vertex, &rounded);
     tally->mismatched += !same(&rounded, &exact);
     const int shift = ref_turn_eye(&of.exact, &centre, &eye, of.radius, &exact);
-    tally->mismatched += (int)fxl_turn_eye(&of.turn, &from_eye, of.radius, &in_model) != shift ||
-                         !same(&in_model, &exact);
+    tally->mismatched +=
+        (int)fxl_placement_eye(&of.turn, &from_eye, of.radius, &in_model) != shift ||
+        !same(&in_model, &exact);
 
     int32_t rows[3][3], turned[3];
     fxl_direction normal, fixed;
     random_rows(random, rows);
     normal = (fxl_direction){rows[0][0], rows[0][1], rows[0][2]};
-    fxl_turn_direction(&of.turn, &normal, &fixed);
+    fxl_placement_direction(&of.turn, &normal, &fixed);
     ref_turn_normal(&of.exact, rows[0], turned);
     tally->mismatched += fixed.x != turned[0] || fixed.y != turned[1] || fixed.z != turned[2];
     tally->mismatched +=
-        fxl_turn_is_front(&of.turn, &from_eye, &normal, along(&normal, &of.vertex)) !=
+        fxl_placement_is_front(&of.turn, &from_eye, &normal, along(&normal, &of.vertex)) !=
         ref_turn_is_front(&of.exact, &centre, &eye, rows[0], &vertex);
     ref_model model = {.radius = of.radius};
     ref_instance placed = {.centre = centre};
     ref_turn turn = of.exact;
     const ref_scene scene = {.models = &model, .instances = &placed, .turns = &turn};
     tally->mismatched +=
-        fxl_turn_radius(&of.turn, of.radius) != ref_instance_radius(&scene, &placed);
+        fxl_placement_radius(&of.turn, of.radius) != ref_instance_radius(&scene, &placed);
 }

@@ -98,9 +98,9 @@ int main(int argc, char **argv)
     TABLE(models, model_count) TABLE(instances, instance_count) TABLE(face_bounds, face_bounds_count)
     TABLE(bsp_nodes, bsp_node_count) TABLE(beams, beam_count) TABLE(clusters, cluster_count)
     if (scene->cluster_code != image.scene.cluster_code) { return 7; }
-    if (scene->turn_code != image.scene.turn_code || scene->first_turned != image.scene.first_turned) { return 8; }
-    if (scene->turns != NULL) { compare("turns", scene->turns, image.scene.turns,
-        (scene->instance_count - scene->first_turned) * sizeof *scene->turns); }
+    if (scene->placement_code != image.scene.placement_code || scene->first_turned != image.scene.first_turned) { return 8; }
+    if (scene->placements != NULL) { compare("turns", scene->placements, image.scene.placements,
+        (scene->instance_count - scene->first_turned) * sizeof *scene->placements); }
 #ifdef MOTION
     const fxl_motion_set *set = &OF(_motion);
     if (set->motion_count != image.motion.motion_count || set->key_count != image.motion.key_count) { return 9; }
@@ -163,7 +163,7 @@ int main(int argc, char **argv)
     if (image.billboards.model_map != NULL) { return 19; }
 #endif
     compare("lit", scene->lit, image.scene.lit, 256);
-    if (scene->order_needed != image.scene.order_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
+    if (scene->draw_list_needed != image.scene.draw_list_needed || scene->bsp_instance != image.scene.bsp_instance) { return 3; }
     compare("palette", OF(_palette), image.palette, sizeof OF(_palette));
     const fxl_config *view = &OF(_config);
     if (fxl_lens_from_fov(view->width, view->height, view->fov, view->near_z, view->far_z, view->inset, &lens)) { return 4; }

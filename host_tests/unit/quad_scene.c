@@ -86,8 +86,8 @@ quad_scene *quad_make(bool turned)
     if (turned) {
         /* The eye goes with the face: both are seen as they were. */
         made.turn.scale = unit_between(Q16(0.5), Q16(2));
-        made.scene.turns = &made.turn;
-        made.scene.turn_code = &fxl_turned_instances;
+        made.scene.placements = &made.turn;
+        made.scene.placement_code = &fxl_turned_instances;
     }
     return &made;
 }
@@ -96,7 +96,7 @@ quad_scene *quad_make(bool turned)
 static exact_vector turned(const quad_scene *quad, exact_vector v, double scale)
 {
     const fxl_orientation *to = &quad->turn.orientation;
-    if (quad->scene.turns == NULL) {
+    if (quad->scene.placements == NULL) {
         return v;
     }
     return (exact_vector){scale * exact_dot(exact_direction(&to->x), v),
@@ -115,7 +115,7 @@ void quad_begin(quad_scene *quad)
             turned(quad, exact_point(&quad->vertices[quad->mapped.corners[i]], 1.0 / 65536), scale);
         quad->lit[i] = turned(quad, exact_direction(&quad->normals[quad->mapped.normals[i]]), 1);
     }
-    if (quad->scene.turns != NULL) {
+    if (quad->scene.placements != NULL) {
         /* Seen from the front, from wherever that is now. */
         const exact_vector eye =
             turned(quad, exact_point(&quad->pose.position, 1.0 / 65536), scale);

@@ -19,7 +19,7 @@ typedef struct {
     fxl_face face;
     fxl_model model;
     fxl_instance instance;
-    fxl_turn turn;
+    fxl_placement turn;
     fxl_scene scene;
     fxl_texture texture;
     fxl_surface surface;

@@ -16,7 +16,7 @@ enum {
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 static uint32_t list[WORDS];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static tiny_scene *tiny;
 

@@ -16,7 +16,7 @@ enum {
 
 static tiny_scene *tiny;
 static fxl_renderer renderer;
-static fxl_order_entry order[32];
+static fxl_draw_entry order[32];
 static uint32_t list[WORDS];
 static uint64_t room[WORKSPACE / 8];
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], drawn[WIDTH * HEIGHT];
@@ -47,8 +47,8 @@ static void make(uint32_t words)
 static void light(uint32_t count, const uint8_t *colours)
 {
     const fxl_beam_set set = {beams, count, colours};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&renderer, count > 0 ? &set : NULL, room,
-                                               sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_attach_beams(&renderer, count > 0 ? &set : NULL, room, sizeof room));
 }
 
 static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
@@ -57,8 +57,11 @@ static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         uint32_t left = HEIGHT - row;
-        fxl_band band = {.pixels = pixels + row * WIDTH, .width = WIDTH, .stride = WIDTH,
-                         .first_row = (uint16_t)row, .rows = (uint16_t)(rows < left ? rows : left)};
+        fxl_band band = {.pixels = pixels + row * WIDTH,
+                         .width = WIDTH,
+                         .stride = WIDTH,
+                         .first_row = (uint16_t)row,
+                         .rows = (uint16_t)(rows < left ? rows : left)};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
 }
@@ -212,9 +215,8 @@ void test_what_makes_no_light_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_beams(&renderer, &no_colours, room, sizeof room));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_attach_beams(&renderer, &set, NULL, sizeof room));
     for (int off = 1; off < 8; off *= 2) {
-        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
-                          fxl_attach_beams(&renderer, &set, (uint8_t *)room + off,
-                                           (uint32_t)(WORKSPACE - off)));
+        TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_attach_beams(&renderer, &set, (uint8_t *)room + off,
+                                                            (uint32_t)(WORKSPACE - off)));
     }
     set.count = FXL_BEAMS_MAX + 1;
     TEST_ASSERT_EQUAL(FXL_E_COUNT, fxl_attach_beams(&renderer, &set, room, sizeof room));
@@ -307,8 +309,7 @@ void test_every_face_must_fit_the_beams(void)
         for (uint32_t i = 0; i < 12; i++) {
             tiny->faces[i].count = i == larger ? 4 : 3;
         }
-        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          fxl_attach_beams(&renderer, &set, room, size));
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_attach_beams(&renderer, &set, room, size));
     }
     TEST_ASSERT_EQUAL_UINT32(12, renderer.workspace.counters.refused_calls);
     /* The face after those of the scene need not fit. */

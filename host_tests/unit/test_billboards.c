@@ -18,7 +18,7 @@ enum {
 static uint8_t whole[HEIGHT][WIDTH], other[HEIGHT][WIDTH];
 static uint8_t texels[SPRITE_HEIGHT * SPRITE_WIDTH];
 static uint32_t list[LIST_WORDS];
-static fxl_order_entry order[TINY_INSTANCES];
+static fxl_draw_entry order[TINY_INSTANCES];
 static fxl_renderer renderer;
 static fxl_workspace second;
 static fxl_billboards billboards;
@@ -27,7 +27,7 @@ static fxl_billboard board;
 static uint16_t model_map[2];
 static fxl_billboard_set set;
 static tiny_scene *tiny;
-static fxl_turn turns[1];
+static fxl_placement turns[1];
 
 /* Tiny's scene, in which the second model has one face, whose instance shows a sprite without a
  * key, 4 x 3 units about its centre. The pixels of the sprite are 100 and more. */
@@ -62,8 +62,8 @@ static void start(uint32_t words)
 static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step, fxl_workspace *by)
 {
     for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + step)) {
-        const fxl_band band = {.pixels = frame[row], .width = WIDTH, .stride = WIDTH,
-                               .first_row = row, .rows = step};
+        const fxl_band band = {
+            .pixels = frame[row], .width = WIDTH, .stride = WIDTH, .first_row = row, .rows = step};
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, by, &band));
     }
@@ -179,9 +179,9 @@ void test_a_turned_instance_scales_its_sprite(void)
     const fxl_pose pose = ahead(Q16(-9));
     tiny->scene.instances = &tiny->instances[1];
     tiny->scene.instance_count = 1;
-    tiny->scene.turns = turns;
-    tiny->scene.turn_code = &fxl_turned_instances;
-    turns[0] = (fxl_turn){FXL_ORIENTATION_NONE, Q16(2.5)};
+    tiny->scene.placements = turns;
+    tiny->scene.placement_code = &fxl_turned_instances;
+    turns[0] = (fxl_placement){FXL_ORIENTATION_NONE, Q16(2.5)};
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(10), 0, &turns[0].orientation));
     draw_frame(&pose, 0);

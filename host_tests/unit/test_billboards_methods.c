@@ -21,7 +21,7 @@ enum {
 static uint8_t whole[HEIGHT * WIDTH], other[HEIGHT * WIDTH];
 static uint8_t texels[SPRITE_HEIGHT * SPRITE_WIDTH];
 static uint32_t list[LIST_WORDS];
-static fxl_order_entry order[TINY_INSTANCES];
+static fxl_draw_entry order[TINY_INSTANCES];
 static fxl_renderer renderer;
 static fxl_billboards billboards;
 static fxl_sprite sprite;
@@ -36,7 +36,7 @@ static fxl_surface_set surface_set;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32)];
 static tiny_scene *tiny;
-static fxl_turn turns[1];
+static fxl_placement turns[1];
 
 /* Instance 0 shows a sprite of 4 x 3 units; its face is a rectangle of that size across z. Instance
  * 1 is a cube that is turned. */
@@ -59,10 +59,10 @@ void setUp(void)
     tiny->instances[0] = (fxl_instance){{0, 0, 0}, 1, 0, 0};
     tiny->instances[1] = (fxl_instance){{Q16(0.5), Q16(0.25), Q16(0.125)}, 0, 0, 0};
     tiny->scene.instance_count = 2;
-    tiny->scene.turns = turns;
+    tiny->scene.placements = turns;
     tiny->scene.first_turned = 1;
-    tiny->scene.turn_code = &fxl_turned_instances;
-    turns[0] = (fxl_turn)FXL_TURN_NONE;
+    tiny->scene.placement_code = &fxl_turned_instances;
+    turns[0] = (fxl_placement)FXL_PLACEMENT_NONE;
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(25), 0, &turns[0].orientation));
     tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
@@ -93,7 +93,10 @@ typedef struct {
     const fxl_sprite_painter *sprites;
 } way;
 
-#define WAY(pair, target) {&pair, FXL_SURFACES_OF(target), FXL_SPRITES_OF(target)}
+#define WAY(pair, target) \
+    { \
+        &pair, FXL_SURFACES_OF(target), FXL_SPRITES_OF(target) \
+    }
 
 static const way ways[] = {WAY(choice_sorted, fxl_palette),
                            WAY(choice_depth_16, fxl_palette_depth_16),
@@ -103,8 +106,8 @@ static void choose(const way *into, bool with_surfaces)
 {
     TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, into->pair, cells, sizeof cells));
     if (with_surfaces) {
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &surface_set, into->surfaces));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_surfaces(&renderer, &surfaces, &surface_set, into->surfaces));
     }
 }
 
@@ -231,8 +234,8 @@ void test_a_released_frame_draws_its_billboards(void)
 {
     const fxl_pose pose = {{0, 0, -Q16(5)}, 0, 0, 0};
     for (uint32_t i = 0; i < 4; i++) {
-        const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                               .rows = HEIGHT};
+        const fxl_band band = {
+            .pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
         start(LIST_WORDS);
         choose(&ways[i / 2], i % 2);
         TEST_ASSERT_EQUAL(FXL_OK, add(&ways[i / 2]));
@@ -250,8 +253,8 @@ void test_a_moved_renderer_draws_the_same(void)
 {
     static fxl_renderer moved;
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};
-    const fxl_band band = {.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     for (uint32_t i = 0; i < 6; i++) {
         start(i % 2 * LIST_WORDS);
         choose(&ways[i % 3], true);
@@ -315,8 +318,7 @@ void test_what_billboards_do_not_go_with(void)
     static const struct {
         const choice *pair;
         const char *name;
-    } others[] = {{&choice_spans, "a target of the study"},
-                  {&choice_box, "a target of the study"}};
+    } others[] = {{&choice_spans, "a target of the study"}, {&choice_box, "a target of the study"}};
     for (uint32_t i = 0; i < 2; i++) {
         start(0);
         TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, others[i].pair, cells, sizeof cells));

@@ -151,14 +151,14 @@ void test_the_box_of_a_turned_object(void)
     static const fxl_face faces[] = {{{0, 0, 0}, 0, 3, 0, 0}, {{0, 0, 0}, 3, 3, 0, 0}};
     static const fxl_model models[] = {{0, 6, 0, 2, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0}};
     static const fxl_instance instances[] = {{{Q16(10), Q16(20), Q16(30)}, 0, 0, 0}};
-    static const fxl_turn turns[] = {FXL_TURN_NONE};
+    static const fxl_placement turns[] = {FXL_PLACEMENT_NONE};
     const fxl_scene scene = {.vertices = vertices,
                              .indices = indices,
                              .faces = faces,
                              .models = models,
                              .instances = instances,
-                             .turns = turns,
-                             .turn_code = &fxl_turned_instances,
+                             .placements = turns,
+                             .placement_code = &fxl_turned_instances,
                              .instance_count = 1};
     fxl_box box;
     fxl_box_of_instance(&scene, &instances[0], &box);

@@ -18,7 +18,7 @@ enum {
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], times[WIDTH * HEIGHT];
 static uint32_t list[WORDS];
 static uint64_t room[WORKSPACE / 8], pieces[PIECES / 8];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static bsp_scene *made;
 
@@ -35,8 +35,7 @@ static void start_with(uint32_t words, const choice *visibility, uint32_t pieces
     const fxl_memory memory = {order, TINY_INSTANCES + 6, words > 0 ? list : NULL, words, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, visibility, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, visibility, room, sizeof room));
     if (visibility->order->memory_size != NULL && scene->bsp_nodes != NULL) {
         bsp_workspace()->pieces = pieces_size > 0 ? pieces : NULL;
         bsp_workspace()->pieces_size = pieces_size;
@@ -267,12 +266,9 @@ void test_room_for_the_walk(void)
     uint32_t needed = choice_tree.order->memory_size(&made->tiny->scene);
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 8 + 4 * BSP_NODES + 2 * 12, needed);
     needed = (needed + 7) / 8 * 8;
-    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, choice_take(&renderer, &choice_tree,
-                                                                  room, needed - 1));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      choice_take(&renderer, &choice_tree, NULL, needed));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, &choice_tree, room, needed));
+    TEST_ASSERT_EQUAL(FXL_E_CAPACITY, choice_take(&renderer, &choice_tree, room, needed - 1));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, choice_take(&renderer, &choice_tree, NULL, needed));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, room, needed));
     made->tiny->instances[0].layer = made->tiny->instances[2].layer = 1; /* nothing moves */
     TEST_ASSERT_EQUAL_UINT32(sizeof(fxl_bsp_workspace) + 4,
                              choice_tree.order->memory_size(&made->tiny->scene));

@@ -38,13 +38,13 @@ void test_whose_it_is(void)
     expect(FXL_E_RESERVED, "BSP tree", 0);
     made->tiny->instances[2].model = 1;
     expect(FXL_E_BSP, "instance", 2);
-    static const fxl_turn turns[] = {FXL_TURN_NONE, FXL_TURN_NONE};
-    made->tiny->scene.turns = turns;
-    made->tiny->scene.turn_code = &fxl_turned_instances;
+    static const fxl_placement turns[] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
+    made->tiny->scene.placements = turns;
+    made->tiny->scene.placement_code = &fxl_turned_instances;
     made->tiny->scene.first_turned = 1; /* what has a tree stands still */
     expect(FXL_E_BSP, "BSP tree", 0);
-    made->tiny->scene.turns = turns;
-    made->tiny->scene.turn_code = &fxl_turned_instances;
+    made->tiny->scene.placements = turns;
+    made->tiny->scene.placement_code = &fxl_turned_instances;
     made->tiny->scene.first_turned = 2;
     expect(FXL_OK, NULL, 0);
     made->tiny->models[0].kind = FXL_MODEL_SORTED;
@@ -347,8 +347,7 @@ void test_a_tree_in_an_image(void)
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_NULL(opened.scene.bsp_nodes);
-    tiny_set_section(image, SECTION_BSP_NODES, bsp_make()->nodes, BSP_NODES,
-                     sizeof made->nodes[0]);
+    tiny_set_section(image, SECTION_BSP_NODES, bsp_make()->nodes, BSP_NODES, sizeof made->nodes[0]);
     tiny_put32(tiny_at(image, AT_BSP_INSTANCE), 1);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, &fault));

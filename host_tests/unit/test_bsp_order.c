@@ -17,7 +17,7 @@ enum {
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT], lit[256];
 static uint64_t workspace[64], pieces[PIECES / 8], light_room[LIGHT / 8];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static fxl_clipper_workspace clip_room;
 static bsp_scene *made;
@@ -28,8 +28,7 @@ static void start(const choice *visibility, const fxl_lens *lens)
     fxl_scene *scene = &made->tiny->scene;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, lens, &memory));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, choice_take(&renderer, visibility, workspace, sizeof workspace));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, visibility, workspace, sizeof workspace));
     if (visibility->order->memory_size != NULL && scene->bsp_nodes != NULL) {
         fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;
@@ -241,8 +240,7 @@ void test_room_for_trees_of_any_size(void)
         TEST_ASSERT_EQUAL_UINT32(record + 8 * words[i] + 4 * nodes[i] + 12,
                                  choice_tree.order->memory_size(scene));
         made->tiny->instances[2].layer = 1;
-        TEST_ASSERT_EQUAL_UINT32(record + 4 * words[i],
-                                 choice_tree.order->memory_size(scene));
+        TEST_ASSERT_EQUAL_UINT32(record + 4 * words[i], choice_tree.order->memory_size(scene));
     }
 }
 
@@ -352,8 +350,7 @@ void test_the_workspace_is_large_enough(void)
         memset(room, 0x5A, sizeof room);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(
-            FXL_OK, choice_take(&renderer, &choice_tree, room, rounded));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, room, rounded));
         fxl_bsp_workspace *tree = renderer.order_memory;
         memset(room + sizeof *tree, 0x5A, sizeof room - sizeof *tree);
         tree->pieces = pieces;

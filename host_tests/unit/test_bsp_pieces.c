@@ -20,7 +20,7 @@ typedef struct {
 static edge edges[EDGES];
 static uint32_t edge_count, piece_count;
 static uint64_t workspace[64], pieces[PIECES / 8];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static uint32_t list[LIST]; /* holds all: each piece comes once */
 
@@ -105,8 +105,8 @@ void test_pieces_share_every_vertex(void)
         fxl_scene *scene = &make_scene()->tiny->scene;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree,
-                                                              workspace, sizeof workspace));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          choice_take(&renderer, &choice_tree, workspace, sizeof workspace));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &watching, NULL, 0));
         fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;

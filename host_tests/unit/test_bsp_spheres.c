@@ -17,7 +17,7 @@ enum {
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 static uint32_t list[WORDS];
 static uint64_t workspace[64], pieces[2048 / 8];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_bsp_node nodes[NODES];
 static fxl_renderer renderer;
 static tiny_scene *tiny;
@@ -92,8 +92,7 @@ static void start(const choice *visibility, const fxl_lens *lens, uint32_t words
     fxl_scene_fault fault = {"", 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check_all(&tiny->scene, &fault), fault.what);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, lens, &memory));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, choice_take(&renderer, visibility, workspace, sizeof workspace));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, visibility, workspace, sizeof workspace));
     if (visibility->order->memory_size != NULL) {
         fxl_bsp_workspace *tree = renderer.order_memory;
         tree->pieces = pieces;

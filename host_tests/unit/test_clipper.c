@@ -235,7 +235,7 @@ void test_a_face_between_centres_has_no_pixels(void)
 }
 
 static uint8_t frames[4][PIXELS];
-static fxl_order_entry order[2][64];
+static fxl_draw_entry order[2][64];
 static uint32_t list[2][LIST_WORDS];
 static fxl_renderer renderers[2];
 
@@ -257,8 +257,8 @@ static void set_clipper(int which, const fxl_clipper *clipper)
 
 static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame)
 {
-    fxl_band band = {.pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                     .rows = HEIGHT};
+    fxl_band band = {
+        .pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
@@ -367,8 +367,11 @@ void test_the_cache_changes_no_pixel(void)
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[which], &pose));
         }
         for (int which = 0; which < 2; which++) {
-            fxl_band band = {.pixels = frames[1 + which], .width = WIDTH, .stride = WIDTH,
-                             .first_row = 0, .rows = HEIGHT};
+            fxl_band band = {.pixels = frames[1 + which],
+                             .width = WIDTH,
+                             .stride = WIDTH,
+                             .first_row = 0,
+                             .rows = HEIGHT};
             fxl_fill_band(&band, BACKGROUND);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[which], &band));
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1 + which], PIXELS);

@@ -23,7 +23,7 @@ static struct {
 } rooms[2];
 
 static uint8_t frames[3][PIXELS];
-static fxl_order_entry order[64];
+static fxl_draw_entry order[64];
 static uint32_t list[LIST_WORDS];
 static fxl_cached_vertex cache[9];
 static fxl_renderer renderer;

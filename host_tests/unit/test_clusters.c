@@ -11,7 +11,7 @@ enum {
 };
 
 static fxl_renderer renderer;
-static fxl_order_entry order[ENTRIES];
+static fxl_draw_entry order[ENTRIES];
 static uint32_t list[64 * FXL_DISPLAY_LIST_WORDS(8)];
 static fxl_cached_vertex cache[16];
 static uint8_t pixels[2][HEIGHT * WIDTH];
@@ -114,8 +114,11 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (uint16_t row = 0; row < HEIGHT; row += HEIGHT / 2) {
-        const fxl_band band = {.pixels = &pixels[which][row * WIDTH], .width = WIDTH,
-                               .stride = WIDTH, .first_row = row, .rows = HEIGHT / 2};
+        const fxl_band band = {.pixels = &pixels[which][row * WIDTH],
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = row,
+                               .rows = HEIGHT / 2};
         fxl_fill_band(&band, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }
@@ -164,7 +167,7 @@ void test_frames_with_clusters(void)
         bool in_sight = false;
         cluster_count(made, &definition, &renderer.frame.view, &outside, &backfacing);
         for (uint32_t k = 0; k < renderer.frame.visible_count; k++) {
-            in_sight = in_sight || renderer.frame.order[k].index == 1;
+            in_sight = in_sight || renderer.frame.draw_list[k].index == 1;
         }
         take_clusters_out(made->tiny);
         const fxl_counters without = draw(made->tiny, &pose, 1, i % 2, clipper);
@@ -202,8 +205,8 @@ void test_clusters_turned_away_count_as_backfacing(void)
     fxl_vertex_cache_init(&none, NULL, 0);
     fxl_model_view_of_instance(&model_view, &made->tiny->scene, &made->tiny->instances[1],
                                &renderer.frame.view, &none);
-    TEST_ASSERT_EQUAL_UINT32(2, fxl_order_clusters(&made->tiny->scene, &made->tiny->models[1],
-                                                   &model_view, false, order, &front));
+    TEST_ASSERT_EQUAL_UINT32(2, fxl_list_clusters(&made->tiny->scene, &made->tiny->models[1],
+                                                  &model_view, false, order, &front));
     TEST_ASSERT_EQUAL_UINT32(2, front);
     TEST_ASSERT_EQUAL_UINT16(3, order[0].index);
     TEST_ASSERT_EQUAL_UINT16(4, order[1].index);

@@ -319,7 +319,7 @@ void test_segments_that_cannot_be_are_refused(void)
     fxl_hit hit, before;
     memset(&hit, 0x5A, sizeof hit);
     before = hit;
-    tiny->scene.order_needed = 0;
+    tiny->scene.draw_list_needed = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_cast_segment(&tiny->scene, &in, &in, &hit));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_cast_segment(NULL, &in, &in, &hit));
@@ -343,7 +343,7 @@ static fxl_point quarter(const fxl_point *point, const fxl_point *centre)
  * still. */
 void test_a_segment_hits_what_is_turned(void)
 {
-    static const fxl_turn turn = {
+    static const fxl_placement turn = {
         {{0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}}, FXL_Q16_16_ONE};
     uint32_t hits = 0;
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
@@ -358,9 +358,9 @@ void test_a_segment_hits_what_is_turned(void)
         fxl_hit still, hit;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &still));
-        tiny->scene.turns = &turn;
+        tiny->scene.placements = &turn;
         tiny->scene.first_turned = 0;
-        tiny->scene.turn_code = &fxl_turned_instances;
+        tiny->scene.placement_code = &fxl_turned_instances;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &turned_from, &turned_to, &hit));
         TEST_ASSERT_EQUAL(still.instance, hit.instance);
@@ -380,22 +380,22 @@ void test_a_segment_against_turns_that_are_refused(void)
     const fxl_hit before = {{1, 2, 3}, 4, 5, 6};
     tiny_scene *tiny = tiny_make();
     tiny->scene.instance_count = 1;
-    fxl_turn turn = FXL_TURN_NONE;
-    tiny->scene.turns = &turn;
+    fxl_placement turn = FXL_PLACEMENT_NONE;
+    tiny->scene.placements = &turn;
     tiny->scene.first_turned = 0;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     fxl_hit hit = before;
     turn.orientation.x.x -= 8;
-    TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
     turn.orientation.x.x += 8;
     turn.scale = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
     turn.scale = FXL_Q16_16_ONE;
-    tiny->scene.turn_code = NULL;
+    tiny->scene.placement_code = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
     TEST_ASSERT_EQUAL_MEMORY(&before, &hit, sizeof hit);
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
     TEST_ASSERT_EQUAL(FXL_HIT_NONE, hit.instance);
 }
@@ -403,16 +403,16 @@ void test_a_segment_against_turns_that_are_refused(void)
 /* The box of a turned instance is that of its points in the world. */
 void test_the_box_of_what_is_turned(void)
 {
-    static const fxl_turn turn = {
+    static const fxl_placement turn = {
         {{0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}}, FXL_UNITS(2)};
     tiny_scene *tiny = tiny_make();
     tiny->scene.instance_count = 1;
     const fxl_point centre = tiny->instances[0].centre;
     fxl_box still, box;
     fxl_box_of_instance(&tiny->scene, &tiny->instances[0], &still);
-    tiny->scene.turns = &turn;
+    tiny->scene.placements = &turn;
     tiny->scene.first_turned = 0;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     fxl_box_of_instance(&tiny->scene, &tiny->instances[0], &box);
     TEST_ASSERT_EQUAL(centre.x + 2 * (still.most.z - centre.z), box.most.x);
     TEST_ASSERT_EQUAL(centre.y + 2 * (still.least.y - centre.y), box.least.y);

@@ -61,7 +61,7 @@ void test_the_least_bit_decides(void)
  * the scene stores, and without. */
 void test_an_eye_in_the_plane_of_a_face(void)
 {
-    static fxl_order_entry entries[6];
+    static fxl_draw_entry entries[6];
     tiny_scene *tiny = tiny_make();
     const fxl_instance *cube = &tiny->instances[1];
     for (int bounds = 0; bounds < 2; bounds++) {
@@ -69,7 +69,7 @@ void test_an_eye_in_the_plane_of_a_face(void)
         for (int unit = -1; unit <= 1; unit++) {
             const fxl_point eye = {0, Q16(1) + unit, cube->centre.z};
             const fxl_point from = {eye.x, eye.y, 0};
-            const uint32_t count = fxl_order_front_faces(
+            const uint32_t count = fxl_list_front_faces(
                 &tiny->scene, &tiny->scene.models[cube->model], &from, entries);
             TEST_ASSERT_EQUAL_UINT32(unit > 0, count);
             TEST_ASSERT_TRUE(count == 0 || entries[0].index == 3);

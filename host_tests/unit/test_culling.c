@@ -9,15 +9,15 @@ enum {
 };
 
 static fxl_renderer renderer;
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static uint8_t pixels[2][HEIGHT * WIDTH];
 
 static fxl_counters draw(tiny_scene *tiny, const fxl_lens *lens, const fxl_pose *pose, int which,
                          const fxl_clipper *clipper)
 {
     const fxl_memory memory = {order, TINY_INSTANCES + 6, NULL, 0, NULL, 0};
-    const fxl_band band = {.pixels = pixels[which], .width = WIDTH, .stride = WIDTH,
-                           .first_row = 0, .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = pixels[which], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));

@@ -165,13 +165,16 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_of_part(&made->renderer.frame.view.lens, LEFT, TOP,
                                                PART_WIDTH, PART_HEIGHT, &lens));
     fxl_memory tables = {
-        (fxl_order_entry *)(void *)made->memory, made->scene.order_needed, NULL, 0, NULL, 0};
+        (fxl_draw_entry *)(void *)made->memory, made->scene.draw_list_needed, NULL, 0, NULL, 0};
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&made->renderer, &made->scene, &lens, &tables));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &made->config));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
-    const fxl_band band = {.pixels = made->again, .width = PART_WIDTH, .stride = DEPTH_SCENE_WIDTH,
-                           .first_row = 0, .rows = PART_HEIGHT};
+    const fxl_band band = {.pixels = made->again,
+                           .width = PART_WIDTH,
+                           .stride = DEPTH_SCENE_WIDTH,
+                           .first_row = 0,
+                           .rows = PART_HEIGHT};
     fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
     uint32_t different = 0;
@@ -188,12 +191,13 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
  * points of the world: then the shader gets pieces. */
 void test_turned_instances_have_depth(void)
 {
-    static const fxl_turn turns[DEPTH_SCENE_QUADS] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
+    static const fxl_placement turns[DEPTH_SCENE_QUADS] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
+                                                           FXL_PLACEMENT_NONE};
     depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
-    made->scene.turns = turns;
-    made->scene.turn_code = &fxl_turned_instances;
+    made->scene.placements = turns;
+    made->scene.placement_code = &fxl_turned_instances;
     depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
@@ -226,8 +230,8 @@ void test_pieces_of_light_beams_have_depth(void)
                                  {2 * 65536, 0, 65536}};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, outline, 4, &beam));
     const fxl_beam_set beams = {&beam, 1, lit};
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_attach_beams(&made->renderer, &beams, made->room, sizeof made->room));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_attach_beams(&made->renderer, &beams, made->room, sizeof made->room));
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
     uint32_t bright = 0;
@@ -294,8 +298,10 @@ void test_two_workspaces_draw_halves_of_a_frame(void)
     for (uint16_t half = 0; half < 2; half++) {
         const uint16_t row = (uint16_t)(half * DEPTH_SCENE_HEIGHT / 2);
         const fxl_band band = {.pixels = made->again + row * DEPTH_SCENE_WIDTH,
-                               .width = DEPTH_SCENE_WIDTH, .stride = DEPTH_SCENE_WIDTH,
-                               .first_row = row, .rows = DEPTH_SCENE_HEIGHT / 2};
+                               .width = DEPTH_SCENE_WIDTH,
+                               .stride = DEPTH_SCENE_WIDTH,
+                               .first_row = row,
+                               .rows = DEPTH_SCENE_HEIGHT / 2};
         fxl_fill_band(&band, DEPTH_SCENE_BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, half ? fxl_frame_draw_with(&made->renderer, &other, &band)
                                        : fxl_frame_draw(&made->renderer, &band));

@@ -75,7 +75,7 @@ void test_what_cannot_be_is_refused_and_changes_nothing(void)
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     const fxl_renderer before = renderer;
     fxl_scene unchecked = scene;
-    unchecked.order_needed = 0;
+    unchecked.draw_list_needed = 0;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(NULL, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, NULL, &config, block, LARGE));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_init(&renderer, &scene, NULL, block, LARGE));
@@ -93,7 +93,8 @@ void test_what_cannot_be_is_refused_and_changes_nothing(void)
 void test_a_block_that_is_too_small_says_by_how_much(void)
 {
     fxl_config config = fxl_config_default(WIDTH, HEIGHT);
-    const uint32_t least = (scene.order_needed * (uint32_t)sizeof(fxl_order_entry) + 7u) / 8u * 8u;
+    const uint32_t least =
+        (scene.draw_list_needed * (uint32_t)sizeof(fxl_draw_entry) + 7u) / 8u * 8u;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_init(&renderer, &scene, &config, block, least - 3));
     TEST_ASSERT_EQUAL_UINT32(3, renderer.memory_missing);
@@ -107,7 +108,7 @@ void test_the_smallest_scene(void)
 {
     const fxl_config config = fxl_config_default(WIDTH, HEIGHT);
     scene.instance_count = 1;
-    scene.order_needed = 1;
+    scene.draw_list_needed = 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, LARGE));
     TEST_ASSERT_EQUAL_UINT32(1, renderer.instance_capacity);
 }
@@ -123,8 +124,9 @@ void test_the_block_is_divided_without_overlap(void)
         const uint8_t *end = (const uint8_t *)block + size;
         const uint8_t *cache = (const uint8_t *)renderer.workspace.cache.entries;
         const uint8_t *list = (const uint8_t *)renderer.frame.display_list.words;
-        const uint8_t *order_end = (const uint8_t *)(renderer.frame.order + scene.order_needed);
-        TEST_ASSERT_TRUE((const uint8_t *)renderer.frame.order == (const uint8_t *)block);
+        const uint8_t *order_end =
+            (const uint8_t *)(renderer.frame.draw_list + scene.draw_list_needed);
+        TEST_ASSERT_TRUE((const uint8_t *)renderer.frame.draw_list == (const uint8_t *)block);
         TEST_ASSERT_TRUE(list >= order_end &&
                          list + 4 * (size_t)renderer.frame.display_list.capacity <= end);
         if (renderer.workspace.cache.entries != NULL) {
@@ -140,7 +142,7 @@ void test_the_block_is_divided_without_overlap(void)
 void test_how_the_block_is_divided(void)
 {
     const fxl_config config = fxl_config_default(WIDTH, HEIGHT);
-    const size_t order = (scene.order_needed * sizeof(fxl_order_entry) + 7) / 8 * 8;
+    const size_t order = (scene.draw_list_needed * sizeof(fxl_draw_entry) + 7) / 8 * 8;
     for (uint32_t entries = 0; entries <= 16; entries = entries == 0 ? 1 : 2 * entries) {
         const size_t size = order + 4 * entries * sizeof(fxl_cached_vertex);
         const uint32_t kept = entries < 8 ? entries : 8;
@@ -173,8 +175,8 @@ void test_a_frame_is_the_same_whatever_the_block(void)
     TEST_ASSERT_EQUAL_UINT32(0, renderer.frame.display_list.used);
     TEST_ASSERT_TRUE(renderer.frame.display_list.capacity > 0);
     memcpy(other, pixels, sizeof pixels);
-    const fxl_band whole = {.pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                            .rows = HEIGHT};
+    const fxl_band whole = {
+        .pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     TEST_ASSERT_TRUE(renderer.frame.display_list.used > 0);
     fxl_fill_band(&whole, 9);

@@ -11,7 +11,7 @@ enum {
 
 static uint32_t hash;
 static uint8_t pixels[HEIGHT * WIDTH], texels[64];
-static fxl_turn turns[TINY_INSTANCES];
+static fxl_placement turns[TINY_INSTANCES];
 static tiny_scene *tiny;
 static fxl_wire wire;
 
@@ -22,7 +22,7 @@ static void mix_point(const fxl_point *point)
     hash = unit_mix(hash, point->z);
 }
 
-static void mix_turn(const fxl_turn *turn)
+static void mix_turn(const fxl_placement *turn)
 {
     hash = unit_mix(hash, turn->scale);
     hash =
@@ -34,9 +34,9 @@ static void mix_pixels(void)
     hash = unit_mix(hash, unit_crc32(pixels, sizeof pixels));
 }
 
-static fxl_turn any_turn(void)
+static fxl_placement any_turn(void)
 {
-    fxl_turn turn = FXL_TURN_NONE;
+    fxl_placement turn = FXL_PLACEMENT_NONE;
     const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
     TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(yaw, pitch, roll, &turn.orientation));
     turn.scale = unit_between(Q16(0.25), Q16(2));
@@ -61,9 +61,9 @@ void setUp(void)
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(i * 37 + i / 8);
     }
-    tiny->scene.turns = turns;
+    tiny->scene.placements = turns;
     tiny->scene.first_turned = 0;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
 }
 
@@ -107,11 +107,11 @@ static void slide(uint32_t number)
 
 static void attach(uint32_t number)
 {
-    const fxl_turn parent = any_turn(), child = any_turn();
+    const fxl_placement parent = any_turn(), child = any_turn();
     const fxl_point at = any_point(Q16(90)), from = any_point(Q16(9) >> number % 16);
     fxl_point centre = {0, 0, 0};
-    fxl_turn turn = FXL_TURN_NONE;
-    hash = unit_mix(hash, fxl_turn_attach(&at, &parent, &from, &child, &centre, &turn));
+    fxl_placement turn = FXL_PLACEMENT_NONE;
+    hash = unit_mix(hash, fxl_placement_attach(&at, &parent, &from, &child, &centre, &turn));
     mix_point(&centre);
     mix_turn(&turn);
 }
@@ -129,8 +129,8 @@ static void look(uint32_t number)
 static void overlay(uint32_t number)
 {
     static const char words[] = "Score 0123456789\nFxl: @{}~";
-    const fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 7,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 7, .rows = HEIGHT};
     const fxl_text_style style = {&fxl_font_5x7, (uint8_t)number, (uint8_t)(number % 3 ? 0 : 7)};
     const fxl_sprite sprite = {texels,
                                texels,
@@ -166,8 +166,11 @@ static void lines(uint32_t number)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + rows)) {
         const uint16_t left = (uint16_t)(HEIGHT - row);
-        const fxl_band band = {.pixels = pixels + row * WIDTH, .width = WIDTH, .stride = WIDTH,
-                               .first_row = row, .rows = rows < left ? rows : left};
+        const fxl_band band = {.pixels = pixels + row * WIDTH,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = row,
+                               .rows = rows < left ? rows : left};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
     }
     mix_pixels();

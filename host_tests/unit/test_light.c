@@ -19,7 +19,7 @@ enum {
 
 static uint8_t frames[3][WIDTH * HEIGHT];
 static uint8_t ramp[256 * LEVELS];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static fxl_light light;
 
@@ -134,8 +134,8 @@ static tiny_scene *start(void)
 
 static void draw(const fxl_pose *pose, uint8_t *frame)
 {
-    const fxl_band band = {.pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = frame, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -201,10 +201,10 @@ void test_light_follows_turns(void)
         fxl_camera turned = any_camera();
         const fxl_orientation orientation = {turned.axes.right, turned.axes.up,
                                              turned.axes.forward};
-        const fxl_turn turn = {orientation, unit_between(256, 64 * 65536)};
-        tiny->scene.turns = &turn;
+        const fxl_placement turn = {orientation, unit_between(256, 64 * 65536)};
+        tiny->scene.placements = &turn;
         tiny->scene.first_turned = 2;
-        tiny->scene.turn_code = &fxl_turned_instances;
+        tiny->scene.placement_code = &fxl_turned_instances;
         const fxl_instance *instance = &tiny->instances[2];
         fxl_light_settings of = exact_light_any(ramp, &instance->centre);
         of.levels = LEVELS;
@@ -263,8 +263,8 @@ void test_light_goes_with_beams(void)
         if (light_first) {
             TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         }
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_attach_beams(&renderer, &beams, room, sizeof memory_of.beams));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_beams(&renderer, &beams, room, sizeof memory_of.beams));
         draw(&pose, frames[light_first ? 1 : 0]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
         draw(&pose, frames[2]);
@@ -289,7 +289,7 @@ void test_light_goes_with_beams(void)
 /* Bands that two workspaces draw in turn, as two cores do: the light belongs to both. */
 void test_cores_share_the_light(void)
 {
-    static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_order_entry) + 8];
+    static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];
     fxl_workspace *const second = &memory_of.second;
     const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
     fxl_light_settings of;
@@ -304,8 +304,11 @@ void test_cores_share_the_light(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(second, &renderer, room, sizeof room));
     draw(&pose, frames[0]);
     for (uint16_t row = 0; row < HEIGHT; row++) {
-        const fxl_band band = {.pixels = frames[1] + row * WIDTH, .width = WIDTH, .stride = WIDTH,
-                               .first_row = row, .rows = 1};
+        const fxl_band band = {.pixels = frames[1] + row * WIDTH,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = row,
+                               .rows = 1};
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_frame_draw_with(&renderer, row % 2 ? second : &renderer.workspace, &band));

@@ -2,7 +2,7 @@
 /* The player of motions, against long double. */
 #include <math.h>
 
-#include "exact_turn.h"
+#include "exact_placement.h"
 #include "unit.h"
 #include "tiny.h"
 
@@ -15,8 +15,8 @@ enum {
 static fxl_motion motions[MOTIONS];
 static fxl_motion_key keys[KEYS];
 static fxl_instance instances[TINY_INSTANCES];
-static fxl_turn turns[MOTIONS];
-static const fxl_turn still[MOTIONS] = {FXL_TURN_NONE, FXL_TURN_NONE};
+static fxl_placement turns[MOTIONS];
+static const fxl_placement still[MOTIONS] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
 static const fxl_motion_memory memory = {instances, TINY_INSTANCES, turns, MOTIONS};
 
 /* Two motions of a key each: that of instance 1, and that of instance 2. */
@@ -48,7 +48,7 @@ static fxl_motion_player begin(const fxl_motion_set *set, fxl_scene *scene)
 {
     static fxl_motion_player player;
     *scene = tiny_make()->scene;
-    scene->turns = still;
+    scene->placements = still;
     scene->first_turned = 1;
     /* Extents are not the player's; what the loader checks is what these tests play. */
     for (uint32_t i = 0; i < set->motion_count; i++) {
@@ -69,7 +69,7 @@ void test_the_scene_draws_from_the_copies(void)
     keys[0].centre.x = FXL_UNITS(7);
     begin(&set, &scene);
     TEST_ASSERT_EQUAL_PTR(instances, scene.instances);
-    TEST_ASSERT_EQUAL_PTR(turns, scene.turns);
+    TEST_ASSERT_EQUAL_PTR(turns, scene.placements);
     const tiny_scene *tiny = tiny_make();
     TEST_ASSERT_EQUAL_MEMORY(tiny->instances, instances, 2 * sizeof instances[0]);
     TEST_ASSERT_EQUAL_MEMORY(still, turns, sizeof turns);
@@ -169,7 +169,7 @@ void test_angles_take_the_short_way(void)
     keys[1].yaw = FXL_DEGREES(20);
     fxl_motion_player player = begin(&set, &scene);
     fxl_motion_play(&player, 1);
-    const exact_turn wanted = exact_angles(FXL_DEGREES(5), 0, 0);
+    const exact_placement wanted = exact_angles(FXL_DEGREES(5), 0, 0);
     TEST_ASSERT_NEAR(exact_distance(&wanted, &turns[1].orientation), 0, 8);
 }
 
@@ -207,18 +207,18 @@ void test_it_spins_and_then_turns(void)
         motions[0].spin_step = FXL_DEGREES(17);
         fxl_motion_player player = begin(&set, &scene);
         for (uint32_t frame = 0; frame < FRAMES; frame++) {
-            const exact_turn angles = exact_angles(frame * motions[0].yaw_step, keys[0].pitch,
+            const exact_placement angles = exact_angles(frame * motions[0].yaw_step, keys[0].pitch,
                                                    frame * motions[0].roll_step);
-            const exact_turn spin =
+            const exact_placement spin =
                 exact_axis(axis, kind != 0 ? FXL_DEGREES(10) + frame * FXL_DEGREES(17) : 0);
-            const exact_turn wanted = exact_product(&angles, &spin);
+            const exact_placement wanted = exact_product(&angles, &spin);
             fxl_motion_play(&player, frame);
             TEST_ASSERT_NEAR(exact_distance(&wanted, &turns[1].orientation), 0, 15);
         }
     }
 }
 
-/* A wheel on a car that drives a circle: as fxl_turn_attach places it, in that frame. */
+/* A wheel on a car that drives a circle: as fxl_placement_attach places it, in that frame. */
 void test_a_child_follows_its_parent(void)
 {
     fxl_motion_set set = make();
@@ -232,14 +232,14 @@ void test_a_child_follows_its_parent(void)
     keys[1].centre = (fxl_point){Q16(1.5), Q16(0.25), Q16(-2)};
     fxl_motion_player player = begin(&set, &scene);
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
-        fxl_turn wheel, wanted;
+        fxl_placement wheel, wanted;
         fxl_point centre;
         fxl_motion_play(&player, FRAMES - frame);
         fxl_motion_play(&player, frame); /* a frame depends on its number alone */
         wheel.scale = FXL_Q16_16_ONE;
         fxl_orientation_from_axis(&motions[1].axis, frame * FXL_DEGREES(31), &wheel.orientation);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_attach(&instances[1].centre, &turns[0], &keys[1].centre,
-                                                  &wheel, &centre, &wanted));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_attach(&instances[1].centre, &turns[0],
+                                                       &keys[1].centre, &wheel, &centre, &wanted));
         TEST_ASSERT_EQUAL_MEMORY(&centre, &instances[2].centre, sizeof centre);
         TEST_ASSERT_EQUAL_MEMORY(&wanted, &turns[1], sizeof wanted);
         TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), turns[1].scale);
@@ -291,7 +291,7 @@ static void refuse(fxl_status status, const fxl_motion_set *set, const fxl_scene
     TEST_ASSERT_EQUAL(status, fxl_motion_begin(&player, set, &given, room));
     TEST_ASSERT_EQUAL_MEMORY(&before, &player, sizeof player);
     TEST_ASSERT_EQUAL_PTR(scene->instances, given.instances);
-    TEST_ASSERT_EQUAL_PTR(scene->turns, given.turns);
+    TEST_ASSERT_EQUAL_PTR(scene->placements, given.placements);
     TEST_ASSERT_EQUAL_HEX8(0x77, instances[0].layer);
 }
 
@@ -302,7 +302,7 @@ void test_what_cannot_be_played_is_refused(void)
     fxl_motion_player player;
     fxl_motion_memory room = memory;
     refuse(FXL_E_ARGUMENT, &set, &scene, &room); /* no turns */
-    scene.turns = still;
+    scene.placements = still;
     scene.first_turned = 2;
     refuse(FXL_E_COUNT, &set, &scene, &room);
     scene.first_turned = 1;
@@ -313,13 +313,13 @@ void test_what_cannot_be_played_is_refused(void)
     room.instances = NULL;
     refuse(FXL_E_ARGUMENT, &set, &scene, &room);
     room = memory;
-    room.turns = NULL;
+    room.placements = NULL;
     refuse(FXL_E_ARGUMENT, &set, &scene, &room);
     room = memory;
     room.instances = (fxl_instance *)((uintptr_t)instances + 2);
     refuse(FXL_E_ALIGNMENT, &set, &scene, &room);
     room = memory;
-    room.turns = (fxl_turn *)((uintptr_t)turns + 1);
+    room.placements = (fxl_placement *)((uintptr_t)turns + 1);
     refuse(FXL_E_ALIGNMENT, &set, &scene, &room);
     room = memory;
     set.motions = NULL;
@@ -351,7 +351,7 @@ void test_no_motions_need_no_tables(void)
     fxl_motion_set none = {0};
     fxl_scene scene = tiny_make()->scene;
     fxl_motion_player player;
-    scene.turns = still;
+    scene.placements = still;
     scene.first_turned = 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_begin(&player, &none, &scene, &memory));
 }

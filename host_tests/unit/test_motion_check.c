@@ -9,17 +9,17 @@ enum {
 
 static fxl_motion motions[MOTIONS];
 static fxl_motion_key keys[KEYS];
-static fxl_turn turns[TINY_INSTANCES];
+static fxl_placement turns[TINY_INSTANCES];
 static fxl_motion_set set;
 static fxl_scene scene;
 
-static const fxl_turn still = FXL_TURN_NONE;
+static const fxl_placement still = FXL_PLACEMENT_NONE;
 
 /* Every instance of tiny's scene has a turn, a motion and a key; the last has two keys. */
 static void make(void)
 {
     scene = tiny_make()->scene;
-    scene.turns = turns;
+    scene.placements = turns;
     scene.first_turned = 0;
     for (uint32_t i = 0; i < MOTIONS; i++) {
         turns[i] = still;
@@ -94,7 +94,7 @@ void test_missing_tables_are_refused(void)
     expect(FXL_E_COUNT, "motion table", 0);
     scene.first_turned = TINY_INSTANCES + 1;
     expect_scene(FXL_E_INDEX, "turn table", 0);
-    scene.turns = NULL;
+    scene.placements = NULL;
     expect(FXL_E_COUNT, "motion table", 0);
 }
 
@@ -188,7 +188,7 @@ void test_numbers_of_a_motion_are_in_range(void)
 /* A motion without a parent reaches its extent, its circle, its sphere and the slack. */
 void test_no_frame_leaves_the_world(void)
 {
-    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_TURN_SLACK;
+    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
     make();
     motions[0].extent.y = room;
     expect_fine();
@@ -203,7 +203,7 @@ void test_no_frame_leaves_the_world(void)
 /* A circle adds to x and to z, each by itself, and not to y. */
 void test_the_circle_of_a_motion_reaches_along_x_and_z(void)
 {
-    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_TURN_SLACK;
+    const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
     make();
     fxl_q16_16 *const extents[] = {&motions[0].extent.x, &motions[0].extent.y,
                                    &motions[0].extent.z};
@@ -229,7 +229,7 @@ void test_a_chain_stays_in_the_world(void)
     motions[1].scale_high = FXL_Q16_16_ONE;
     /* 2 * (1300 + 1/65536), and 2 * radius, each with the slack */
     const fxl_q16_16 room =
-        FXL_COORDINATE_MAX - FXL_UNITS(2600) - 2 - 2 * FXL_TURN_SLACK - 2 * TINY_RADIUS;
+        FXL_COORDINATE_MAX - FXL_UNITS(2600) - 2 - 2 * FXL_PLACEMENT_SLACK - 2 * TINY_RADIUS;
     motions[0].extent.z = room;
     const fxl_motion first = motions[0], second = motions[1];
     expect_fine();
@@ -264,7 +264,7 @@ void test_the_scales_of_a_chain_are_in_range(void)
 void test_a_chain_has_at_most_eight_parents(void)
 {
     static fxl_instance many[10];
-    static fxl_turn many_turns[10];
+    static fxl_placement many_turns[10];
     static fxl_motion many_motions[10];
     static fxl_motion_key many_keys[10];
     make();
@@ -279,7 +279,7 @@ void test_a_chain_has_at_most_eight_parents(void)
         many_keys[i] = (fxl_motion_key){.scale = FXL_Q16_16_ONE};
     }
     scene.instances = many;
-    scene.turns = many_turns;
+    scene.placements = many_turns;
     scene.instance_count = 9;
     set = (fxl_motion_set){many_motions, 9, many_keys, 9};
     fxl_scene_fault fault = {"-", 99};

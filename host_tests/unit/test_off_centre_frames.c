@@ -22,7 +22,7 @@ enum {
 static fxl_clipper_workspace room;
 static uint64_t spans[SPANS_SIZE / 8];
 static uint8_t whole[PIXELS], tiled[PIXELS];
-static fxl_order_entry order[64];
+static fxl_draw_entry order[64];
 static fxl_cached_vertex cache[8];
 static fxl_renderer renderer;
 
@@ -42,8 +42,7 @@ static tiny_scene *checked_scene(void)
     return tiny;
 }
 
-static void start(const fxl_lens *lens, const fxl_clipper *clipper,
-                  const choice *visibility)
+static void start(const fxl_lens *lens, const fxl_clipper *clipper, const choice *visibility)
 {
     const fxl_memory memory = {order, 64, NULL, 0, cache, 8};
     TEST_ASSERT_EQUAL(FXL_OK,
@@ -52,15 +51,17 @@ static void start(const fxl_lens *lens, const fxl_clipper *clipper,
         TEST_ASSERT_EQUAL(
             FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &room, clipper->workspace_size));
     }
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, visibility, spans, sizeof spans));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, visibility, spans, sizeof spans));
 }
 
 /* Draws the frame into pixels of rows of WIDTH. */
 static void draw(const fxl_pose *pose, uint8_t *pixels)
 {
     const fxl_lens *lens = &renderer.frame.view.lens;
-    const fxl_band band = {.pixels = pixels, .width = lens->width, .stride = WIDTH, .first_row = 0,
+    const fxl_band band = {.pixels = pixels,
+                           .width = lens->width,
+                           .stride = WIDTH,
+                           .first_row = 0,
                            .rows = lens->height};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, BACKGROUND);
@@ -69,8 +70,7 @@ static void draw(const fxl_pose *pose, uint8_t *pixels)
 }
 
 /* Draws the picture of `whole` as tiles. */
-static void draw_tiles(const fxl_pose *pose, const fxl_clipper *clipper,
-                       const choice *visibility)
+static void draw_tiles(const fxl_pose *pose, const fxl_clipper *clipper, const choice *visibility)
 {
     const fxl_lens lens = whole_lens();
     for (int y = 0; y < HEIGHT; y += TILE_HEIGHT) {
@@ -86,8 +86,7 @@ static void draw_tiles(const fxl_pose *pose, const fxl_clipper *clipper,
 
 static uint32_t drawn, differing;
 
-static void compare(const fxl_pose *pose, const fxl_clipper *clipper,
-                    const choice *visibility)
+static void compare(const fxl_pose *pose, const fxl_clipper *clipper, const choice *visibility)
 {
     const fxl_lens lens = whole_lens();
     start(&lens, clipper, visibility);
@@ -138,8 +137,7 @@ void test_tiles_by_the_clipper_in_the_world(void)
 
 void test_tiles_by_other_visibility_methods(void)
 {
-    const choice *const methods[] = {&choice_box, &choice_spans,
-                                             &choice_spans_box};
+    const choice *const methods[] = {&choice_box, &choice_spans, &choice_spans_box};
     for (int which = 0; which < 3; which++) {
         drawn = differing = 0;
         for (int round = 0; round < UNIT_REPEAT / 100; round++) {
@@ -167,8 +165,8 @@ void test_a_renderer_moves_its_centre(void)
         start(&lens, NULL, &choice_sorted);
         draw(&other, tiled);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, x, y));
-        const fxl_band band = {.pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                               .rows = HEIGHT};
+        const fxl_band band = {
+            .pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
         TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
         draw(&pose, tiled);
         TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);
@@ -206,8 +204,8 @@ void test_a_wrong_centre_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_renderer_set_centre(NULL, 0, 0));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_renderer_set_centre(&renderer, Q16(2 * WIDTH) + 1, 0));
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused_calls);
-    const fxl_band band = {.pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = tiled, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     TEST_ASSERT_EQUAL_MEMORY(whole, tiled, PIXELS);

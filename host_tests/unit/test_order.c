@@ -7,16 +7,16 @@
 #define MANY 600
 #endif
 
-static fxl_order_entry entries[MANY];
+static fxl_draw_entry entries[MANY];
 
 /* The definition (SPEC.md, section 6): whether a is drawn before b. */
-static bool before(const fxl_order_entry *a, const fxl_order_entry *b)
+static bool before(const fxl_draw_entry *a, const fxl_draw_entry *b)
 {
     if (a->instance.layer != b->instance.layer) {
         return a->instance.layer < b->instance.layer;
     }
-    if (fxl_order_distance(a) != fxl_order_distance(b)) {
-        return fxl_order_distance(a) > fxl_order_distance(b);
+    if (fxl_draw_entry_distance(a) != fxl_draw_entry_distance(b)) {
+        return fxl_draw_entry_distance(a) > fxl_draw_entry_distance(b);
     }
     return a->index < b->index;
 }
@@ -44,16 +44,16 @@ void test_sorting_is_by_layer_distance_and_index(void)
         uint32_t spread = (uint32_t)unit_between(1, 20);
         for (uint32_t i = 0; i < count; i++) {
             uint64_t distance = unit_random() % spread;
-            entries[i] = fxl_order_entry_of(distance << (unit_random() % 2 * 59), (uint16_t)i,
-                                            (uint8_t)(unit_random() % (1 + spread / 4)));
+            entries[i] = fxl_draw_entry_of(distance << (unit_random() % 2 * 59), (uint16_t)i,
+                                           (uint8_t)(unit_random() % (1 + spread / 4)));
         }
         for (uint32_t i = count; i > 1; i--) {
             uint32_t other = unit_random() % i;
-            fxl_order_entry swap = entries[i - 1];
+            fxl_draw_entry swap = entries[i - 1];
             entries[i - 1] = entries[other];
             entries[other] = swap;
         }
-        fxl_order_sort(entries, count);
+        fxl_sort_instances(entries, count);
         expect_sorted(count);
     }
 }
@@ -63,11 +63,11 @@ void test_sorted_and_reversed_input(void)
     for (int way = 0; way < 2; way++) {
         for (uint32_t i = 0; i < MANY; i++) {
             uint32_t key = way ? i : MANY - 1 - i;
-            entries[i] = fxl_order_entry_of(key, (uint16_t)i, 0);
+            entries[i] = fxl_draw_entry_of(key, (uint16_t)i, 0);
         }
-        fxl_order_sort(entries, MANY);
+        fxl_sort_instances(entries, MANY);
         expect_sorted(MANY);
-        TEST_ASSERT_EQUAL_UINT64(MANY - 1, fxl_order_distance(&entries[0]));
+        TEST_ASSERT_EQUAL_UINT64(MANY - 1, fxl_draw_entry_distance(&entries[0]));
     }
 }
 
@@ -82,11 +82,11 @@ static void make_faces(uint32_t count, uint32_t kind)
         if (kind == 3) {
             distance = (uint64_t)unit_random() << 32 | unit_random();
         }
-        entries[i] = fxl_order_entry_of(distance, (uint16_t)i, 0);
+        entries[i] = fxl_draw_entry_of(distance, (uint16_t)i, 0);
     }
 }
 
-static fxl_order_work work;
+static fxl_sort_work work;
 
 /* What was to be sorted: entries lose their distances by it. */
 static uint64_t keys[MANY];
@@ -96,9 +96,9 @@ static void sort_faces(uint32_t count)
     static uint8_t seen[MANY];
     memset(seen, 0, sizeof seen);
     for (uint32_t i = 0; i < count; i++) {
-        keys[i] = fxl_order_distance(&entries[i]);
+        keys[i] = fxl_draw_entry_distance(&entries[i]);
     }
-    fxl_order_sort_faces(entries, count, &work);
+    fxl_sort_faces(entries, count, &work);
     for (uint32_t i = 0; i < count; i++) {
         uint32_t face = entries[i].face, last = i > 0 ? entries[i - 1].face : face;
         TEST_ASSERT_TRUE(face < count);
@@ -128,7 +128,7 @@ void test_sorting_faces_of_any_range(void)
             if (round % 4 >= 2) {
                 distance = distance / 65536 + (i % 61 == 1 ? range - range / 65536 : 0);
             }
-            entries[i] = fxl_order_entry_of(distance, (uint16_t)i, 0);
+            entries[i] = fxl_draw_entry_of(distance, (uint16_t)i, 0);
         }
         sort_faces(count);
     }
@@ -145,7 +145,7 @@ void test_faces_that_are_spread_evenly_share_no_bucket(void)
             const uint64_t range = (uint64_t)1 << shift | (uint64_t)unit_random() << shift >> 32;
             uint32_t alone = 0;
             for (uint32_t i = 0; i < count; i++) {
-                entries[i] = fxl_order_entry_of(range / (count - 1) * i, (uint16_t)i, 0);
+                entries[i] = fxl_draw_entry_of(range / (count - 1) * i, (uint16_t)i, 0);
             }
             sort_faces(count);
             for (uint32_t i = 0; i < count; i++) {
@@ -160,9 +160,9 @@ void test_faces_that_are_spread_evenly_share_no_bucket(void)
 void test_sorting_faces_of_the_shortest_runs(void)
 {
     for (uint32_t i = 0; i < MANY; i++) {
-        entries[i] = fxl_order_entry_of(i % 2 ? MANY - i : 3 * MANY - i, (uint16_t)i, 0);
+        entries[i] = fxl_draw_entry_of(i % 2 ? MANY - i : 3 * MANY - i, (uint16_t)i, 0);
     }
-    fxl_order_sort_faces(entries, MANY, &work);
+    fxl_sort_faces(entries, MANY, &work);
     for (uint32_t i = 0; i < MANY; i++) {
         TEST_ASSERT_EQUAL_UINT32(i < MANY / 2 ? 2 * i : 2 * (i - MANY / 2) + 1, entries[i].face);
     }
@@ -173,14 +173,14 @@ void test_sorting_faces_of_the_shortest_runs(void)
 void test_sorting_the_most_faces(void)
 {
 #ifndef UNIT_ON_TARGET
-    static fxl_order_entry many[FXL_MODEL_FACES_MAX];
+    static fxl_draw_entry many[FXL_MODEL_FACES_MAX];
     const uint32_t count = FXL_MODEL_FACES_MAX;
     for (uint32_t i = 0; i < count; i++) {
-        many[i] = fxl_order_entry_of((i % 2 ? 1 : 3) * count - i, (uint16_t)i, 0);
+        many[i] = fxl_draw_entry_of((i % 2 ? 1 : 3) * count - i, (uint16_t)i, 0);
     }
-    many[0] = fxl_order_entry_of(0, 0, 0);
-    many[1] = fxl_order_entry_of(UINT64_MAX >> 1, 1, 0);
-    fxl_order_sort_faces(many, count, &work);
+    many[0] = fxl_draw_entry_of(0, 0, 0);
+    many[1] = fxl_draw_entry_of(UINT64_MAX >> 1, 1, 0);
+    fxl_sort_faces(many, count, &work);
     TEST_ASSERT_EQUAL_UINT32(1, many[0].face);
     TEST_ASSERT_EQUAL_UINT32(0, many[count - 1].face);
     for (uint32_t i = 1; i < count - 1; i++) {
@@ -191,11 +191,11 @@ void test_sorting_the_most_faces(void)
 
 void test_nothing_and_one_entry(void)
 {
-    entries[0] = fxl_order_entry_of(7, 0, 3);
-    fxl_order_sort(entries, 0);
-    fxl_order_sort(entries, 1);
-    fxl_order_sort_faces(entries, 0, &work);
-    TEST_ASSERT_EQUAL_UINT64(7, fxl_order_distance(&entries[0]));
+    entries[0] = fxl_draw_entry_of(7, 0, 3);
+    fxl_sort_instances(entries, 0);
+    fxl_sort_instances(entries, 1);
+    fxl_sort_faces(entries, 0, &work);
+    TEST_ASSERT_EQUAL_UINT64(7, fxl_draw_entry_distance(&entries[0]));
     TEST_ASSERT_EQUAL_UINT32(3, entries[0].instance.layer);
 }
 
@@ -290,7 +290,7 @@ static uint32_t order_from(tiny_scene *tiny, const fxl_pose *pose, uint32_t *lef
     fxl_view_frustum frustum;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(pose, &camera));
     fxl_view_frustum_from_lens(&lens, &frustum);
-    return fxl_order_instances(&tiny->scene, &camera, &frustum, entries, left_out);
+    return fxl_list_instances(&tiny->scene, &camera, &frustum, entries, left_out);
 }
 
 static const fxl_pose before_all = {{0, 0, Q16(-5)}, 0, 0, 0};
@@ -305,11 +305,11 @@ void test_objects_by_layer_then_far_to_near(void)
     const uint32_t far_to_near[] = {2, 1, 0};
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(4321, entries[TINY_INSTANCES].index, "one entry too many");
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        const fxl_order_entry *entry = &entries[i];
+        const fxl_draw_entry *entry = &entries[i];
         TEST_ASSERT_EQUAL_UINT32(far_to_near[i], entry->index);
         TEST_ASSERT_EQUAL_UINT64(
             fxl_distance_squared(&before_all.position, &tiny->instances[entry->index].centre),
-            fxl_order_distance(entry));
+            fxl_draw_entry_distance(entry));
         TEST_ASSERT_EQUAL_UINT32(0, entry->instance.planes);
     }
     tiny->instances[0].layer = 1;
@@ -355,13 +355,13 @@ void test_objects_out_of_sight_are_left_out(void)
 }
 
 static uint32_t order_faces(const fxl_scene *scene, const fxl_instance *instance,
-                            const fxl_point *eye, fxl_order_entry *order)
+                            const fxl_point *eye, fxl_draw_entry *order)
 {
     const fxl_point *centre = &instance->centre;
     const fxl_point from = {eye->x - centre->x, eye->y - centre->y, eye->z - centre->z};
     const fxl_model *model = &scene->models[instance->model];
-    uint32_t count = fxl_order_front_faces(scene, model, &from, order);
-    fxl_order_sort_faces(order, count, &work);
+    uint32_t count = fxl_list_front_faces(scene, model, &from, order);
+    fxl_sort_faces(order, count, &work);
     return count;
 }
 

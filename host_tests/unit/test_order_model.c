@@ -11,7 +11,7 @@ enum {
 };
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
-static fxl_order_entry order[2][ENTRIES];
+static fxl_draw_entry order[2][ENTRIES];
 static uint32_t list[2][LIST_WORDS];
 static fxl_renderer renderers[2];
 static uint32_t asked;
@@ -33,7 +33,7 @@ static tiny_scene *start(uint32_t list_words)
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     tiny->instances[0].model = tiny->instances[2].model = 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_TRUE(tiny->scene.order_needed <= ENTRIES);
+    TEST_ASSERT_TRUE(tiny->scene.draw_list_needed <= ENTRIES);
     for (int i = 0; i < 2; i++) {
         static fxl_cached_vertex cache[2][8]; /* all vertices of a model: it pays to drop */
         const fxl_memory memory = {order[i], ENTRIES, list[i], list_words, cache[i], 8};
@@ -61,8 +61,11 @@ static void draw(fxl_renderer *renderer, const fxl_pose *pose, uint8_t *frame, u
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, pose));
     for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + rows)) {
-        fxl_band band = {.pixels = frame + row * WIDTH, .width = WIDTH, .stride = WIDTH,
-                         .first_row = row, .rows = rows};
+        fxl_band band = {.pixels = frame + row * WIDTH,
+                         .width = WIDTH,
+                         .stride = WIDTH,
+                         .first_row = row,
+                         .rows = rows};
         fxl_fill_band(&band, 0);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
     }
@@ -137,22 +140,22 @@ void test_exactly_those_outside_one_plane_are_left_out(void)
         fxl_view *view = &renderers[0].frame.view;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(view, &pose));
         for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-            fxl_order_entry entries[6], expected[6];
+            fxl_draw_entry entries[6], expected[6];
             fxl_model_view model_view;
             uint32_t left = 0;
             fxl_model_view_of_instance(&model_view, &tiny->scene, &tiny->instances[i], view,
                                        &renderers[0].workspace.cache);
             for (uint16_t f = 0; f < 6; f++) {
-                entries[f] = fxl_order_entry_of(((uint64_t)f << 33) + 5, f, 0);
+                entries[f] = fxl_draw_entry_of(((uint64_t)f << 33) + 5, f, 0);
                 if (!is_outside(view, &model_view, &faces[f])) {
                     expected[left++] = entries[f];
                 }
             }
-            TEST_ASSERT_EQUAL_UINT32(left, fxl_order_drop_outside(&model_view, faces, entries, 6));
+            TEST_ASSERT_EQUAL_UINT32(left, fxl_drop_outside(&model_view, faces, entries, 6));
             for (uint32_t f = 0; f < left; f++) {
                 TEST_ASSERT_EQUAL_UINT32(expected[f].index, entries[f].index);
-                TEST_ASSERT_EQUAL_UINT64(fxl_order_distance(&expected[f]),
-                                         fxl_order_distance(&entries[f]));
+                TEST_ASSERT_EQUAL_UINT64(fxl_draw_entry_distance(&expected[f]),
+                                         fxl_draw_entry_distance(&entries[f]));
             }
             dropped += 6 - left;
             kept += left;

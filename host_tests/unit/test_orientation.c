@@ -3,13 +3,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "exact_turn.h"
+#include "exact_placement.h"
 #include "unit.h"
 
 static const fxl_point origin = {0, 0, 0};
 static const fxl_orientation identity = FXL_ORIENTATION_NONE;
 
-static void expect_near(const exact_turn *wanted, const fxl_orientation *actual, long double bound)
+static void expect_near(const exact_placement *wanted, const fxl_orientation *actual, long double bound)
 {
     TEST_ASSERT_NEAR(exact_distance(wanted, actual), 0, bound);
 }
@@ -19,8 +19,8 @@ static void expect_rows(const fxl_orientation *o)
 {
     fxl_q2_30 rows[3][3];
     exact_entries(o, rows);
-    const fxl_turn turn = {*o, FXL_Q16_16_ONE};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_check(&turn, &origin, 0));
+    const fxl_placement turn = {*o, FXL_Q16_16_ONE};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&turn, &origin, 0));
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             int64_t sum = i == j ? -((int64_t)1 << 60) : 0;
@@ -81,7 +81,7 @@ void test_quarter_turns_are_exact(void)
 {
     for (uint32_t i = 0; i < 64; i++) {
         const fxl_angle yaw = (i & 3) << 30, pitch = (i >> 2 & 3) << 30, roll = (i >> 4) << 30;
-        const exact_turn wanted = exact_angles(yaw, pitch, roll);
+        const exact_placement wanted = exact_angles(yaw, pitch, roll);
         const fxl_orientation o = by_angles(yaw, pitch, roll);
         expect_near(&wanted, &o, 1e-6L);
         TEST_ASSERT_EQUAL_INT32(0, (o.x.x | o.x.y | o.x.z | o.y.x) & 0x3FFFFFFF);
@@ -92,7 +92,7 @@ void test_angles_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
         const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
-        const exact_turn wanted = exact_angles(yaw, pitch, roll);
+        const exact_placement wanted = exact_angles(yaw, pitch, roll);
         const fxl_orientation o = by_angles(yaw, pitch, roll);
         expect_near(&wanted, &o, 4);
         expect_rows(&o);
@@ -103,7 +103,7 @@ void test_angles_are_within_four_units(void)
 void test_an_axis_turns_as_the_angles_do(void)
 {
     const fxl_angle angle = DEGREES(37);
-    const exact_turn yaw = exact_angles(angle, 0, 0), pitch = exact_angles(0, angle, 0),
+    const exact_placement yaw = exact_angles(angle, 0, 0), pitch = exact_angles(0, angle, 0),
                      roll = exact_angles(0, 0, angle);
     fxl_orientation o = by_axis((fxl_point){0, 7, 0}, angle);
     expect_near(&yaw, &o, 4);
@@ -120,7 +120,7 @@ void test_an_axis_is_within_four_units(void)
         fxl_point axis = unit_point(limit < FXL_COORDINATE_MAX ? limit : FXL_COORDINATE_MAX);
         axis.x += (axis.x | axis.y | axis.z) == 0;
         const fxl_angle angle = unit_random() >> unit_random() % 31;
-        const exact_turn wanted = exact_axis(axis, angle);
+        const exact_placement wanted = exact_axis(axis, angle);
         const fxl_orientation o = by_axis(axis, angle);
         expect_near(&wanted, &o, 4);
         expect_rows(&o);
@@ -158,7 +158,7 @@ void test_look_at_is_within_four_units(void)
         fxl_orientation o;
         const fxl_status status = fxl_orientation_look_at(&direction, &up, &o);
         if (status == FXL_OK) {
-            const exact_turn wanted = exact_look(direction, up);
+            const exact_placement wanted = exact_look(direction, up);
             expect_near(&wanted, &o, i % 4 == 0 && sizeof wanted.at[0][0] == 8 ? 1e9L : 4);
             expect_rows(&o);
         } else {
@@ -194,7 +194,7 @@ void test_a_product_is_the_nearest_rotation(void)
         fxl_orientation a = any_orientation(), b = any_orientation();
         a.x.y += unit_between(-1, 1); /* also where the rows are not the best ones */
         b.z.x += unit_between(-1, 1);
-        const exact_turn wanted = exact_nearest_to_product(&a, &b);
+        const exact_placement wanted = exact_nearest_to_product(&a, &b);
         const fxl_orientation o = times(&a, &b);
         expect_near(&wanted, &o, 0.501L);
         expect_rows(&o);
@@ -205,7 +205,7 @@ void test_a_product_is_the_nearest_rotation(void)
 void test_the_second_factor_turns_first(void)
 {
     const fxl_orientation yaw = by_angles(DEGREES(40), 0, 0), roll = by_angles(0, 0, DEGREES(70));
-    const exact_turn wanted = exact_angles(DEGREES(40), 0, DEGREES(70));
+    const exact_placement wanted = exact_angles(DEGREES(40), 0, DEGREES(70));
     const fxl_orientation o = times(&yaw, &roll);
     expect_near(&wanted, &o, 8);
 }
@@ -222,7 +222,7 @@ void test_a_million_products_stay_in_range(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_multiply(&o, &small, &o));
     }
     expect_rows(&o);
-    const exact_turn wanted = exact_axis((fxl_point){2, 3, 6}, (fxl_angle)((uint32_t)count * step));
+    const exact_placement wanted = exact_axis((fxl_point){2, 3, 6}, (fxl_angle)((uint32_t)count * step));
     expect_near(&wanted, &o, 6.0L * count);
 }
 
@@ -238,8 +238,8 @@ void test_rows_that_are_no_rotation_are_refused(void)
     bad[4].x.x += 5;                       /* 5 units too long */
     bad[5].x.y = 5;                        /* 5 units off a right angle */
     for (int i = 0; i < 6; i++) {
-        TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_orientation_multiply(&bad[i], &good, &out));
-        TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_orientation_multiply(&good, &bad[i], &out));
+        TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_orientation_multiply(&bad[i], &good, &out));
+        TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_orientation_multiply(&good, &bad[i], &out));
     }
     bad[4].x.x -= 4; /* within 2^-28: a squared length, and a right angle */
     bad[5].x.y = 3;

@@ -11,7 +11,7 @@ enum {
 };
 
 static uint8_t outlined[HEIGHT][WIDTH], plain[HEIGHT][WIDTH], bands[HEIGHT][WIDTH];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static fxl_outline_style style;
 static fxl_outlines outlines;
@@ -138,8 +138,8 @@ void test_another_workspace_takes_the_style(void)
     static uint64_t memory[32];
     static fxl_workspace workspace;
     const fxl_pose pose = {{Q16(1), Q16(2), Q16(-4)}, 0, 0, 0};
-    const fxl_band band = {.pixels = bands[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = bands[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     tiny = tiny_make();
     style.line = LINE;
     style.keeps_colours = true;

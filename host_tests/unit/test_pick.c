@@ -20,7 +20,7 @@ enum {
 
 static uint8_t whole[HEIGHT][WIDTH], alone[TINY_INSTANCES][HEIGHT][WIDTH], again[HEIGHT][WIDTH];
 static uint32_t list[WORDS];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static uint64_t spans[FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT) / 8 + 1];
 static tiny_scene *tiny;
@@ -32,8 +32,7 @@ static void start(uint32_t words, const fxl_clipper *clipper, const choice *visi
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, visibility, spans, sizeof spans));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, visibility, spans, sizeof spans));
 }
 
 static void draw(uint8_t frame[HEIGHT][WIDTH])
@@ -77,9 +76,8 @@ static uint32_t expect_pixel(uint32_t x, uint32_t y)
  */
 void test_a_pick_is_the_pixel_that_was_drawn(void)
 {
-    static const choice *const methods[] = {&choice_sorted, &choice_box,
-                                                    &choice_spans,
-                                                    &choice_spans_box};
+    static const choice *const methods[] = {&choice_sorted, &choice_box, &choice_spans,
+                                            &choice_spans_box};
     static const fxl_clipper *const clippers[] = {&fxl_clipper_view, &fxl_clipper_world};
     uint32_t seen = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {

@@ -20,7 +20,7 @@ static uint8_t frame[HEIGHT][WIDTH];
 static uint16_t row_565[WIDTH], palette[256];
 static fxl_picked by_order[HEIGHT][WIDTH];
 static uint32_t list[LIST_WORDS];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static fxl_renderer renderer;
 static uint64_t room[FXL_SPAN_BUFFER_BYTES_LEAST(WIDTH, HEIGHT) / 8 + 1];
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, 4, 32)];
@@ -102,8 +102,8 @@ static void choose_depth(uint32_t bits, bool with_surfaces)
 
 static void draw(const fxl_pose *pose)
 {
-    const fxl_band band = {.pixels = frame[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = frame[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
@@ -149,8 +149,7 @@ static uint32_t expect_picks(void)
 
 void test_methods_of_the_order_alone_show_what_is_picked(void)
 {
-    static const choice *const methods[] = {&choice_box, &choice_spans,
-                                                    &choice_spans_box};
+    static const choice *const methods[] = {&choice_box, &choice_spans, &choice_spans_box};
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_pose pose = random_pose();
         pick_by_order(&pose);
@@ -236,8 +235,12 @@ static void draw_565(const fxl_pose *pose)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
     for (uint16_t y = 0; y < HEIGHT; y++) {
-        const fxl_band band = {.pixels = (uint8_t *)(void *)row_565, .width = WIDTH,
-                               .stride = WIDTH, .first_row = y, .rows = 1, .palette = palette};
+        const fxl_band band = {.pixels = (uint8_t *)(void *)row_565,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = y,
+                               .rows = 1,
+                               .palette = palette};
         fxl_rgb565.fill(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         for (uint32_t x = 0; x < WIDTH; x++) {
@@ -312,9 +315,10 @@ void test_what_is_blended_is_picked_before_what_it_covers(void)
         if (i == 0) {
             start();
         }
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&renderer, &surfaces, &set,
-                                                      i == 0 ? FXL_SURFACES_OF(fxl_palette)
-                                                             : FXL_SURFACES_OF(fxl_palette_depth_16)));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_surfaces(&renderer, &surfaces, &set,
+                                              i == 0 ? FXL_SURFACES_OF(fxl_palette)
+                                                     : FXL_SURFACES_OF(fxl_palette_depth_16)));
         draw(&eye);
         for (uint16_t y = 0; y < HEIGHT; y++) {
             for (uint16_t x = 0; x < WIDTH; x++) {
@@ -329,7 +333,8 @@ void test_what_is_blended_is_picked_before_what_it_covers(void)
     }
 }
 
-/* --- trees and billboards ----------------------------------------------------------------------- */
+/* --- trees and billboards -----------------------------------------------------------------------
+ * */
 
 /* What a tree cuts, and the tree's own faces; whole, and with a list of any size. */
 void test_by_a_tree_its_order_is_picked(void)
@@ -386,8 +391,7 @@ void test_a_texel_of_a_billboard_is_picked(void)
         } else {
             choose_565(i == 2 ? &fxl_rgb565 : &fxl_rgb565_depth_32);
         }
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_attach_billboards(&renderer, &billboards, &set, painters[i]));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, &billboards, &set, painters[i]));
         if (i < 2) {
             draw(&pose);
         } else {

@@ -18,7 +18,7 @@ enum {
 
 static uint8_t frames[2][HEIGHT * WIDTH];
 static uint32_t list[LIST_WORDS];
-static fxl_order_entry order[ORDER];
+static fxl_draw_entry order[ORDER];
 static fxl_renderer renderer;
 
 static void start(uint32_t words)
@@ -159,10 +159,10 @@ void test_the_worst_of_a_faces_polygons_counts(void)
 }
 
 /* A walk that gives each face that faces the eye as two loose triangles and a rest. */
-static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *instance,
+static bool give_in_pieces(const fxl_traversal *traversal, const fxl_instance *instance,
                            const fxl_face *face)
 {
-    const fxl_scene *scene = on->renderer->scene;
+    const fxl_scene *scene = traversal->renderer->scene;
     const fxl_model *model = &scene->models[instance->model];
     fxl_point corners[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;
@@ -172,7 +172,7 @@ static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *instance
         corners[i].y += instance->centre.y;
         corners[i].z += instance->centre.z;
     }
-    fxl_pieces_begin(&pieces, on);
+    fxl_pieces_begin(&pieces, traversal);
     for (uint32_t i = 1; i + 1 < face->count; i++) {
         const fxl_point triangle[] = {corners[0], corners[i], corners[i + 1]};
         if (!fxl_submit_piece(&pieces, triangle, 3, face->material)) {
@@ -182,27 +182,29 @@ static bool give_in_pieces(const fxl_traversal *on, const fxl_instance *instance
     return fxl_pieces_end(&pieces);
 }
 
-static bool walk_in_pieces(const fxl_traversal *on)
+static bool walk_in_pieces(const fxl_traversal *traversal)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    for (; on->resume->instances < on->renderer->frame.visible_count; on->resume->instances++) {
+    const fxl_scene *scene = traversal->renderer->scene;
+    for (; traversal->resume->instances < traversal->renderer->frame.visible_count;
+         traversal->resume->instances++) {
         const fxl_instance *instance =
-            &scene->instances[on->renderer->frame.order[on->resume->instances].index];
+            &scene->instances[traversal->renderer->frame.draw_list[traversal->resume->instances]
+                                  .index];
         const fxl_model *model = &scene->models[instance->model];
-        for (; on->resume->faces < model->face_count; on->resume->faces++) {
-            const fxl_face *face = &scene->faces[model->first_face + on->resume->faces];
-            bool front =
-                fxl_face_is_front(scene, instance, face, &on->renderer->frame.view.camera.position);
-            if (on->band == NULL) {
+        for (; traversal->resume->faces < model->face_count; traversal->resume->faces++) {
+            const fxl_face *face = &scene->faces[model->first_face + traversal->resume->faces];
+            bool front = fxl_face_is_front(scene, instance, face,
+                                           &traversal->renderer->frame.view.camera.position);
+            if (traversal->band == NULL) {
                 note_begin();
             }
-            if (front && !give_in_pieces(on, instance, face)) {
+            if (front && !give_in_pieces(traversal, instance, face)) {
                 return false;
             }
-            on->counters->in += 1;
-            on->counters->backfacing += !front;
+            traversal->counters->in += 1;
+            traversal->counters->backfacing += !front;
         }
-        on->resume->faces = 0;
+        traversal->resume->faces = 0;
     }
     return true;
 }
@@ -342,8 +344,8 @@ void test_a_clippers_room(void)
     TEST_ASSERT_TRUE(renderer.clipper == &fxl_clipper_view);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &roomy, room, 16));
     TEST_ASSERT_EACH_EQUAL_HEX8(0, room, sizeof room);
-    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
     for (uint32_t frame = 1; frame < 4; frame++) {
         fxl_counters found = draw(&pose, frames[1], 5);

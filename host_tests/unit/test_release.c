@@ -14,10 +14,10 @@ enum {
 };
 
 static uint32_t lists[2][LIST];
-static fxl_order_entry orders[2][WORLD_PLACES + 6];
+static fxl_draw_entry orders[2][WORLD_PLACES + 6];
 static fxl_renderer renderers[2];
 static FXL_ALIGN_8 uint8_t spans[800];
-static const fxl_turn tilted = {
+static const fxl_placement tilted = {
     {{644245094, -858993459, 0}, {858993459, 644245094, 0}, {0, 0, FXL_Q2_30_ONE}}, Q16(1.5)};
 
 static void init(int number, const fxl_scene *scene, uint32_t words)
@@ -36,8 +36,11 @@ static fxl_pose pose_of(uint32_t frame)
 static void draw(fxl_renderer *by, uint16_t rows, uint8_t *frame)
 {
     for (uint16_t first = 0; first < WORLD_HEIGHT; first = (uint16_t)(first + rows)) {
-        const fxl_band band = {.pixels = frame + first * WORLD_WIDTH, .width = WORLD_WIDTH,
-                               .stride = WORLD_WIDTH, .first_row = first, .rows = rows};
+        const fxl_band band = {.pixels = frame + first * WORLD_WIDTH,
+                               .width = WORLD_WIDTH,
+                               .stride = WORLD_WIDTH,
+                               .first_row = first,
+                               .rows = rows};
         fxl_fill_band(&band, WORLD_BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(by, &band));
     }
@@ -62,18 +65,16 @@ static void expect_no_reads(fxl_renderer *by)
 
 void test_a_released_frame_reads_nothing_of_the_scene(void)
 {
-    static const choice *const methods[] = {&choice_sorted, &choice_box,
-                                                    &choice_spans,
-                                                    &choice_spans_box};
+    static const choice *const methods[] = {&choice_sorted, &choice_box, &choice_spans,
+                                            &choice_spans_box};
     tiny_scene *tiny = world_scene();
-    tiny->scene.turns = &tilted;
+    tiny->scene.placements = &tilted;
     tiny->scene.first_turned = 2;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     for (uint32_t i = 0; i < 8; i++) {
         init(0, &tiny->scene, LIST);
-        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderers[0], methods[i / 2], spans,
-                                                              sizeof spans));
-        tiny->scene.turns = i % 2 ? NULL : &tilted;
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderers[0], methods[i / 2], spans, sizeof spans));
+        tiny->scene.placements = i % 2 ? NULL : &tilted;
         expect_no_reads(&renderers[0]);
     }
 }
@@ -120,13 +121,13 @@ void test_a_released_frame_is_not_picked(void)
 /* As a frame that was not released. */
 void test_a_refused_begin_with_turns_ends_a_released_frame(void)
 {
-    static fxl_turn turn;
+    static fxl_placement turn;
     const fxl_pose pose = pose_of(1);
     tiny_scene *tiny = world_scene();
     turn = tilted;
-    tiny->scene.turns = &turn;
+    tiny->scene.placements = &turn;
     tiny->scene.first_turned = 2;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     tiny->instances[0].centre.x = Q16(500);
     init(0, &tiny->scene, LIST);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
@@ -134,7 +135,7 @@ void test_a_refused_begin_with_turns_ends_a_released_frame(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderers[0]));
     turn.orientation.x.x ^= 1 << 20;
     tiny->instances[0].centre.x = 0;
-    TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_frame_begin(&renderers[0], &pose));
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_frame_begin(&renderers[0], &pose));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_release_scene(&renderers[0]));
     turn = tilted;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
@@ -165,7 +166,7 @@ static void change_world(uint32_t frame)
                       fxl_world_remove(&world, frame > 0 ? made : (fxl_handle){0, 0}));
     made = world_spawned(&instance, frame % 2 ? &tilted : NULL);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, first, &there));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, first, frame % 2 ? NULL : &tilted));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_placement(&world, first, frame % 2 ? NULL : &tilted));
     TEST_ASSERT_EQUAL(FXL_OK,
                       frame % 2 ? fxl_world_hide(&world, second) : fxl_world_show(&world, second));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_model(&world, fxl_world_handle(2), frame % 2));
@@ -193,7 +194,9 @@ void test_a_world_changes_while_a_released_frame_is_drawn(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(drawn));
         for (uint16_t first = 0; first < WORLD_HEIGHT; first = (uint16_t)(first + 4)) {
             const fxl_band band = {.pixels = world_frames[1] + first * WORLD_WIDTH,
-                                   .width = WORLD_WIDTH, .stride = WORLD_WIDTH, .first_row = first,
+                                   .width = WORLD_WIDTH,
+                                   .stride = WORLD_WIDTH,
+                                   .first_row = first,
                                    .rows = 4};
             if (first == 8) {
                 change_world(frame);

@@ -9,8 +9,11 @@
 static void expect_depth_unread(depth_scene *made)
 {
     fxl_renderer *renderer = &made->renderer;
-    const fxl_band band = {.pixels = made->again, .width = DEPTH_SCENE_WIDTH,
-                           .stride = DEPTH_SCENE_WIDTH, .first_row = 0, .rows = DEPTH_SCENE_HEIGHT};
+    const fxl_band band = {.pixels = made->again,
+                           .width = DEPTH_SCENE_WIDTH,
+                           .stride = DEPTH_SCENE_WIDTH,
+                           .first_row = 0,
+                           .rows = DEPTH_SCENE_HEIGHT};
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_render(renderer, &depth_scene_eye, made->frame, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(renderer, &depth_scene_eye));
@@ -44,8 +47,11 @@ void test_depth_and_textures_are_drawn_without_the_scene(void)
 
 void test_frames_of_16_bits_are_drawn_without_the_scene(void)
 {
-    const fxl_band band = {.pixels = (uint8_t *)(void *)walls.again, .width = WIDTH,
-                           .stride = WIDTH, .first_row = 0, .rows = HEIGHT,
+    const fxl_band band = {.pixels = (uint8_t *)(void *)walls.again,
+                           .width = WIDTH,
+                           .stride = WIDTH,
+                           .first_row = 0,
+                           .rows = HEIGHT,
                            .palette = walls.palette};
     walls_make();
     walls_begin();
@@ -63,7 +69,7 @@ void test_a_tree_is_drawn_without_the_scene(void)
 {
     static uint8_t frames[2][HEIGHT * WIDTH];
     static uint32_t list[60 * FXL_DISPLAY_LIST_WORDS(8)];
-    static fxl_order_entry order[TINY_INSTANCES + 6];
+    static fxl_draw_entry order[TINY_INSTANCES + 6];
     static FXL_ALIGN_8 uint8_t room[4096], pieces[4096];
     static fxl_renderer renderer;
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -75,15 +81,14 @@ void test_a_tree_is_drawn_without_the_scene(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&renderer, &made->tiny->scene, &lens, &memory));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, choice_take(&renderer, &choice_tree, room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, room, sizeof room));
     fxl_bsp_workspace *tree = (fxl_bsp_workspace *)renderer.order_memory;
     tree->pieces = pieces;
     tree->pieces_size = sizeof pieces;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     for (int i = 0; i < 2; i++) {
-        const fxl_band band = {.pixels = frames[i], .width = WIDTH, .stride = WIDTH,
-                               .first_row = 0, .rows = HEIGHT};
+        const fxl_band band = {
+            .pixels = frames[i], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
         fxl_fill_band(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderer));

@@ -10,7 +10,7 @@ enum {
 };
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
-static fxl_order_entry order[2][64];
+static fxl_draw_entry order[2][64];
 static uint32_t list[2][LIST_WORDS];
 static fxl_renderer renderers[2];
 
@@ -21,7 +21,7 @@ static tiny_scene *start(int which)
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order[which], 64, list[which], LIST_WORDS, NULL, 0};
     TEST_ASSERT_EQUAL_MESSAGE(FXL_OK, fxl_scene_check(&tiny->scene, &fault), fault.what);
-    TEST_ASSERT_TRUE(tiny->scene.order_needed <= 64);
+    TEST_ASSERT_TRUE(tiny->scene.draw_list_needed <= 64);
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&renderers[which], &tiny->scene, &lens, &memory));
     return tiny;
@@ -29,8 +29,11 @@ static tiny_scene *start(int which)
 
 static void draw_rows(fxl_renderer *renderer, uint8_t *frame, uint16_t first, uint16_t rows)
 {
-    fxl_band band = {.pixels = frame + first * WIDTH, .width = WIDTH, .stride = WIDTH,
-                     .first_row = first, .rows = rows};
+    fxl_band band = {.pixels = frame + first * WIDTH,
+                     .width = WIDTH,
+                     .stride = WIDTH,
+                     .first_row = first,
+                     .rows = rows};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(renderer, &band));
 }
@@ -152,8 +155,8 @@ void test_a_wider_stride_gives_the_same_pixels(void)
     fxl_pose pose = pose_number(4);
     draw_whole(&renderers[0], &pose, whole);
     memset(wide, 0x5A, sizeof wide);
-    fxl_band band = {.pixels = wide, .width = WIDTH, .stride = WIDTH + 5, .first_row = 0,
-                     .rows = HEIGHT};
+    fxl_band band = {
+        .pixels = wide, .width = WIDTH, .stride = WIDTH + 5, .first_row = 0, .rows = HEIGHT};
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderers[0], &band));
     for (int y = 0; y < HEIGHT; y++) {
@@ -226,8 +229,8 @@ void test_drawing_before_a_frame_has_begun_is_refused(void)
 {
     start(0);
     memset(whole, 0x5A, sizeof whole);
-    fxl_band band = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                     .rows = HEIGHT};
+    fxl_band band = {
+        .pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderers[0], &band));
     expect_untouched(whole, 0x5A);
     TEST_ASSERT_EQUAL_UINT32(1, renderers[0].workspace.counters.refused_calls);
@@ -246,8 +249,7 @@ void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
     const fxl_lens lens = renderer->frame.view.lens;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_bare(renderer, renderer->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(renderer, &choice_sorted, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(renderer, &choice_sorted, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_begin(renderer, &pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(renderer, &fxl_clipper_view, NULL, 0));
     TEST_ASSERT_EQUAL_UINT32(2, renderer->workspace.counters.refused_calls);
@@ -284,24 +286,40 @@ void test_a_band_of_another_screen_is_refused(void)
     start(0);
     fxl_pose pose = pose_number(2);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
-    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH - 1,
-                                                .stride = WIDTH, .first_row = 0, .rows = 4}, 1);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH,
-                                                .stride = WIDTH - 1, .first_row = 0, .rows = 4}, 2);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
-                                                .first_row = HEIGHT, .rows = 1}, 3);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
-                                                .first_row = 1, .rows = HEIGHT}, 4);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
-                                                .first_row = 65535, .rows = 1}, 5);
-    expect_band_refused(FXL_E_RANGE, (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH,
-                                                .first_row = 0, .rows = 0}, 6);
-    expect_band_refused(FXL_E_ARGUMENT, (fxl_band){.pixels = NULL, .width = WIDTH, .stride = WIDTH,
-                                                   .first_row = 0, .rows = 4}, 7);
+    expect_band_refused(
+        FXL_E_RANGE,
+        (fxl_band){.pixels = other, .width = WIDTH - 1, .stride = WIDTH, .first_row = 0, .rows = 4},
+        1);
+    expect_band_refused(
+        FXL_E_RANGE,
+        (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH - 1, .first_row = 0, .rows = 4},
+        2);
+    expect_band_refused(
+        FXL_E_RANGE,
+        (fxl_band){
+            .pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = HEIGHT, .rows = 1},
+        3);
+    expect_band_refused(
+        FXL_E_RANGE,
+        (fxl_band){
+            .pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 1, .rows = HEIGHT},
+        4);
+    expect_band_refused(
+        FXL_E_RANGE,
+        (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 65535, .rows = 1},
+        5);
+    expect_band_refused(
+        FXL_E_RANGE,
+        (fxl_band){.pixels = other, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 0}, 6);
+    expect_band_refused(
+        FXL_E_ARGUMENT,
+        (fxl_band){.pixels = NULL, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 4}, 7);
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw(&renderers[0], NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_draw(NULL, &(fxl_band){.pixels = other,
-                                                                       .width = 48, .stride = 48,
-                                                                       .first_row = 0, .rows = 4}));
+    TEST_ASSERT_EQUAL(
+        FXL_E_ARGUMENT,
+        fxl_frame_draw(
+            NULL,
+            &(fxl_band){.pixels = other, .width = 48, .stride = 48, .first_row = 0, .rows = 4}));
 }
 
 void test_a_renderer_needs_what_the_scene_needs(void)
@@ -309,7 +327,7 @@ void test_a_renderer_needs_what_the_scene_needs(void)
     static fxl_renderer renderer, before;
     tiny_scene *tiny = start(0);
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
-    const uint32_t needed = tiny->scene.order_needed;
+    const uint32_t needed = tiny->scene.draw_list_needed;
     const fxl_memory memory = {order[0], needed, list[0], LIST_WORDS, NULL, 0};
     const fxl_memory too_little = {order[0], needed - 1, list[0], LIST_WORDS, NULL, 0};
     const fxl_memory no_order = {NULL, needed, list[0], LIST_WORDS, NULL, 0};
@@ -341,11 +359,11 @@ void test_a_scene_that_was_not_checked_is_refused(void)
     tiny_scene *tiny = tiny_make();
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory memory = {order[0], 64, list[0], LIST_WORDS, NULL, 0};
-    tiny->scene.order_needed = 0;
+    tiny->scene.draw_list_needed = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
-    tiny->scene.instance_count = tiny->scene.order_needed + 1;
+    tiny->scene.instance_count = tiny->scene.draw_list_needed + 1;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
                       fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
 }
@@ -363,8 +381,8 @@ void test_more_objects_than_the_order_has_room_for_are_refused(void)
     }
     tiny->scene.instances = instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    const fxl_memory memory = {order[0], tiny->scene.order_needed + 1, list[0], LIST_WORDS, NULL,
-                               0};
+    const fxl_memory memory = {
+        order[0], tiny->scene.draw_list_needed + 1, list[0], LIST_WORDS, NULL, 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     tiny->scene.instance_count = TINY_INSTANCES + 1;
     draw_whole(&renderer, &pose, whole);

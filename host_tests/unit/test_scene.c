@@ -15,7 +15,7 @@ void test_a_good_image_opens(void)
     TEST_ASSERT_EQUAL_UINT32(12, opened.scene.face_count);
     TEST_ASSERT_EQUAL_UINT32(2, opened.scene.model_count);
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, opened.scene.instance_count);
-    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, opened.scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, opened.scene.draw_list_needed);
     TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_INSTANCES, 0, INSTANCE), opened.scene.instances);
     TEST_ASSERT_EQUAL_PTR(tiny_entry(image, AT_PALETTE, 0, 3), opened.palette);
     TEST_ASSERT_EQUAL(48, opened.lens.width);
@@ -140,7 +140,7 @@ void test_size_of_the_image(void)
     expect_word(FXL_E_SIZE, AT_SIZE, size + 4);
     expect_word(FXL_E_SIZE, AT_SIZE, 0);
     expect_word(FXL_E_SIZE, AT_SIZE, HEADER_SIZE - 4);
-    expect_word(FXL_E_SIZE, AT_SIZE, AT_MORE - 8); /* it ends within the table of sections */
+    expect_word(FXL_E_SIZE, AT_SIZE, AT_MORE - 8);   /* it ends within the table of sections */
     expect_word(FXL_E_OFFSET, AT_SIZE, AT_MORE - 4); /* it has no sections */
     expect_word(FXL_E_SIZE, AT_SIZE, 16 * 1024 * 1024 + 4);
     expect_word(FXL_E_SIZE, AT_SIZE, 0xFFFFFFFCu);

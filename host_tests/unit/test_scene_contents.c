@@ -208,12 +208,12 @@ void test_a_scene_as_tables(void)
     tiny_scene *tiny = tiny_make();
     fxl_scene_fault fault = {"untouched", 9};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, tiny->scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, tiny->scene.draw_list_needed);
     TEST_ASSERT_EQUAL_STRING("untouched", fault.what);
-    tiny->scene.order_needed = 77;
+    tiny->scene.draw_list_needed = 77;
     tiny->corners[30] = 8;
     TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_scene_check(&tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_UINT32(77, tiny->scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(77, tiny->scene.draw_list_needed);
     TEST_ASSERT_TRUE(strcmp(fault.what, "untouched") != 0);
     tiny = tiny_make();
     tiny->scene.faces = NULL;
@@ -238,7 +238,7 @@ static void expect_order_needed(uint8_t kind0, uint8_t kind1, uint32_t faces1, u
     models[2].face_count = 1000;
     tiny->scene.models = models;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL_UINT32(expected, tiny->scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(expected, tiny->scene.draw_list_needed);
 }
 
 void test_order_needs_the_objects_and_the_largest_sorted_model(void)

@@ -111,7 +111,7 @@ void test_an_image_as_a_whole(void)
     expect_name(FXL_E_MAGIC, "image", 0, AT_MAGIC, 0);
     expect_name(FXL_E_VERSION, "image", 0, AT_VERSION, TINY_SECTIONS << 16 | (IMAGE_VERSION - 1));
     expect_name(FXL_E_RESERVED, "image", 0, AT_BACKGROUND, 0x1000); /* of the target */
-    expect_name(FXL_E_OFFSET, "section", 0, HEADER_SIZE, 0x10000); /* of kind 0 */
+    expect_name(FXL_E_OFFSET, "section", 0, HEADER_SIZE, 0x10000);  /* of kind 0 */
     expect_name(FXL_E_OFFSET, "palette table", 0, HEADER_SIZE + SECTION_BYTES, 0x10001);
     expect_name(FXL_E_VERSION, "section", 0, HEADER_SIZE, 0x10000 | SECTION_KINDS);
     expect_name(FXL_E_RESERVED, "section", 7, AT_KEYS - 4, 0x1000000 | SECTION_KINDS);
@@ -132,10 +132,10 @@ void test_a_table(void)
     static const struct {
         uint32_t at;
         const char *name;
-    } tables[] = {{AT_PALETTE, "palette table"},  {AT_VERTICES, "vertex table"},
-                  {AT_CORNERS, "index table"},    {AT_FACES, "face table"},
-                  {AT_MODELS, "model table"},     {AT_INSTANCES, "instance table"},
-                  {AT_PATH, "path table"},        {AT_KEYS, "face bounds table"}};
+    } tables[] = {{AT_PALETTE, "palette table"}, {AT_VERTICES, "vertex table"},
+                  {AT_CORNERS, "index table"},   {AT_FACES, "face table"},
+                  {AT_MODELS, "model table"},    {AT_INSTANCES, "instance table"},
+                  {AT_PATH, "path table"},       {AT_KEYS, "face bounds table"}};
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         tiny_image *image = tiny_image_make(false);
         const uint32_t offset = tiny_get(image, tables[i].at);
@@ -259,7 +259,7 @@ void test_a_scene_with_a_misaligned_table(void)
         scene->bsp_nodes = i == 6 ? (const fxl_bsp_node *)moved(anywhere, 2) : NULL;
         scene->beams = i == 7 ? (const fxl_beam *)moved(anywhere, 1) : NULL;
         scene->clusters = i == 8 ? (const fxl_cluster *)moved(anywhere, 2) : NULL;
-        scene->turns = i == 9 ? (const fxl_turn *)moved(anywhere, 1) : NULL;
+        scene->placements = i == 9 ? (const fxl_placement *)moved(anywhere, 1) : NULL;
         expect_fault(FXL_E_ALIGNMENT, "scene", 0, scene, fxl_scene_check_all);
         expect_fault(FXL_E_ALIGNMENT, "scene", 0, scene, fxl_scene_check);
     }

@@ -20,7 +20,7 @@ enum {
 
 static uint8_t frame[HEIGHT * WIDTH], ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], lit[256], texels[6 * 5];
 static uint32_t list[LIST_WORDS];
-static fxl_order_entry order[ORDER];
+static fxl_draw_entry order[ORDER];
 static fxl_cached_vertex cache[8];
 static fxl_renderer renderer;
 static FXL_ALIGN_8 fxl_clipper_workspace clipper_room;
@@ -32,7 +32,7 @@ static fxl_billboards billboards;
 static fxl_sprite sprite;
 static fxl_billboard board;
 static fxl_billboard_set set;
-static fxl_turn turns[2];
+static fxl_placement turns[2];
 static fxl_beam beams[2];
 static bsp_scene *made;
 
@@ -68,9 +68,9 @@ enum {
 /* Instance 2 is turned and scaled, and so is instance 1 where it has no tree. */
 static void make_turns(fxl_scene *scene)
 {
-    scene->turns = turns;
+    scene->placements = turns;
     scene->first_turned = scene->bsp_nodes != NULL ? 2 : 1;
-    scene->turn_code = &fxl_turned_instances;
+    scene->placement_code = &fxl_turned_instances;
     for (uint32_t i = 0; i < TINY_INSTANCES - scene->first_turned; i++) {
         const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
         turns[i].scale = unit_between(Q16(0.25), Q16(2));
@@ -179,8 +179,8 @@ static void add_extras(const choice *method, uint32_t with)
     if (with & BEAMS) {
         make_beams();
         static const fxl_beam_set beam_set = {beams, 2, lit};
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_attach_beams(&renderer, &beam_set, beam_room, sizeof beam_room));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_beams(&renderer, &beam_set, beam_room, sizeof beam_room));
     }
     if (with & LIGHT) {
         add_light();

@@ -46,7 +46,7 @@ void test_light_is_used_in_place(void)
     fxl_light_settings settings;
     memset(&settings, 0x5A, sizeof settings);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
-    TEST_ASSERT_NULL(opened.scene.turns);
+    TEST_ASSERT_NULL(opened.scene.placements);
     TEST_ASSERT_NULL(opened.scene.beams);
     fxl_light_settings_of(&opened.light, &settings);
     TEST_ASSERT_EQUAL_INT32(FXL_Q2_30_ONE / 4, settings.ambient);

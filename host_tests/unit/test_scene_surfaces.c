@@ -151,7 +151,7 @@ void test_an_image_with_surfaces_may_have_no_light_turns_or_beams(void)
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_NULL(opened.light.base);
-    TEST_ASSERT_NULL(opened.scene.turns);
+    TEST_ASSERT_NULL(opened.scene.placements);
     TEST_ASSERT_NULL(opened.scene.beams);
 }
 
@@ -211,17 +211,16 @@ void test_sections_of_surfaces_go_together(void)
     for (uint16_t kind = SECTION_TEXTURES; kind <= SECTION_BLEND_TABLE; kind++) {
         static const uint32_t bytes[64];
         tiny_image *image = tiny_image_make(false);
-        const uint32_t size = kind == SECTION_BLEND_TABLE   ? 256
+        const uint32_t size = kind == SECTION_BLEND_TABLE    ? 256
                               : kind == SECTION_MAPPED_FACES ? 36
                                                              : 48;
         tiny_set_section(image, kind, bytes, 1, size);
         if (size == 48) { /* whole entries of any of the others */
-            tiny_put32(tiny_at(image, AT_MORE + 4),
-                       kind == SECTION_TEXTURES              ? 3
-                       : kind == SECTION_TEXELS              ? 48
-                       : kind == SECTION_SURFACES            ? 6
-                       : kind == SECTION_FACE_MAP            ? 24
-                                                             : 4);
+            tiny_put32(tiny_at(image, AT_MORE + 4), kind == SECTION_TEXTURES   ? 3
+                                                    : kind == SECTION_TEXELS   ? 48
+                                                    : kind == SECTION_SURFACES ? 6
+                                                    : kind == SECTION_FACE_MAP ? 24
+                                                                               : 4);
         }
         expect_opening(FXL_E_COUNT, image);
     }

@@ -16,7 +16,7 @@ static fxl_model models[2];
 static fxl_instance instances[TINY_INSTANCES];
 static fxl_face_bounds bounds[6];
 static fxl_bsp_node nodes[BSP_NODES];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static uint8_t pixels[HEIGHT][WIDTH];
 static uint64_t workspace[40];
 static fxl_renderer renderer;
@@ -50,7 +50,7 @@ void test_checks_read_no_more_than_the_tables(void)
     for (int kind = 0; kind < 4; kind++) {
         make(kind & 1, kind & 2);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&scene, NULL));
-        TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, scene.order_needed);
+        TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES + 6, scene.draw_list_needed);
         if (!(kind & 2)) {
             TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
         }
@@ -67,8 +67,8 @@ void test_frames_read_no_more_than_the_tables(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &memory));
         if (kind & 2) {
-            TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree,
-                                                                  workspace, sizeof workspace));
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              choice_take(&renderer, &choice_tree, workspace, sizeof workspace));
         }
         for (int place = 0; place < 3; place++) {
             const fxl_pose pose = {{Q16(1), Q16(2), Q16(-8) + place * Q16(14)},
@@ -104,7 +104,7 @@ void test_the_smallest_scene(void)
         }
         TEST_ASSERT_EQUAL(less == 7 ? FXL_OK : FXL_E_COUNT, fxl_scene_check(&scene, NULL));
     }
-    TEST_ASSERT_EQUAL_UINT32(1, scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(1, scene.draw_list_needed);
 }
 
 /* A sphere of a node without faces may be a point. */

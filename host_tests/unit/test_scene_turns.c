@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Turned instances and motions in a scene image: sections of turns, of motions and of their keys. */
+/* Turned instances and motions in a scene image: sections of turns, of motions and of their keys.
+ * */
 #include "expect_scene.h"
 
 enum {
@@ -14,7 +15,8 @@ enum {
 /* Tiny's image with two turns and one motion. */
 static tiny_image *make(void)
 {
-    static const fxl_turn turns[2] = {{FXL_ORIENTATION_NONE, FXL_UNITS(2)}, FXL_TURN_NONE};
+    static const fxl_placement turns[2] = {{FXL_ORIENTATION_NONE, FXL_UNITS(2)},
+                                           FXL_PLACEMENT_NONE};
     static const fxl_motion motion = {
         .yaw_step = 7, .scale_low = 65536, .scale_high = 65536, .key_count = 1};
     static const fxl_motion_key key = {.scale = 65536};
@@ -42,7 +44,7 @@ void test_turns_are_used_in_place(void)
     fxl_scene_image opened;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(1, opened.scene.first_turned);
-    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), opened.scene.turns[0].scale);
+    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), opened.scene.placements[0].scale);
     TEST_ASSERT_EQUAL_UINT32(1, opened.motion.motion_count);
     TEST_ASSERT_EQUAL_UINT32(7, opened.motion.motions[0].yaw_step);
     TEST_ASSERT_EQUAL_UINT32(1, opened.motion.key_count);
@@ -51,14 +53,14 @@ void test_turns_are_used_in_place(void)
     TEST_ASSERT_NULL(opened.scene.beams);
     image = tiny_image_make(false);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
-    TEST_ASSERT_NULL(opened.scene.turns);
+    TEST_ASSERT_NULL(opened.scene.placements);
     TEST_ASSERT_EQUAL_UINT32(0, opened.motion.motion_count);
 }
 
 void test_a_scene_may_have_turns_alone(void)
 {
     tiny_image *image = make();
-    static const fxl_turn one = {FXL_ORIENTATION_NONE, FXL_UNITS(2)};
+    static const fxl_placement one = {FXL_ORIENTATION_NONE, FXL_UNITS(2)};
     tiny_set_section(image, SECTION_MOTIONS, NULL, 0, 0);
     tiny_set_section(image, SECTION_KEYS_OF_MOTIONS, NULL, 0, 0);
     expect_opening(FXL_OK, image);
@@ -68,12 +70,13 @@ void test_a_scene_may_have_turns_alone(void)
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES - 1, opened.scene.first_turned);
-    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), opened.scene.turns[0].scale);
+    TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), opened.scene.placements[0].scale);
 }
 
 void test_every_instance_may_be_turned(void)
 {
-    static const fxl_turn turns[TINY_INSTANCES] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
+    static const fxl_placement turns[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
+                                                        FXL_PLACEMENT_NONE};
     tiny_image *image = tiny_image_make(false);
     fxl_scene_image opened;
     tiny_set_section(image, SECTION_TURNS, turns, TINY_INSTANCES, TURN);
@@ -112,14 +115,14 @@ void test_there_are_no_more_motions_than_turns(void)
     tiny_set_section(image, SECTION_MOTIONS, motions, 3, MOTION);
     expect_opening(FXL_E_COUNT, image);
     image = make();
-    static const fxl_turn turns[TINY_INSTANCES + 1];
+    static const fxl_placement turns[TINY_INSTANCES + 1];
     tiny_set_section(image, SECTION_TURNS, turns, TINY_INSTANCES + 1, TURN); /* nor more turns */
     expect_opening(FXL_E_COUNT, image);
 }
 
 void test_entries_are_checked(void)
 {
-    entry_word(FXL_E_TURN, AT_TURNS, 4, 5);
+    entry_word(FXL_E_PLACEMENT, AT_TURNS, 4, 5);
     entry_word(FXL_E_RANGE, AT_TURNS, 36, 0);
     entry_word(FXL_E_RESERVED, AT_MOTIONS, 72, 1);
     entry_word(FXL_E_INDEX, AT_MOTIONS, 64, 1);

@@ -224,7 +224,7 @@ void test_slides_that_cannot_be_are_refused(void)
     sphere.radius = FXL_SLIDE_RADIUS_MAX;
     sphere.centre.y = -FXL_COORDINATE_MAX - 1;
     expect_refused(FXL_E_RANGE, &sphere, &none);
-    tiny->scene.order_needed = 0;
+    tiny->scene.draw_list_needed = 0;
     sphere.centre.y = 0;
     expect_refused(FXL_E_ORDER, &sphere, &none);
 }

@@ -8,16 +8,16 @@
 #include "turns.h"
 
 static tiny_scene *tiny;
-static fxl_turn turns[TINY_INSTANCES];
+static fxl_placement turns[TINY_INSTANCES];
 
 void setUp(void)
 {
     tiny = tiny_make();
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_turn)FXL_TURN_NONE;
+        turns[i] = (fxl_placement)FXL_PLACEMENT_NONE;
     }
-    tiny->scene.turns = turns;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placements = turns;
+    tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
 }
 
@@ -28,7 +28,7 @@ void tearDown(void)
 /* How far a point is from a cube, in units of 1/65536; 0 within. In the cube's own axes. */
 static double distance_from(const fxl_point *point, uint32_t number)
 {
-    const fxl_turn *turn = &turns[number];
+    const fxl_placement *turn = &turns[number];
     const fxl_point *c = &tiny->instances[number].centre;
     const double to[3] = {(double)point->x - c->x, (double)point->y - c->y,
                           (double)point->z - c->z};
@@ -81,7 +81,7 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
 void test_a_sphere_stops_at_a_turned_face(void)
 {
     const fxl_q2_30 diagonal = 759250125; /* 2^30 / sqrt(2) */
-    turns[0] = (fxl_turn){
+    turns[0] = (fxl_placement){
         {{diagonal, 0, diagonal}, {0, FXL_Q2_30_ONE, 0}, {-diagonal, 0, diagonal}}, Q16(2)};
     tiny->scene.instance_count = 1;
     fxl_sphere sphere = {{Q16(-3), 0, Q16(-3)}, Q16(0.5)};
@@ -113,7 +113,7 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
     tiny->vertices[7].z += FXL_PLANARITY_MAX; /* of the face +z, whose first vertex is another */
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
         const fxl_q16_16 scale = Q16(200);
-        turns[0] = (fxl_turn){turns_orientation(), scale};
+        turns[0] = (fxl_placement){turns_orientation(), scale};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
         /* In the cube's axes: over the face, beside the vertex. */
         const fxl_q16_16 beside = unit_between(0, 100), radius = unit_between(Q16(4), Q16(20));
@@ -124,9 +124,9 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
         fxl_point vertex, to;
         fxl_sphere sphere = {{0, 0, 0}, radius};
         fxl_slide slide;
-        fxl_turn_point(&turns[0], centre, &start, &sphere.centre);
-        fxl_turn_point(&turns[0], centre, &end, &to);
-        fxl_turn_point(&turns[0], centre, &tiny->vertices[7], &vertex);
+        fxl_placement_point(&turns[0], centre, &start, &sphere.centre);
+        fxl_placement_point(&turns[0], centre, &end, &to);
+        fxl_placement_point(&turns[0], centre, &tiny->vertices[7], &vertex);
         const fxl_point move = {to.x - sphere.centre.x, to.y - sphere.centre.y,
                                 to.z - sphere.centre.z};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
@@ -146,12 +146,12 @@ void test_turns_that_cannot_be_are_refused(void)
     const fxl_slide untouched = slide;
     fxl_sphere moved = sphere;
     turns[1].orientation.x.x = 0;
-    TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
-    turns[1] = (fxl_turn)FXL_TURN_NONE;
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
+    turns[1] = (fxl_placement)FXL_PLACEMENT_NONE;
     turns[2].scale = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
-    turns[2] = (fxl_turn)FXL_TURN_NONE;
-    tiny->scene.turn_code = NULL;
+    turns[2] = (fxl_placement)FXL_PLACEMENT_NONE;
+    tiny->scene.placement_code = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
     TEST_ASSERT_EQUAL_MEMORY(&sphere, &moved, sizeof moved);
     TEST_ASSERT_EQUAL_MEMORY(&untouched, &slide, sizeof slide);

@@ -116,7 +116,7 @@ void test_an_off_centre_lens_shows_the_same_texels(void)
     uint32_t different = 0;
     for (uint32_t i = 0; i < ROUNDS / 4; i++) {
         quad_scene *quad = quad_make(false);
-        fxl_order_entry order[2];
+        fxl_draw_entry order[2];
         fxl_lens lens;
         quad->texture =
             (fxl_texture){.texels = texels, .log_width = 3, .log_height = 1, .levels = 4};
@@ -132,8 +132,11 @@ void test_an_off_centre_lens_shows_the_same_texels(void)
                           fxl_renderer_init_with(&quad->renderer, &quad->scene, &lens, &memory));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&quad->renderer, &quad->surfaces, &quad->set,
                                                       FXL_SURFACES_OF(fxl_palette)));
-        const fxl_band band = {.pixels = again, .width = PART_WIDTH, .stride = PART_WIDTH,
-                               .first_row = 0, .rows = PART_HEIGHT};
+        const fxl_band band = {.pixels = again,
+                               .width = PART_WIDTH,
+                               .stride = PART_WIDTH,
+                               .first_row = 0,
+                               .rows = PART_HEIGHT};
         fxl_fill_band(&band, QUAD_BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
@@ -153,8 +156,11 @@ static void expect_same_in_bands(quad_scene *quad)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&quad->renderer, &quad->pose));
     for (uint16_t row = 0; row < QUAD_HEIGHT; row += 4) {
-        const fxl_band band = {.pixels = again + row * QUAD_WIDTH, .width = QUAD_WIDTH,
-                               .stride = QUAD_WIDTH, .first_row = row, .rows = 4};
+        const fxl_band band = {.pixels = again + row * QUAD_WIDTH,
+                               .width = QUAD_WIDTH,
+                               .stride = QUAD_WIDTH,
+                               .first_row = row,
+                               .rows = 4};
         fxl_fill_band(&band, QUAD_BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&quad->renderer, &band));
     }
@@ -281,8 +287,11 @@ void test_colours_are_blended_with_those_beneath(void)
         quad->set.blend_first = (uint32_t)first;
         quad->set.blend_count = 3;
         quad_begin(quad);
-        const fxl_band band = {.pixels = quad->frame, .width = QUAD_WIDTH, .stride = QUAD_WIDTH,
-                               .first_row = 0, .rows = QUAD_HEIGHT};
+        const fxl_band band = {.pixels = quad->frame,
+                               .width = QUAD_WIDTH,
+                               .stride = QUAD_WIDTH,
+                               .first_row = 0,
+                               .rows = QUAD_HEIGHT};
         for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
             quad->frame[p] = (uint8_t)(200 + p % 50);
         }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Billboards and surfaces in the order by tree: a billboard is whole, in the leaf of its centre, and a
- * face that is cut shows the texels of the whole face. */
+/* Billboards and surfaces in the order by tree: a billboard is whole, in the leaf of its centre,
+ * and a face that is cut shows the texels of the whole face. */
 #include "bsp_scene.h"
 #include "frame_bands.h"
 #include "tiny_board.h"
@@ -89,11 +89,10 @@ static void start(const fxl_order *order, bool is_rgb565, bool has_billboards, u
     config.order = order;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
     config.tree = tree;
-    config.tree_size = order->memory_size != NULL
-                           ? (order->memory_size(&made->tiny->scene) + 7u) & ~7u
-                           : 0;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &made->tiny->scene, &config, memory,
-                                                sizeof memory));
+    config.tree_size =
+        order->memory_size != NULL ? (order->memory_size(&made->tiny->scene) + 7u) & ~7u : 0;
+    TEST_ASSERT_EQUAL(
+        FXL_OK, fxl_renderer_init(&renderer, &made->tiny->scene, &config, memory, sizeof memory));
     renderer.frame.display_list.capacity = words;
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_attach_billboards(&renderer, &billboards, has_billboards ? &set : NULL,
@@ -170,7 +169,8 @@ void test_billboards_by_a_tree_that_the_scene_has_not(void)
     TEST_ASSERT_EQUAL_UINT8(SPRITE, frame[HEIGHT / 2 * WIDTH + WIDTH / 2]);
 }
 
-/* --- surfaces ---------------------------------------------------------------------------------- */
+/* --- surfaces ----------------------------------------------------------------------------------
+ * */
 
 enum {
     TEXEL = 200, /* and more */
@@ -188,7 +188,7 @@ static fxl_surface_set surface_set;
 static fxl_surfaces surfaces;
 static fxl_light light;
 static fxl_lit_surfaces lit;
-static fxl_turn turns[1];
+static fxl_placement turns[1];
 static uint64_t room[PIECES / 8];
 
 /* Each face of model 0 has a texture of its own, of 8 colours, and light of the same. */
@@ -229,8 +229,8 @@ static uint32_t face_at(uint8_t pixel)
     return pixel >= TEXEL && pixel < BACKGROUND ? pixel / 8u : 0;
 }
 
-/* An instance is a cube of model 0 that the tree cuts: instance 0, or, turned, instance 2. The other
- * one of the two is far away. */
+/* An instance is a cube of model 0 that the tree cuts: instance 0, or, turned, instance 2. The
+ * other one of the two is far away. */
 static void make_mover(bool is_turned)
 {
     tiny_scene *tiny = made->tiny;
@@ -238,10 +238,10 @@ static void make_mover(bool is_turned)
     tiny->instances[0] = tiny->instances[2] = (fxl_instance){{0, 0, Q16(200)}, 0, 0, 0};
     mover->centre = unit_point(Q16(1.5));
     mover->centre.z += Q16(10);
-    tiny->scene.turns = is_turned ? turns : NULL;
-    tiny->scene.turn_code = is_turned ? &fxl_turned_instances : NULL;
+    tiny->scene.placements = is_turned ? turns : NULL;
+    tiny->scene.placement_code = is_turned ? &fxl_turned_instances : NULL;
     tiny->scene.first_turned = is_turned ? 2 : 0;
-    turns[0] = (fxl_turn)FXL_TURN_NONE;
+    turns[0] = (fxl_placement)FXL_PLACEMENT_NONE;
     if (is_turned) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(DEGREES(20), DEGREES(35), DEGREES(10),
                                                               &turns[0].orientation));
@@ -299,9 +299,12 @@ static void draw_wide(uint16_t *to, uint32_t rows)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         const uint32_t left = HEIGHT - row;
-        const fxl_band band = {.pixels = (uint8_t *)(to + row * WIDTH), .width = WIDTH,
-                               .stride = WIDTH, .first_row = (uint16_t)row,
-                               .rows = (uint16_t)(left < rows ? left : rows), .palette = colours};
+        const fxl_band band = {.pixels = (uint8_t *)(to + row * WIDTH),
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = (uint16_t)row,
+                               .rows = (uint16_t)(left < rows ? left : rows),
+                               .palette = colours};
         fxl_rgb565.fill(&band, BACKGROUND);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     }

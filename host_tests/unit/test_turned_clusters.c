@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Clusters of turned instances: their spheres, and cones before an eye that was rounded. */
 #include "cluster_scene.h"
-#include "scene/turn_code.h"
+#include "scene/placement_code.h"
 #include "study/clippers.h"
 #include "turns.h"
 #include "view/clusters.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 enum {
     WIDTH = 48,
@@ -14,10 +14,10 @@ enum {
 };
 
 static fxl_renderer renderer;
-static fxl_order_entry order[ENTRIES];
+static fxl_draw_entry order[ENTRIES];
 static fxl_cached_vertex cache[16];
 static uint8_t pixels[2][HEIGHT * WIDTH];
-static fxl_turn turns[TINY_INSTANCES];
+static fxl_placement turns[TINY_INSTANCES];
 
 /* Whether an eye less e units away from the apex is in a cone. By the definition, in double, of
  * which the error is far below 2^-20 for such small numbers. */
@@ -64,8 +64,8 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, NULL, 0));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    const fxl_band band = {.pixels = pixels[which], .width = WIDTH, .stride = WIDTH,
-                           .first_row = 0, .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = pixels[which], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     fxl_fill_band(&band, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
     return renderer.workspace.counters;
@@ -75,22 +75,23 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
 static void turn_all(tiny_scene *tiny)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_turn){turns_orientation(), FXL_Q16_16_ONE};
+        turns[i] = (fxl_placement){turns_orientation(), FXL_Q16_16_ONE};
     }
     turns[1].scale =
         unit_between(0, 1) ? unit_between(FXL_Q16_16_ONE / 4, 6 * FXL_Q16_16_ONE) : FXL_Q16_16_ONE;
-    tiny->scene.turns = turns;
+    tiny->scene.placements = turns;
     tiny->scene.first_turned = 0;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
 }
 
 /* The sphere test rejects the cluster where its instance's turn puts it. */
 static bool is_outside(const cluster_scene *made, const fxl_view *view, const fxl_cluster *cluster)
 {
     fxl_point centre;
-    fxl_turn_point(&turns[1], &made->tiny->instances[1].centre, &cluster->centre, &centre);
+    fxl_placement_point(&turns[1], &made->tiny->instances[1].centre, &cluster->centre, &centre);
     return fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
-                             fxl_turn_radius(&turns[1], cluster->radius)) == FXL_SPHERE_OUTSIDE;
+                             fxl_placement_radius(&turns[1], cluster->radius)) ==
+           FXL_SPHERE_OUTSIDE;
 }
 
 static bool is_front(const cluster_scene *made, const fxl_view *view, const fxl_face *face)
@@ -103,7 +104,7 @@ static bool is_front(const cluster_scene *made, const fxl_view *view, const fxl_
                               (int64_t)face->normal.y * first->y +
                               (int64_t)face->normal.z * first->z;
     const fxl_point from_eye = {cube->x - eye->x, cube->y - eye->y, cube->z - eye->z};
-    return fxl_turn_is_front(&turns[1], &from_eye, &face->normal, height);
+    return fxl_placement_is_front(&turns[1], &from_eye, &face->normal, height);
 }
 
 static const cluster_definition definition = {is_outside, is_front};
@@ -113,7 +114,7 @@ static uint32_t planes_by_definition(const fxl_cluster *cluster, const fxl_insta
                                      const fxl_view *view, uint32_t planes)
 {
     fxl_point centre;
-    fxl_turn_point(&turns[1], &cube->centre, &cluster->centre, &centre);
+    fxl_placement_point(&turns[1], &cube->centre, &cluster->centre, &centre);
     const uint32_t crossed = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
                                                fxl_scaled_radius(turns[1].scale, cluster->radius));
     return planes == 0 || crossed != FXL_SPHERE_OUTSIDE ? planes & crossed : crossed;
@@ -122,7 +123,7 @@ static uint32_t planes_by_definition(const fxl_cluster *cluster, const fxl_insta
 static bool is_cube_in_sight(void)
 {
     for (uint32_t i = 0; i < renderer.frame.visible_count; i++) {
-        if (renderer.frame.order[i].index == 1) {
+        if (renderer.frame.draw_list[i].index == 1) {
             return true;
         }
     }
@@ -230,7 +231,7 @@ void test_turned_clusters_that_no_sphere_test_takes(void)
     fxl_vertex_cache none = {.entries = NULL};
     fxl_turned_view turned;
     turn_all(tiny);
-    turns[1] = (fxl_turn){FXL_ORIENTATION_NONE, 4 * FXL_Q16_16_ONE};
+    turns[1] = (fxl_placement){FXL_ORIENTATION_NONE, 4 * FXL_Q16_16_ONE};
     (void)draw(tiny, &pose, 0, false, &fxl_clipper_view);
     const fxl_view *view = &renderer.frame.view;
     (void)fxl_turned_view_of_instance(&turned, &tiny->scene, 1, view, &none, FXL_PLANES_ALL);

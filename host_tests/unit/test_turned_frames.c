@@ -21,11 +21,11 @@ enum {
 static FXL_ALIGN_8 fxl_clipper_workspace room;
 static FXL_ALIGN_8 uint8_t span_room[SPANS];
 static uint8_t frames[2][PIXELS], third[PIXELS];
-static fxl_order_entry order[64];
+static fxl_draw_entry order[64];
 static uint32_t list[LIST_WORDS];
 static fxl_cached_vertex cache[9];
 static fxl_renderer renderer;
-static fxl_turn turns[TINY_INSTANCES];
+static fxl_placement turns[TINY_INSTANCES];
 static tiny_scene *tiny;
 
 /* The tiny scene, of which the instances from first on are turned. */
@@ -43,8 +43,7 @@ static void start(int which, uint32_t list_words, uint32_t entries, bool front_t
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_clipper(&renderer, clipper, &room, clipper->workspace_size));
     if (front_to_back) {
-        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans,
-                                                              span_room, SPANS));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans, span_room, SPANS));
     }
 }
 
@@ -147,7 +146,7 @@ void test_facing_of_what_is_small_and_far(void)
         uint32_t wanted = 0;
         for (uint32_t i = 0; i < 6; i++) {
             const fxl_face *face = &tiny->faces[i];
-            wanted += !fxl_turn_is_front(
+            wanted += !fxl_placement_is_front(
                 &turns[0], &cube->centre, &face->normal,
                 fxl_face_height(tiny->vertices, tiny->scene.indices + face->first_index, face));
         }
@@ -244,13 +243,13 @@ void test_orientations_in_sight_are_checked(void)
         draw(&poses[0], 5, third);
         measured += seen && renderer.frame.state == FXL_FRAME_MEASURED;
         const fxl_camera before = renderer.frame.view.camera;
-        fxl_turn *turn =
+        fxl_placement *turn =
             &turns[number - (number < tiny->scene.first_turned ? 0 : tiny->scene.first_turned)];
-        const fxl_turn good = *turn;
+        const fxl_placement good = *turn;
         if (number >= tiny->scene.first_turned) {
             turn->orientation.x.x ^= 1 << 20;
         }
-        TEST_ASSERT_EQUAL(seen ? FXL_E_TURN : FXL_OK, fxl_frame_begin(&renderer, &poses[1]));
+        TEST_ASSERT_EQUAL(seen ? FXL_E_PLACEMENT : FXL_OK, fxl_frame_begin(&renderer, &poses[1]));
         if (seen) { /* what is asked of the view is of the picture that was drawn last */
             TEST_ASSERT_EQUAL_MEMORY(&before, &renderer.frame.view.camera, sizeof before);
             TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
@@ -268,7 +267,7 @@ void test_orientations_in_sight_are_checked(void)
     make(0);
     start(CLIPPERS, 0, 9, false);
     turns[0].orientation.x.x = turns[1].orientation.x.x = turns[2].orientation.x.x = 0;
-    expect_refused(FXL_E_TURN);
+    expect_refused(FXL_E_PLACEMENT);
     TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
 }
 
@@ -288,11 +287,11 @@ void test_the_number_of_instances_may_change(void)
 static void expect_fault(fxl_status status, const char *what, uint32_t index)
 {
     fxl_scene_fault fault = {"", 99};
-    tiny->scene.order_needed = 77;
+    tiny->scene.draw_list_needed = 77;
     TEST_ASSERT_EQUAL(status, fxl_scene_check(&tiny->scene, &fault));
     TEST_ASSERT_EQUAL_STRING(what, fault.what);
     TEST_ASSERT_EQUAL_UINT32(index, fault.index);
-    TEST_ASSERT_EQUAL_UINT32(77, tiny->scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(77, tiny->scene.draw_list_needed);
 }
 
 void test_the_check_of_a_scene_with_turns(void)
@@ -302,18 +301,18 @@ void test_the_check_of_a_scene_with_turns(void)
     expect_fault(FXL_E_RANGE, "instance", 2);
     turns[1].scale = FXL_SCALE_MAX;
     turns[0].orientation.x.x = 0;
-    expect_fault(FXL_E_TURN, "instance", 1);
+    expect_fault(FXL_E_PLACEMENT, "instance", 1);
     make(0);
     tiny->instances[0].centre.y = Q16(8190); /* a corner would be outside if it stood still */
     expect_fault(FXL_E_RANGE, "instance", 0);
     turns[0].scale = Q16(0.5);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-    tiny->scene.turn_code = NULL;
+    tiny->scene.placement_code = NULL;
     expect_fault(FXL_E_ARGUMENT, "turn table", 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
-    TEST_ASSERT_EQUAL_PTR(&fxl_turned_instances, tiny->scene.turn_code);
+    TEST_ASSERT_EQUAL_PTR(&fxl_turned_instances, tiny->scene.placement_code);
     turns[0].scale = 0;
-    tiny->scene.turn_code = NULL;
+    tiny->scene.placement_code = NULL;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scene_check_all(&tiny->scene, NULL));
-    TEST_ASSERT_NULL(tiny->scene.turn_code);
+    TEST_ASSERT_NULL(tiny->scene.placement_code);
 }

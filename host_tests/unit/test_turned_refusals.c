@@ -15,11 +15,11 @@ enum {
 };
 
 static uint8_t frames[2][PIXELS];
-static fxl_order_entry order[64];
+static fxl_draw_entry order[64];
 static uint32_t list[LIST_WORDS];
 static fxl_cached_vertex cache[9];
 static fxl_renderer renderer;
-static fxl_turn turns[TINY_INSTANCES];
+static fxl_placement turns[TINY_INSTANCES];
 static tiny_scene *tiny;
 
 /* The tiny scene, of which the instances from first on are turned, in a list of so many words. */
@@ -47,8 +47,8 @@ static void expect_refused(fxl_status status)
 /* A refused frame has ended the frame before: no call reads the turns. */
 static void expect_ended(void)
 {
-    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     fxl_picked picked;
     fxl_fill_band(&band, BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
@@ -60,11 +60,12 @@ static void expect_ended(void)
 
 /* Instance 2 of a frame that was drawn gets a turn and a centre. The next frame is refused. The
  * table stays as it is while the frame before is asked for. */
-static void expect_refused_and_ended(const fxl_turn *bad, fxl_q16_16 centre_x, fxl_status status)
+static void expect_refused_and_ended(const fxl_placement *bad, fxl_q16_16 centre_x,
+                                     fxl_status status)
 {
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     fxl_instance *instance = &tiny->instances[2];
-    const fxl_turn good = turns[1];
+    const fxl_placement good = turns[1];
     const fxl_q16_16 good_x = instance->centre.x;
     draw(&pose, HEIGHT, frames[0]);
     turns[1] = *bad;
@@ -92,19 +93,19 @@ void test_a_bad_turn_ends_the_frame_before(void)
     static const uint32_t words[] = {0, 60, LIST_WORDS};
     for (uint32_t k = 0; k < 3; k++) {
         start(1, words[k]);
-        const fxl_turn good = turns[1];
+        const fxl_placement good = turns[1];
         const fxl_q16_16 x = tiny->instances[2].centre.x;
         for (uint32_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
-            const fxl_turn scaled = {good.orientation, scales[i]};
+            const fxl_placement scaled = {good.orientation, scales[i]};
             expect_refused_and_ended(&scaled, x, FXL_E_RANGE);
         }
-        fxl_turn bad = good;
+        fxl_placement bad = good;
         bad.orientation.y.y -= 1 << 10;
-        expect_refused_and_ended(&bad, x, FXL_E_TURN);
+        expect_refused_and_ended(&bad, x, FXL_E_PLACEMENT);
         bad.orientation.x = (fxl_direction){INT32_MIN, INT32_MIN, INT32_MIN};
         bad.orientation.z = bad.orientation.y = bad.orientation.x;
-        expect_refused_and_ended(&bad, x, FXL_E_TURN);
-        const fxl_turn large = {good.orientation, Q16(200)};
+        expect_refused_and_ended(&bad, x, FXL_E_PLACEMENT);
+        const fxl_placement large = {good.orientation, Q16(200)};
         expect_refused_and_ended(&large, Q16(8000), FXL_E_RANGE);
         expect_refused_and_ended(&good, INT32_MAX, FXL_E_RANGE);
         expect_refused_and_ended(&good, INT32_MIN, FXL_E_RANGE);
@@ -117,7 +118,7 @@ void test_any_refused_frame_with_turns_ends_the_frame_before(void)
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
     start(1, 0);
-    const fxl_turn good = turns[1];
+    const fxl_placement good = turns[1];
     draw(&pose, HEIGHT, frames[0]);
     turns[1].orientation.x.x = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_begin(&renderer, &far_away));
@@ -154,17 +155,17 @@ void test_a_refused_frame_without_turns_leaves_the_frame_before(void)
 void test_turns_without_their_code_are_refused(void)
 {
     start(1, 0);
-    const fxl_turn_code *const code = tiny->scene.turn_code;
-    tiny->scene.turn_code = NULL;
+    const fxl_placement_code *const code = tiny->scene.placement_code;
+    tiny->scene.placement_code = NULL;
     expect_refused(FXL_E_ORDER);
     expect_ended();
-    tiny->scene.turn_code = code;
+    tiny->scene.placement_code = code;
 }
 
 static void expect_no_lines(fxl_wire *wire)
 {
-    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_draw(wire, &band));
 }
 
@@ -175,8 +176,8 @@ void test_a_refused_wireframe(void)
     static const fxl_q16_16 scales[] = {0, -5, FXL_UNITS(20000), INT32_MAX};
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
-    const fxl_band band = {.pixels = frames[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = frames[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     start(1, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));
@@ -193,7 +194,7 @@ void test_a_refused_wireframe(void)
     expect_no_lines(&wire);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     turns[1].orientation.x.x = 0;
-    TEST_ASSERT_EQUAL(FXL_E_TURN, fxl_wire_begin(&wire, &pose));
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_wire_begin(&wire, &pose));
     expect_no_lines(&wire);
     start(TINY_INSTANCES, 0); /* without turns the frame before stays */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));

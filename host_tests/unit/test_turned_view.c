@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The turned view of an instance: vertices, facing, order and the sphere test. */
 #include "turns.h"
-#include "view/turn.h"
+#include "view/placement.h"
 #include "wide.h"
 
 enum {
@@ -15,7 +15,7 @@ static fxl_face faces[FACES];
 static fxl_face_bounds bounds[FACES];
 static fxl_model model = {.vertex_count = VERTICES, .face_count = FACES, .kind = FXL_MODEL_SORTED};
 static fxl_instance instance;
-static fxl_turn turn;
+static fxl_placement turn;
 static fxl_scene scene = {.vertices = vertices,
                           .indices = indices,
                           .faces = faces,
@@ -23,8 +23,8 @@ static fxl_scene scene = {.vertices = vertices,
                           .instances = &instance,
                           .model_count = 1,
                           .instance_count = 1,
-                          .turns = &turn,
-                          .turn_code = &fxl_turned_instances};
+                          .placements = &turn,
+                          .placement_code = &fxl_turned_instances};
 static fxl_view view;
 static fxl_vertex_cache cache;
 static fxl_turned_view turned;
@@ -58,7 +58,7 @@ static void make_bounds(void)
 static void start(void)
 {
     turn = turns_any();
-    const int64_t most = ((int64_t)(FXL_COORDINATE_MAX - FXL_TURN_SLACK) << 16) / turn.scale;
+    const int64_t most = ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / turn.scale;
     model.radius = most < FXL_RADIUS_MAX ? (fxl_q16_16)most : FXL_RADIUS_MAX;
     model.radius >>= unit_between(0, 12);
     for (uint32_t i = 0; i < VERTICES; i++) {
@@ -69,14 +69,14 @@ static void start(void)
     }
     make_bounds();
     scene.face_bounds = unit_between(0, 1) ? bounds : NULL;
-    const fxl_q16_16 reach = fxl_turn_radius(&turn, model.radius);
+    const fxl_q16_16 reach = fxl_placement_radius(&turn, model.radius);
     instance.centre = unit_point(FXL_COORDINATE_MAX - reach);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_turn_check(&turn, &instance.centre, model.radius));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&turn, &instance.centre, model.radius));
     fxl_lens lens = unit_any_lens();
     fxl_pose pose = unit_pose();
     if (unit_between(0, 2) != 0) {
-        fxl_turn_point(&turn, &instance.centre, &vertices[unit_random() % VERTICES],
-                       &pose.position);
+        fxl_placement_point(&turn, &instance.centre, &vertices[unit_random() % VERTICES],
+                            &pose.position);
     }
     fxl_view_set_lens(&view, &lens);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
@@ -92,7 +92,7 @@ static void set_up(uint32_t planes)
 static fxl_view_point position_of(uint32_t number)
 {
     fxl_axes matrix;
-    const unsigned shift = fxl_turn_matrix(&turn, &view.camera.axes, &matrix);
+    const unsigned shift = fxl_placement_matrix(&turn, &view.camera.axes, &matrix);
     const fxl_point *v = &vertices[number], *c = &instance.centre, *e = &view.camera.position;
     fxl_q18_46 at[3];
     for (int i = 0; i < 3; i++) {
@@ -125,17 +125,17 @@ void test_vertices_in_the_view(void)
     TEST_ASSERT_TRUE(scaled > UNIT_REPEAT / 100 && outside > UNIT_REPEAT / 100);
 }
 
-/* Whether a face is turned to the eye, by fxl_turn_is_front, which uses all bits. */
+/* Whether a face is turned to the eye, by fxl_placement_is_front, which uses all bits. */
 static bool is_front(uint32_t number)
 {
     const fxl_face *face = &faces[number];
     const fxl_point *first = &vertices[3 * number], *centre = &instance.centre,
                     *eye = &view.camera.position;
     const fxl_point from_eye = {centre->x - eye->x, centre->y - eye->y, centre->z - eye->z};
-    return fxl_turn_is_front(&turn, &from_eye, &face->normal,
-                             (int64_t)face->normal.x * first->x +
-                                 (int64_t)face->normal.y * first->y +
-                                 (int64_t)face->normal.z * first->z);
+    return fxl_placement_is_front(&turn, &from_eye, &face->normal,
+                                  (int64_t)face->normal.x * first->x +
+                                      (int64_t)face->normal.y * first->y +
+                                      (int64_t)face->normal.z * first->z);
 }
 
 /* The estimate never decides what the exact sign does not. */
@@ -160,8 +160,8 @@ void test_facing(void)
     TEST_ASSERT_TRUE(fronts > UNIT_REPEAT / 10 && undecided > 0);
 }
 
-/* The key of a face: the squared distance of the eye, rounded as fxl_turn_eye says, from the box,
- * rounded down to the same unit. */
+/* The key of a face: the squared distance of the eye, rounded as fxl_placement_eye says, from the
+ * box, rounded down to the same unit. */
 static uint64_t distance_of(uint32_t number, const fxl_point *eye, unsigned shift)
 {
     const fxl_face_bounds *box = &bounds[number];
@@ -174,22 +174,22 @@ void test_the_order_of_faces(void)
 {
     int shifted = 0;
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        fxl_order_entry entries[FACES];
+        fxl_draw_entry entries[FACES];
         fxl_point eye;
         uint32_t count = 0;
         start();
         set_up(0);
         const fxl_point *c = &instance.centre, *e = &view.camera.position;
         const fxl_point from_eye = {c->x - e->x, c->y - e->y, c->z - e->z};
-        const unsigned shift = fxl_turn_eye(&turn, &from_eye, model.radius, &eye);
+        const unsigned shift = fxl_placement_eye(&turn, &from_eye, model.radius, &eye);
         const uint32_t found =
-            fxl_order_turned_faces(&turned, &scene, &model, 0, model.face_count, entries);
+            fxl_list_turned_faces(&turned, &scene, &model, 0, model.face_count, entries);
         for (uint32_t i = 0; i < FACES; i++) {
             if (is_front(i)) {
                 TEST_ASSERT_TRUE(count < found);
                 TEST_ASSERT_EQUAL_UINT16(i, entries[count].index);
                 TEST_ASSERT_TRUE(distance_of(i, &eye, shift) ==
-                                 fxl_order_distance(&entries[count]));
+                                 fxl_draw_entry_distance(&entries[count]));
                 count++;
             }
         }
@@ -205,11 +205,11 @@ void test_the_sphere_of_a_turned_instance(void)
 {
     uint32_t counts[2] = {0, 0};
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        fxl_order_entry entry;
+        fxl_draw_entry entry;
         uint32_t left_out, all = FXL_PLANES_ALL, any = 0;
         start();
         const uint32_t seen =
-            fxl_order_instances(&scene, &view.camera, &view.view_frustum, &entry, &left_out);
+            fxl_list_instances(&scene, &view.camera, &view.view_frustum, &entry, &left_out);
         TEST_ASSERT_EQUAL_UINT32(seen ? 0 : FACES, left_out);
         for (uint32_t i = 0; i < VERTICES; i++) {
             fxl_view_point at = position_of(i);
@@ -217,7 +217,7 @@ void test_the_sphere_of_a_turned_instance(void)
             uint32_t code = fxl_outcode(&view.view_frustum, FXL_PLANES_ALL, &at);
             all &= code;
             any |= code;
-            fxl_turn_point(&turn, &instance.centre, &vertices[i], &point);
+            fxl_placement_point(&turn, &instance.centre, &vertices[i], &point);
             fxl_transform_point(&view.camera, &point, &at);
             code = fxl_outcode(&view.view_frustum, FXL_PLANES_ALL, &at);
             all &= code;

@@ -5,9 +5,9 @@
 #include "choices.h"
 #include "clippers_list.h"
 #include "frame_bands.h"
-#include "scene/turn_code.h"
+#include "scene/placement_code.h"
 #include "turns.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 enum {
     WIDTH = 48,
@@ -23,9 +23,9 @@ static FXL_ALIGN_8 fxl_clipper_workspace clipper_room;
 static uint64_t bsp_room[64], pieces[768], light_room[600];
 static uint8_t frames[2][WIDTH * HEIGHT], lit[256];
 static uint32_t list[WORDS];
-static fxl_order_entry order[ORDER];
+static fxl_draw_entry order[ORDER];
 static fxl_renderer renderer;
-static fxl_turn turn;
+static fxl_placement turn;
 
 /* The scene with a model of the rounded points in place of the turn. */
 static struct {
@@ -54,17 +54,17 @@ static void bake(const tiny_scene *tiny)
     memcpy(baked.models, tiny->models, sizeof tiny->models);
     memcpy(baked.instances, tiny->instances, sizeof tiny->instances);
     for (uint32_t i = 0; i < 8; i++) {
-        fxl_turn_point(&turn, &nowhere, &tiny->vertices[i], &baked.vertices[16 + i]);
+        fxl_placement_point(&turn, &nowhere, &tiny->vertices[i], &baked.vertices[16 + i]);
     }
     for (uint32_t i = 0; i < 6; i++) {
         baked.faces[12 + i] = tiny->faces[i];
         baked.faces[12 + i].first_index += 48;
-        fxl_turn_direction(&turn, &tiny->faces[i].normal, &baked.faces[12 + i].normal);
+        fxl_placement_direction(&turn, &tiny->faces[i].normal, &baked.faces[12 + i].normal);
     }
     baked.models[2] = *model;
     baked.models[2].first_vertex = 16;
     baked.models[2].first_face = 12;
-    baked.models[2].radius = fxl_turn_radius(&turn, model->radius);
+    baked.models[2].radius = fxl_placement_radius(&turn, model->radius);
     baked.instances[TURNED].model = 2;
     baked.scene = tiny->scene;
     baked.scene.vertices = baked.vertices;
@@ -76,7 +76,7 @@ static void bake(const tiny_scene *tiny)
     baked.scene.index_count = 72;
     baked.scene.face_count = 18;
     baked.scene.model_count = 3;
-    baked.scene.turns = NULL;
+    baked.scene.placements = NULL;
 }
 
 /* Method 0 sorts; 1 has a tree; 2 has no memory for the pieces of its tree. */
@@ -91,16 +91,15 @@ static void draw(fxl_scene *scene, const fxl_clipper *clipper, int method, bool 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, clipper, &clipper_room,
                                                        clipper->workspace_size));
     if (method > 0) {
-        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree,
-                                                              bsp_room, sizeof bsp_room));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_tree, bsp_room, sizeof bsp_room));
         fxl_bsp_workspace *workspace = renderer.order_memory;
         workspace->pieces = method == 1 ? pieces : NULL;
         workspace->pieces_size = method == 1 ? sizeof pieces : 0;
     }
     if (is_lit) {
         const fxl_beam_set beams = {&beam, 1, lit};
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_attach_beams(&renderer, &beams, light_room, sizeof light_room));
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_attach_beams(&renderer, &beams, light_room, sizeof light_room));
     }
     frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
@@ -108,7 +107,7 @@ static void draw(fxl_scene *scene, const fxl_clipper *clipper, int method, bool 
 static bool is_in_sight(void)
 {
     for (uint32_t i = 0; i < renderer.frame.visible_count; i++) {
-        if (renderer.frame.order[i].index == TURNED) {
+        if (renderer.frame.draw_list[i].index == TURNED) {
             return true;
         }
     }
@@ -128,9 +127,9 @@ static tiny_scene *make(void)
     turn.scale = unit_between(Q16(0.25), Q16(3));
     tiny->instances[TURNED].centre = unit_point(Q16(3));
     tiny->instances[TURNED].centre.z += Q16(10) * unit_between(0, 1);
-    tiny->scene.turns = &turn;
+    tiny->scene.placements = &turn;
     tiny->scene.first_turned = TURNED;
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     bake(tiny);
     return tiny;
 }
@@ -183,13 +182,13 @@ void test_rounded_instances_are_those_of_a_baked_model(void)
 /* A tree is over an instance that stands still. */
 void test_the_instance_of_a_tree_is_not_turned(void)
 {
-    static fxl_turn turns[TINY_INSTANCES];
+    static fxl_placement turns[TINY_INSTANCES];
     tiny_scene *tiny = make();
     fxl_scene_fault fault = {"", 0};
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_turn)FXL_TURN_NONE;
+        turns[i] = (fxl_placement)FXL_PLACEMENT_NONE;
     }
-    tiny->scene.turns = turns;
+    tiny->scene.placements = turns;
     tiny->scene.first_turned = 1;
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_scene_check_all(&tiny->scene, &fault));
     TEST_ASSERT_EQUAL_STRING("BSP tree", fault.what);

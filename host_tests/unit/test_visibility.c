@@ -26,7 +26,7 @@ typedef struct {
 static uint64_t room[FXL_SPAN_BUFFER_BYTES(HEIGHT, INTERVALS) / 8 + 1];
 static uint8_t frames[2][HEIGHT * WIDTH], writes[HEIGHT * WIDTH];
 static uint32_t list[LIST_WORDS];
-static fxl_order_entry order[ORDER];
+static fxl_draw_entry order[ORDER];
 static fxl_renderer renderer;
 static tiny_scene *tiny;
 
@@ -35,9 +35,8 @@ static void start(const way *by)
     const fxl_memory memory = {order, ORDER, list, by->words, NULL, 0};
     tiny = tiny_make();
     tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, by->hidden, room,
-                                                  FXL_SPAN_BUFFER_BYTES(HEIGHT, by->intervals)));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, by->hidden, room,
+                                          FXL_SPAN_BUFFER_BYTES(HEIGHT, by->intervals)));
 }
 
 static void draw_rows(uint8_t *frame, uint32_t first, uint32_t rows)
@@ -68,8 +67,7 @@ static void expect_counters(const fxl_counters *a, const fxl_counters *b)
 /* Any list, any bands, any pool. */
 void test_the_span_buffer_draws_the_same_picture(void)
 {
-    static const choice *const methods[] = {&choice_spans,
-                                                    &choice_spans_box};
+    static const choice *const methods[] = {&choice_spans, &choice_spans_box};
     const uint32_t rounds = UNIT_REPEAT / 100;
     uint32_t split = 0, drawn = 0, spilled = 0;
     for (uint32_t round = 0; round < rounds; round++) {
@@ -193,23 +191,21 @@ void test_refusals(void)
     TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order == &fxl_by_distance);
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, &choice_spans, room, least));
-    const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans, room, least));
+    const fxl_band band = {
+        .pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&renderer, &band));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
     draw_rows(frames[1], 0, HEIGHT);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, &choice_sorted, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_sorted, NULL, 0));
 }
 
 /* Two renderers, two methods, frame about. */
 void test_two_renderers_do_not_know_of_each_other(void)
 {
     static fxl_renderer other;
-    static fxl_order_entry others[ORDER];
+    static fxl_draw_entry others[ORDER];
     const way spans = {&choice_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)};
     const fxl_memory memory = {others, ORDER, NULL, 0, NULL, 0};
     fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -217,8 +213,12 @@ void test_two_renderers_do_not_know_of_each_other(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&other, &tiny->scene, &lens, &memory));
     for (int round = 0; round < 20; round++) {
         fxl_pose pose = tiny_pose_before();
-        fxl_band upper = {.pixels = frames[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                          .rows = HEIGHT / 2}, lower = upper;
+        fxl_band upper = {.pixels = frames[0],
+                          .width = WIDTH,
+                          .stride = WIDTH,
+                          .first_row = 0,
+                          .rows = HEIGHT / 2},
+                 lower = upper;
         lower.pixels += HEIGHT / 2 * WIDTH;
         lower.first_row = HEIGHT / 2;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&other, &pose));
@@ -241,8 +241,12 @@ void test_a_renderer_is_moved_within_a_frame(void)
                         {&choice_box, LIST_WORDS, 0}};
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_pose pose = tiny_pose_before();
-        fxl_band upper = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                          .rows = HEIGHT / 2}, lower = upper;
+        fxl_band upper = {.pixels = frames[1],
+                          .width = WIDTH,
+                          .stride = WIDTH,
+                          .first_row = 0,
+                          .rows = HEIGHT / 2},
+                 lower = upper;
         lower.pixels += HEIGHT / 2 * WIDTH;
         lower.first_row = HEIGHT / 2;
         (void)draw(&ways[i], &pose, frames[0], HEIGHT);
@@ -321,8 +325,11 @@ void test_how_a_band_is_halved(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         begun_count = 0;
         rows_at_most = most[i];
-        const fxl_band band = {.pixels = frames[1], .width = WIDTH, .stride = WIDTH,
-                               .first_row = 1, .rows = (uint16_t)rows[i][0]};
+        const fxl_band band = {.pixels = frames[1],
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = 1,
+                               .rows = (uint16_t)rows[i][0]};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL_UINT32(halvings[i], renderer.workspace.counters.split_bands);
         uint32_t done = 0;

@@ -11,8 +11,8 @@ static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 
 static fxl_band all_of(uint8_t *pixels)
 {
-    fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                     .rows = HEIGHT};
+    fxl_band band = {
+        .pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     return band;
 }
 
@@ -174,8 +174,11 @@ static void draw_frame(uint8_t *pixels, uint32_t rows)
     memset(pixels, 0, WIDTH * HEIGHT);
     for (uint32_t row = 0; row < HEIGHT; row += rows) {
         uint32_t left = HEIGHT - row;
-        fxl_band band = {.pixels = pixels + row * WIDTH, .width = WIDTH, .stride = WIDTH,
-                         .first_row = (uint16_t)row, .rows = (uint16_t)(rows < left ? rows : left)};
+        fxl_band band = {.pixels = pixels + row * WIDTH,
+                         .width = WIDTH,
+                         .stride = WIDTH,
+                         .first_row = (uint16_t)row,
+                         .rows = (uint16_t)(rows < left ? rows : left)};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &band));
     }
 }
@@ -192,8 +195,12 @@ static void make(fxl_wire_clipper clipper)
 static void assert_same_in_rgb565(void)
 {
     static uint16_t wide[WIDTH * HEIGHT], palette[256];
-    const fxl_band band = {.pixels = (uint8_t *)wide, .width = WIDTH, .stride = WIDTH,
-                           .first_row = 0, .rows = HEIGHT, .palette = palette};
+    const fxl_band band = {.pixels = (uint8_t *)wide,
+                           .width = WIDTH,
+                           .stride = WIDTH,
+                           .first_row = 0,
+                           .rows = HEIGHT,
+                           .palette = palette};
     for (uint32_t i = 0; i < 256; i++) {
         palette[i] = (uint16_t)(i * 40503u);
     }
@@ -237,7 +244,8 @@ void test_bands_and_both_clippers_draw_the_same(void)
  * the same but for its colours. */
 void test_turned_cubes(void)
 {
-    static fxl_turn turns[TINY_INSTANCES] = {FXL_TURN_NONE, FXL_TURN_NONE, FXL_TURN_NONE};
+    static fxl_placement turns[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
+                                                  FXL_PLACEMENT_NONE};
     static const fxl_orientation quarter = {
         {0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}};
     tiny_scene *tiny = tiny_make();
@@ -245,10 +253,10 @@ void test_turned_cubes(void)
     make(fxl_line_by_codes);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     draw_frame(whole, HEIGHT);
-    tiny->scene.turns = turns;
+    tiny->scene.placements = turns;
     tiny->scene.first_turned = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_begin(&wire, &pose));
-    tiny->scene.turn_code = &fxl_turned_instances;
+    tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     draw_frame(other, HEIGHT / 3);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
@@ -331,17 +339,21 @@ void test_what_is_no_wireframe_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     const fxl_band bad[] = {
         {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT + 1},
-    {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 0},
+        {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 0},
         {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 1, .rows = HEIGHT},
         {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = HEIGHT, .rows = 1},
         {.pixels = whole, .width = WIDTH - 1, .stride = WIDTH, .first_row = 0, .rows = 1},
-         {.pixels = whole, .width = WIDTH + 1, .stride = WIDTH + 1, .first_row = 0, .rows = 1},
+        {.pixels = whole, .width = WIDTH + 1, .stride = WIDTH + 1, .first_row = 0, .rows = 1},
         {.pixels = whole, .width = WIDTH, .stride = WIDTH - 1, .first_row = 0, .rows = 1}};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_draw(&wire, &bad[i]));
     }
-    const fxl_band last = {.pixels = whole, .width = WIDTH, .stride = WIDTH,
-                           .first_row = HEIGHT - 1, .rows = 1}, none = {.width = WIDTH, .stride = WIDTH, .rows = 1};
+    const fxl_band last = {.pixels = whole,
+                           .width = WIDTH,
+                           .stride = WIDTH,
+                           .first_row = HEIGHT - 1,
+                           .rows = 1},
+                   none = {.width = WIDTH, .stride = WIDTH, .rows = 1};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_draw(&wire, &last));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, &none));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_draw(&wire, NULL));

@@ -18,7 +18,7 @@ enum {
 
 static uint8_t whole[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 static uint32_t list[WORDS];
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static FXL_ALIGN_8 uint8_t rooms[2][ROOM];
 static fxl_renderer renderer;
 static fxl_workspace second;
@@ -61,8 +61,11 @@ static fxl_pose pose_number(int number)
 
 static fxl_band band_of(uint8_t *frame, uint16_t first, uint16_t rows)
 {
-    return (fxl_band){.pixels = frame + first * WIDTH, .width = WIDTH, .stride = WIDTH,
-                      .first_row = first, .rows = rows};
+    return (fxl_band){.pixels = frame + first * WIDTH,
+                      .width = WIDTH,
+                      .stride = WIDTH,
+                      .first_row = first,
+                      .rows = rows};
 }
 
 /* Every second band in the second workspace: as the whole frame in the renderer's own. */
@@ -94,7 +97,7 @@ void test_a_frame_begins_between_the_bands_of_the_one_before(void)
 {
     static fxl_renderer ahead;
     static uint32_t other_list[WORDS];
-    static fxl_order_entry other_order[TINY_INSTANCES + 6];
+    static fxl_draw_entry other_order[TINY_INSTANCES + 6];
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
     const fxl_memory tables = {other_order, TINY_INSTANCES + 6, other_list, WORDS, NULL, 0};
     fxl_renderer *turns[2] = {&renderer, &ahead};
@@ -142,8 +145,7 @@ void test_a_second_workspace_has_memory_of_its_own(void)
     start_with_list(0); /* every band clips its faces */
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_set_clipper(&renderer, &counting, &counts, sizeof counts));
-    TEST_ASSERT_EQUAL(
-        FXL_OK, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
     const size_t least = fxl_workspace_size(&renderer);
     TEST_ASSERT_TRUE(least > counting.workspace_size && least <= ROOM);
     memset(rooms[1], 0x5A, ROOM);
@@ -309,7 +311,7 @@ void test_tables_that_are_not_aligned_are_refused(void)
     fxl_memory tables = memory();
     memset(&renderer, 0x5A, sizeof renderer);
     for (uint32_t off = 1; off < 4; off++) {
-        tables.order = (fxl_order_entry *)(void *)((uint8_t *)order + off);
+        tables.draw_list = (fxl_draw_entry *)(void *)((uint8_t *)order + off);
         TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, init_with(&lens, &tables));
         tables = memory();
         tables.display_list = (uint32_t *)(void *)((uint8_t *)list + off);
@@ -330,11 +332,9 @@ void test_settings_of_a_renderer_that_is_not_initialised(void)
     static const uint8_t lit[256];
     const fxl_beam_set beams = {&beam, 1, lit};
     memset(&renderer, 0, sizeof renderer);
-    TEST_ASSERT_EQUAL(
-        FXL_E_ORDER, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
-    TEST_ASSERT_EQUAL(FXL_E_ORDER,
-                      fxl_attach_beams(&renderer, &beams, rooms[0], ROOM));
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_attach_beams(&renderer, &beams, rooms[0], ROOM));
     TEST_ASSERT_EQUAL_UINT32(3, renderer.workspace.counters.refused_calls);
     TEST_ASSERT_TRUE(renderer.target == NULL && renderer.order == NULL);
     TEST_ASSERT_NULL(renderer.clipper);
@@ -369,8 +369,7 @@ void test_when_a_workspace_can_be_set_up(void)
                               fxl_renderer_set_clipper(&renderer, &fxl_clipper_view, NULL, 0));
         }
         if (settings & 2) {
-            TEST_ASSERT_EQUAL(
-                FXL_OK, choice_take(&renderer, &choice_sorted, NULL, 0));
+            TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_sorted, NULL, 0));
         }
         TEST_ASSERT_EQUAL(both, fxl_workspace_size(&renderer) > 0);
         TEST_ASSERT_EQUAL(both ? FXL_OK : FXL_E_ORDER,

@@ -11,7 +11,7 @@ enum {
     ROOM = 1600
 };
 
-static fxl_order_entry order[TINY_INSTANCES + 6];
+static fxl_draw_entry order[TINY_INSTANCES + 6];
 static FXL_ALIGN_8 uint8_t rooms[2][ROOM];
 static fxl_renderer renderer;
 static fxl_workspace second;
@@ -32,7 +32,7 @@ void test_what_is_over_keeps_vertices(void)
     static const uint8_t kept[] = {0, 1, 2, 2, 4, 4, 4, 4, 8, 8};
     start();
     const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
-    TEST_ASSERT_EQUAL(6 * sizeof(fxl_order_entry), least); /* the faces of the sorted model */
+    TEST_ASSERT_EQUAL(6 * sizeof(fxl_draw_entry), least); /* the faces of the sorted model */
     for (size_t n = 0; n < sizeof kept; n++) {
         const size_t sizes[] = {least + n * vertex, least + (n + 1) * vertex - 1};
         for (int i = 0; i < 2; i++) {
@@ -40,7 +40,7 @@ void test_what_is_over_keeps_vertices(void)
             TEST_ASSERT_EQUAL_PTR(kept[n] > 0 ? rooms[1] + least : NULL, second.cache.entries);
             TEST_ASSERT_EQUAL_UINT32(kept[n] > 0 ? kept[n] - 1u : 0, second.cache.mask);
         }
-        TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
+        TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_list);
         TEST_ASSERT_NULL(second.cache.clipper_workspace);
         TEST_ASSERT_NULL(second.target_memory);
         TEST_ASSERT_EQUAL_UINT32(0, second.target_memory_size);
@@ -76,8 +76,7 @@ void test_an_order_and_a_target_with_memory(void)
     start();
     memset(rooms[0], 0x5A, ROOM);
     for (uint32_t size = 0; size < 56; size++) {
-        TEST_ASSERT_EQUAL(FXL_E_CAPACITY,
-                          choice_take(&renderer, &both, rooms[0], size));
+        TEST_ASSERT_EQUAL(FXL_E_CAPACITY, choice_take(&renderer, &both, rooms[0], size));
     }
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0], ROOM);
     for (uint32_t size = 56; size < 64; size++) {
@@ -88,8 +87,7 @@ void test_an_order_and_a_target_with_memory(void)
     }
     TEST_ASSERT_EACH_EQUAL_HEX8(0, rooms[0], 16);
     TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, rooms[0] + 16, ROOM - 16);
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      choice_take(&renderer, &choice_sorted, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_sorted, NULL, 0));
     TEST_ASSERT_NULL(renderer.workspace.target_memory);
     TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.target_memory_size);
 }
@@ -123,7 +121,7 @@ void test_the_parts_of_a_workspace_follow_each_other(void)
     }
     memset(rooms[1], 0x5A, ROOM);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, rooms[1], size));
-    TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_order);
+    TEST_ASSERT_EQUAL_PTR(rooms[1], second.face_list);
     TEST_ASSERT_EQUAL_PTR(rooms[1] + faces, second.cache.clipper_workspace);
     TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16, second.cache.entries);
     TEST_ASSERT_EQUAL_PTR(rooms[1] + faces + 16 + vertices, second.target_memory);
@@ -141,8 +139,7 @@ void test_the_rest_is_the_target_s(void)
 {
     start();
     const size_t order_bytes = fxl_workspace_size(&renderer);
-    TEST_ASSERT_EQUAL(
-        FXL_OK, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &choice_spans, rooms[0], ROOM));
     const size_t least = fxl_workspace_size(&renderer), vertex = sizeof(fxl_cached_vertex);
     TEST_ASSERT_TRUE(least > order_bytes && least + 8 * vertex <= ROOM);
     for (size_t n = 0; n <= 2; n++) {

@@ -16,7 +16,7 @@ static fxl_renderer plain_renderer;
 typedef struct {
     bool used, shown, turned;
     fxl_instance instance;
-    fxl_turn turn;
+    fxl_placement turn;
     fxl_handle handle;
 } plain_instance;
 
@@ -58,14 +58,14 @@ static fxl_point any_centre(void)
 }
 
 /* Three rotations, of which one is out of range at times. */
-static fxl_turn any_turn(fxl_status *fault)
+static fxl_placement any_turn(fxl_status *fault)
 {
     static const fxl_orientation orientations[] = {
         {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
         {{0, 0, FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}},
         {{644245094, -858993459, 0}, {858993459, 644245094, 0}, {0, 0, FXL_Q2_30_ONE}},
         {{0, -FXL_Q2_30_ONE, 0}, {0, 0, -FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}}};
-    fxl_turn turn = {orientations[unit_between(0, 3)], unit_between(Q16(1), Q16(4))};
+    fxl_placement turn = {orientations[unit_between(0, 3)], unit_between(Q16(1), Q16(4))};
     const int wrong = unit_between(0, 39);
     if (wrong == 0) { /* a mirror */
         turn.orientation.z.x = -turn.orientation.z.x;
@@ -80,17 +80,17 @@ static fxl_turn any_turn(fxl_status *fault)
     } else if (wrong == 3) {
         turn.scale = Q16(256) + 1;
     }
-    *fault = wrong < 2 ? FXL_E_TURN : wrong < 4 ? FXL_E_RANGE : FXL_OK;
+    *fault = wrong < 2 ? FXL_E_PLACEMENT : wrong < 4 ? FXL_E_RANGE : FXL_OK;
     return turn;
 }
 
 /* Whether |c| + r * scale <= 8191, in units of 2^-32; r * scale is rounded up, and enlarged. */
-static bool fits(const fxl_instance *instance, const fxl_turn *turn)
+static bool fits(const fxl_instance *instance, const fxl_placement *turn)
 {
     const int64_t reach =
         turn == NULL
             ? (int64_t)TINY_RADIUS * 65536
-            : (((int64_t)TINY_RADIUS * turn->scale + 65535) / 65536 + FXL_TURN_SLACK) * 65536;
+            : (((int64_t)TINY_RADIUS * turn->scale + 65535) / 65536 + FXL_PLACEMENT_SLACK) * 65536;
     const int32_t of[] = {instance->centre.x, instance->centre.y, instance->centre.z};
     for (int i = 0; i < 3; i++) {
         const int64_t from = of[i] < 0 ? -(int64_t)of[i] : of[i];
@@ -102,7 +102,8 @@ static bool fits(const fxl_instance *instance, const fxl_turn *turn)
 }
 
 /* The status of an instance at its place, with a turn that has a fault, or none. */
-static fxl_status place_status(const fxl_instance *instance, const fxl_turn *turn, fxl_status fault)
+static fxl_status place_status(const fxl_instance *instance, const fxl_placement *turn,
+                               fxl_status fault)
 {
     return fault == FXL_E_RANGE || !fits(instance, turn) ? FXL_E_RANGE : fault;
 }
@@ -114,7 +115,7 @@ static void expect(fxl_status expected, fxl_status found)
     refused += expected != FXL_OK;
 }
 
-static const fxl_turn *turn_of(const plain_instance *of)
+static const fxl_placement *turn_of(const plain_instance *of)
 {
     return of->turned ? &of->turn : NULL;
 }
@@ -179,7 +180,7 @@ static void turn_one(plain_instance *of)
     expect(!right ? status
            : full ? FXL_E_CAPACITY
                   : FXL_OK,
-           fxl_world_turn(&world, of->handle, turn_of(&changed)));
+           fxl_world_set_placement(&world, of->handle, turn_of(&changed)));
     *of = right && !full ? changed : *of;
 }
 
@@ -238,7 +239,7 @@ static void do_any(void)
 static void expect_equal_instance(const plain_instance *of)
 {
     const fxl_instance *found = fxl_world_instance(&world, of->handle);
-    const fxl_turn *turn = fxl_world_turn_of(&world, of->handle);
+    const fxl_placement *turn = fxl_world_placement(&world, of->handle);
     TEST_ASSERT_NOT_NULL(found);
     TEST_ASSERT_EQUAL_MEMORY(&of->instance, found, sizeof *found);
     TEST_ASSERT_EQUAL(of->turned, turn != NULL);
@@ -254,9 +255,11 @@ static void expect_equal_instance(const plain_instance *of)
     }
     TEST_ASSERT_EQUAL(of->shown, fxl_world_is_shown(&world, of->handle));
     if (in_scene && of->turned) { /* the turn is that of its place in the scene */
-        TEST_ASSERT_TRUE(turn == world.scene.turns + (found - first) - world.scene.first_turned);
+        TEST_ASSERT_TRUE(turn ==
+                         world.scene.placements + (found - first) - world.scene.first_turned);
     } else if (in_scene) {
-        TEST_ASSERT_TRUE(world.scene.turns == NULL || found < first + world.scene.first_turned);
+        TEST_ASSERT_TRUE(world.scene.placements == NULL ||
+                         found < first + world.scene.first_turned);
     }
 }
 
@@ -276,7 +279,7 @@ static void expect_equal(void)
 }
 
 /* A scene made anew of what the plain model shows: those without a turn, then the others. */
-static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_turn *turn_list)
+static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_placement *turn_list)
 {
     uint32_t count = 0, turned = 0;
     for (int with_turn = 0; with_turn < 2; with_turn++) {
@@ -291,9 +294,9 @@ static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_turn *turn_l
     }
     scene->instances = list;
     scene->instance_count = count;
-    scene->turns = turned > 0 ? turn_list : NULL;
+    scene->placements = turned > 0 ? turn_list : NULL;
     scene->first_turned = turned > 0 ? count - turned : 0;
-    scene->turn_code = &fxl_turned_instances;
+    scene->placement_code = &fxl_turned_instances;
     return count;
 }
 
@@ -301,12 +304,12 @@ static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_turn *turn_l
 static bool expect_equal_frames(const fxl_scene *from)
 {
     static fxl_instance list[WORLD_PLACES];
-    static fxl_turn turn_list[WORLD_TURNED + 1];
+    static fxl_placement turn_list[WORLD_TURNED + 1];
     const fxl_lens lens = unit_lens(WORLD_WIDTH, WORLD_HEIGHT);
     const fxl_memory room = world_renderer_memory(1);
     const fxl_pose pose = {{unit_between(-65536, 65536), 0, Q16(-4)}, 0, 0, unit_random()};
     fxl_scene scene = *from;
-    scene.order_needed = 0;
+    scene.draw_list_needed = 0;
     world_draw(&world_renderer, &pose, world_frames[0]);
     if (make_anew(&scene, list, turn_list) == 0) {
         TEST_ASSERT_EACH_EQUAL_HEX8(WORLD_BACKGROUND, world_frames[0], sizeof world_frames[0]);

@@ -25,8 +25,7 @@ static bsp_scene *start(void)
     TEST_ASSERT_EQUAL(FXL_OK,
                       fxl_renderer_init_with(&world_renderer, &world.scene, &lens, &tables));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_attach(&world, &world_renderer));
-    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&world_renderer, &choice_tree,
-                                                          room, sizeof room));
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&world_renderer, &choice_tree, room, sizeof room));
     fxl_bsp_workspace *tree = world_renderer.order_memory;
     tree->pieces = pieces;
     tree->pieces_size = sizeof pieces;
@@ -53,7 +52,7 @@ void test_the_instance_of_a_tree_stays(void)
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_remove(&world, owner));
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_hide(&world, owner));
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_move(&world, owner, &centre));
-    TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_turn(&world, owner, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_set_placement(&world, owner, NULL));
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_set_model(&world, owner, 0));
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_world_set_layer(&world, owner, 1));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_recolour(&world, owner, 1));
@@ -111,8 +110,7 @@ void test_a_tree_cuts_what_comes_and_goes(void)
         scene.bsp_instance = world.scene.bsp_instance;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&anew, &scene, &lens, &tables));
-        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&anew, &choice_tree,
-                                                              other_room, sizeof other_room));
+        TEST_ASSERT_EQUAL(FXL_OK, choice_take(&anew, &choice_tree, other_room, sizeof other_room));
         world_draw(&world_renderer, &pose, world_frames[0]);
         cut += ((fxl_bsp_workspace *)world_renderer.order_memory)->used > 0;
         ((fxl_bsp_workspace *)anew.order_memory)->pieces = pieces;

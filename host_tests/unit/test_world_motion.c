@@ -30,15 +30,15 @@ static const fxl_motion motions[MOTIONS] = {{.extent = {Q16(100), Q16(100), Q16(
                                              .repeats = 1,
                                              .parent = 1}};
 static const fxl_motion_set set = {motions, MOTIONS, keys, 3};
-static const fxl_turn still[MOTIONS] = {FXL_TURN_NONE, FXL_TURN_NONE};
+static const fxl_placement still[MOTIONS] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
 static fxl_instance played[TINY_INSTANCES];
-static fxl_turn played_turns[MOTIONS];
+static fxl_placement played_turns[MOTIONS];
 static const fxl_motion_memory memory = {played, TINY_INSTANCES, played_turns, MOTIONS};
 
 static fxl_scene moving_scene(void)
 {
     fxl_scene scene = tiny_make()->scene;
-    scene.turns = still;
+    scene.placements = still;
     scene.first_turned = TINY_INSTANCES - MOTIONS;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_check(&set, &scene, NULL));
@@ -73,7 +73,8 @@ void test_a_world_moves_as_its_motions_say(void)
         for (uint32_t i = 0; i < set.motion_count; i++) {
             const fxl_handle handle = fxl_world_handle(scene.instance_count - set.motion_count + i);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &player.instances[i].centre));
-            TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, handle, &player.turns[i]));
+            TEST_ASSERT_EQUAL(FXL_OK,
+                              fxl_world_set_placement(&world, handle, &player.placements[i]));
         }
         memcpy(world_frames[1], world_frames[0], sizeof world_frames[0]);
         world_draw(&world_renderer, &pose, world_frames[0]);

@@ -10,17 +10,17 @@ void test_the_scenes_instances_keep_their_order(void)
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, world.scene.instance_count);
     TEST_ASSERT_EQUAL_MEMORY(tiny->instances, world.scene.instances, sizeof tiny->instances);
     TEST_ASSERT_EQUAL_UINT32(WORLD_PLACES, world.scene.instance_capacity);
-    TEST_ASSERT_EQUAL_UINT32(WORLD_PLACES + 6, world.scene.order_needed);
-    TEST_ASSERT_NULL(world.scene.turns);
+    TEST_ASSERT_EQUAL_UINT32(WORLD_PLACES + 6, world.scene.draw_list_needed);
+    TEST_ASSERT_NULL(world.scene.placements);
 }
 
 /* A world of which every instance is a world's scene again. */
 void test_instances_with_turns_are_taken_over(void)
 {
-    static const fxl_turn turn = {
+    static const fxl_placement turn = {
         {{0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}, {0, 0, FXL_Q2_30_ONE}}, Q16(2)};
     static fxl_instance more[WORLD_PLACES];
-    static fxl_turn more_turns[WORLD_TURNED];
+    static fxl_placement more_turns[WORLD_TURNED];
     static fxl_world_slot more_slots[WORLD_PLACES];
     static fxl_world other;
     const fxl_instance instance = world_cube_at(3, 20), second = world_cube_at(-4, 9);
@@ -30,9 +30,9 @@ void test_instances_with_turns_are_taken_over(void)
     (void)world_spawned(&second, &turn);
     room.instances = more;
     room.slots = more_slots;
-    room.turns = more_turns;
+    room.placements = more_turns;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
-    const fxl_turn *found = fxl_world_turn_of(&other, fxl_world_handle(TINY_INSTANCES));
+    const fxl_placement *found = fxl_world_placement(&other, fxl_world_handle(TINY_INSTANCES));
     TEST_ASSERT_NOT_NULL(found);
     TEST_ASSERT_EQUAL_MEMORY(&turn, found, sizeof turn);
     for (uint32_t i = 0; i < TINY_INSTANCES + 2; i++) {
@@ -40,7 +40,7 @@ void test_instances_with_turns_are_taken_over(void)
         TEST_ASSERT_EQUAL_MEMORY(&world.scene.instances[i], taken, sizeof *taken);
     }
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES, other.scene.first_turned);
-    TEST_ASSERT_EQUAL_UINT32(world.scene.order_needed, other.scene.order_needed);
+    TEST_ASSERT_EQUAL_UINT32(world.scene.draw_list_needed, other.scene.draw_list_needed);
     room.turned_capacity = 0;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&other, &world.scene, &room));
 }
@@ -102,7 +102,7 @@ static void expect_of_changes(fxl_status expected, fxl_handle handle)
     TEST_ASSERT_EQUAL(expected, fxl_world_hide(&world, handle));
     TEST_ASSERT_EQUAL(expected, fxl_world_show(&world, handle));
     TEST_ASSERT_EQUAL(expected, fxl_world_move(&world, handle, &instance.centre));
-    TEST_ASSERT_EQUAL(expected, fxl_world_turn(&world, handle, NULL));
+    TEST_ASSERT_EQUAL(expected, fxl_world_set_placement(&world, handle, NULL));
     TEST_ASSERT_EQUAL(expected, fxl_world_set_model(&world, handle, 1));
     TEST_ASSERT_EQUAL(expected, fxl_world_set_layer(&world, handle, 9));
     TEST_ASSERT_EQUAL(expected, fxl_world_recolour(&world, handle, 1));
@@ -116,8 +116,11 @@ void test_nothing_changes_while_a_frame_is_drawn(void)
 {
     static fxl_instance before[WORLD_PLACES];
     const fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
-    const fxl_band band = {.pixels = world_frames[0], .width = WORLD_WIDTH, .stride = WORLD_WIDTH,
-                           .first_row = 0, .rows = 8};
+    const fxl_band band = {.pixels = world_frames[0],
+                           .width = WORLD_WIDTH,
+                           .stride = WORLD_WIDTH,
+                           .first_row = 0,
+                           .rows = 8};
     (void)world_start();
     memcpy(before, world_instances, sizeof before);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&world_renderer, &pose));
@@ -170,7 +173,7 @@ void test_another_workspace_has_room_for_the_largest_model(void)
 {
     (void)world_start();
     const size_t size = fxl_workspace_size(&world_renderer);
-    TEST_ASSERT_EQUAL(6 * sizeof(fxl_order_entry), size);
+    TEST_ASSERT_EQUAL(6 * sizeof(fxl_draw_entry), size);
     const fxl_instance instance = world_cube_at(2, 8);
     (void)world_spawned(&instance, NULL);
     TEST_ASSERT_EQUAL(size, fxl_workspace_size(&world_renderer));
@@ -179,22 +182,22 @@ void test_another_workspace_has_room_for_the_largest_model(void)
 /* To a unit: the radius times the scale is rounded up. Without a turn there is no slack. */
 void test_the_edge_of_the_world_is_exact(void)
 {
-    fxl_turn turn = {{{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
-                     FXL_Q16_16_ONE};
+    fxl_placement turn = {{{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
+                          FXL_Q16_16_ONE};
     fxl_instance instance = world_cube_at(0, 0);
     (void)world_start();
     const fxl_handle handle = world_spawned(&instance, &turn);
-    fxl_point edge = {0, -(FXL_COORDINATE_MAX - FXL_TURN_SLACK - TINY_RADIUS), 0};
+    fxl_point edge = {0, -(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK - TINY_RADIUS), 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
     turn.scale += 1; /* the product is not whole */
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_turn(&world, handle, &turn));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_set_placement(&world, handle, &turn));
     turn.scale = 1 * 65536 + 1;
     edge.y += 1; /* TINY_RADIUS is 1.75: a scale of 1 + 1/65536 makes it 1.75/65536 longer */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_turn(&world, handle, &turn));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_set_placement(&world, handle, &turn));
     edge.y += 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_turn(&world, handle, &turn));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_placement(&world, handle, &turn));
     edge.y -= 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, handle, &edge));
     edge.y = -(FXL_COORDINATE_MAX - TINY_RADIUS);
@@ -221,7 +224,7 @@ void test_init_refuses(void)
     room.slots = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
     room = right;
-    room.turns = NULL;
+    room.placements = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
     room = right;
     room.colours = NULL;
@@ -233,7 +236,7 @@ void test_init_refuses(void)
     room.slots = (fxl_world_slot *)((uintptr_t)right.slots + 2);
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
     room = right;
-    room.turns = (fxl_turn *)((uintptr_t)right.turns + 1);
+    room.placements = (fxl_placement *)((uintptr_t)right.placements + 1);
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_world_init(&world, scene, &room));
     room = right;
     room.colour_count = 256;
@@ -255,7 +258,7 @@ void test_init_refuses(void)
     room = right;
     room.capacity = TINY_INSTANCES - 1;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_world_init(&world, scene, &room));
-    tiny->scene.order_needed = 0;
+    tiny->scene.draw_list_needed = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_world_init(&world, scene, &right));
     TEST_ASSERT_EQUAL_MEMORY(&before, &world, sizeof world);
 }
@@ -301,13 +304,13 @@ void test_spawn_and_the_rest_refuse_null(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_hide(NULL, first));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_move(NULL, first, &instance.centre));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_move(&world, first, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_turn(NULL, first, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_placement(NULL, first, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_model(NULL, first, 0));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_set_layer(NULL, first, 0));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_recolour(NULL, first, 0));
     TEST_ASSERT_EQUAL_UINT32(4, world.refused_calls);
     TEST_ASSERT_NULL(fxl_world_instance(NULL, first));
-    TEST_ASSERT_NULL(fxl_world_turn_of(NULL, first));
+    TEST_ASSERT_NULL(fxl_world_placement(NULL, first));
     TEST_ASSERT_FALSE(fxl_world_is_shown(NULL, first));
 }
 

@@ -10,7 +10,7 @@ void tiny_start(fxl_renderer *renderer, tiny_scene *tiny, uint16_t width, uint16
                 const fxl_memory *memory);
 
 /* Turns the instances from first on by turns that turn nothing; TINY_INSTANCES: none has a turn. */
-void tiny_turn_from(tiny_scene *tiny, fxl_turn turns[TINY_INSTANCES], uint32_t first);
+void tiny_turn_from(tiny_scene *tiny, fxl_placement turns[TINY_INSTANCES], uint32_t first);
 
 /* Between and beside the cubes, where many faces are cut; turned any way. */
 fxl_pose tiny_pose_between(void);

@@ -29,9 +29,9 @@ fxl_orientation turns_orientation(void)
                               rounded(1 - 2 * (b * b + c * c))}};
 }
 
-fxl_turn turns_any(void)
+fxl_placement turns_any(void)
 {
-    fxl_turn turn = {turns_orientation(), FXL_Q16_16_ONE};
+    fxl_placement turn = {turns_orientation(), FXL_Q16_16_ONE};
     const uint32_t kind = unit_random() % 8;
     if (kind == 0) {
         turn.scale = unit_between(0, 1) ? FXL_SCALE_MIN : FXL_SCALE_MAX;

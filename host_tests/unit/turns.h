@@ -9,6 +9,6 @@
 fxl_orientation turns_orientation(void);
 
 /* A random turn; one in four has scale 1, and one in eight a scale at an end of the range. */
-fxl_turn turns_any(void);
+fxl_placement turns_any(void);
 
 #endif

@@ -6,7 +6,7 @@
 #include "picture.h"
 #include "polygon_face.h"
 #include "turns.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 /* The outline around both: all edges but those that one walks one way and the
  * other the other. Its winding number says what the two must cover. */
@@ -98,7 +98,7 @@ int64_t watertight_area(const fxl_screen_polygon *polygon)
 }
 
 /* The turn of the instance that the polygons belong to, about its centre; null: none. */
-static fxl_turn *the_turn;
+static fxl_placement *the_turn;
 static fxl_point turned_centre;
 
 /* The vertex of the turned instance that lies at a point of the world, as near as can be. */
@@ -127,7 +127,7 @@ static const fxl_model_view *turned_view_of(polygon_face *face, const fxl_view *
                              .indices = face->corners,
                              .models = &model,
                              .instances = &instance,
-                             .turns = the_turn};
+                             .placements = the_turn};
     for (uint32_t i = 0; i < face->face.count; i++) {
         face->vertices[i] = in_the_model(&face->vertices[i]);
     }
@@ -245,7 +245,7 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
 
 /* A turn for which the vertices of a random quad are in range: it lies within 200 units of the eye,
  * so scale * radius is below 500, and the eye is near enough. */
-static void random_turn(fxl_turn *random, const fxl_camera *camera)
+static void random_turn(fxl_placement *random, const fxl_camera *camera)
 {
     *random = turns_any();
     if (random->scale < Q16(0.25)) {
@@ -299,7 +299,7 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
 void watertight_expect_turned(const fxl_clipper *clipper, int few, fxl_screen_polygon *screens,
                               int workspace_for)
 {
-    static fxl_turn random;
+    static fxl_placement random;
     the_turn = &random;
     watertight_expect_through(clipper, NULL, few, screens, workspace_for);
     the_turn = NULL;

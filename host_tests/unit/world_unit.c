@@ -3,11 +3,11 @@
 
 uint8_t world_frames[2][WORLD_WIDTH * WORLD_HEIGHT];
 static uint32_t lists[2][WORLD_LIST];
-static fxl_order_entry orders[2][WORLD_PLACES + 6];
+static fxl_draw_entry orders[2][WORLD_PLACES + 6];
 fxl_renderer world_renderer;
 
 fxl_instance world_instances[WORLD_PLACES];
-static fxl_turn turns[WORLD_TURNED];
+static fxl_placement turns[WORLD_TURNED];
 static fxl_world_slot slots[WORLD_PLACES];
 uint8_t world_colours[2 * 256];
 fxl_world world;
@@ -52,7 +52,7 @@ fxl_instance world_cube_at(double x, double z)
     return (fxl_instance){{Q16(x), 0, Q16(z)}, 0, 0, 0};
 }
 
-fxl_handle world_spawned(const fxl_instance *instance, const fxl_turn *turn)
+fxl_handle world_spawned(const fxl_instance *instance, const fxl_placement *turn)
 {
     fxl_handle handle;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_spawn(&world, instance, turn, &handle));
@@ -61,8 +61,11 @@ fxl_handle world_spawned(const fxl_instance *instance, const fxl_turn *turn)
 
 void world_draw(fxl_renderer *by, const fxl_pose *pose, uint8_t *frame)
 {
-    const fxl_band band = {.pixels = frame, .width = WORLD_WIDTH, .stride = WORLD_WIDTH,
-                           .first_row = 0, .rows = WORLD_HEIGHT};
+    const fxl_band band = {.pixels = frame,
+                           .width = WORLD_WIDTH,
+                           .stride = WORLD_WIDTH,
+                           .first_row = 0,
+                           .rows = WORLD_HEIGHT};
     fxl_fill_band(&band, WORLD_BACKGROUND);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(by, pose));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(by, &band));
@@ -76,12 +79,12 @@ uint32_t world_use_stale(fxl_handle handle)
     TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_hide(&world, handle));
     TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_show(&world, handle));
     TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_move(&world, handle, &centre));
-    TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_turn(&world, handle, NULL));
+    TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_set_placement(&world, handle, NULL));
     TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_set_model(&world, handle, 0));
     TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_set_layer(&world, handle, 0));
     TEST_ASSERT_EQUAL(FXL_E_STALE, fxl_world_recolour(&world, handle, 0));
     TEST_ASSERT_NULL(fxl_world_instance(&world, handle));
-    TEST_ASSERT_NULL(fxl_world_turn_of(&world, handle));
+    TEST_ASSERT_NULL(fxl_world_placement(&world, handle));
     TEST_ASSERT_FALSE(fxl_world_is_shown(&world, handle));
     return 8;
 }

@@ -6,7 +6,7 @@
 
 /* Moves the outside end onto the plane, along the line from the inside end. */
 static void move_end(const fxl_varying_vertex *inside, fxl_varying_vertex *outside, fxl_q18_46 in,
-                 fxl_q18_46 out, uint32_t carried, uint32_t *intersections)
+                     fxl_q18_46 out, uint32_t carried, uint32_t *intersections)
 {
     fxl_varying_vertex intersection;
     fxl_intersection_vertex(inside, outside, fxl_intersection_fraction(in, out), carried,
@@ -75,7 +75,7 @@ typedef struct {
 /* An exact distance in units of 2^-76: 2^30 whole + rest, rest below 2^30. */
 typedef struct {
     int64_t whole;
-    uint32_t rest;
+    uint32_t remainder;
 } exact;
 
 #define REST_BITS 30
@@ -94,16 +94,16 @@ static exact distance_of(const fxl_half_space *plane, const fxl_view_point *poin
 
 static bool is_zero(const exact *value)
 {
-    return value->whole == 0 && value->rest == 0;
+    return value->whole == 0 && value->remainder == 0;
 }
 
 /* The distance without the offset is between -2^62 and 2^62, so the difference of two is below
  * 2^63: it does not depend on the offset. */
 static exact difference(const exact *a, const exact *b)
 {
-    const bool borrow = a->rest < b->rest;
+    const bool borrow = a->remainder < b->remainder;
     const exact made = {a->whole - b->whole - borrow,
-                        a->rest - b->rest + ((uint32_t)borrow << REST_BITS)};
+                        a->remainder - b->remainder + ((uint32_t)borrow << REST_BITS)};
     return made;
 }
 
@@ -111,10 +111,11 @@ static exact difference(const exact *a, const exact *b)
 static wide magnitude(const exact *value)
 {
     const bool negative = value->whole < 0;
-    const uint64_t whole = fxl_magnitude(value->whole) - (negative && value->rest != 0);
-    const uint32_t rest =
-        negative && value->rest != 0 ? ((uint32_t)1 << REST_BITS) - value->rest : value->rest;
-    const wide made = {whole >> (64 - REST_BITS), whole << REST_BITS | rest};
+    const uint64_t whole = fxl_magnitude(value->whole) - (negative && value->remainder != 0);
+    const uint32_t remainder = negative && value->remainder != 0
+                                   ? ((uint32_t)1 << REST_BITS) - value->remainder
+                                   : value->remainder;
+    const wide made = {whole >> (64 - REST_BITS), whole << REST_BITS | remainder};
     return made;
 }
 
@@ -125,16 +126,16 @@ static bool is_less(const wide *a, const wide *b)
 
 /* The next `bits` bits of rest / whole, the highest first; *rest becomes the remainder. Requires
  * rest < whole < 2^127. */
-static uint64_t quotient_bits(wide *rest, const wide *whole, unsigned bits)
+static uint64_t quotient_bits(wide *remainder, const wide *whole, unsigned bits)
 {
     uint64_t quotient = 0;
     for (unsigned i = 0; i < bits; i++) {
-        rest->high = rest->high << 1 | rest->low >> 63;
-        rest->low <<= 1;
+        remainder->high = remainder->high << 1 | remainder->low >> 63;
+        remainder->low <<= 1;
         quotient <<= 1;
-        if (!is_less(rest, whole)) {
-            rest->high -= whole->high + (rest->low < whole->low);
-            rest->low -= whole->low;
+        if (!is_less(remainder, whole)) {
+            remainder->high -= whole->high + (remainder->low < whole->low);
+            remainder->low -= whole->low;
             quotient |= 1u;
         }
     }
@@ -152,14 +153,14 @@ typedef struct {
 static bool divide(const wide *part, const wide *all, parameter *quotient)
 {
     const wide limit = {all->high << 31 | all->low >> 33, all->low << 31};
-    wide rest = *part;
+    wide remainder = *part;
     if (!is_less(part, &limit)) {
         return false;
     }
     /* part / (2^31 all) has the whole part as its first 31 bits. */
     wide scaled = limit;
-    quotient->whole = (uint32_t)quotient_bits(&rest, &scaled, 31);
-    quotient->fraction = quotient_bits(&rest, &scaled, 64);
+    quotient->whole = (uint32_t)quotient_bits(&remainder, &scaled, 31);
+    quotient->fraction = quotient_bits(&remainder, &scaled, 64);
     return true;
 }
 
@@ -174,12 +175,12 @@ static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negati
     if (fxl_multiply_high(extent, t->whole) != 0 || extent * t->whole >= 2 * limit) {
         return false; /* from is below 2^61, so the result would not be */
     }
-    const int64_t way = (int64_t)(extent * t->whole + part); /* below 2^63 */
+    const int64_t along = (int64_t)(extent * t->whole + part); /* below 2^63 */
     const bool down = (to < from) != negative;
-    if (way >= (int64_t)(2 * limit)) {
+    if (along >= (int64_t)(2 * limit)) {
         return false; /* out of range too, and the sum might overflow */
     }
-    *moved = down ? from - way : from + way;
+    *moved = down ? from - along : from + along;
     return fxl_magnitude(*moved) < limit;
 }
 

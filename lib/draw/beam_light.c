@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../scene/beam.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "fixel/beams.h"
 
 #include "../math/arith.h"
@@ -49,11 +49,11 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
 }
 
 /* The tables of the workspace that draws. */
-static void lay_out(const lighting *of, const fxl_traversal *on, lit_face *face)
+static void lay_out(const lighting *of, const fxl_traversal *traversal, lit_face *face)
 {
-    uint8_t *at = fxl_is_own_workspace(on)
+    uint8_t *at = fxl_is_own_workspace(traversal)
                       ? of->tables
-                      : (uint8_t *)fxl_beam_scratch(on, of->shader.scratch_size);
+                      : (uint8_t *)fxl_beam_scratch(traversal, of->shader.scratch_size);
     fxl_lit_pieces *pieces = &face->pieces;
     pieces->corner_capacity = of->corner_capacity;
     pieces->points = (fxl_point *)(void *)at;
@@ -86,12 +86,12 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     const lighting *of = (const lighting *)shader;
     lit_face lit;
     fxl_lit_pieces *made = &lit.pieces;
-    lay_out(of, pieces->on, &lit);
+    lay_out(of, pieces->traversal, &lit);
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= REFUSED;
         return fxl_submit_split_piece(shader, pieces, face, points, count, face->material);
     }
-    const bool reverse = pieces->on->renderer->near_first;
+    const bool reverse = pieces->traversal->renderer->near_first;
     for (uint32_t i = 0; i < made->piece_count; i++) {
         const fxl_lit_piece *piece = &made->pieces[reverse ? made->piece_count - 1 - i : i];
         if (!fxl_lit_outline(made, piece, lit.outline)) {
@@ -157,9 +157,8 @@ fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, voi
     if (set != NULL) {
         fxl_status status = FXL_E_ARGUMENT;
         if (set->beams != NULL && set->lit != NULL && memory != NULL) {
-            status = ((uintptr_t)memory & 7u) != 0
-                         ? FXL_E_ALIGNMENT
-                         : check(renderer->scene, set->beams, set->count);
+            status = ((uintptr_t)memory & 7u) != 0 ? FXL_E_ALIGNMENT
+                                                   : check(renderer->scene, set->beams, set->count);
         }
         if (status == FXL_OK && size < fxl_beam_light_workspace_size(set->beams, set->count)) {
             status = FXL_E_CAPACITY;

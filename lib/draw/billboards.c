@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The order by distance that draws billboards: its traversal takes the instances in their order, and
- * submits a rectangle of the screen for an instance whose model has a billboard. The order by tree
- * calls the same for the billboards that come to it. */
+/* The order by distance that draws billboards: its traversal takes the instances in their order,
+ * and submits a rectangle of the screen for an instance whose model has a billboard. The order by
+ * tree calls the same for the billboards that come to it. */
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "../math/pixel_centre.h"
 #include "../paint/billboard_paint.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/model_view.h"
 #include "../view/project.h"
 #include "../view/view.h"
@@ -79,15 +79,15 @@ static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
 }
 
 /* Into the display list or into the band. One that reaches no row goes nowhere. */
-static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_screen_point *corners,
-                           fxl_q18_46 distance)
+static fxl_outcome emit(const fxl_traversal *traversal, uint32_t model,
+                        const fxl_screen_point *corners, fxl_q18_46 distance)
 {
-    const fxl_sprite_painter *painter = on->renderer->billboards->painter;
-    const fxl_rows rows = rows_of(corners, on->renderer->frame.view.lens.height);
+    const fxl_sprite_painter *painter = traversal->renderer->billboards->painter;
+    const fxl_rows rows = rows_of(corners, traversal->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
     }
-    fxl_screen_polygon *screen = &on->workspace->screen;
+    fxl_screen_polygon *screen = &traversal->workspace->screen;
     screen->count = painter->points;
     screen->kind = FXL_POLYGON_SPRITE;
     screen->points[0] = corners[0];
@@ -97,28 +97,29 @@ static fxl_outcome deliver(const fxl_traversal *on, uint32_t model, const fxl_sc
     screen->points[3].x = (int32_t)(distance >> 32);
     screen->points[3].y = (int32_t)(uint32_t)(uint64_t)distance;
     fxl_outcome outcome = FXL_OUTCOME_SPILLED;
-    if (on->display_list == NULL) {
-        painter->paint(on->renderer, on->workspace, screen->points, on->band);
+    if (traversal->display_list == NULL) {
+        painter->paint(traversal->renderer, traversal->workspace, screen->points, traversal->band);
     } else {
-        outcome = fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+        outcome =
+            fxl_display_list_append(traversal->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
     }
     screen->kind = FXL_POLYGON_FLAT;
     return outcome;
 }
 
 /* What becomes of an instance that shows a billboard. */
-static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint32_t model,
+static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number, uint32_t model,
                                  const fxl_billboard *billboard)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    const fxl_view *view = &on->renderer->frame.view;
-    const fxl_q16_16 scale =
-        fxl_turn_code_of(scene, number) != NULL ? fxl_turn_of(scene, number)->scale : 65536;
+    const fxl_scene *scene = traversal->renderer->scene;
+    const fxl_view *view = &traversal->renderer->frame.view;
+    const fxl_q16_16 scale = fxl_placement_code_of(scene, number) != NULL
+                                 ? fxl_placement_of(scene, number)->scale
+                                 : 65536;
     fxl_view_point centre;
     fxl_screen_point corners[2];
     fxl_transform_point(&view->camera, &scene->instances[number].centre, &centre);
-    if (centre.z < view->view_frustum.near_z ||
-        centre.z > view->view_frustum.far_z) {
+    if (centre.z < view->view_frustum.near_z || centre.z > view->view_frustum.far_z) {
         return 1u << FXL_CLIP_OUTSIDE;
     }
     if (!find_corners(view, &centre, billboard, scale, corners)) {
@@ -127,35 +128,36 @@ static fxl_outcome submit_sprite(const fxl_traversal *on, uint32_t number, uint3
     if (is_beside_screen(&view->lens, corners)) {
         return 1u << FXL_CLIP_OUTSIDE;
     }
-    return 1u << FXL_CLIP_INSIDE | deliver(on, model, corners, centre.z);
+    return 1u << FXL_CLIP_INSIDE | emit(traversal, model, corners, centre.z);
 }
 
 /* fxl_instance_submit. The one face of a model with a billboard is done or not. */
-static bool submit_any(const fxl_traversal *on, const fxl_order_entry *entry)
+static bool submit_any(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
-    const fxl_billboard_set *set = on->renderer->billboards->set;
-    const uint32_t model = on->renderer->scene->instances[entry->index].model;
+    const fxl_billboard_set *set = traversal->renderer->billboards->set;
+    const uint32_t model = traversal->renderer->scene->instances[entry->index].model;
     const uint32_t number = set->model_map[model];
     if (number == 0) {
-        return fxl_submit_any_instance(on, entry);
+        return fxl_submit_any_instance(traversal, entry);
     }
-    const uint32_t used = on->renderer->frame.display_list.used;
+    const uint32_t used = traversal->renderer->frame.display_list.used;
     const fxl_outcome outcome =
-        submit_sprite(on, entry->index, model, &set->billboards[number - 1]);
-    if (!fxl_count_outcome(on, outcome, used)) {
+        submit_sprite(traversal, entry->index, model, &set->billboards[number - 1]);
+    if (!fxl_count_outcome(traversal, outcome, used)) {
         return false;
     }
-    on->counters->in += 1;
+    traversal->counters->in += 1;
     return true;
 }
 
-static bool submit(const fxl_traversal *on)
+static bool submit(const fxl_traversal *traversal)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    if (on->display_list != NULL && scene->turns != NULL) {
-        on->counters->rounded = (uint16_t)scene->turn_code->count_rounded(on, 0, 0);
+    const fxl_scene *scene = traversal->renderer->scene;
+    if (traversal->display_list != NULL && scene->placements != NULL) {
+        traversal->counters->rounded =
+            (uint16_t)scene->placement_code->count_rounded(traversal, 0, 0);
     }
-    return fxl_submit_all(on, on->renderer->billboards->code->instance);
+    return fxl_submit_all(traversal, traversal->renderer->billboards->code->instance);
 }
 
 static const fxl_billboard_code code = {submit, submit_any};
@@ -175,9 +177,9 @@ static fxl_status check(const fxl_renderer *renderer, const fxl_billboards *bill
     if (billboards == NULL || painter == NULL) {
         return FXL_E_ARGUMENT;
     }
-    return !fxl_is_aligned(billboards, FXL_POINTER) ? FXL_E_ALIGNMENT
-                                                    : fxl_billboards_check(set, renderer->scene,
-                                                                           NULL);
+    return !fxl_is_aligned(billboards, FXL_POINTER)
+               ? FXL_E_ALIGNMENT
+               : fxl_billboards_check(set, renderer->scene, NULL);
 }
 
 /* The order with billboards stands in the place of that without. */
@@ -203,7 +205,7 @@ fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboa
         billboards->painter = painter;
         billboards->code = &code;
         renderer->billboards = billboards;
-        renderer->draw_list = fxl_mixed_draw_list;
+        renderer->draw_display_list = fxl_mixed_draw_list;
         change_order(renderer, &fxl_by_distance, &fxl_by_distance_with_billboards);
     } else if (renderer->billboards == NULL) {
         return FXL_OK; /* a frame that has begun stays */

@@ -9,15 +9,18 @@
 /* Sets so many bytes, aligned to 4, to 0. */
 static void clear(uint8_t *bytes, uint32_t count)
 {
-    const uint32_t rows = count / CLEARED_AT_ONCE, rest = count % CLEARED_AT_ONCE;
-    fxl_band band = {.pixels = bytes, .width = CLEARED_AT_ONCE, .stride = CLEARED_AT_ONCE,
-                     .first_row = 0, .rows = (uint16_t)rows};
+    const uint32_t rows = count / CLEARED_AT_ONCE, remaining = count % CLEARED_AT_ONCE;
+    fxl_band band = {.pixels = bytes,
+                     .width = CLEARED_AT_ONCE,
+                     .stride = CLEARED_AT_ONCE,
+                     .first_row = 0,
+                     .rows = (uint16_t)rows};
     if (rows > 0) {
         fxl_fill_band(&band, 0);
     }
-    if (rest > 0) {
+    if (remaining > 0) {
         band.pixels += rows * CLEARED_AT_ONCE;
-        band.width = band.stride = (uint16_t)rest;
+        band.width = band.stride = (uint16_t)remaining;
         band.rows = 1;
         fxl_fill_band(&band, 0);
     }
@@ -42,8 +45,7 @@ static void draw_part(const fxl_renderer *renderer, fxl_workspace *workspace, co
 }
 
 void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
-                          const fxl_band *band, uint32_t cell_bytes,
-                          uint32_t pixel_bytes)
+                          const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes)
 {
     fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
     const uint32_t row_bytes = band->width * cell_bytes;

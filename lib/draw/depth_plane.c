@@ -71,13 +71,13 @@ static int64_t times(int64_t value, uint32_t factor)
 }
 
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *on, fxl_depth_plane *plane)
+                          const fxl_traversal *traversal, fxl_depth_plane *plane)
 {
     const fxl_axes *axes = model_view->axes;
     const fxl_view *view = model_view->view;
     fxl_gradient *gradient = &plane->gradient;
     fxl_view_point first;
-    fxl_find_corner(model_view, model_view->indices[face->first_index], on, &first);
+    fxl_find_corner(model_view, model_view->indices[face->first_index], traversal, &first);
     const fxl_block_vector n =
         view->lens.off_centre == NULL ? rotated(axes, &face->normal) : sheared(axes, &face->normal);
     const int64_t height = height_of(&n, &first);

@@ -14,7 +14,7 @@ extern "C" {
  * Error: the normal is off by less than 2^-28, and the depth of the plane relatively by less than
  * 2^-27. */
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *on, fxl_depth_plane *plane);
+                          const fxl_traversal *traversal, fxl_depth_plane *plane);
 
 #ifdef __cplusplus
 }

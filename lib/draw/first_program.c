@@ -26,14 +26,14 @@ fxl_config fxl_config_for(uint16_t width, uint16_t height, const fxl_target *tar
 
 static fxl_memory divide(const fxl_scene *scene, uint8_t *block, size_t size)
 {
-    const size_t order = fxl_aligned(scene->order_needed * sizeof(fxl_order_entry));
-    size_t rest = size - order;
-    const uint32_t entries = fxl_cache_entries(scene, rest / 4);
+    const size_t order = fxl_aligned(scene->draw_list_needed * sizeof(fxl_draw_entry));
+    size_t remaining = size - order;
+    const uint32_t entries = fxl_cache_entries(scene, remaining / 4);
     const size_t cache = entries * sizeof(fxl_cached_vertex);
-    size_t words = (rest - cache) / sizeof(uint32_t);
+    size_t words = (remaining - cache) / sizeof(uint32_t);
     fxl_memory memory;
-    memory.order = (fxl_order_entry *)(void *)block;
-    memory.order_capacity = scene->order_needed;
+    memory.draw_list = (fxl_draw_entry *)(void *)block;
+    memory.draw_list_capacity = scene->draw_list_needed;
     memory.cache = entries > 0 ? (fxl_cached_vertex *)(void *)(block + order) : NULL;
     memory.cache_capacity = entries;
     memory.display_list = (uint32_t *)(void *)(block + order + cache);
@@ -67,7 +67,7 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
     if (((uintptr_t)memory & 7u) != 0) {
         return FXL_E_ALIGNMENT;
     }
-    if (scene->order_needed == 0) {
+    if (scene->draw_list_needed == 0) {
         return FXL_E_ORDER;
     }
     fxl_status status = fxl_lens_from_fov(config->width, config->height, config->fov,
@@ -75,7 +75,7 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
     if (status != FXL_OK) {
         return status;
     }
-    const size_t least = fxl_aligned(scene->order_needed * sizeof(fxl_order_entry));
+    const size_t least = fxl_aligned(scene->draw_list_needed * sizeof(fxl_draw_entry));
     if (memory_size < least) {
         renderer->memory_missing = (uint32_t)(least - memory_size);
         return FXL_E_CAPACITY;
@@ -96,8 +96,12 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
         return FXL_E_ARGUMENT;
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
-    const fxl_band whole = {.pixels = (uint8_t *)pixels, .width = lens->width, .stride = stride,
-                            .first_row = 0, .rows = lens->height, .palette = renderer->palette};
+    const fxl_band whole = {.pixels = (uint8_t *)pixels,
+                            .width = lens->width,
+                            .stride = stride,
+                            .first_row = 0,
+                            .rows = lens->height,
+                            .palette = renderer->palette};
     if (pixels == NULL || stride < lens->width) {
         return fxl_refuse(&renderer->workspace, pixels == NULL ? FXL_E_ARGUMENT : FXL_E_RANGE);
     }

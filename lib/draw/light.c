@@ -5,7 +5,7 @@
 #include "../math/arith.h"
 #include "../math/unit_vector.h"
 #include "../scene/face_bounds.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../paint/light_level.h"
 
 static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance)
@@ -34,18 +34,18 @@ static void place_face(const fxl_scene *scene, const fxl_instance *instance, con
 {
     const fxl_point *centre = &instance->centre;
     const uint32_t number = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     fxl_point box = fxl_face_box(&scene->vertices[scene->models[instance->model].first_vertex],
                                  &scene->indices[face->first_index], face->count);
     place->normal = face->normal;
     if (turned != NULL) {
-        const fxl_turn *turn = fxl_turn_of(scene, number);
-        const fxl_orientation *to = &turn->orientation;
+        const fxl_placement *placement = fxl_placement_of(scene, number);
+        const fxl_orientation *to = &placement->orientation;
         const fxl_point of_model = box;
         place->normal = turned->normal(scene, number, face);
-        box.x = turn_middle(&to->x, &of_model, turn->scale);
-        box.y = turn_middle(&to->y, &of_model, turn->scale);
-        box.z = turn_middle(&to->z, &of_model, turn->scale);
+        box.x = turn_middle(&to->x, &of_model, placement->scale);
+        box.y = turn_middle(&to->y, &of_model, placement->scale);
+        box.z = turn_middle(&to->z, &of_model, placement->scale);
     }
     place->middle.x = 2 * centre->x + box.x;
     place->middle.y = 2 * centre->y + box.y;

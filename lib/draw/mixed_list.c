@@ -4,28 +4,28 @@
 #include "display_list.h"
 #include "surface_polygon.h"
 
-bool fxl_mixed_draw_list(const fxl_traversal *on)
+bool fxl_mixed_draw_list(const fxl_traversal *traversal)
 {
-    const fxl_renderer *renderer = on->renderer;
-    const fxl_band *band = on->band;
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_band *band = traversal->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     fxl_display_list_record record;
     uint32_t place = 0;
     while (fxl_display_list_next(&renderer->frame.display_list, wanted, &place, &record)) {
         if (record.kind == FXL_POLYGON_FLAT) {
-            if (!renderer->target->flat(on->workspace, record.points, record.count, record.colour,
-                                        band)) {
+            if (!renderer->target->flat(traversal->workspace, record.points, record.count,
+                                        record.colour, band)) {
                 return false;
             }
         } else if (record.kind == FXL_POLYGON_SURFACE) {
-            surfaces->painter->draw(surfaces, on->workspace, &record, band);
-            fxl_outline_polygon(on, record.points, fxl_surface_polygon_points(&record));
+            surfaces->painter->draw(surfaces, traversal->workspace, &record, band);
+            fxl_outline_polygon(traversal, record.points, fxl_surface_polygon_points(&record));
         } else if (record.kind == FXL_POLYGON_DEPTH) {
-            renderer->target->extras->flat(on->workspace, &record, band);
+            renderer->target->extras->flat(traversal->workspace, &record, band);
         } else {
             const fxl_billboards *billboards = renderer->billboards;
-            billboards->painter->paint(renderer, on->workspace, record.points, band);
+            billboards->painter->paint(renderer, traversal->workspace, record.points, band);
         }
     }
     return true;

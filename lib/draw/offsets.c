@@ -68,10 +68,10 @@ AT(fxl_face_bounds, box_y, FACE_BOUNDS_BOX_Y);
 AT(fxl_face_bounds, box_z, FACE_BOUNDS_BOX_Z);
 SIZE(fxl_face_bounds, FACE_BOUNDS_SIZE);
 
-AT(fxl_order_entry, distance_low, ORDER_DISTANCE_LOW);
-AT(fxl_order_entry, distance_high, ORDER_DISTANCE_HIGH);
-AT(fxl_order_entry, index, ORDER_INDEX);
-SIZE(fxl_order_entry, ORDER_SIZE);
+AT(fxl_draw_entry, distance_low, ORDER_DISTANCE_LOW);
+AT(fxl_draw_entry, distance_high, ORDER_DISTANCE_HIGH);
+AT(fxl_draw_entry, index, ORDER_INDEX);
+SIZE(fxl_draw_entry, ORDER_SIZE);
 
 AT(fxl_cached_vertex, tag, CACHED_VERTEX_TAG);
 AT(fxl_cached_vertex, clip_flags, CACHED_VERTEX_CLIP_FLAGS);

@@ -4,24 +4,24 @@
 #include "../view/outcode.h"
 #include "submit.h"
 
-void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on)
+void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *traversal)
 {
-    pieces->on = on;
+    pieces->traversal = traversal;
     pieces->planes = FXL_PLANES_ALL;
     pieces->outcome = 0;
-    pieces->used = on->renderer->frame.display_list.used;
+    pieces->used = traversal->renderer->frame.display_list.used;
 }
 
 bool fxl_submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, uint8_t colour)
 {
-    const fxl_traversal *on = pieces->on;
+    const fxl_traversal *traversal = pieces->traversal;
     const fxl_face face = {.count = (uint8_t)count, .material = colour};
     fxl_model_view model_view;
     FXL_ASSERT(count >= 3 && count <= FXL_POLYGON_CAPACITY);
-    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
-                              &on->workspace->cache);
+    fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
+                              &traversal->workspace->cache);
     model_view.planes = pieces->planes;
-    pieces->outcome |= fxl_submit_polygons(&model_view, &face, on);
+    pieces->outcome |= fxl_submit_polygons(&model_view, &face, traversal);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 
@@ -33,13 +33,13 @@ void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
         .normal = *normal, .count = (uint8_t)count, .material = whole->material};
     pieces->instance = instance;
     pieces->face = whole;
-    (void)fxl_submit_piece_by(pieces, pieces->on->renderer->shader, &piece, points);
+    (void)fxl_submit_piece_by(pieces, pieces->traversal->renderer->shader, &piece, points);
 }
 
 bool fxl_submit_piece_by(fxl_pieces *pieces, const fxl_shader *shader, const fxl_face *piece,
                          const fxl_point *points)
 {
-    const fxl_renderer *renderer = pieces->on->renderer;
+    const fxl_renderer *renderer = pieces->traversal->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = pieces->instance;
     fxl_face made = *piece;
@@ -64,11 +64,11 @@ bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_
 
 bool fxl_pieces_end(fxl_pieces *pieces)
 {
-    return fxl_count_outcome(pieces->on, pieces->outcome, pieces->used);
+    return fxl_count_outcome(pieces->traversal, pieces->outcome, pieces->used);
 }
 
 bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
-                           const fxl_traversal *on, const fxl_shader *shader)
+                           const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_point *eye = &model_view->view->camera.position;
     const uint16_t *corners = model_view->indices + face->first_index;
@@ -81,7 +81,7 @@ bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *fac
         points[i].y += eye->y;
         points[i].z += eye->z;
     }
-    fxl_pieces_begin(&pieces, on);
+    fxl_pieces_begin(&pieces, traversal);
     pieces.planes = model_view->planes;
     (void)shader->code->split(shader, &pieces, face, points, face->count);
     return fxl_pieces_end(&pieces);

@@ -18,7 +18,7 @@
 #include "../view/order.h"
 #include "../view/view.h"
 #include "display_list.h"
-#include "reach.h"
+#include "extents.h"
 #include "renderer.h"
 #include "submit_sorted.h"
 
@@ -51,7 +51,7 @@ static bool measures_rows(const fxl_renderer *renderer)
 }
 
 /* band: null where a frame begins. */
-static inline fxl_submit_way way_of(const fxl_renderer *renderer, const fxl_band *band)
+static inline fxl_submit_mode mode_of(const fxl_renderer *renderer, const fxl_band *band)
 {
     if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
         return FXL_SUBMIT_ANY;
@@ -72,16 +72,16 @@ static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, ui
         return status;
     }
     if (!FXL_IS_SMALL) {
-        fxl_reach_take_back(renderer, &renderer->workspace);
+        fxl_extents_take_back(renderer, &renderer->workspace);
     }
-    frame->visible_count = (uint16_t)fxl_order_still_instances(
-        renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->order, culled);
+    frame->visible_count = (uint16_t)fxl_list_still_instances(
+        renderer->scene, &frame->view.camera, &frame->view.view_frustum, frame->draw_list, culled);
     return FXL_OK;
 }
 
 /* What goes together, the camera, and the order of the instances in sight; culled: the faces of the
  * others. The code of turns tests the order's room itself, because it ends the frame before. */
-static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
+static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     const fxl_scene *scene = renderer->scene;
     if (renderer->clipper == NULL || renderer->target == NULL) {
@@ -93,11 +93,11 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
             return status;
         }
     }
-    if (scene->turns != NULL) {
-        if (scene->turn_code == NULL) {
+    if (scene->placements != NULL) {
+        if (scene->placement_code == NULL) {
             return FXL_E_ORDER;
         }
-        return scene->turn_code->look(renderer, pose, culled);
+        return scene->placement_code->find_visible(renderer, pose, culled);
     }
     if (scene->instance_count > renderer->instance_capacity) {
         return FXL_E_CAPACITY;
@@ -113,7 +113,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     fxl_frame *frame = &renderer->frame;
     fxl_workspace *workspace = &renderer->workspace;
     uint32_t culled;
-    const fxl_status status = look(renderer, pose, &culled);
+    const fxl_status status = find_visible(renderer, pose, &culled);
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }
@@ -126,17 +126,17 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
     frame->display_list.used = 0;
     frame->resume.instances = 0;
     frame->resume.faces = 0;
-    const fxl_traversal on = {.renderer = renderer,
-                              .clipper = renderer->clipper,
-                              .workspace = workspace,
-                              .display_list = &frame->display_list,
-                              .band = NULL,
-                              .resume = &frame->resume,
-                              .counters = &workspace->counters,
-                              .way = way_of(renderer, NULL)};
+    const fxl_traversal traversal = {.renderer = renderer,
+                                     .clipper = renderer->clipper,
+                                     .workspace = workspace,
+                                     .display_list = &frame->display_list,
+                                     .band = NULL,
+                                     .resume = &frame->resume,
+                                     .counters = &workspace->counters,
+                                     .mode = mode_of(renderer, NULL)};
     frame->state = FXL_FRAME_BEGUN;
-    if (!renderer->order->submit(&on) && measures_rows(renderer)) {
-        fxl_reach_measure(&on, frame);
+    if (!renderer->order->submit(&traversal) && measures_rows(renderer)) {
+        fxl_extents_measure(&traversal, frame);
         workspace->rest_counted = true;
     }
     return FXL_OK;
@@ -146,55 +146,56 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 
 /* Where the polygon on the screen goes: to the end of the display list, or into the band. One
  * that reaches no row goes nowhere. */
-static fxl_outcome deliver(const fxl_traversal *on)
+static fxl_outcome emit(const fxl_traversal *traversal)
 {
-    fxl_workspace *workspace = on->workspace;
+    fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
-    fxl_rows rows = fxl_scan_rows(screen, on->renderer->frame.view.lens.height);
+    fxl_rows rows = fxl_scan_rows(screen, traversal->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
     }
-    if (on->display_list != NULL) {
-        return fxl_display_list_append(on->display_list, screen, rows) ? 0 : FXL_OUTCOME_FULL;
+    if (traversal->display_list != NULL) {
+        return fxl_display_list_append(traversal->display_list, screen, rows) ? 0
+                                                                              : FXL_OUTCOME_FULL;
     }
-    if (!FXL_IS_SMALL && on->way == FXL_SUBMIT_MEASURE) {
-        fxl_rows_add(on->reached, rows);
+    if (!FXL_IS_SMALL && traversal->mode == FXL_SUBMIT_MEASURE) {
+        fxl_rows_add(traversal->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
-    return on->renderer->target->flat(workspace, screen->points, screen->count, screen->colour,
-                                      on->band)
+    return traversal->renderer->target->flat(workspace, screen->points, screen->count,
+                                             screen->colour, traversal->band)
                ? FXL_OUTCOME_SPILLED
                : FXL_OUTCOME_FULL;
 }
 
 /* Delivers all polygons of a face; cut is what the clipper answered for the first. */
-static fxl_outcome deliver_all(const fxl_traversal *on, const fxl_model_view *model_view,
-                               fxl_clip_result cut)
+static fxl_outcome emit_all(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                            fxl_clip_result cut)
 {
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
-        outcome |= deliver(on);
-        if (on->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
+        outcome |= emit(traversal);
+        if (traversal->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;
         }
-        cut = fxl_next_polygon(model_view, on);
+        cut = fxl_next_polygon(model_view, traversal);
         outcome |= (fxl_outcome)1 << cut;
     }
     return outcome;
 }
 
 fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *on)
+                                const fxl_traversal *traversal)
 {
-    return deliver_all(on, model_view, fxl_first_polygon(model_view, face, on));
+    return emit_all(traversal, model_view, fxl_first_polygon(model_view, face, traversal));
 }
 
-bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t used)
+bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint32_t used)
 {
-    fxl_counters *counters = on->counters;
+    fxl_counters *counters = traversal->counters;
     if (outcome >= FXL_OUTCOME_FULL) {
-        if (on->display_list != NULL) {
-            on->display_list->used = used;
+        if (traversal->display_list != NULL) {
+            traversal->display_list->used = used;
         }
         return false;
     }
@@ -214,31 +215,31 @@ bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t us
 
 /* The polygon on the screen straight into the band. One that has no row there may have one on the
  * rest of the screen, which matters only where it is counted. */
-static inline void draw_at_once(const fxl_traversal *on, fxl_workspace *workspace,
+static inline void draw_at_once(const fxl_traversal *traversal, fxl_workspace *workspace,
                                 fxl_counters *counters)
 {
     const fxl_screen_polygon *screen = &workspace->screen;
     workspace->work.scan.colour = screen->colour;
-    if (fxl_draw_outline(screen->points, screen->count, on->band, &workspace->work.scan) ||
+    if (fxl_draw_outline(screen->points, screen->count, traversal->band, &workspace->work.scan) ||
         (!FXL_IS_COMPACT && workspace->rest_counted) ||
-        fxl_outline_has_rows(screen, on->renderer->frame.view.lens.height)) {
+        fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height)) {
         counters->spilled += 1;
     }
 }
 
 static inline bool submit_flat_face(const fxl_model_view *model_view, const fxl_face *face,
-                                    const fxl_traversal *on)
+                                    const fxl_traversal *traversal)
 {
-    const fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
-    fxl_counters *counters = on->counters;
-    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && on->way == FXL_SUBMIT_DRAW) {
-        draw_at_once(on, on->workspace, counters);
+    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
+    fxl_counters *counters = traversal->counters;
+    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && traversal->mode == FXL_SUBMIT_DRAW) {
+        draw_at_once(traversal, traversal->workspace, counters);
     } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
-        if (FXL_IS_COMPACT || on->way <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
-            const uint32_t used = on->renderer->frame.display_list.used;
-            return fxl_count_outcome(on, deliver_all(on, model_view, cut), used);
+        if (FXL_IS_COMPACT || traversal->mode <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
+            const uint32_t used = traversal->renderer->frame.display_list.used;
+            return fxl_count_outcome(traversal, emit_all(traversal, model_view, cut), used);
         }
-        if (deliver(on) != 0) {
+        if (emit(traversal) != 0) {
             return false;
         }
     }
@@ -250,47 +251,48 @@ static inline bool submit_flat_face(const fxl_model_view *model_view, const fxl_
 }
 
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
-                     const fxl_traversal *on)
+                     const fxl_traversal *traversal)
 {
     const fxl_shader *shader = model_view->shader;
-    return shader != NULL ? shader->code->face(model_view, face, on, shader)
-                          : submit_flat_face(model_view, face, on);
+    return shader != NULL ? shader->code->face(model_view, face, traversal, shader)
+                          : submit_flat_face(model_view, face, traversal);
 }
 
 bool fxl_submit_shaded_face(const fxl_model_view *model_view, const fxl_face *face,
-                            const fxl_traversal *on)
+                            const fxl_traversal *traversal)
 {
-    return submit_flat_face(model_view, face, on);
+    return submit_flat_face(model_view, face, traversal);
 }
 
 /* --- draw -------------------------------------------------------------------------------- */
 
 /* What the display list had no room for. Of a frame that was released that is nothing, and another
  * core may be changing the scene. */
-static inline bool submit_rest(const fxl_traversal *on)
+static inline bool submit_rest(const fxl_traversal *traversal)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     if (renderer->frame.state == FXL_FRAME_RELEASED) {
         return true;
     }
     return !FXL_IS_COMPACT && renderer->frame.state == FXL_FRAME_MEASURED
-               ? fxl_reach_submit(on)
-               : renderer->order->submit(on);
+               ? fxl_extents_submit(traversal)
+               : renderer->order->submit(traversal);
 }
 
 /* The polygons of the display list that reach the band,
     all flat. False where the target's memory is
  * full. */
-static inline bool draw_display_list(const fxl_traversal *on)
+static inline bool draw_display_list(const fxl_traversal *traversal)
 {
-    const fxl_target *target = on->renderer->target;
-    const fxl_band *band = on->band;
+    const fxl_target *target = traversal->renderer->target;
+    const fxl_band *band = traversal->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     fxl_display_list_record record;
     uint32_t place = 0;
-    while (fxl_display_list_next(&on->renderer->frame.display_list, wanted, &place, &record)) {
+    while (
+        fxl_display_list_next(&traversal->renderer->frame.display_list, wanted, &place, &record)) {
         FXL_ASSERT(record.kind == FXL_POLYGON_FLAT);
-        if (!target->flat(on->workspace, record.points, record.count, record.colour, band)) {
+        if (!target->flat(traversal->workspace, record.points, record.count, record.colour, band)) {
             return false;
         }
     }
@@ -304,20 +306,21 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
     if (workspace->rest_counted) {
         memset(&uncounted, 0, sizeof uncounted);
     }
-    const fxl_traversal on = {.renderer = renderer,
-                              .clipper = renderer->clipper,
-                              .workspace = workspace,
-                              .display_list = NULL,
-                              .band = band,
-                              .resume = &resume,
-                              .counters =
-                                  workspace->rest_counted ? &uncounted : &workspace->counters,
-                              .way = way_of(renderer, band)};
+    const fxl_traversal traversal = {.renderer = renderer,
+                                     .clipper = renderer->clipper,
+                                     .workspace = workspace,
+                                     .display_list = NULL,
+                                     .band = band,
+                                     .resume = &resume,
+                                     .counters = workspace->rest_counted ? &uncounted
+                                                                         : &workspace->counters,
+                                     .mode = mode_of(renderer, band)};
     if (renderer->target->begin_band != NULL) {
         renderer->target->begin_band(renderer, workspace, band);
     }
-    if (!(renderer->draw_list != NULL ? renderer->draw_list(&on) : draw_display_list(&on)) ||
-        !submit_rest(&on)) {
+    if (!(renderer->draw_display_list != NULL ? renderer->draw_display_list(&traversal)
+                                              : draw_display_list(&traversal)) ||
+        !submit_rest(&traversal)) {
         return false;
     }
     workspace->rest_counted = true;

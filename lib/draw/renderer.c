@@ -26,7 +26,7 @@ static bool is_table(const void *table, uint32_t capacity)
 /* Whether all tables begin where their records may. */
 static bool is_aligned(const fxl_memory *memory)
 {
-    const uintptr_t words = (uintptr_t)memory->order | (uintptr_t)memory->display_list;
+    const uintptr_t words = (uintptr_t)memory->draw_list | (uintptr_t)memory->display_list;
     return (words & (sizeof(uint32_t) - 1)) == 0 && ((uintptr_t)memory->cache & 7u) == 0;
 }
 
@@ -34,7 +34,8 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
                                   const fxl_lens *lens, const fxl_memory *memory)
 {
     if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
-        memory->order == NULL || !is_table(memory->display_list, memory->display_list_capacity) ||
+        memory->draw_list == NULL ||
+        !is_table(memory->display_list, memory->display_list_capacity) ||
         !is_table(memory->cache, memory->cache_capacity)) {
         return FXL_E_ARGUMENT;
     }
@@ -44,11 +45,12 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     if (!fxl_lens_is_valid(lens)) {
         return FXL_E_RANGE;
     }
-    if (scene->order_needed == 0) {
+    if (scene->draw_list_needed == 0) {
         return FXL_E_ORDER;
     }
-    const uint32_t instances = fxl_order_instances_most(scene);
-    if (memory->order_capacity < scene->order_needed || scene->order_needed < instances) {
+    const uint32_t instances = fxl_list_instances_most(scene);
+    if (memory->draw_list_capacity < scene->draw_list_needed ||
+        scene->draw_list_needed < instances) {
         return FXL_E_CAPACITY;
     }
     fxl_frame *frame = &renderer->frame;
@@ -56,15 +58,15 @@ fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene
     memset(renderer, 0, sizeof *renderer);
     renderer->scene = scene;
     /* The entries beyond the instances' are for the faces of one model. */
-    const uint32_t capacity = memory->order_capacity - (scene->order_needed - instances);
+    const uint32_t capacity = memory->draw_list_capacity - (scene->draw_list_needed - instances);
     /* A world attaches the renderer first. */
     renderer->instance_capacity = scene->instance_capacity > 0 ? 0 : capacity;
     workspace->settings_version = 1; /* another workspace has 0 until it is set up */
     fxl_view_set_lens(&frame->view, lens);
-    frame->order = memory->order;
+    frame->draw_list = memory->draw_list;
     frame->display_list.words = memory->display_list;
     frame->display_list.capacity = memory->display_list_capacity;
-    workspace->face_order = memory->order + capacity;
+    workspace->face_list = memory->draw_list + capacity;
     fxl_vertex_cache_init(&workspace->cache, memory->cache, memory->cache_capacity);
     return FXL_OK;
 }
@@ -188,7 +190,8 @@ fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *conf
     renderer->check = NULL;
     renderer->palette = target->pixel_bits == 16 ? config->palette : NULL;
     if (target->extras != NULL) {
-        renderer->draw_list = target->extras->draw_list; /* it draws flat records, too */
+        renderer->draw_display_list =
+            target->extras->draw_display_list; /* it draws flat records, too */
     }
     set_last_shader(renderer);
     renderer->order_memory = config->tree;

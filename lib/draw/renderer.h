@@ -8,8 +8,8 @@
 /* Counts a call that is refused; answers its status. */
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status);
 
-/* fxl_frame_begin of a frame that is drawn in one band. It leaves the display list empty: to write a
- * polygon and read it once costs more instructions than to draw it at once. */
+/* fxl_frame_begin of a frame that is drawn in one band. It leaves the display list empty: to write
+ * a polygon and read it once costs more instructions than to draw it at once. */
 static inline fxl_status fxl_begin_one_band(fxl_renderer *renderer, const fxl_pose *pose)
 {
     fxl_display_list *list = &renderer->frame.display_list;
@@ -20,9 +20,9 @@ static inline fxl_status fxl_begin_one_band(fxl_renderer *renderer, const fxl_po
     return status;
 }
 
-/* fxl_target.choose, and what that of an order calls: gives a renderer the order, the target and the
- * memory of a configuration. Requires a target. FXL_E_ARGUMENT, FXL_E_ALIGNMENT, FXL_E_CAPACITY: its
- * order and target are untouched. */
+/* fxl_target.choose, and what that of an order calls: gives a renderer the order, the target and
+ * the memory of a configuration. Requires a target. FXL_E_ARGUMENT, FXL_E_ALIGNMENT,
+ * FXL_E_CAPACITY: its order and target are untouched. */
 fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config);
 
 /* The order that a configuration asks for. */
@@ -31,9 +31,9 @@ static inline const fxl_order *fxl_order_of(const fxl_config *config)
     return config->order != NULL ? config->order : &fxl_by_distance;
 }
 
-/* Entries of a scene's order_needed that are for the instances, whatever instance_count becomes in
- * a world. The others are for the faces of one model. */
-static inline uint32_t fxl_order_instances_most(const fxl_scene *scene)
+/* Entries of a scene's draw_list_needed that are for the instances, whatever instance_count becomes
+ * in a world. The others are for the faces of one model. */
+static inline uint32_t fxl_list_instances_most(const fxl_scene *scene)
 {
     return scene->instance_capacity > 0 ? scene->instance_capacity : scene->instance_count;
 }

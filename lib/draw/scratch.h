@@ -32,20 +32,20 @@ static inline uint32_t fxl_beam_scratch_size(const fxl_renderer *renderer)
 }
 
 /* Of a workspace that is not the renderer's own. */
-static inline void *fxl_tree_scratch(const fxl_traversal *on)
+static inline void *fxl_tree_scratch(const fxl_traversal *traversal)
 {
-    return (uint8_t *)on->workspace->face_order - fxl_tree_scratch_size(on->renderer);
+    return (uint8_t *)traversal->workspace->face_list - fxl_tree_scratch_size(traversal->renderer);
 }
 
-static inline void *fxl_beam_scratch(const fxl_traversal *on, uint32_t size)
+static inline void *fxl_beam_scratch(const fxl_traversal *traversal, uint32_t size)
 {
-    return (uint8_t *)fxl_tree_scratch(on) - size;
+    return (uint8_t *)fxl_tree_scratch(traversal) - size;
 }
 
 /* Whether a traversal works in the renderer's own workspace. */
-static inline bool fxl_is_own_workspace(const fxl_traversal *on)
+static inline bool fxl_is_own_workspace(const fxl_traversal *traversal)
 {
-    return on->workspace == &on->renderer->workspace;
+    return traversal->workspace == &traversal->renderer->workspace;
 }
 
 #endif

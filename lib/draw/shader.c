@@ -9,26 +9,28 @@ void fxl_renderer_set_shader(fxl_renderer *renderer, uint32_t rank, fxl_shader *
     while (*place != NULL && (*place)->rank < rank) {
         place = &((fxl_shader *)(uintptr_t)*place)->next; /* none of these is constant */
     }
-    const fxl_shader *rest = *place;
-    if (rest != NULL && rest->rank == rank) {
-        rest = rest->next;
+    const fxl_shader *following = *place;
+    if (following != NULL && following->rank == rank) {
+        following = following->next;
     }
     if (shader != NULL) {
         shader->rank = rank;
-        shader->next = rest;
-        rest = shader;
+        shader->next = following;
+        following = shader;
     }
-    *place = rest;
+    *place = following;
     renderer->frame.state = FXL_FRAME_NONE;
 }
 
 bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *on, const fxl_shader *shader)
+                              const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_instance *instance = model_view->instance;
     fxl_face coloured = *face;
-    coloured.material = shader->code->colour(shader, on->renderer, instance, face, face->material);
-    const fxl_shader *next = fxl_shader_reaching(shader->next, on->renderer->scene, instance);
-    return next != NULL ? next->code->face(model_view, &coloured, on, next)
-                        : fxl_submit_shaded_face(model_view, &coloured, on);
+    coloured.material =
+        shader->code->colour(shader, traversal->renderer, instance, face, face->material);
+    const fxl_shader *next =
+        fxl_shader_reaching(shader->next, traversal->renderer->scene, instance);
+    return next != NULL ? next->code->face(model_view, &coloured, traversal, next)
+                        : fxl_submit_shaded_face(model_view, &coloured, traversal);
 }

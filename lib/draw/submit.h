@@ -4,7 +4,7 @@
 #define FXL_SUBMIT_H
 
 #include "fixel/render.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/clusters.h"
 
 /* What becomes of a face of which the clipper gives one polygon at most. */
@@ -13,7 +13,7 @@ typedef enum {
     FXL_SUBMIT_MEASURE, /* the same; it is only asked which rows it reaches */
     FXL_SUBMIT_APPEND,  /* it is appended to the display list */
     FXL_SUBMIT_DRAW     /* it is drawn at once, over what is there */
-} fxl_submit_way;
+} fxl_submit_mode;
 
 /* A traversal fills the display list (fxl_frame_begin), measures what the list had no room for, or
  * draws it into a band (fxl_frame_draw). */
@@ -28,7 +28,7 @@ struct fxl_traversal {
     };
     fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
-    fxl_submit_way way;
+    fxl_submit_mode mode;
 };
 
 /* transform -> clip -> project -> display list or band, for a face that faces the eye; by
@@ -36,43 +36,45 @@ struct fxl_traversal {
  * there is no room, in the list or in the backend's workspace: the face is then not counted, and
  * the list is as it was. */
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
-                     const fxl_traversal *on);
+                     const fxl_traversal *traversal);
 
 /* The same without a shader: for what the shaders have made of a face. */
 bool fxl_submit_shaded_face(const fxl_model_view *model_view, const fxl_face *face,
-                            const fxl_traversal *on);
+                            const fxl_traversal *traversal);
 
 /* Whether faces of a sorted model that lie outside are taken out before the sort. They have to be
  * counted as the clipper and the beams would count them. It pays where faces share vertices, since
  * those of the others are looked at twice. The answer is the same for every workspace: a frame's
  * resume point is a place in the order. */
-bool fxl_drops_outside(const fxl_traversal *on, const fxl_model_view *model_view,
+bool fxl_drops_outside(const fxl_traversal *traversal, const fxl_model_view *model_view,
                        const fxl_model *model);
 
 /* Unless the workspace has done so for this instance: puts the faces of a sorted model that face
- * the eye into workspace->face_order, in the order of drawing, and sets the workspace's two counts
+ * the eye into workspace->face_list, in the order of drawing, and sets the workspace's two counts
  * of them. Faces that the clipper would find outside may be left out of the order. */
-void fxl_order_model(const fxl_traversal *on, const fxl_model_view *model_view,
-                     const fxl_model *model);
+void fxl_list_model(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                    const fxl_model *model);
 
-/* The faces of an instance that are left, from on->resume->faces on: all of them counted, by
+/* The faces of an instance that are left, from traversal->resume->faces on: all of them counted, by
  * number or by distance, in the order of the method. False where the traversal was stopped. */
-bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry);
+bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry);
 
 /* fxl_submit_instance of an instance that may be turned. */
-static inline bool fxl_submit_any_instance(const fxl_traversal *on, const fxl_order_entry *entry)
+static inline bool fxl_submit_any_instance(const fxl_traversal *traversal,
+                                           const fxl_draw_entry *entry)
 {
-    const fxl_turn_code *turned = fxl_turn_code_of(on->renderer->scene, entry->index);
-    return turned != NULL ? turned->submit_instance(on, entry, false)
-                          : fxl_submit_instance(on, entry);
+    const fxl_placement_code *turned =
+        fxl_placement_code_of(traversal->renderer->scene, entry->index);
+    return turned != NULL ? turned->submit_instance(traversal, entry, false)
+                          : fxl_submit_instance(traversal, entry);
 }
 
 /* fxl_order.submit of fxl_by_distance: the instances in sight by layer and distance. */
-bool fxl_submit_by_distance(const fxl_traversal *on);
+bool fxl_submit_by_distance(const fxl_traversal *traversal);
 
 /* An instance of the order in the view of this frame, with the first shader that reaches it.
  * Answers the instance. */
-const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
+const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry,
                                       fxl_model_view *model_view);
 
 /* The display list, then the rest of the scene, into a band of a frame. False where the
@@ -85,12 +87,12 @@ fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *work
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {
-    /* What fxl_order_model does before the sort, for a model with clusters. Clusters outside the
+    /* What fxl_list_model does before the sort, for a model with clusters. Clusters outside the
      * frustum, and clusters turned away from the eye, are left out with all their faces. */
-    void (*find_faces)(const fxl_traversal *on, const fxl_model_view *model_view,
+    void (*find_faces)(const fxl_traversal *traversal, const fxl_model_view *model_view,
                        const fxl_model *model);
     /* The same for a turned instance, by its tests. */
-    void (*find_faces_by)(const fxl_traversal *on, const fxl_model_view *model_view,
+    void (*find_faces_by)(const fxl_traversal *traversal, const fxl_model_view *model_view,
                           const fxl_model *model, const fxl_cluster_tests *tests);
     /* fxl_cluster_is_surely_turned_away, for such tests. */
     fxl_cluster_cone *is_turned_away;
@@ -106,33 +108,34 @@ typedef uint32_t fxl_outcome;
 /* transform -> clip -> project: a face's first polygon, into workspace->screen where one is left.
  */
 static inline fxl_clip_result fxl_first_polygon(const fxl_model_view *model_view,
-                                                const fxl_face *face, const fxl_traversal *on)
+                                                const fxl_face *face,
+                                                const fxl_traversal *traversal)
 {
-    fxl_workspace *workspace = on->workspace;
-    return on->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
+    fxl_workspace *workspace = traversal->workspace;
+    return traversal->clipper->clip(model_view, face, &workspace->work.clip, &workspace->screen);
 }
 
 /* The next one, of a clipper that has `next`. */
 static inline fxl_clip_result fxl_next_polygon(const fxl_model_view *model_view,
-                                               const fxl_traversal *on)
+                                               const fxl_traversal *traversal)
 {
-    fxl_workspace *workspace = on->workspace;
-    return on->clipper->next(model_view, &workspace->work.clip, &workspace->screen);
+    fxl_workspace *workspace = traversal->workspace;
+    return traversal->clipper->next(model_view, &workspace->work.clip, &workspace->screen);
 }
 
 /* transform -> clip -> project -> display list or band, for every polygon that a face gives. */
 fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *on);
+                                const fxl_traversal *traversal);
 
 /* Counts a face in everything but `in`: refused where one of its polygons was, else drawn where
  * one was. False where there was no room: then nothing is counted, and the display list is cut
  * back to `used` words. */
-bool fxl_count_outcome(const fxl_traversal *on, fxl_outcome outcome, uint32_t used);
+bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint32_t used);
 
 /* A face that is submitted piece by piece. It is counted once, and is in the display list whole
  * or not at all. The caller owns it. */
 typedef struct {
-    const fxl_traversal *on;
+    const fxl_traversal *traversal;
     const fxl_instance *instance; /* whose face it is, and the face: of shaded pieces */
     const fxl_face *face;
     fxl_planes planes; /* that pieces may cross; begin sets all, narrowing it saves time */
@@ -140,7 +143,7 @@ typedef struct {
     uint32_t used; /* words of the display list before the face */
 } fxl_pieces;
 
-void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *on);
+void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *traversal);
 
 /* A piece: a convex polygon of the world, 3 <= count <= FXL_POLYGON_CAPACITY vertices, each
  * within FXL_COORDINATE_MAX. A piece that the clipper has no room for is refused.
@@ -171,8 +174,8 @@ typedef struct fxl_shader_code {
     bool (*reaches)(const fxl_shader *shader, const fxl_scene *scene, const fxl_instance *instance);
     /* Takes the faces of an instance that it reaches: fxl_submit_split_face,
      * fxl_submit_coloured_face, or another. */
-    bool (*face)(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
-                 const fxl_shader *shader);
+    bool (*face)(const fxl_model_view *model_view, const fxl_face *face,
+                 const fxl_traversal *traversal, const fxl_shader *shader);
     /* Splits a polygon of the world, a piece or all of a face, and gives what it makes of it
      * to fxl_submit_piece. False where that answers false. Null: it colours. */
     bool (*split)(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
@@ -229,10 +232,10 @@ bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_
 
 /* fxl_shader_code.face: the face's polygon of the world, split, counted once. */
 bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
-                           const fxl_traversal *on, const fxl_shader *shader);
+                           const fxl_traversal *traversal, const fxl_shader *shader);
 
 /* fxl_shader_code.face: the face in another colour, to the next shader or to the clipper. */
 bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *on, const fxl_shader *shader);
+                              const fxl_traversal *traversal, const fxl_shader *shader);
 
 #endif

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/cull.h"
 #include "../view/model_view.h"
 #include "submit_instance.h"
 
-static inline const fxl_instance *
-view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_view *model_view)
+static inline const fxl_instance *view_instance(const fxl_traversal *traversal,
+                                                const fxl_draw_entry *entry,
+                                                fxl_model_view *model_view)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_instance *instance = &renderer->scene->instances[entry->index];
     fxl_model_view_of_instance(model_view, renderer->scene, instance, &renderer->frame.view,
-                               &on->workspace->cache);
+                               &traversal->workspace->cache);
     model_view->planes = entry->instance.planes;
     if (renderer->shader != NULL) {
         model_view->shader = fxl_shader_reaching(renderer->shader, renderer->scene, instance);
@@ -19,29 +20,29 @@ view_instance(const fxl_traversal *on, const fxl_order_entry *entry, fxl_model_v
     return instance;
 }
 
-const fxl_instance *fxl_view_instance(const fxl_traversal *on, const fxl_order_entry *entry,
+const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry,
                                       fxl_model_view *model_view)
 {
-    return view_instance(on, entry, model_view);
+    return view_instance(traversal, entry, model_view);
 }
 
-bool fxl_submit_instance(const fxl_traversal *on, const fxl_order_entry *entry)
+bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
-    const fxl_instance *instance = view_instance(on, entry, &model_view);
-    const fxl_model *model = &on->renderer->scene->models[instance->model];
+    const fxl_instance *instance = view_instance(traversal, entry, &model_view);
+    const fxl_model *model = &traversal->renderer->scene->models[instance->model];
     return model->kind == FXL_MODEL_SORTED
-               ? fxl_submit_sorted(on, &model_view, model, fxl_order_model, ONE_LOOP)
-               : fxl_submit_convex(on, &model_view, model, fxl_model_view_face_is_front);
+               ? fxl_submit_sorted(traversal, &model_view, model, fxl_list_model, ONE_LOOP)
+               : fxl_submit_convex(traversal, &model_view, model, fxl_model_view_face_is_front);
 }
 
-bool fxl_submit_by_distance(const fxl_traversal *on)
+bool fxl_submit_by_distance(const fxl_traversal *traversal)
 {
-    const fxl_scene *scene = on->renderer->scene;
-    if (scene->turns != NULL) {
-        return scene->turn_code->submit(on);
+    const fxl_scene *scene = traversal->renderer->scene;
+    if (scene->placements != NULL) {
+        return scene->placement_code->submit(traversal);
     }
-    return fxl_submit_all(on, fxl_submit_instance);
+    return fxl_submit_all(traversal, fxl_submit_instance);
 }
 
 const fxl_order fxl_by_distance = {.submit = fxl_submit_by_distance};

@@ -8,7 +8,7 @@
 #include "submit_sorted.h"
 
 /* Whether the loops over a frame's instances and over a sorted model's faces measure rows and pass
- * over what does not reach a band: in a library for size. Otherwise lib/draw/reach.c has loops
+ * over what does not reach a band: in a library for size. Otherwise lib/draw/extents.c has loops
  * of its own, so that a full frame pays nothing for bands. */
 #define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
 
@@ -16,55 +16,56 @@
 typedef bool fxl_facing_test(const fxl_model_view *model_view, const fxl_face *face);
 
 /* fxl_submit_instance. */
-typedef bool fxl_instance_submit(const fxl_traversal *on, const fxl_order_entry *entry);
+typedef bool fxl_instance_submit(const fxl_traversal *traversal, const fxl_draw_entry *entry);
 
 /* A convex instance: none of its faces hides another, so any order will do. Front to back
  * they come in reverse, so that the first face to cover a pixel is the one that would cover it
  * last back to front. */
-static inline bool fxl_submit_convex(const fxl_traversal *on, const fxl_model_view *model_view,
-                                     const fxl_model *model, fxl_facing_test *is_front)
+static inline bool fxl_submit_convex(const fxl_traversal *traversal,
+                                     const fxl_model_view *model_view, const fxl_model *model,
+                                     fxl_facing_test *is_front)
 {
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->near_first;
-    const uint32_t first = on->resume->faces, step = reverse ? UINT32_MAX : 1;
+    const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
+    const bool reverse = traversal->renderer->near_first;
+    const uint32_t first = traversal->resume->faces, step = reverse ? UINT32_MAX : 1;
     uint32_t at = reverse ? model->face_count - 1 - first : first;
     uint32_t number, backfacing = 0;
     for (number = first; number < model->face_count; number++) {
         if (!is_front(model_view, &faces[at])) {
             backfacing++;
-        } else if (!fxl_submit_face(model_view, &faces[at], on)) {
+        } else if (!fxl_submit_face(model_view, &faces[at], traversal)) {
             break;
         }
         at += step;
     }
-    on->resume->faces = (uint16_t)number;
-    on->counters->in += number - first;
-    on->counters->backfacing += backfacing;
+    traversal->resume->faces = (uint16_t)number;
+    traversal->counters->in += number - first;
+    traversal->counters->backfacing += backfacing;
     return number == model->face_count;
 }
 
 /* All instances in sight that are left, in the order of drawing. */
-static inline bool fxl_submit_all(const fxl_traversal *on, fxl_instance_submit *submit)
+static inline bool fxl_submit_all(const fxl_traversal *traversal, fxl_instance_submit *submit)
 {
-    const fxl_frame *frame = &on->renderer->frame;
+    const fxl_frame *frame = &traversal->renderer->frame;
     const uint32_t count = frame->visible_count;
-    const bool reverse = on->renderer->near_first;
-    const bool measures = ONE_LOOP && on->way == FXL_SUBMIT_MEASURE;
+    const bool reverse = traversal->renderer->near_first;
+    const bool measures = ONE_LOOP && traversal->mode == FXL_SUBMIT_MEASURE;
     const bool passes_over = ONE_LOOP && frame->state == FXL_FRAME_MEASURED;
-    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
-    for (; on->resume->instances < count; on->resume->instances++) {
-        const uint32_t number = on->resume->instances;
-        fxl_order_entry *entry = &frame->order[reverse ? count - 1 - number : number];
+    const fxl_rows wanted = passes_over ? fxl_rows_of_band(traversal->band) : fxl_no_rows;
+    for (; traversal->resume->instances < count; traversal->resume->instances++) {
+        const uint32_t number = traversal->resume->instances;
+        fxl_draw_entry *entry = &frame->draw_list[reverse ? count - 1 - number : number];
         if (measures) {
-            *on->reached = fxl_no_rows;
+            *traversal->reached = fxl_no_rows;
         }
-        if ((!passes_over || fxl_rows_meet(entry->rows, wanted)) && !submit(on, entry)) {
+        if ((!passes_over || fxl_rows_meet(entry->rows, wanted)) && !submit(traversal, entry)) {
             return false;
         }
         if (measures) {
-            entry->rows = *on->reached;
+            entry->rows = *traversal->reached;
         }
-        on->resume->faces = 0;
+        traversal->resume->faces = 0;
     }
     return true;
 }

@@ -20,50 +20,50 @@ static inline fxl_rows fxl_rows_of_band(const fxl_band *band)
     return rows;
 }
 
-/* Submits a face, adds the rows that it reaches to *on->reached, and returns them. Requires the way
- * FXL_SUBMIT_MEASURE, which always has room. */
-static inline fxl_rows fxl_measure_face(const fxl_traversal *on, const fxl_model_view *model_view,
-                                        const fxl_face *face)
+/* Submits a face, adds the rows that it reaches to *traversal->reached, and returns them. Requires
+ * the way FXL_SUBMIT_MEASURE, which always has room. */
+static inline fxl_rows fxl_measure_face(const fxl_traversal *traversal,
+                                        const fxl_model_view *model_view, const fxl_face *face)
 {
-    const fxl_rows before = *on->reached;
-    *on->reached = fxl_no_rows;
-    (void)fxl_submit_face(model_view, face, on);
-    const fxl_rows rows = *on->reached;
-    fxl_rows_add(on->reached, before);
+    const fxl_rows before = *traversal->reached;
+    *traversal->reached = fxl_no_rows;
+    (void)fxl_submit_face(model_view, face, traversal);
+    const fxl_rows rows = *traversal->reached;
+    fxl_rows_add(traversal->reached, before);
     return rows;
 }
 
-/* fxl_order_model: sorts the faces of the instance that is next, unless they are. */
-typedef void fxl_face_orderer(const fxl_traversal *on, const fxl_model_view *model_view,
+/* fxl_list_model: sorts the faces of the instance that is next, unless they are. */
+typedef void fxl_face_orderer(const fxl_traversal *traversal, const fxl_model_view *model_view,
                               const fxl_model *model);
 
 /* The faces that face the eye, in their order; then the others are counted. by_rows is constant
  * where this is called: if the way is to measure, keep which rows each face reaches; if that is
  * known and a band is drawn, pass over the faces that do not reach it. */
-static inline bool fxl_submit_sorted(const fxl_traversal *on, const fxl_model_view *model_view,
-                                     const fxl_model *model, fxl_face_orderer *order_faces,
-                                     bool by_rows)
+static inline bool fxl_submit_sorted(const fxl_traversal *traversal,
+                                     const fxl_model_view *model_view, const fxl_model *model,
+                                     fxl_face_orderer *order_faces, bool by_rows)
 {
-    fxl_workspace *workspace = on->workspace;
-    fxl_order_entry *order = workspace->face_order;
-    order_faces(on, model_view, model);
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const uint32_t first = on->resume->faces, front = workspace->sorted_count;
-    const bool reverse = on->renderer->near_first;
-    const bool measures = by_rows && on->way == FXL_SUBMIT_MEASURE;
+    fxl_workspace *workspace = traversal->workspace;
+    fxl_draw_entry *order = workspace->face_list;
+    order_faces(traversal, model_view, model);
+    const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
+    const uint32_t first = traversal->resume->faces, front = workspace->sorted_count;
+    const bool reverse = traversal->renderer->near_first;
+    const bool measures = by_rows && traversal->mode == FXL_SUBMIT_MEASURE;
     const bool passes_over = by_rows && !measures && workspace->face_rows_known;
-    const fxl_rows wanted = passes_over ? fxl_rows_of_band(on->band) : fxl_no_rows;
+    const fxl_rows wanted = passes_over ? fxl_rows_of_band(traversal->band) : fxl_no_rows;
     /* Where no face is left, the last instance's entry is before the first face's. */
     const int32_t place = reverse ? (int32_t)front - 1 - (int32_t)first : (int32_t)first;
-    fxl_order_entry *at = order + place;
+    fxl_draw_entry *at = order + place;
     uint32_t number = first;
     for (; number < front; number++) {
         const fxl_face *face = &faces[at->face];
         if (passes_over && !fxl_rows_meet(at->rows, wanted)) {
             /* The face does not reach the band. */
         } else if (measures) {
-            at->rows = fxl_measure_face(on, model_view, face);
-        } else if (!fxl_submit_face(model_view, face, on)) {
+            at->rows = fxl_measure_face(traversal, model_view, face);
+        } else if (!fxl_submit_face(model_view, face, traversal)) {
             break;
         }
         at += reverse ? -1 : 1;
@@ -71,13 +71,13 @@ static inline bool fxl_submit_sorted(const fxl_traversal *on, const fxl_model_vi
     if (measures) {
         workspace->face_rows_known = true;
     }
-    on->resume->faces = (uint16_t)number;
-    on->counters->in += (number < front ? number : model->face_count) - first;
+    traversal->resume->faces = (uint16_t)number;
+    traversal->counters->in += (number < front ? number : model->face_count) - first;
     if (number < front) {
         return false;
     }
-    on->counters->backfacing += model->face_count - workspace->front_count;
-    on->counters->outside += workspace->front_count - front;
+    traversal->counters->backfacing += model->face_count - workspace->front_count;
+    traversal->counters->outside += workspace->front_count - front;
     return true;
 }
 

@@ -21,30 +21,30 @@ bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
 /* The corners of a face in the view, and the values of its attributes there. */
 static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
                          const fxl_face *face, const fxl_mapped_face *mapped,
-                         const fxl_traversal *on, fxl_gradient_corners *corners)
+                         const fxl_traversal *traversal, fxl_gradient_corners *corners)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     const uint16_t *indices = model_view->indices + face->first_index;
     for (uint32_t i = 0; i < 3; i++) {
-        fxl_find_corner(model_view, indices[mapped->corners[i]], on, &corners->corners[i]);
+        fxl_find_corner(model_view, indices[mapped->corners[i]], traversal, &corners->corners[i]);
         corners->values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
         corners->values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
     }
     corners->count = surface->texture == 0 ? 0 : 2;
     if (fxl_surface_is_lit(surfaces, surface)) {
-        surfaces->light_code->light_corners(surfaces, on->renderer, model_view->instance, face,
-                                            mapped, corners->values[corners->count]);
+        surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance,
+                                            face, mapped, corners->values[corners->count]);
         corners->count++;
     }
 }
 
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *on, fxl_surface_polygon *polygon)
+                      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     fxl_gradient_corners corners;
-    find_corners(surfaces, model_view, face, mapped, on, &corners);
+    find_corners(surfaces, model_view, face, mapped, traversal, &corners);
     if (surface->division == FXL_AFFINE) {
         fxl_corners_make_affine(&corners, model_view->view);
     }
@@ -60,26 +60,28 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
 }
 
 bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *on, const fxl_shader *shader)
+                          const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_shader *next =
-        fxl_shader_reaching(shader->next, on->renderer->scene, model_view->instance);
-    return next != NULL ? next->code->face(model_view, face, on, next)
-                        : fxl_submit_shaded_face(model_view, face, on);
+        fxl_shader_reaching(shader->next, traversal->renderer->scene, model_view->instance);
+    return next != NULL ? next->code->face(model_view, face, traversal, next)
+                        : fxl_submit_shaded_face(model_view, face, traversal);
 }
 
-const fxl_model_view *fxl_surfaces_view(const fxl_traversal *on, const fxl_instance *instance,
-                                        fxl_turned_view *view)
+const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
+                                        const fxl_instance *instance, fxl_turned_view *view)
 {
-    const fxl_scene *scene = on->renderer->scene;
+    const fxl_scene *scene = traversal->renderer->scene;
     const uint32_t number = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
-    fxl_vertex_cache *cache = &on->workspace->cache;
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
+    fxl_vertex_cache *cache = &traversal->workspace->cache;
     fxl_model_view *model_view = &view->model_view;
     if (turned != NULL) {
-        (void)turned->view(view, scene, number, &on->renderer->frame.view, cache, FXL_PLANES_ALL);
+        (void)turned->view(view, scene, number, &traversal->renderer->frame.view, cache,
+                           FXL_PLANES_ALL);
     } else {
-        fxl_model_view_of_instance(model_view, scene, instance, &on->renderer->frame.view, cache);
+        fxl_model_view_of_instance(model_view, scene, instance, &traversal->renderer->frame.view,
+                                   cache);
     }
     model_view->instance = instance;
     return model_view;
@@ -111,7 +113,7 @@ fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
     surfaces->light = NULL;
     surfaces->light_code = NULL;
     surfaces->shader.code = painter->code;
-    renderer->draw_list = fxl_mixed_draw_list;
+    renderer->draw_display_list = fxl_mixed_draw_list;
     fxl_renderer_attach(renderer, FXL_SHADER_SURFACES, &surfaces->shader);
     return FXL_OK;
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Instances that turn and scale. Only a scene with turns names this file's record. */
 #include "../scene/face_bounds.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/order.h"
 #include "../view/outcode.h"
-#include "../view/turn.h"
+#include "../view/placement.h"
 #include "../view/view.h"
-#include "reach.h"
+#include "extents.h"
 #include "submit_instance.h"
 
 /* --- the scene ----------------------------------------------------------------------------- */
@@ -18,7 +18,7 @@ static const fxl_model *model_of(const fxl_scene *scene, uint32_t number)
 
 static fxl_q16_16 radius_of(const fxl_scene *scene, uint32_t number)
 {
-    return fxl_turn_radius(fxl_turn_of(scene, number), model_of(scene, number)->radius);
+    return fxl_placement_radius(fxl_placement_of(scene, number), model_of(scene, number)->radius);
 }
 
 static bool face_is_front(const fxl_scene *scene, uint32_t number, const fxl_face *face,
@@ -27,8 +27,9 @@ static bool face_is_front(const fxl_scene *scene, uint32_t number, const fxl_fac
     const fxl_point *vertices = &scene->vertices[model_of(scene, number)->first_vertex];
     fxl_point from_eye;
     fxl_subtract(&scene->instances[number].centre, eye, &from_eye);
-    return fxl_turn_is_front(fxl_turn_of(scene, number), &from_eye, &face->normal,
-                             fxl_face_height(vertices, &scene->indices[face->first_index], face));
+    return fxl_placement_is_front(
+        fxl_placement_of(scene, number), &from_eye, &face->normal,
+        fxl_face_height(vertices, &scene->indices[face->first_index], face));
 }
 
 static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
@@ -38,8 +39,8 @@ static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *
     const uint16_t *indices = &scene->indices[face->first_index];
     FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
     for (uint32_t i = 0; i < face->count; i++) {
-        fxl_turn_point(fxl_turn_of(scene, number), &scene->instances[number].centre,
-                       &vertices[indices[i]], &points[i]);
+        fxl_placement_point(fxl_placement_of(scene, number), &scene->instances[number].centre,
+                            &vertices[indices[i]], &points[i]);
         FXL_ASSERT(fxl_point_in_range(&points[i]));
     }
 }
@@ -47,7 +48,7 @@ static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *
 static fxl_direction normal_of(const fxl_scene *scene, uint32_t number, const fxl_face *face)
 {
     fxl_direction normal;
-    fxl_turn_direction(fxl_turn_of(scene, number), &face->normal, &normal);
+    fxl_placement_direction(fxl_placement_of(scene, number), &face->normal, &normal);
     return normal;
 }
 
@@ -55,7 +56,7 @@ static fxl_direction normal_of(const fxl_scene *scene, uint32_t number, const fx
 typedef struct {
     const fxl_camera *camera;
     const fxl_view_frustum *frustum;
-    fxl_order_entry *next;
+    fxl_draw_entry *next;
     uint32_t left_out;
 } order_writer;
 
@@ -66,37 +67,38 @@ static inline void write_entry(order_writer *to, const fxl_instance *instance, u
     if (planes == FXL_SPHERE_OUTSIDE) {
         to->left_out += model->face_count; /* below 2^16 * 2^16 */
     } else {
-        *to->next++ = fxl_order_instance_of(instance, number, planes, to->camera);
+        *to->next++ = fxl_draw_instance_of(instance, number, planes, to->camera);
     }
 }
 
-static uint32_t order(const fxl_scene *scene, const fxl_camera *camera,
-                      const fxl_view_frustum *frustum, fxl_order_entry *entries, uint32_t *left_out)
+static uint32_t list_instances(const fxl_scene *scene, const fxl_camera *camera,
+                               const fxl_view_frustum *frustum, fxl_draw_entry *entries,
+                               uint32_t *left_out)
 {
     order_writer to = {camera, frustum, entries, 0};
     const fxl_instance *instance = scene->instances;
-    const fxl_turn *turn = scene->turns;
+    const fxl_placement *placement = scene->placements;
     const uint32_t first_turned = fxl_first_turned(scene);
     for (uint32_t i = 0; i < first_turned; i++, instance++) {
         const fxl_model *model = &scene->models[instance->model];
         write_entry(&to, instance, i, model, model->radius);
     }
-    for (uint32_t i = first_turned; i < scene->instance_count; i++, instance++, turn++) {
+    for (uint32_t i = first_turned; i < scene->instance_count; i++, instance++, placement++) {
         const fxl_model *model = &scene->models[instance->model];
-        write_entry(&to, instance, i, model, fxl_scaled_radius(turn->scale, model->radius));
+        write_entry(&to, instance, i, model, fxl_scaled_radius(placement->scale, model->radius));
     }
     const uint32_t count = (uint32_t)(to.next - entries);
     *left_out = to.left_out;
-    fxl_order_sort(entries, count);
+    fxl_sort_instances(entries, count);
     return count;
 }
 
 /* Whether the orientations of all instances in sight are rotations. */
-static bool are_rotations(const fxl_scene *scene, const fxl_order_entry *entries, uint32_t count)
+static bool are_rotations(const fxl_scene *scene, const fxl_draw_entry *entries, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         if (entries[i].index >= scene->first_turned &&
-            !fxl_is_rotation(&fxl_turn_of(scene, entries[i].index)->orientation)) {
+            !fxl_is_rotation(&fxl_placement_of(scene, entries[i].index)->orientation)) {
             return false;
         }
     }
@@ -110,7 +112,7 @@ static bool are_rotations(const fxl_scene *scene, const fxl_order_entry *entries
  * The sphere test takes scales and places, so these are checked before it, and orientations of
  * instances in sight after it: no stage reads another orientation. If one is refused, the view is
  * that of the frame before. */
-static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
+static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     fxl_frame *frame = &renderer->frame;
     fxl_view *view = &frame->view;
@@ -121,7 +123,7 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
     if (scene->instance_count > renderer->instance_capacity) {
         return FXL_E_CAPACITY;
     }
-    if (!fxl_turn_places_are_in_range(scene)) {
+    if (!fxl_placement_places_are_in_range(scene)) {
         return FXL_E_RANGE;
     }
     const fxl_status status = fxl_view_set_pose(view, pose);
@@ -129,16 +131,17 @@ static fxl_status look(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *c
         return status;
     }
     if (!FXL_IS_SMALL) {
-        fxl_reach_take_back(renderer, &renderer->workspace);
+        fxl_extents_take_back(renderer, &renderer->workspace);
     }
-    const uint32_t count = order(scene, &view->camera, &view->view_frustum, frame->order, culled);
-    if (are_rotations(scene, frame->order, count)) {
+    const uint32_t count =
+        list_instances(scene, &view->camera, &view->view_frustum, frame->draw_list, culled);
+    if (are_rotations(scene, frame->draw_list, count)) {
         frame->visible_count = (uint16_t)count;
         return FXL_OK;
     }
     view->camera = before;
     view->frame = number;
-    return FXL_E_TURN;
+    return FXL_E_PLACEMENT;
 }
 
 /* --- points rounded in the world ------------------------------------------------------------ */
@@ -152,49 +155,50 @@ typedef struct {
 } rounded_instance;
 
 /* Whether a shader splits the faces of an instance. */
-static bool is_split(const fxl_traversal *on, uint32_t number)
+static bool is_split(const fxl_traversal *traversal, uint32_t number)
 {
-    const fxl_scene *scene = on->renderer->scene;
+    const fxl_scene *scene = traversal->renderer->scene;
     const fxl_instance *instance = &scene->instances[number];
-    const fxl_shader *shader = fxl_shader_reaching(on->renderer->shader, scene, instance);
+    const fxl_shader *shader = fxl_shader_reaching(traversal->renderer->shader, scene, instance);
     while (shader != NULL && !shader->code->splits_in_world) {
         shader = fxl_shader_reaching(shader->next, scene, instance);
     }
     return shader != NULL;
 }
 
-static inline bool is_rounded(const fxl_traversal *on, uint32_t number)
+static inline bool is_rounded(const fxl_traversal *traversal, uint32_t number)
 {
-    return on->clipper->by_points || (on->renderer->shader != NULL && is_split(on, number));
+    return traversal->clipper->by_points ||
+           (traversal->renderer->shader != NULL && is_split(traversal, number));
 }
 
-static uint32_t count_rounded(const fxl_traversal *on, uint32_t first, uint32_t end)
+static uint32_t count_rounded(const fxl_traversal *traversal, uint32_t first, uint32_t end)
 {
-    const fxl_frame *frame = &on->renderer->frame;
+    const fxl_frame *frame = &traversal->renderer->frame;
     uint32_t count = 0;
-    if (first == end && !on->clipper->by_points && on->renderer->shader == NULL) {
+    if (first == end && !traversal->clipper->by_points && traversal->renderer->shader == NULL) {
         return 0;
     }
     for (uint32_t i = 0; i < frame->visible_count; i++) {
-        const uint32_t number = frame->order[i].index;
-        count += fxl_turn_code_of(on->renderer->scene, number) != NULL &&
-                 ((i >= first && i < end) || is_rounded(on, number));
+        const uint32_t number = frame->draw_list[i].index;
+        count += fxl_placement_code_of(traversal->renderer->scene, number) != NULL &&
+                 ((i >= first && i < end) || is_rounded(traversal, number));
     }
     return count;
 }
 
 /* The face's rounded points are a polygon of the world, which any clipper takes. */
 static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *on, const fxl_shader *shader)
+                                const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const rounded_instance *instance = (const rounded_instance *)(const void *)shader;
-    const fxl_scene *scene = on->renderer->scene;
+    const fxl_scene *scene = traversal->renderer->scene;
     const fxl_direction normal = normal_of(scene, instance->number, face);
     fxl_point points[FXL_FACE_VERTICES_MAX];
     fxl_pieces pieces;
     (void)model_view;
     place_face(scene, instance->number, face, points);
-    fxl_pieces_begin(&pieces, on);
+    fxl_pieces_begin(&pieces, traversal);
     pieces.planes = instance->planes;
     fxl_submit_shaded_piece(&pieces, &scene->instances[instance->number], face, &normal, points,
                             face->count);
@@ -224,11 +228,11 @@ static uint32_t cluster_planes(const fxl_cluster *cluster, const fxl_model_view 
 
 static uint32_t find_front(const fxl_scene *scene, const fxl_model *model, uint32_t first,
                            uint32_t count, const fxl_model_view *model_view, const fxl_point *eye,
-                           fxl_order_entry *entries)
+                           fxl_draw_entry *entries)
 {
     (void)eye;
-    return fxl_order_turned_faces((const fxl_turned_view *)model_view, scene, model, first, count,
-                                  entries);
+    return fxl_list_turned_faces((const fxl_turned_view *)model_view, scene, model, first, count,
+                                 entries);
 }
 
 /* An eye so far that it has another unit: cones are not tested. */
@@ -240,51 +244,51 @@ static bool is_never_turned_away(const fxl_cluster *cluster, const fxl_point *ey
 }
 
 /* The faces that are to be sorted, of a model without clusters. */
-static void find_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+static void find_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
                        const fxl_model *model)
 {
-    fxl_workspace *workspace = on->workspace;
-    const fxl_scene *scene = on->renderer->scene;
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_scene *scene = traversal->renderer->scene;
     uint32_t count =
-        find_front(scene, model, 0, model->face_count, model_view, NULL, workspace->face_order);
+        find_front(scene, model, 0, model->face_count, model_view, NULL, workspace->face_list);
     workspace->front_count = (uint16_t)count;
-    if (fxl_drops_outside(on, model_view, model)) {
-        count = fxl_order_drop_outside(model_view, &scene->faces[model->first_face],
-                                       workspace->face_order, count);
+    if (fxl_drops_outside(traversal, model_view, model)) {
+        count = fxl_drop_outside(model_view, &scene->faces[model->first_face], workspace->face_list,
+                                 count);
     }
     workspace->sorted_count = (uint16_t)count;
 }
 
-/* fxl_order_model. */
-static void order_faces(const fxl_traversal *on, const fxl_model_view *model_view,
+/* fxl_list_model. */
+static void order_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
                         const fxl_model *model)
 {
-    fxl_workspace *workspace = on->workspace;
-    if (workspace->sorted_instance == on->resume->instances) {
+    fxl_workspace *workspace = traversal->workspace;
+    if (workspace->sorted_instance == traversal->resume->instances) {
         return;
     }
-    workspace->sorted_instance = on->resume->instances;
+    workspace->sorted_instance = traversal->resume->instances;
     if (model->first_cluster != 0) {
         const fxl_turned_view *turned = (const fxl_turned_view *)model_view;
-        const fxl_cluster_code *code = on->renderer->scene->cluster_code;
+        const fxl_cluster_code *code = traversal->renderer->scene->cluster_code;
         const fxl_cluster_tests tests = {
             cluster_planes, turned->eye_shift == 0 ? code->is_turned_away : is_never_turned_away,
             find_front};
-        code->find_faces_by(on, model_view, model, &tests);
+        code->find_faces_by(traversal, model_view, model, &tests);
     } else {
-        find_faces(on, model_view, model);
+        find_faces(traversal, model_view, model);
     }
     workspace->face_rows_known = false;
-    fxl_order_sort_faces(workspace->face_order, workspace->sorted_count, &workspace->work.order);
+    fxl_sort_faces(workspace->face_list, workspace->sorted_count, &workspace->work.sort);
 }
 
 /* What takes the faces of an instance before they are clipped. */
-static void set_shader(const fxl_traversal *on, const fxl_order_entry *entry, bool rounded,
+static void set_shader(const fxl_traversal *traversal, const fxl_draw_entry *entry, bool rounded,
                        fxl_model_view *model_view, rounded_instance *instance)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     model_view->instance = &renderer->scene->instances[entry->index];
-    if (rounded || is_rounded(on, entry->index)) {
+    if (rounded || is_rounded(traversal, entry->index)) {
         instance->shader.code = &rounded_code;
         instance->number = entry->index;
         instance->planes = entry->instance.planes;
@@ -295,46 +299,46 @@ static void set_shader(const fxl_traversal *on, const fxl_order_entry *entry, bo
     }
 }
 
-static bool submit_turned(const fxl_traversal *on, const fxl_order_entry *entry, bool rounded)
+static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *entry, bool rounded)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     FXL_ALIGN_8 fxl_turned_view view;
     rounded_instance instance;
     const fxl_model *model =
         fxl_turned_view_of_instance(&view, renderer->scene, entry->index, &renderer->frame.view,
-                                    &on->workspace->cache, entry->instance.planes);
-    if (rounded || on->clipper->by_points || renderer->shader != NULL) {
-        set_shader(on, entry, rounded, &view.model_view, &instance);
+                                    &traversal->workspace->cache, entry->instance.planes);
+    if (rounded || traversal->clipper->by_points || renderer->shader != NULL) {
+        set_shader(traversal, entry, rounded, &view.model_view, &instance);
     }
     if (model->kind == FXL_MODEL_SORTED) {
-        return fxl_submit_sorted(on, &view.model_view, model, order_faces, ONE_LOOP);
+        return fxl_submit_sorted(traversal, &view.model_view, model, order_faces, ONE_LOOP);
     }
     return !FXL_IS_COMPACT && view.eye_shift == 0
-               ? fxl_submit_convex(on, &view.model_view, model, face_is_front_to_near)
-               : fxl_submit_convex(on, &view.model_view, model, face_is_front_to_any);
+               ? fxl_submit_convex(traversal, &view.model_view, model, face_is_front_to_near)
+               : fxl_submit_convex(traversal, &view.model_view, model, face_is_front_to_any);
 }
 
-static bool submit_one(const fxl_traversal *on, const fxl_order_entry *entry)
+static bool submit_one(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
-    return fxl_submit_any_instance(on, entry);
+    return fxl_submit_any_instance(traversal, entry);
 }
 
-static bool submit(const fxl_traversal *on)
+static bool submit(const fxl_traversal *traversal)
 {
-    if (on->display_list != NULL) {
-        on->counters->rounded = (uint16_t)count_rounded(on, 0, 0);
+    if (traversal->display_list != NULL) {
+        traversal->counters->rounded = (uint16_t)count_rounded(traversal, 0, 0);
     }
-    return fxl_submit_all(on, submit_one);
+    return fxl_submit_all(traversal, submit_one);
 }
 
-const fxl_turn_code fxl_turned_instances = {.check = fxl_turn_check_all,
-                                            .look = look,
-                                            .radius = radius_of,
-                                            .face_is_front = face_is_front,
-                                            .place_face = place_face,
-                                            .normal = normal_of,
-                                            .order = order,
-                                            .submit = submit,
-                                            .submit_instance = submit_turned,
-                                            .count_rounded = count_rounded,
-                                            .view = fxl_turned_view_of_instance};
+const fxl_placement_code fxl_turned_instances = {.check = fxl_placement_check_all,
+                                                 .find_visible = find_visible,
+                                                 .radius = radius_of,
+                                                 .face_is_front = face_is_front,
+                                                 .place_face = place_face,
+                                                 .normal = normal_of,
+                                                 .list_instances = list_instances,
+                                                 .submit = submit,
+                                                 .submit_instance = submit_turned,
+                                                 .count_rounded = count_rounded,
+                                                 .view = fxl_turned_view_of_instance};

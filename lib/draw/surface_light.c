@@ -5,7 +5,7 @@
 #include "renderer.h"
 #include "submit.h"
 #include "../math/arith.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../paint/light_level.h"
 #include "surface_polygon.h"
 
@@ -19,13 +19,13 @@ static void place_corner(const fxl_point *point, const fxl_direction *normal, fx
     place->middle.z = 2 * point->z;
 }
 
-/* The three corners of a turned instance's face. fxl_turn_code places whole faces, and turns the
- * normal of a face. */
+/* The three corners of a turned instance's face. fxl_placement_code places whole faces, and turns
+ * the normal of a face. */
 static void place_turned_corners(const fxl_scene *scene, uint32_t number, const fxl_face *face,
                                  const fxl_mapped_face *mapped, const fxl_direction *normals,
                                  fxl_lit_place places[3])
 {
-    const fxl_turn_code *code = scene->turn_code;
+    const fxl_placement_code *code = scene->placement_code;
     fxl_point points[FXL_FACE_VERTICES_MAX];
     code->place_face(scene, number, face, points);
     for (uint32_t i = 0; i < 3; i++) {
@@ -67,7 +67,7 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const fxl_scene *scene = renderer->scene;
     const uint32_t number = fxl_instance_number(scene, instance);
     fxl_lit_place places[3];
-    if (fxl_turn_code_of(scene, number) != NULL) {
+    if (fxl_placement_code_of(scene, number) != NULL) {
         place_turned_corners(scene, number, face, mapped, normals, places);
     } else {
         place_corners(scene, instance, face, mapped, normals, places);

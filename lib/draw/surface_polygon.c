@@ -63,10 +63,10 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     }
     uint32_t *to = list->words + list->used;
     to[0] = (uint32_t)rows.end << 16 | rows.first;
-    const uint8_t head[4] = {screen->colour, (uint8_t)(screen->count + beside / 2),
-                             (uint8_t)(polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE
-                                                                          : FXL_POLYGON_DEPTH),
-                             screen->count};
+    const uint8_t head[4] = {
+        screen->colour, (uint8_t)(screen->count + beside / 2),
+        (uint8_t)(polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE : FXL_POLYGON_DEPTH),
+        screen->count};
     to = put(to + 1, head, 1);
     to = put(to, screen->points, 2u * screen->count);
     *to++ = polygon->surface | (uint32_t)gradients->count << COUNT_AT |
@@ -112,10 +112,10 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
     return count;
 }
 
-void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fxl_traversal *on,
-                     fxl_view_point *corner)
+void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
+                     const fxl_traversal *traversal, fxl_view_point *corner)
 {
-    if (on->clipper->by_clip_flags) {
+    if (traversal->clipper->by_clip_flags) {
         *corner = fxl_fetch_vertex(model_view, number)->position;
     } else {
         fxl_cached_vertex vertex;

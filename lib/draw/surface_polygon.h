@@ -8,7 +8,7 @@
 #include "fixel/surfaces.h"
 #include "../paint/depth_code.h"
 #include "../paint/paint.h"
-#include "../view/turn.h"
+#include "../view/placement.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -38,12 +38,12 @@ struct fxl_painter {
 };
 
 /* fxl_target.draw_list. */
-bool fxl_mixed_draw_list(const fxl_traversal *on);
+bool fxl_mixed_draw_list(const fxl_traversal *traversal);
 
 /* A corner of a face in the view, by the matrix of its instance. A clipper by clip flags keeps the
  * same positions in the cache. */
-void fxl_find_corner(const fxl_model_view *model_view, uint32_t number, const fxl_traversal *on,
-                     fxl_view_point *corner);
+void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
+                     const fxl_traversal *traversal, fxl_view_point *corner);
 
 /* Appends a polygon that reaches the given rows of the screen to the display list. Returns false if
  * it does not fit: list untouched. */
@@ -66,12 +66,12 @@ static inline const fxl_target *fxl_painted_target(const fxl_renderer *renderer)
 }
 
 /* The edges of a polygon that was painted into the band, where the renderer has outlines. */
-static inline void fxl_outline_polygon(const fxl_traversal *on, const fxl_screen_point *points,
-                                       uint32_t count)
+static inline void fxl_outline_polygon(const fxl_traversal *traversal,
+                                       const fxl_screen_point *points, uint32_t count)
 {
-    const fxl_target_extras *extras = on->renderer->target->extras;
+    const fxl_target_extras *extras = traversal->renderer->target->extras;
     if (extras != NULL && extras->outline != NULL) {
-        extras->outline(on->workspace, points, count, on->band);
+        extras->outline(traversal->workspace, points, count, traversal->band);
     }
 }
 
@@ -87,16 +87,16 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
 /* What a face with a surface has beside its outlines, but for its depth. */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *on, fxl_surface_polygon *polygon);
+                      const fxl_traversal *traversal, fxl_surface_polygon *polygon);
 
 /* The view of an instance, turned or not, in which the corners of a whole face are found where
  * pieces of it are drawn. view: room for it. */
-const fxl_model_view *fxl_surfaces_view(const fxl_traversal *on, const fxl_instance *instance,
-                                        fxl_turned_view *view);
+const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
+                                        const fxl_instance *instance, fxl_turned_view *view);
 
 /* A face that has no surface, to the next shader. */
 bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *on, const fxl_shader *shader);
+                          const fxl_traversal *traversal, const fxl_shader *shader);
 
 /* fxl_shader_code.reaches of all painters. */
 bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,

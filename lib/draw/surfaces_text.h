@@ -86,11 +86,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 }
 
 static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *on, fxl_surface_polygon *polygon)
+                              const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     (void)model_view;
     (void)face;
-    (void)on;
+    (void)traversal;
     (void)polygon;
 }
 
@@ -182,10 +182,10 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 }
 
 static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *on, fxl_surface_polygon *polygon)
+                              const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     polygon->has_depth = true;
-    fxl_depth_plane_find(model_view, face, on, &polygon->depth);
+    fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
 }
 
 #endif
@@ -202,11 +202,11 @@ typedef struct {
 /* fxl_polygon_finder. */
 static inline __attribute__((always_inline)) void
 find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
-     const fxl_traversal *on, fxl_surface_polygon *polygon)
+     const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const mapped_surface *of = (const mapped_surface *)what;
-    fxl_surface_find(of->surfaces, of->mapped, model_view, face, on, polygon);
-    find_depth(model_view, face, on, polygon);
+    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, polygon);
+    find_depth(model_view, face, traversal, polygon);
 }
 
 /* fxl_polygon_painter. */
@@ -220,13 +220,14 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
 
 /* The same for a piece of a face: its texels, light and depth are those of the whole face. */
 static void find_whole(const void *what, const fxl_model_view *model_view, const fxl_face *face,
-                       const fxl_traversal *on, fxl_surface_polygon *polygon)
+                       const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const fxl_pieces *pieces = ((const mapped_surface *)what)->pieces;
     FXL_ALIGN_8 fxl_turned_view view;
     (void)model_view;
     (void)face;
-    find(what, fxl_surfaces_view(on, pieces->instance, &view), pieces->face, on, polygon);
+    find(what, fxl_surfaces_view(traversal, pieces->instance, &view), pieces->face, traversal,
+         polygon);
 }
 
 /* The mapped face of a face; null: it has no surface. Picks, and targets of another painter, draw
@@ -244,33 +245,35 @@ static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_
 static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
-    const fxl_traversal *on = pieces->on;
+    const fxl_traversal *traversal = pieces->traversal;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const mapped_surface of = {surfaces, mapped_of(surfaces, pieces->face, on->renderer), pieces};
+    const mapped_surface of = {surfaces, mapped_of(surfaces, pieces->face, traversal->renderer),
+                               pieces};
     fxl_model_view model_view;
     (void)count;
     if (of.mapped == NULL) {
         return fxl_submit_piece_by(pieces, shader->next, face, points);
     }
-    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
-                              &on->workspace->cache);
+    fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
+                              &traversal->workspace->cache);
     model_view.planes = pieces->planes;
     pieces->outcome |=
-        fxl_submit_found_polygons(&model_view, face, on, find_whole, paint_polygon, &of);
+        fxl_submit_found_polygons(&model_view, face, traversal, find_whole, paint_polygon, &of);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 
-static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
-                   const fxl_shader *shader)
+static bool submit(const fxl_model_view *model_view, const fxl_face *face,
+                   const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const mapped_surface of = {surfaces, mapped_of(surfaces, face, on->renderer), NULL};
+    const mapped_surface of = {surfaces, mapped_of(surfaces, face, traversal->renderer), NULL};
     if (of.mapped == NULL) {
-        return fxl_surfaces_pass_on(model_view, face, on, shader);
+        return fxl_surfaces_pass_on(model_view, face, traversal, shader);
     }
-    const uint32_t used = on->renderer->frame.display_list.used;
+    const uint32_t used = traversal->renderer->frame.display_list.used;
     return fxl_count_outcome(
-        on, fxl_submit_found_polygons(model_view, face, on, find, paint_polygon, &of), used);
+        traversal, fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, &of),
+        used);
 }
 
 static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,

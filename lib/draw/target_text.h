@@ -90,8 +90,8 @@ paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line 
     fxl_fill_pixels(row->pixels + x0, row->pixels + x1, row->filling);
 }
 
-static inline __attribute__((always_inline)) void
-paint_row(void *with, fxl_pixel *pixels, int32_t y, int32_t x0, int32_t x1)
+static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixel *pixels,
+                                                            int32_t y, int32_t x0, int32_t x1)
 {
     flat_painting *of = (flat_painting *)with;
     const flat_row row = {pixels, of->filling};
@@ -133,7 +133,7 @@ static void flat_with_depth(fxl_workspace *workspace, const fxl_display_list_rec
 /* fxl_polygon_finder. */
 static inline __attribute__((always_inline)) void
 find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
-     const fxl_traversal *on, fxl_surface_polygon *polygon)
+     const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     (void)what;
     polygon->surface = FXL_NO_SURFACE;
@@ -144,7 +144,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     polygon->level = 0;
     polygon->colour = face->material;
     polygon->has_depth = true;
-    fxl_depth_plane_find(model_view, face, on, &polygon->depth);
+    fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
 }
 
 /* fxl_polygon_painter. */
@@ -157,41 +157,41 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
 }
 
 static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
-                                   const fxl_traversal *on)
+                                   const fxl_traversal *traversal)
 {
-    return fxl_submit_found_polygons(model_view, face, on, find, paint_polygon, NULL);
+    return fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, NULL);
 }
 
 /* Whether the renderer draws into this target. A pick looks for a face in one of its own. */
-static bool is_drawn_into(const fxl_traversal *on)
+static bool is_drawn_into(const fxl_traversal *traversal)
 {
-    return on->renderer->target == &FXL_TARGET;
+    return traversal->renderer->target == &FXL_TARGET;
 }
 
-static bool submit(const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
-                   const fxl_shader *shader)
+static bool submit(const fxl_model_view *model_view, const fxl_face *face,
+                   const fxl_traversal *traversal, const fxl_shader *shader)
 {
     (void)shader;
-    if (!is_drawn_into(on)) {
-        return fxl_submit_shaded_face(model_view, face, on);
+    if (!is_drawn_into(traversal)) {
+        return fxl_submit_shaded_face(model_view, face, traversal);
     }
-    const uint32_t used = on->renderer->frame.display_list.used;
-    return fxl_count_outcome(on, submit_polygons(model_view, face, on), used);
+    const uint32_t used = traversal->renderer->frame.display_list.used;
+    return fxl_count_outcome(traversal, submit_polygons(model_view, face, traversal), used);
 }
 
 static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
-    const fxl_traversal *on = pieces->on;
+    const fxl_traversal *traversal = pieces->traversal;
     fxl_model_view model_view;
     (void)shader;
-    if (!is_drawn_into(on)) {
+    if (!is_drawn_into(traversal)) {
         return fxl_submit_piece(pieces, points, count, face->material);
     }
-    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
-                              &on->workspace->cache);
+    fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
+                              &traversal->workspace->cache);
     model_view.planes = pieces->planes;
-    pieces->outcome |= submit_polygons(&model_view, face, on);
+    pieces->outcome |= submit_polygons(&model_view, face, traversal);
     return pieces->outcome < FXL_OUTCOME_FULL;
 }
 
@@ -228,8 +228,8 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
 
 #elif FXL_TARGET_PIXEL_BITS == 16
 
-static inline __attribute__((always_inline)) void
-paint_row(void *with, fxl_pixel *pixels, int32_t y, int32_t x0, int32_t x1)
+static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixel *pixels,
+                                                            int32_t y, int32_t x0, int32_t x1)
 {
     (void)y;
     fxl_fill_pixels(pixels + x0, pixels + x1, *(const fxl_filling *)with);

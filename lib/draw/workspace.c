@@ -7,17 +7,17 @@
 
 /* A workspace's block of memory: how many bytes each part takes, in the order of the parts. */
 typedef struct {
-    size_t scratch, face_order, clipper, raster;
+    size_t scratch, face_list, clipper, raster;
 } parts;
 
 static parts parts_of(const fxl_renderer *renderer)
 {
     const fxl_scene *scene = renderer->scene;
     const fxl_target *target = renderer->target;
-    const uint32_t entries = scene->order_needed - fxl_order_instances_most(scene);
+    const uint32_t entries = scene->draw_list_needed - fxl_list_instances_most(scene);
     parts of;
     of.scratch = fxl_beam_scratch_size(renderer) + fxl_tree_scratch_size(renderer);
-    of.face_order = fxl_aligned(entries * sizeof(fxl_order_entry));
+    of.face_list = fxl_aligned(entries * sizeof(fxl_draw_entry));
     of.clipper = fxl_aligned(renderer->clipper->workspace_size);
     of.raster = target->memory_size != NULL
                     ? fxl_aligned(target->memory_size(&renderer->frame.view.lens))
@@ -54,7 +54,7 @@ size_t fxl_workspace_size(const fxl_renderer *renderer)
         return 0;
     }
     const parts of = parts_of(renderer);
-    return of.scratch + of.face_order + of.clipper + of.raster;
+    return of.scratch + of.face_list + of.clipper + of.raster;
 }
 
 fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
@@ -71,7 +71,7 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
         return FXL_E_ORDER;
     }
     const parts of = parts_of(renderer);
-    const size_t least = of.scratch + of.face_order + of.clipper + of.raster;
+    const size_t least = of.scratch + of.face_list + of.clipper + of.raster;
     if (memory_size < least) {
         return FXL_E_CAPACITY;
     }
@@ -81,8 +81,8 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
     uint8_t *at = (uint8_t *)memory + of.scratch;
     memset(workspace, 0, sizeof *workspace);
     workspace->settings_version = renderer->workspace.settings_version;
-    workspace->face_order = (fxl_order_entry *)(void *)at;
-    at += of.face_order;
+    workspace->face_list = (fxl_draw_entry *)(void *)at;
+    at += of.face_list;
     if (of.clipper != 0) {
         workspace->cache.clipper_workspace = memset(at, 0, of.clipper);
     }
@@ -90,9 +90,9 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
     fxl_vertex_cache_init(&workspace->cache, (fxl_cached_vertex *)(void *)at, entries);
     at += entries * sizeof(fxl_cached_vertex);
     if (of.raster != 0) {
-        const size_t rest = memory_size - (size_t)(at - (uint8_t *)memory);
+        const size_t remaining = memory_size - (size_t)(at - (uint8_t *)memory);
         workspace->target_memory = at;
-        workspace->target_memory_size = rest < UINT32_MAX ? (uint32_t)rest : UINT32_MAX;
+        workspace->target_memory_size = remaining < UINT32_MAX ? (uint32_t)remaining : UINT32_MAX;
     }
     return FXL_OK;
 }

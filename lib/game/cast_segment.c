@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "exact.h"
 
 /* The hit that is nearest so far. */
@@ -56,13 +56,13 @@ fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const
     if (scene == NULL || from == NULL || to == NULL || hit == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (scene->order_needed == 0) {
+    if (scene->draw_list_needed == 0) {
         return FXL_E_ORDER;
     }
     if (!fxl_point_in_range(from) || !fxl_point_in_range(to)) {
         return FXL_E_RANGE;
     }
-    const fxl_status turned = fxl_check_turns(scene);
+    const fxl_status turned = fxl_check_placements(scene);
     if (turned != FXL_OK) {
         return turned;
     }

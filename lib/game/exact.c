@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "exact.h"
 
 /* A difference of two products of components: each is at most 2^60. */

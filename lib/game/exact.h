@@ -4,7 +4,7 @@
 #define FXL_EXACT_H
 
 #include "../math/arith.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "fixel/collide.h"
 
 /* a . b of vectors, each component below 2^30: below 3 * 2^60. Exact. */
@@ -40,7 +40,7 @@ static inline void fxl_place_face(fxl_face_place *place, const fxl_scene *scene,
     const fxl_model *model = &scene->models[instance->model];
     const fxl_face *face = &scene->faces[model->first_face + number];
     const uint32_t at = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, at);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, at);
     place->count = face->count;
     if (turned != NULL) {
         turned->place_face(scene, at, face, place->turned);

@@ -67,9 +67,9 @@ static void place_by_keys(const fxl_motion *motion, const fxl_motion_key *keys, 
 {
     const uint32_t last = motion->key_count - 1;
     if (motion->repeats && last > 0) {
-        uint32_t rest;
-        (void)fxl_divide_u32(frame, keys[last].frame, &rest);
-        frame = rest;
+        uint32_t remainder;
+        (void)fxl_divide_u32(frame, keys[last].frame, &remainder);
+        frame = remainder;
     }
     const uint32_t at = last_key_at(keys, motion->key_count, frame);
     if (at < last) {
@@ -125,20 +125,20 @@ static void play_one(const fxl_motion_player *player, uint32_t number, uint32_t 
 {
     const fxl_motion *motion = &player->set.motions[number];
     fxl_point *centre = &player->instances[number].centre;
-    fxl_turn *turn = &player->turns[number];
+    fxl_placement *placement = &player->placements[number];
     key_place place;
     place_by_keys(motion, &player->set.keys[motion->first_key], frame, &place);
     if (motion->radius != 0) {
         add_circle(motion, frame, &place.centre);
     }
-    orient(motion, &place, frame, &turn->orientation);
-    turn->scale = place.scale;
+    orient(motion, &place, frame, &placement->orientation);
+    placement->scale = place.scale;
     *centre = place.centre;
     if (motion->parent != 0) {
         const uint32_t parent = motion->parent - 1u; /* below number: it has this frame's place */
         const fxl_status status =
-            fxl_turn_attach(&player->instances[parent].centre, &player->turns[parent],
-                            &place.centre, turn, centre, turn);
+            fxl_placement_attach(&player->instances[parent].centre, &player->placements[parent],
+                                 &place.centre, placement, centre, placement);
         FXL_ASSERT(status == FXL_OK);
         (void)status;
     }
@@ -154,15 +154,16 @@ void fxl_motion_play(const fxl_motion_player *player, uint32_t frame)
 static bool is_aligned(const fxl_motion_set *set, const fxl_motion_memory *memory)
 {
     return fxl_is_aligned(set->motions, FXL_WORD) && fxl_is_aligned(set->keys, FXL_WORD) &&
-           fxl_is_aligned(memory->instances, FXL_WORD) && fxl_is_aligned(memory->turns, FXL_WORD);
+           fxl_is_aligned(memory->instances, FXL_WORD) &&
+           fxl_is_aligned(memory->placements, FXL_WORD);
 }
 
 fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set, fxl_scene *scene,
                             const fxl_motion_memory *memory)
 {
     if (player == NULL || set == NULL || scene == NULL || memory == NULL ||
-        memory->instances == NULL || memory->turns == NULL || scene->instances == NULL ||
-        scene->turns == NULL || (set->motions == NULL && set->motion_count > 0) ||
+        memory->instances == NULL || memory->placements == NULL || scene->instances == NULL ||
+        scene->placements == NULL || (set->motions == NULL && set->motion_count > 0) ||
         (set->keys == NULL && (set->motion_count > 0 || set->key_count > 0))) {
         return FXL_E_ARGUMENT;
     }
@@ -180,12 +181,12 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
         return FXL_E_CAPACITY;
     }
     memcpy(memory->instances, scene->instances, scene->instance_count * sizeof(fxl_instance));
-    memcpy(memory->turns, scene->turns, turned * sizeof(fxl_turn));
+    memcpy(memory->placements, scene->placements, turned * sizeof(fxl_placement));
     scene->instances = memory->instances;
-    scene->turns = memory->turns;
+    scene->placements = memory->placements;
     player->set = *set;
     player->instances = &memory->instances[scene->instance_count - set->motion_count];
-    player->turns = &memory->turns[turned - set->motion_count];
+    player->placements = &memory->placements[turned - set->motion_count];
     fxl_motion_play(player, 0);
     return FXL_OK;
 }

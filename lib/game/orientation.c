@@ -49,8 +49,8 @@ static void multiply_row(const fxl_direction *row, const fxl_orientation *b, int
 static bool is_rotation(const fxl_orientation *orientation)
 {
     const fxl_point origin = {0, 0, 0};
-    const fxl_turn turn = {*orientation, FXL_Q16_16_ONE};
-    return fxl_turn_check(&turn, &origin, 0) == FXL_OK;
+    const fxl_placement placement = {*orientation, FXL_Q16_16_ONE};
+    return fxl_placement_check(&placement, &origin, 0) == FXL_OK;
 }
 
 /* Two rows of a checked orientation are within 2^-28, and the third is within 2^-26 a component of
@@ -63,7 +63,7 @@ fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientat
         return FXL_E_ARGUMENT;
     }
     if (!is_rotation(a) || !is_rotation(b)) {
-        return FXL_E_TURN;
+        return FXL_E_PLACEMENT;
     }
     fxl_wide_matrix matrix;
     multiply_row(&a->x, b, matrix.rows[0]);
@@ -93,18 +93,18 @@ static bool below_2_to_30(const fxl_point *point)
            fxl_within(point->z, limit);
 }
 
-fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *parent,
-                           const fxl_point *child_centre, const fxl_turn *child, fxl_point *centre,
-                           fxl_turn *turn)
+fxl_status fxl_placement_attach(const fxl_point *parent_centre, const fxl_placement *parent,
+                                const fxl_point *child_centre, const fxl_placement *child,
+                                fxl_point *centre, fxl_placement *placement)
 {
     if (parent_centre == NULL || parent == NULL || child_centre == NULL || child == NULL ||
-        centre == NULL || turn == NULL) {
+        centre == NULL || placement == NULL) {
         return FXL_E_ARGUMENT;
     }
     const fxl_point origin = {0, 0, 0};
-    fxl_status status = fxl_turn_check(parent, parent_centre, 0);
+    fxl_status status = fxl_placement_check(parent, parent_centre, 0);
     if (status == FXL_OK) {
-        status = fxl_turn_check(child, &origin, 0);
+        status = fxl_placement_check(child, &origin, 0);
     }
     if (status != FXL_OK) {
         return status;
@@ -128,14 +128,14 @@ fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *paren
         return FXL_E_RANGE;
     }
     const fxl_point place = {(fxl_q16_16)at[0], (fxl_q16_16)at[1], (fxl_q16_16)at[2]};
-    fxl_turn made;
+    fxl_placement made;
     made.scale = (fxl_q16_16)scale;
     status = fxl_orientation_multiply(&parent->orientation, &child->orientation, &made.orientation);
     FXL_ASSERT(status == FXL_OK);
-    status = fxl_turn_check(&made, &place, 0);
+    status = fxl_placement_check(&made, &place, 0);
     if (status == FXL_OK) {
         *centre = place;
-        *turn = made;
+        *placement = made;
     }
     return status;
 }
@@ -187,12 +187,12 @@ fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
     }
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t j = after[i][0], k = after[i][1];
-        const int64_t turn = fxl_multiply_s64(sine, a[k]) >> 2;
+        const int64_t across = fxl_multiply_s64(sine, a[k]) >> 2;
         const int64_t both =
             fxl_multiply_s64(t[i], a[j]) >> 1; /* t a' is symmetric but for 2^-32 */
         matrix.rows[i][i] = cosine * ((int64_t)1 << 29) + (fxl_multiply_s64(t[i], a[i]) >> 1);
-        matrix.rows[i][j] = both - turn;
-        matrix.rows[j][i] = both + turn;
+        matrix.rows[i][j] = both - across;
+        matrix.rows[j][i] = both + across;
     }
     fxl_orthonormalise(&matrix, orientation);
     return FXL_OK;

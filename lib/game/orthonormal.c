@@ -7,14 +7,14 @@
 
 /* A row as 2.30 and the rest, |rest| <= 2^29 units of 2^-60. */
 typedef struct {
-    int32_t head[3], rest[3];
+    int32_t head[3], tail[3];
 } split_row;
 
 static void split(const int64_t row[3], split_row *parts)
 {
     for (uint32_t i = 0; i < 3; i++) {
         parts->head[i] = (int32_t)fxl_round_shift(row[i], 30);
-        parts->rest[i] = (int32_t)(row[i] - (int64_t)parts->head[i] * FXL_Q2_30_ONE);
+        parts->tail[i] = (int32_t)(row[i] - (int64_t)parts->head[i] * FXL_Q2_30_ONE);
     }
 }
 
@@ -27,7 +27,7 @@ static int64_t product(const split_row *a, const split_row *b)
     for (uint32_t i = 0; i < 3; i++) {
         heads += fxl_multiply_s32(a->head[i], b->head[i]);
         rests +=
-            fxl_multiply_s32(a->head[i], b->rest[i]) + fxl_multiply_s32(a->rest[i], b->head[i]);
+            fxl_multiply_s32(a->head[i], b->tail[i]) + fxl_multiply_s32(a->tail[i], b->head[i]);
     }
     return heads + fxl_round_shift(rests, 30);
 }
@@ -86,9 +86,9 @@ bool fxl_unit_length(const int64_t vector[3], int64_t unit[3])
     }
     const uint32_t length = fxl_square_root(square); /* 2^30 at least, and no part is longer */
     for (uint32_t i = 0; i < 3; i++) {
-        uint32_t rest;
+        uint32_t tail;
         const uint64_t dividend = ((uint64_t)parts[i] << 31) + (length >> 1);
-        const int64_t part = fxl_divide_u64(dividend, length, &rest);
+        const int64_t part = fxl_divide_u64(dividend, length, &tail);
         unit[i] = vector[i] < 0 ? -part : part;
     }
     return true;

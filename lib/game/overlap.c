@@ -4,7 +4,7 @@
 #include "../math/arith.h"
 #include "../math/plane.h"
 #include "../scene/face_bounds.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/outcode.h"
 #include "box.h"
 #include "exact.h"
@@ -41,7 +41,7 @@ bool fxl_sphere_meets_box(const fxl_sphere *sphere, const fxl_box *box)
 #define SLACK ((fxl_q18_46)1 << 37) /* 2^-9 */
 
 /* The rounded points of an instance that is turned, face by face. */
-static void box_of_turned(const fxl_scene *scene, uint32_t number, const fxl_turn_code *turned,
+static void box_of_turned(const fxl_scene *scene, uint32_t number, const fxl_placement_code *turned,
                           fxl_box *box)
 {
     const fxl_model *model = &scene->models[scene->instances[number].model];
@@ -64,7 +64,7 @@ void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, f
     const fxl_model *model = &scene->models[instance->model];
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     const uint32_t number = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     if (turned != NULL) {
         box_of_turned(scene, number, turned, box);
         return;
@@ -85,12 +85,12 @@ void fxl_box_of_instance(const fxl_scene *scene, const fxl_instance *instance, f
 }
 
 /* Returns the corner that lies farthest along a direction. */
-static fxl_point corner_along(const fxl_direction *way, const fxl_box *box)
+static fxl_point corner_along(const fxl_direction *direction, const fxl_box *box)
 {
     fxl_point corner;
-    corner.x = way->x < 0 ? box->least.x : box->most.x;
-    corner.y = way->y < 0 ? box->least.y : box->most.y;
-    corner.z = way->z < 0 ? box->least.z : box->most.z;
+    corner.x = direction->x < 0 ? box->least.x : box->most.x;
+    corner.y = direction->y < 0 ? box->least.y : box->most.y;
+    corner.z = direction->z < 0 ? box->least.z : box->most.z;
     return corner;
 }
 

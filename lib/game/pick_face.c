@@ -156,27 +156,27 @@ static void name_face(probe *of, const fxl_instance *instance, const fxl_face *f
 }
 
 static bool draw_face(const probe *of, const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *on)
+                      const fxl_traversal *traversal)
 {
     const fxl_shader *next =
         fxl_shader_reaching(of->shader.next, of->renderer->scene, model_view->instance);
-    return next != NULL ? next->code->face(model_view, face, on, next)
-                        : fxl_submit_shaded_face(model_view, face, on);
+    return next != NULL ? next->code->face(model_view, face, traversal, next)
+                        : fxl_submit_shaded_face(model_view, face, traversal);
 }
 
 /* fxl_shader_code.face. */
 static bool take_face(const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *on, const fxl_shader *shader)
+                      const fxl_traversal *traversal, const fxl_shader *shader)
 {
     probe *of = (probe *)(uintptr_t)shader;
     comparison both;
     begin_first(of, &both);
-    (void)draw_face(of, model_view, face, on);
+    (void)draw_face(of, model_view, face, traversal);
     if (!of->covers) {
         return true;
     }
     begin_second(of, &both);
-    (void)draw_face(of, model_view, face, on);
+    (void)draw_face(of, model_view, face, traversal);
     if (!is_shown(of, &both)) {
         return true;
     }
@@ -253,14 +253,14 @@ static void paint_sprite(const fxl_renderer *renderer, fxl_workspace *workspace,
 }
 
 /* fxl_billboard_code.instance. */
-static bool take_instance(const fxl_traversal *on, const fxl_order_entry *entry)
+static bool take_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
-    probe *of = probe_of(on->renderer);
+    probe *of = probe_of(traversal->renderer);
     const fxl_billboards *real = of->real_billboards;
-    const uint32_t model = on->renderer->scene->instances[entry->index].model;
+    const uint32_t model = traversal->renderer->scene->instances[entry->index].model;
     of->instance = entry->index;
     of->covers = false;
-    return real->code->instance(on, entry) &&
+    return real->code->instance(traversal, entry) &&
            (real->set->model_map[model] == 0 || !of->covers || !of->stops);
 }
 

@@ -171,23 +171,24 @@ fxl_status fxl_pose_look_at(fxl_pose *pose, const fxl_point *target)
     if (!fxl_point_in_range(&pose->position) || !fxl_point_in_range(target)) {
         return FXL_E_RANGE;
     }
-    fxl_point way; /* each coordinate is below 2^30 */
-    fxl_subtract(target, &pose->position, &way);
-    const uint32_t level = (uint32_t)fxl_magnitude(way.x) | (uint32_t)fxl_magnitude(way.z);
-    if (level == 0 && way.y == 0) {
+    fxl_point direction; /* each coordinate is below 2^30 */
+    fxl_subtract(target, &pose->position, &direction);
+    const uint32_t level =
+        (uint32_t)fxl_magnitude(direction.x) | (uint32_t)fxl_magnitude(direction.z);
+    if (level == 0 && direction.y == 0) {
         return FXL_E_DEGENERATE;
     }
     if (level == 0) {
-        pose->pitch = way.y > 0 ? FXL_ANGLE_QUARTER : 0u - FXL_ANGLE_QUARTER;
+        pose->pitch = direction.y > 0 ? FXL_ANGLE_QUARTER : 0u - FXL_ANGLE_QUARTER;
         return FXL_OK;
     }
-    pose->yaw = direction_of(way.x, way.z);
+    pose->yaw = direction_of(direction.x, direction.z);
     /* The level distance, with as many bits as fit: its squares are below 2^62, and one is at least
      * 2^60, so the root is at least 2^30. Its rounding costs 2^-31 of it, 0.16 of 2^-32 turn. */
     const unsigned shift = 31u - fxl_bit_length(level);
-    const int64_t x = (int64_t)way.x * ((int64_t)1 << shift),
-                  z = (int64_t)way.z * ((int64_t)1 << shift);
-    pose->pitch = direction_of((int64_t)way.y * ((int64_t)1 << shift),
+    const int64_t x = (int64_t)direction.x * ((int64_t)1 << shift),
+                  z = (int64_t)direction.z * ((int64_t)1 << shift);
+    pose->pitch = direction_of((int64_t)direction.y * ((int64_t)1 << shift),
                                fxl_square_root((uint64_t)(x * x + z * z)));
     return FXL_OK;
 }

@@ -3,7 +3,7 @@
  * then at least the radius away from its centre. Two such positions are at most the radius apart,
  * so on the way between them the centre keeps half the radius from every face. */
 #include "../math/unit_vector.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "exact.h"
 
 enum {
@@ -28,8 +28,8 @@ static tolerance tolerance_of(const fxl_scene *scene, const fxl_instance *instan
 {
     const uint32_t number = fxl_instance_number(scene, instance);
     tolerance of = {SKEW, 4};
-    if (fxl_turn_code_of(scene, number) != NULL) {
-        const fxl_q16_16 scale = fxl_turn_of(scene, number)->scale;
+    if (fxl_placement_code_of(scene, number) != NULL) {
+        const fxl_q16_16 scale = fxl_placement_of(scene, number)->scale;
         of.skew += fxl_instance_radius(scene, instance) >> 22;
         of.skew += (SKEW * scale + 0xFFFF) >> 16;
         of.longer = 48;
@@ -220,11 +220,11 @@ fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fx
     if (scene == NULL || sphere == NULL || move == NULL) {
         return FXL_E_ARGUMENT;
     }
-    if (scene->order_needed == 0) {
+    if (scene->draw_list_needed == 0) {
         return FXL_E_ORDER;
     }
-    if (scene->turns != NULL) {
-        const fxl_status turned = fxl_check_turns(scene);
+    if (scene->placements != NULL) {
+        const fxl_status turned = fxl_check_placements(scene);
         if (turned != FXL_OK) {
             return turned;
         }

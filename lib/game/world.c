@@ -23,7 +23,7 @@ static void free_slots(fxl_world *world, uint32_t first)
 /* Instances of the scene without a turn. */
 static uint32_t unturned(const fxl_scene *scene)
 {
-    return scene->turns != NULL ? scene->first_turned : scene->instance_count;
+    return scene->placements != NULL ? scene->first_turned : scene->instance_count;
 }
 
 /* Whether there is a table of colours for each instance of a scene, which may be another world's.
@@ -41,15 +41,16 @@ static bool has_tables(const fxl_scene *scene, uint32_t colour_count)
 static fxl_status check(const fxl_scene *scene, const fxl_world_memory *memory)
 {
     if (memory->instances == NULL || memory->slots == NULL ||
-        ((memory->turns == NULL || memory->turn_code == NULL) && memory->turned_capacity > 0) ||
+        ((memory->placements == NULL || memory->placement_code == NULL) &&
+         memory->turned_capacity > 0) ||
         (memory->colours == NULL && memory->colour_count > 0)) {
         return FXL_E_ARGUMENT;
     }
     if (!fxl_is_aligned(memory->instances, FXL_WORD) || !fxl_is_aligned(memory->slots, FXL_WORD) ||
-        !fxl_is_aligned(memory->turns, FXL_WORD)) {
+        !fxl_is_aligned(memory->placements, FXL_WORD)) {
         return FXL_E_ALIGNMENT;
     }
-    if (scene->order_needed == 0) {
+    if (scene->draw_list_needed == 0) {
         return FXL_E_ORDER;
     }
     const uint64_t places = (uint64_t)memory->capacity + memory->turned_capacity;
@@ -76,7 +77,7 @@ static void take_over(fxl_world *world, const fxl_scene *scene)
     }
     for (uint32_t i = first_turned; i < scene->instance_count; i++) {
         entry.instance = scene->instances[i];
-        entry.turn = scene->turns[i - first_turned];
+        entry.placement = scene->placements[i - first_turned];
         entry.slot = i;
         fxl_world_put(world, FXL_WORLD_SHOWN_TURNED, &entry);
     }
@@ -95,13 +96,13 @@ fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_wo
     memset(world, 0, sizeof *world);
     world->scene = from;
     world->memory = *memory;
-    world->scene.turn_code = memory->turn_code;
+    world->scene.placement_code = memory->placement_code;
     world->bsp_slot = from.bsp_instance;
     free_slots(world, from.instance_count);
     take_over(world, &from);
     world->scene.instance_capacity = fxl_world_places(world);
-    world->scene.order_needed =
-        from.order_needed - fxl_order_instances_most(&from) + world->scene.instance_capacity;
+    world->scene.draw_list_needed =
+        from.draw_list_needed - fxl_list_instances_most(&from) + world->scene.instance_capacity;
     fxl_world_publish(world);
     return FXL_OK;
 }
@@ -141,7 +142,7 @@ fxl_status fxl_world_attach(fxl_world *world, fxl_renderer *renderer)
         place = find(world, NULL);
     }
     /* fxl_renderer_init divided the order, but left the instances' part unused. */
-    const uint32_t capacity = (uint32_t)(renderer->workspace.face_order - renderer->frame.order);
+    const uint32_t capacity = (uint32_t)(renderer->workspace.face_list - renderer->frame.draw_list);
     if (place == NULL || capacity < world->scene.instance_capacity) {
         return fxl_world_refuse(world, FXL_E_CAPACITY);
     }

@@ -37,12 +37,12 @@ const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle
     return is_valid(world, handle) ? &world->memory.instances[place_of(world, handle)] : NULL;
 }
 
-const fxl_turn *fxl_world_turn_of(const fxl_world *world, fxl_handle handle)
+const fxl_placement *fxl_world_placement(const fxl_world *world, fxl_handle handle)
 {
     if (!is_valid(world, handle) || place_of(world, handle) < world->memory.capacity) {
         return NULL;
     }
-    return &world->memory.turns[place_of(world, handle) - world->memory.capacity];
+    return &world->memory.placements[place_of(world, handle) - world->memory.capacity];
 }
 
 bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle)
@@ -109,13 +109,14 @@ static bool lies_in_world(const fxl_instance *instance, fxl_q16_16 radius)
 }
 
 static fxl_status check_instance(const fxl_world *world, const fxl_instance *instance,
-                                 const fxl_turn *turn)
+                                 const fxl_placement *placement)
 {
     if (instance->model >= world->scene.model_count) {
         return FXL_E_INDEX;
     }
     const fxl_q16_16 radius = world->scene.models[instance->model].radius;
-    const fxl_status status = turn != NULL ? fxl_turn_check(turn, &instance->centre, radius)
+    const fxl_status status = placement != NULL
+                                  ? fxl_placement_check(placement, &instance->centre, radius)
                               : lies_in_world(instance, radius) ? FXL_OK
                                                                 : FXL_E_RANGE;
     if (status != FXL_OK) {
@@ -127,7 +128,7 @@ static fxl_status check_instance(const fxl_world *world, const fxl_instance *ins
 /* --- spawn and remove ------------------------------------------------------------------ */
 
 static fxl_status check_spawn(const fxl_world *world, const fxl_instance *instance,
-                              const fxl_turn *turn, const fxl_handle *handle)
+                              const fxl_placement *placement, const fxl_handle *handle)
 {
     if (instance == NULL || handle == NULL) {
         return FXL_E_ARGUMENT;
@@ -135,19 +136,19 @@ static fxl_status check_spawn(const fxl_world *world, const fxl_instance *instan
     if (is_drawn(world)) {
         return FXL_E_ORDER;
     }
-    if (!fxl_world_has_room(world, turn != NULL)) {
+    if (!fxl_world_has_room(world, placement != NULL)) {
         return FXL_E_CAPACITY;
     }
-    return instance->recolour != 0 ? FXL_E_RESERVED : check_instance(world, instance, turn);
+    return instance->recolour != 0 ? FXL_E_RESERVED : check_instance(world, instance, placement);
 }
 
-fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance, const fxl_turn *turn,
-                           fxl_handle *handle)
+fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance,
+                           const fxl_placement *placement, fxl_handle *handle)
 {
     if (world == NULL) {
         return FXL_E_ARGUMENT;
     }
-    const fxl_status status = check_spawn(world, instance, turn, handle);
+    const fxl_status status = check_spawn(world, instance, placement, handle);
     if (status != FXL_OK) {
         return fxl_world_refuse(world, status);
     }
@@ -155,13 +156,13 @@ fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance, const
     fxl_world_entry entry;
     FXL_ASSERT(slot < fxl_world_places(world));
     entry.instance = *instance;
-    if (turn != NULL) {
-        entry.turn = *turn;
+    if (placement != NULL) {
+        entry.placement = *placement;
     }
     entry.slot = slot;
     world->free_slot = world->memory.slots[slot].place;
     world->memory.slots[slot].generation += 1;
-    fxl_world_put(world, turn != NULL ? FXL_WORLD_SHOWN_TURNED : FXL_WORLD_SHOWN, &entry);
+    fxl_world_put(world, placement != NULL ? FXL_WORLD_SHOWN_TURNED : FXL_WORLD_SHOWN, &entry);
     fxl_world_publish(world);
     handle->slot = slot;
     handle->generation = world->memory.slots[slot].generation;
@@ -190,12 +191,13 @@ fxl_status fxl_world_remove(fxl_world *world, fxl_handle handle)
 /* --- hide and show --------------------------------------------------------------------- */
 
 /* Moves an instance from one group to another. */
-static void regroup(fxl_world *world, fxl_handle handle, uint32_t group, const fxl_turn *turn)
+static void regroup(fxl_world *world, fxl_handle handle, uint32_t group,
+                    const fxl_placement *placement)
 {
     fxl_world_entry entry;
     fxl_world_take(world, place_of(world, handle), &entry);
-    if (turn != NULL) {
-        entry.turn = *turn;
+    if (placement != NULL) {
+        entry.placement = *placement;
     }
     fxl_world_put(world, group, &entry);
     fxl_world_publish(world);
@@ -234,7 +236,7 @@ fxl_status fxl_world_show(fxl_world *world, fxl_handle handle)
 /* Puts *changed in place of the instance of a handle, if it may be there with this turn. */
 static fxl_status replace(fxl_world *world, fxl_handle handle, const fxl_instance *changed)
 {
-    const fxl_status status = check_instance(world, changed, fxl_world_turn_of(world, handle));
+    const fxl_status status = check_instance(world, changed, fxl_world_placement(world, handle));
     if (status != FXL_OK) {
         return fxl_world_refuse(world, status);
     }
@@ -288,7 +290,8 @@ fxl_status fxl_world_set_layer(fxl_world *world, fxl_handle handle, uint8_t laye
     return FXL_OK;
 }
 
-fxl_status fxl_world_turn(fxl_world *world, fxl_handle handle, const fxl_turn *turn)
+fxl_status fxl_world_set_placement(fxl_world *world, fxl_handle handle,
+                                   const fxl_placement *placement)
 {
     if (world == NULL) {
         return FXL_E_ARGUMENT;
@@ -299,18 +302,18 @@ fxl_status fxl_world_turn(fxl_world *world, fxl_handle handle, const fxl_turn *t
     }
     const uint32_t place = place_of(world, handle), group = fxl_world_group(world, place);
     const bool turned = fxl_world_is_turned(group);
-    status = check_instance(world, &world->memory.instances[place], turn);
-    if (status == FXL_OK && turned != (turn != NULL) && !fxl_world_has_room(world, !turned)) {
+    status = check_instance(world, &world->memory.instances[place], placement);
+    if (status == FXL_OK && turned != (placement != NULL) && !fxl_world_has_room(world, !turned)) {
         status = FXL_E_CAPACITY;
     }
     if (status != FXL_OK) {
         return fxl_world_refuse(world, status);
     }
-    if (turned && turn != NULL) {
-        world->memory.turns[place - world->memory.capacity] = *turn;
-    } else if (turned || turn != NULL) {
+    if (turned && placement != NULL) {
+        world->memory.placements[place - world->memory.capacity] = *placement;
+    } else if (turned || placement != NULL) {
         /* The groups of a part mirror those of the other. */
-        regroup(world, handle, FXL_WORLD_HIDDEN_TURNED - group, turn);
+        regroup(world, handle, FXL_WORLD_HIDDEN_TURNED - group, placement);
     }
     return FXL_OK;
 }

@@ -41,7 +41,7 @@ static void write_place(fxl_world *world, uint32_t place, const fxl_world_entry 
     const fxl_world_memory *memory = &world->memory;
     memory->instances[place] = entry->instance;
     if (place >= memory->capacity) {
-        memory->turns[place - memory->capacity] = entry->turn;
+        memory->placements[place - memory->capacity] = entry->placement;
     }
     memory->slots[place].holder = (uint16_t)entry->slot;
     memory->slots[entry->slot].place = (uint16_t)place;
@@ -52,7 +52,7 @@ static void read_place(const fxl_world *world, uint32_t place, fxl_world_entry *
     const fxl_world_memory *memory = &world->memory;
     entry->instance = memory->instances[place];
     if (place >= memory->capacity) {
-        entry->turn = memory->turns[place - memory->capacity];
+        entry->placement = memory->placements[place - memory->capacity];
     }
     entry->slot = memory->slots[place].holder;
 }
@@ -84,7 +84,7 @@ void fxl_world_publish(fxl_world *world)
     fxl_scene *scene = &world->scene;
     scene->instances = memory->instances + (memory->capacity - shown);
     scene->instance_count = shown + turned;
-    scene->turns = turned > 0 ? memory->turns : NULL;
+    scene->placements = turned > 0 ? memory->placements : NULL;
     scene->first_turned = turned > 0 ? shown : 0;
     if (scene->bsp_nodes != NULL) {
         scene->bsp_instance = memory->slots[world->bsp_slot].place - (memory->capacity - shown);

@@ -24,7 +24,7 @@ enum {
 /* An instance on its way from one place to another. */
 typedef struct {
     fxl_instance instance;
-    fxl_turn turn; /* where it has one */
+    fxl_placement placement; /* where it has one */
     uint32_t slot;
 } fxl_world_entry;
 

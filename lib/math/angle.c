@@ -38,12 +38,13 @@ static uint64_t quarter_sine_q62(uint32_t angle)
     const uint64_t x = radians(by_cosine ? FXL_ANGLE_QUARTER - angle : angle);
     const uint64_t square = fxl_multiply_high(x, x);
     const uint32_t end = by_cosine ? ALL_FACTORS : SINE_FACTORS;
-    uint64_t rest = 0;
+    uint64_t remainder = 0;
     for (uint32_t i = by_cosine ? SINE_FACTORS : 0; i < end; i++) {
-        rest = fxl_multiply_high(square - fxl_multiply_high(square, rest), factors[i]);
+        remainder = fxl_multiply_high(square - fxl_multiply_high(square, remainder), factors[i]);
     }
     /* 1 itself does not fit 64 bits after the point. */
-    return by_cosine ? ((uint64_t)1 << 62) - (rest >> 2) : (x - fxl_multiply_high(x, rest)) >> 2;
+    return by_cosine ? ((uint64_t)1 << 62) - (remainder >> 2)
+                     : (x - fxl_multiply_high(x, remainder)) >> 2;
 }
 
 /* The magnitude of the sine of any angle, with 62 bits after the point. The angle is folded to a

@@ -48,9 +48,9 @@ static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
 static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
 {
     FXL_ASSERT(denominator > 0);
-    uint32_t rest;
+    uint32_t residue;
     int64_t sign = numerator >> 63;
-    return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &rest) ^
+    return (int32_t)fxl_divide_u64((uint64_t)(numerator ^ sign), denominator, &residue) ^
            (int32_t)sign;
 }
 
@@ -67,13 +67,13 @@ static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, i
     FXL_ASSERT(denominator > 0);
     bool negative = numerator < 0;
     uint32_t magnitude = negative ? 0u - (uint32_t)numerator : (uint32_t)numerator;
-    uint32_t rest;
-    int32_t quotient = (int32_t)fxl_divide_u32(magnitude, (uint32_t)denominator, &rest);
+    uint32_t residue;
+    int32_t quotient = (int32_t)fxl_divide_u32(magnitude, (uint32_t)denominator, &residue);
     if (negative) {
-        quotient = -quotient - (rest != 0);
-        rest = rest != 0 ? (uint32_t)denominator - rest : 0;
+        quotient = -quotient - (residue != 0);
+        residue = residue != 0 ? (uint32_t)denominator - residue : 0;
     }
-    *remainder = (int32_t)rest;
+    *remainder = (int32_t)residue;
     return quotient;
 }
 

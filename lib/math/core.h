@@ -41,10 +41,10 @@ static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
 }
 
 /* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
-static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest)
+static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
 {
     uint32_t quotient = numerator / denominator;
-    *rest = numerator - quotient * denominator;
+    *remainder = numerator - quotient * denominator;
     return quotient;
 }
 
@@ -141,7 +141,7 @@ static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
 
 /* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. It
  * takes a step for each bit of the quotient; the quotients of an edge's slope have few. */
-static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest)
+static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
 {
     uint32_t quotient = 0, bit = 1;
     while (denominator <= numerator >> 1) {
@@ -156,7 +156,7 @@ static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, 
         denominator >>= 1;
         bit >>= 1;
     } while (bit != 0);
-    *rest = numerator;
+    *remainder = numerator;
     return quotient;
 }
 
@@ -186,17 +186,17 @@ static inline uint32_t fxl_divide_half(uint32_t numerator, uint32_t denominator)
 {
     uint32_t reciprocal = fxl_reciprocal_half(denominator);
     uint32_t quotient = (numerator >> 16) * reciprocal >> 15;
-    int32_t rest = (int32_t)(numerator - quotient * denominator);
-    int32_t more = rest >> 4;
+    int32_t remainder = (int32_t)(numerator - quotient * denominator);
+    int32_t more = remainder >> 4;
     more = more * (int32_t)(reciprocal >> 4) >> 23;
     quotient += (uint32_t)more;
-    rest -= more * (int32_t)denominator;
-    while (rest < 0) {
-        rest += (int32_t)denominator;
+    remainder -= more * (int32_t)denominator;
+    while (remainder < 0) {
+        remainder += (int32_t)denominator;
         quotient -= 1;
     }
-    while (rest >= (int32_t)denominator) {
-        rest -= (int32_t)denominator;
+    while (remainder >= (int32_t)denominator) {
+        remainder -= (int32_t)denominator;
         quotient += 1;
     }
     return quotient;

@@ -8,21 +8,21 @@
  * Requires rest < whole and 2^31 <= whole < 2^32. The estimate from the upper half of
  * whole is too large by two at most. If it is 2^16 or more, then left < lower, so the test that
  * corrects it sees that too; its product is below 2^32. */
-static uint32_t divide_digit(uint32_t *rest, uint32_t whole, uint32_t half)
+static uint32_t divide_digit(uint32_t *remainder, uint32_t whole, uint32_t half)
 {
     uint32_t upper = whole >> 16, lower = whole & 0xFFFFu;
-    uint32_t digit = fxl_divide_half(*rest, upper);
-    uint32_t left = *rest - digit * upper;
+    uint32_t digit = fxl_divide_half(*remainder, upper);
+    uint32_t left = *remainder - digit * upper;
     while (left <= 0xFFFFu && digit * lower > (left << 16 | half)) {
         digit -= 1;
         left += upper;
     }
     /* The true remainder is below 2^32, so intermediate wraps cancel. */
-    *rest = (*rest << 16 | half) - digit * whole;
+    *remainder = (*remainder << 16 | half) - digit * whole;
     return digit;
 }
 
-uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest)
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *remainder)
 {
     FXL_ASSERT(numerator >> 32 < denominator);
     if (FXL_IS_COMPACT && !FXL_IS_SMALL) {
@@ -35,11 +35,11 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
             left -= denominator;
             quotient += 1;
         }
-        *rest = (uint32_t)left;
+        *remainder = (uint32_t)left;
         return quotient;
     }
     if (numerator >> 32 == 0) {
-        return fxl_divide_u32((uint32_t)numerator, denominator, rest);
+        return fxl_divide_u32((uint32_t)numerator, denominator, remainder);
     }
     unsigned shift = fxl_leading_zeros(denominator);
     uint32_t whole = denominator << shift;
@@ -48,7 +48,7 @@ uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest
     uint32_t left = (uint32_t)(shifted >> 32), lower = (uint32_t)shifted;
     uint32_t upper_digit = divide_digit(&left, whole, lower >> 16);
     uint32_t lower_digit = divide_digit(&left, whole, lower & 0xFFFFu);
-    *rest = left >> shift;
+    *remainder = left >> shift;
     return upper_digit << 16 | lower_digit;
 }
 
@@ -68,19 +68,20 @@ static uint32_t reciprocal_below(uint32_t value)
  * The estimate is not too large. It is too small by at most
  * 2^22 (2^-27 + 2^-29 + 2^-31), and by 1 for its truncation. So the remainder is below
  * 2 whole, and one correction suffices. */
-static uint32_t fraction_digit(uint64_t *rest, uint64_t whole, uint32_t reciprocal, unsigned bits)
+static uint32_t fraction_digit(uint64_t *remainder, uint64_t whole, uint32_t reciprocal,
+                               unsigned bits)
 {
     /* rest 2^-31 times 2^92 / whole. */
-    uint64_t product = fxl_multiply_u32((uint32_t)(*rest >> 31), reciprocal);
+    uint64_t product = fxl_multiply_u32((uint32_t)(*remainder >> 31), reciprocal);
     uint32_t digit = (uint32_t)(product >> 32) >> (29u - bits);
     /* The true remainder is below 2^64, so intermediate wraps cancel. */
-    uint64_t left = (*rest << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -
+    uint64_t left = (*remainder << bits) - fxl_multiply_u32(digit, (uint32_t)whole) -
                     ((uint64_t)(digit * (uint32_t)(whole >> 32)) << 32);
     if (left >= whole) {
         left -= whole;
         digit += 1;
     }
-    *rest = left;
+    *remainder = left;
     return digit;
 }
 
@@ -88,12 +89,12 @@ uint64_t fxl_fraction(uint64_t part, uint64_t whole)
 {
     FXL_ASSERT(part < whole && whole >> 63 == 0);
     unsigned shift = 63u - fxl_bit_length(whole);
-    uint64_t rest = part << shift;
+    uint64_t remainder = part << shift;
     whole <<= shift;
     uint32_t reciprocal = reciprocal_below((uint32_t)(whole >> 32) + 1u);
-    uint64_t upper = fraction_digit(&rest, whole, reciprocal, 22);
-    uint32_t middle = fraction_digit(&rest, whole, reciprocal, 21);
-    uint32_t lower = fraction_digit(&rest, whole, reciprocal, 21);
+    uint64_t upper = fraction_digit(&remainder, whole, reciprocal, 22);
+    uint32_t middle = fraction_digit(&remainder, whole, reciprocal, 21);
+    uint32_t lower = fraction_digit(&remainder, whole, reciprocal, 21);
     return upper << 42 | (uint64_t)middle << 21 | lower;
 }
 

@@ -13,7 +13,7 @@ extern "C" {
 
 /* floor(numerator / denominator); *rest becomes the remainder. Requires a quotient below
  * 2^32, that is, numerator / 2^32 < denominator. */
-uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *rest);
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *remainder);
 
 /* floor(2^64 part / whole). Requires part < whole < 2^63. */
 uint64_t fxl_fraction(uint64_t part, uint64_t whole);

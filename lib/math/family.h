@@ -49,7 +49,7 @@
 #endif
 
 /* So compiled, it has the matrix of a turned instance in C, too. */
-#define FXL_TURNS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
+#define FXL_PLACEMENTS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
 
 /* So compiled, it fills rows by a text of a sixth of the bytes. */
 #if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT

@@ -68,7 +68,7 @@
 #define FACE_BOUNDS_BOX_Z       16
 #define FACE_BOUNDS_SIZE        20
 
-/* fxl_order_entry */
+/* fxl_draw_entry */
 #define ORDER_DISTANCE_LOW  0
 #define ORDER_DISTANCE_HIGH 4
 #define ORDER_INDEX         8

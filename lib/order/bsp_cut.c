@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../clip/split.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/cull.h"
 #include "bsp_pieces.h"
 
@@ -95,7 +95,7 @@ static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, con
     const fxl_model *model = &scene->models[instance->model];
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
     const uint32_t number = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     fxl_point points[FXL_FACE_VERTICES_MAX];
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
@@ -236,20 +236,20 @@ static bool cut_piece(fxl_bsp_cutter *cutter, const split_plane *by, fxl_bsp_ite
         return true;
     }
     vertex_ring parts[2] = {{.count = 0}, {.count = 0}};
-    fxl_bsp_item *rest = new_item(cutter);
-    if (rest == NULL) {
+    fxl_bsp_item *remaining = new_item(cutter);
+    if (remaining == NULL) {
         return false;
     }
-    *rest = *item; /* stays at the node while it is cut: nothing is inserted into it */
+    *remaining = *item; /* stays at the node while it is cut: nothing is inserted into it */
     if (!divide(cutter, by, item, parts)) {
         return false;
     }
     item->first = (uint16_t)parts[0].first;
     item->count = (uint8_t)parts[0].count;
     item->where = next_place(by, false);
-    rest->first = (uint16_t)parts[1].first;
-    rest->count = (uint8_t)parts[1].count;
-    rest->where = next_place(by, true);
+    remaining->first = (uint16_t)parts[1].first;
+    remaining->count = (uint8_t)parts[1].count;
+    remaining->where = next_place(by, true);
     return true;
 }
 

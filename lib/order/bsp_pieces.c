@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/cull.h"
 #include "../view/model_view.h"
 #include "bsp_pieces.h"
@@ -66,73 +66,74 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
 
 /* Clips a whole face that faces the eye. Returns its outcome. */
 static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *on)
+                              const fxl_traversal *traversal)
 {
-    fxl_clip_result cut = fxl_first_polygon(model_view, face, on);
+    fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
-    while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && on->clipper->next != NULL) {
-        cut = fxl_next_polygon(model_view, on);
+    while ((cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) && traversal->clipper->next != NULL) {
+        cut = fxl_next_polygon(model_view, traversal);
         outcome |= (fxl_outcome)1 << cut;
     }
     return outcome;
 }
 
 /* The outcome of a whole face of a turned instance, from its rounded points. */
-static fxl_outcome outcome_of_turned(const fxl_turn_code *turned, const fxl_order_entry *entry,
-                                     const fxl_face *face, const fxl_traversal *on)
+static fxl_outcome outcome_of_turned(const fxl_placement_code *turned, const fxl_draw_entry *entry,
+                                     const fxl_face *face, const fxl_traversal *traversal)
 {
     fxl_point points[FXL_FACE_VERTICES_MAX];
     fxl_model_view model_view;
     fxl_face whole = *face;
-    turned->place_face(on->renderer->scene, entry->index, face, points);
-    fxl_model_view_of_polygon(&model_view, points, &on->renderer->frame.view,
-                              &on->workspace->cache);
+    turned->place_face(traversal->renderer->scene, entry->index, face, points);
+    fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
+                              &traversal->workspace->cache);
     model_view.planes = entry->instance.planes;
     whole.first_index = 0;
-    return outcome_of(&model_view, &whole, on);
+    return outcome_of(&model_view, &whole, traversal);
 }
 
-static void count_turned_faces(const fxl_turn_code *turned, const fxl_traversal *on,
-                               const fxl_order_entry *entry)
+static void count_turned_faces(const fxl_placement_code *turned, const fxl_traversal *traversal,
+                               const fxl_draw_entry *entry)
 {
-    const fxl_scene *scene = on->renderer->scene;
+    const fxl_scene *scene = traversal->renderer->scene;
     const fxl_model *model = &scene->models[scene->instances[entry->index].model];
-    const fxl_point *eye = &on->renderer->frame.view.camera.position;
+    const fxl_point *eye = &traversal->renderer->frame.view.camera.position;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        on->counters->in += 1;
+        traversal->counters->in += 1;
         if (turned->face_is_front(scene, entry->index, face, eye)) {
-            (void)fxl_count_outcome(on, outcome_of_turned(turned, entry, face, on),
-                                    on->display_list->used);
+            (void)fxl_count_outcome(traversal, outcome_of_turned(turned, entry, face, traversal),
+                                    traversal->display_list->used);
         } else {
-            on->counters->backfacing += 1;
+            traversal->counters->backfacing += 1;
         }
     }
 }
 
 /* Counts the faces of an instance, each once, however many pieces they are cut into. */
-static void count_faces(const fxl_traversal *on, const fxl_order_entry *entry)
+static void count_faces(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, entry->index);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, entry->index);
     fxl_model_view model_view;
     if (turned != NULL) {
-        count_turned_faces(turned, on, entry);
+        count_turned_faces(turned, traversal, entry);
         return;
     }
-    fxl_model_view_of_instance(&model_view, scene, instance, &on->renderer->frame.view,
-                               &on->workspace->cache);
+    fxl_model_view_of_instance(&model_view, scene, instance, &traversal->renderer->frame.view,
+                               &traversal->workspace->cache);
     model_view.planes = entry->instance.planes;
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        on->counters->in += 1;
+        traversal->counters->in += 1;
         if (fxl_model_view_face_is_front(&model_view, face)) {
-            (void)fxl_count_outcome(on, outcome_of(&model_view, face, on), on->display_list->used);
+            (void)fxl_count_outcome(traversal, outcome_of(&model_view, face, traversal),
+                                    traversal->display_list->used);
         } else {
-            on->counters->backfacing += 1;
+            traversal->counters->backfacing += 1;
         }
     }
 }
@@ -153,25 +154,25 @@ static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
     }
 }
 
-bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_order_entry *entry)
+bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_draw_entry *entry)
 {
     const fxl_billboards *billboards = renderer->billboards;
     const uint32_t model = renderer->scene->instances[entry->index].model;
     return billboards != NULL && billboards->set->model_map[model] != 0;
 }
 
-/* The middle of an instance's billboard, were the camera upright: above the instance's centre by half
- * of the height less the anchor, by the instance's scale. A centre is often on the ground, and so on
- * no side of it. A height is below 2^29 and lies within the radius, which the scale leaves within
- * FXL_COORDINATE_MAX. */
-static fxl_point middle_of(const fxl_renderer *renderer, const fxl_order_entry *entry)
+/* The middle of an instance's billboard, were the camera upright: above the instance's centre by
+ * half of the height less the anchor, by the instance's scale. A centre is often on the ground, and
+ * so on no side of it. A height is below 2^29 and lies within the radius, which the scale leaves
+ * within FXL_COORDINATE_MAX. */
+static fxl_point middle_of(const fxl_renderer *renderer, const fxl_draw_entry *entry)
 {
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[entry->index];
     const fxl_billboard_set *set = renderer->billboards->set;
     const fxl_billboard *board = &set->billboards[set->model_map[instance->model] - 1];
-    const fxl_q16_16 scale = fxl_turn_code_of(scene, entry->index) != NULL
-                                 ? fxl_turn_of(scene, entry->index)->scale
+    const fxl_q16_16 scale = fxl_placement_code_of(scene, entry->index) != NULL
+                                 ? fxl_placement_of(scene, entry->index)->scale
                                  : 65536;
     fxl_point middle = instance->centre;
     middle.y += (int32_t)(fxl_multiply_s32(board->height - 2 * board->anchor_y, scale) >> 17);
@@ -183,19 +184,15 @@ static fxl_point middle_of(const fxl_renderer *renderer, const fxl_order_entry *
 static void put_whole(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
                       const fxl_point *point, uint32_t entry, bool reverse)
 {
-    const fxl_bsp_item whole = {FXL_IN_LEAF | leaf_of(scene, point),
-                                FXL_ITEM_NONE,
-                                (uint16_t)entry,
-                                FXL_ITEM_NONE,
-                                0,
-                                0};
+    const fxl_bsp_item whole = {
+        FXL_IN_LEAF | leaf_of(scene, point), FXL_ITEM_NONE, (uint16_t)entry, FXL_ITEM_NONE, 0, 0};
     parts->whole[number] = whole;
     put_into_leaf(scene, parts, number, reverse);
 }
 
-void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
+void fxl_bsp_cut_movers(const fxl_traversal *traversal, fxl_bsp_workspace *workspace)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_scene *scene = renderer->scene;
     const bool reverse = renderer->near_first;
     fxl_bsp_parts parts = fxl_bsp_parts_of(scene, workspace);
@@ -216,15 +213,15 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
         if (at == workspace->owner) {
             continue;
         }
-        const fxl_order_entry *entry = &renderer->frame.order[at];
+        const fxl_draw_entry *entry = &renderer->frame.draw_list[at];
         const fxl_instance *instance = &scene->instances[entry->index];
         if (fxl_bsp_shows_billboard(renderer, entry)) {
             const fxl_point middle = middle_of(renderer, entry);
             put_whole(scene, &parts, mover++, &middle, at, reverse);
             continue;
         }
-        count_faces(on, entry);
-        if (fxl_bsp_cut(&cutter, instance, &on->renderer->frame.view.camera.position, at)) {
+        count_faces(traversal, entry);
+        if (fxl_bsp_cut(&cutter, instance, &traversal->renderer->frame.view.camera.position, at)) {
             for (uint32_t i = cutter.first_item; i < cutter.item_count; i++) {
                 put_into_leaf(scene, &parts, parts.movers + i, reverse);
             }
@@ -239,12 +236,14 @@ void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace)
 
 /* Submits the faces of an instance that was not cut into pieces, and so is convex, from *number
  * on, in the order of drawing. */
-static bool submit_whole(const fxl_traversal *on, const fxl_order_entry *entry, uint16_t *number)
+static bool submit_whole(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+                         uint16_t *number)
 {
     fxl_resume_point resume = {.faces = *number};
-    fxl_traversal faces = *on;
+    fxl_traversal faces = *traversal;
     faces.resume = &resume;
-    const fxl_turn_code *turned = fxl_turn_code_of(on->renderer->scene, entry->index);
+    const fxl_placement_code *turned =
+        fxl_placement_code_of(traversal->renderer->scene, entry->index);
     bool done = turned != NULL ? turned->submit_instance(&faces, entry, true)
                                : fxl_submit_instance(&faces, entry);
     *number = done ? 0 : resume.faces;
@@ -257,16 +256,16 @@ static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *insta
                                const fxl_face *face)
 {
     const uint32_t of = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, of);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, of);
     return turned != NULL ? turned->normal(scene, of, face) : face->normal;
 }
 
-static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts,
+static bool submit_bsp_piece(const fxl_traversal *traversal, const fxl_bsp_parts *parts,
                              const fxl_bsp_item *item)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_scene *scene = renderer->scene;
-    const fxl_order_entry *entry = &on->renderer->frame.order[item->entry];
+    const fxl_draw_entry *entry = &traversal->renderer->frame.draw_list[item->entry];
     const fxl_instance *instance = &scene->instances[entry->index];
     fxl_point points[FXL_FACE_VERTICES_MAX];
     uint32_t vertex = item->first;
@@ -276,7 +275,7 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
         vertex = from->next;
     }
     fxl_pieces pieces;
-    fxl_pieces_begin(&pieces, on);
+    fxl_pieces_begin(&pieces, traversal);
     pieces.planes = entry->instance.planes;
     if (renderer->shader != NULL) {
         const fxl_face *face = &scene->faces[scene->models[instance->model].first_face +
@@ -291,31 +290,31 @@ static bool submit_bsp_piece(const fxl_traversal *on, const fxl_bsp_parts *parts
 
 /* An item of a leaf, of which *face faces are done. The faces were counted when the instance was
  * cut; a billboard was not. */
-static bool submit_item(const fxl_traversal *on, fxl_bsp_workspace *workspace,
+static bool submit_item(const fxl_traversal *traversal, fxl_bsp_workspace *workspace,
                         const fxl_bsp_parts *parts, const fxl_bsp_item *item, uint16_t *face)
 {
-    const fxl_renderer *renderer = on->renderer;
-    const fxl_order_entry *entry = &renderer->frame.order[item->entry];
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_draw_entry *entry = &renderer->frame.draw_list[item->entry];
     const bool whole = item->first == FXL_ITEM_NONE;
     if (whole && fxl_bsp_shows_billboard(renderer, entry)) {
-        return renderer->billboards->code->instance(on, entry);
+        return renderer->billboards->code->instance(traversal, entry);
     }
     fxl_counters counters = {0};
-    fxl_traversal uncounted = *on;
+    fxl_traversal uncounted = *traversal;
     uncounted.counters = &counters;
-    const bool fitted = whole ? submit_whole(&uncounted, entry, face)
-                              : submit_bsp_piece(&uncounted, parts, item);
-    on->counters->spilled += counters.spilled;
-    if (fitted && !whole && on->counters == &on->workspace->counters) {
+    const bool fitted =
+        whole ? submit_whole(&uncounted, entry, face) : submit_bsp_piece(&uncounted, parts, item);
+    traversal->counters->spilled += counters.spilled;
+    if (fitted && !whole && traversal->counters == &traversal->workspace->counters) {
         workspace->refused += counters.refused;
     }
     return fitted;
 }
 
-bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, uint32_t leaf,
-                         fxl_bsp_resume_point *place)
+bool fxl_submit_bsp_leaf(const fxl_traversal *traversal, fxl_bsp_workspace *workspace,
+                         uint32_t leaf, fxl_bsp_resume_point *place)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_bsp_parts parts = fxl_bsp_parts_of(renderer->scene, workspace);
     uint32_t number = parts.leaves[leaf];
     for (uint32_t done = 0; number != FXL_ITEM_NONE; done++) {
@@ -324,7 +323,7 @@ bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, 
         if (done < place->index) {
             continue;
         }
-        if (!submit_item(on, workspace, &parts, item, &place->face)) {
+        if (!submit_item(traversal, workspace, &parts, item, &place->face)) {
             return false;
         }
         place->index += 1;

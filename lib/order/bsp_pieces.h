@@ -47,18 +47,18 @@ typedef struct fxl_bsp_vertex {
 fxl_bsp_parts fxl_bsp_parts_of(const fxl_scene *scene, fxl_bsp_workspace *workspace);
 
 /* Whether an entry of the order shows a billboard instead of faces. */
-bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_order_entry *entry);
+bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_draw_entry *entry);
 
 /* Returns how many instances other than the BSP's are on its layer. */
 uint32_t fxl_bsp_movers(const fxl_scene *scene);
 
 /* Cuts the moving instances of the frame to the leaves, and counts their faces. */
-void fxl_bsp_cut_movers(const fxl_traversal *on, fxl_bsp_workspace *workspace);
+void fxl_bsp_cut_movers(const fxl_traversal *traversal, fxl_bsp_workspace *workspace);
 
 /* Submits the items of a leaf, from place->index and place->face on. Returns false where a face
  * sink stopped the traversal. */
-bool fxl_submit_bsp_leaf(const fxl_traversal *on, fxl_bsp_workspace *workspace, uint32_t leaf,
-                         fxl_bsp_resume_point *place);
+bool fxl_submit_bsp_leaf(const fxl_traversal *traversal, fxl_bsp_workspace *workspace,
+                         uint32_t leaf, fxl_bsp_resume_point *place);
 
 /* The state of one frame's cutting. Items grow upward and vertices downward in one memory. */
 typedef struct {
@@ -88,7 +88,7 @@ bool fxl_bsp_cut(fxl_bsp_cutter *cutter, const fxl_instance *instance, const fxl
                  uint32_t entry);
 
 /* fxl_order.submit and .memory_size of fxl_by_tree. */
-bool fxl_submit_by_bsp(const fxl_traversal *on);
+bool fxl_submit_by_bsp(const fxl_traversal *traversal);
 uint32_t fxl_bsp_workspace_size(const fxl_scene *scene);
 
 #ifdef __cplusplus

@@ -5,7 +5,7 @@
 #include "../raster/columns.h"
 #include "../raster/draw_outline.h"
 #include "../scene/lens.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "../view/cull.h"
 #include "../view/model_view.h"
 #include "../view/outcode.h"
@@ -41,9 +41,9 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
     if (scene == NULL) {
         return FXL_E_ORDER;
     }
-    if (scene->turns != NULL) {
+    if (scene->placements != NULL) {
         wire->ready = false; /* drawing would read turns that are not checked */
-        status = fxl_check_turns(scene);
+        status = fxl_check_placements(scene);
         if (status != FXL_OK) {
             return status;
         }
@@ -85,7 +85,7 @@ static void draw_edge(fxl_wire *wire, const fxl_point *from, const fxl_point *to
 static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
                        fxl_point *points)
 {
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const fxl_instance *instance = &scene->instances[number];
     const fxl_point *vertices = &scene->vertices[scene->models[instance->model].first_vertex];
     if (turned != NULL) {
@@ -105,7 +105,7 @@ static void draw_instance(fxl_wire *wire, uint32_t number, const fxl_band *band)
     const fxl_scene *scene = wire->scene;
     const fxl_instance *instance = &scene->instances[number];
     const fxl_model *model = &scene->models[instance->model];
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const fxl_point *eye = &wire->view.camera.position;
     fxl_point points[FXL_FACE_VERTICES_MAX];
     for (uint32_t i = 0; i < model->face_count; i++) {
@@ -177,10 +177,10 @@ static int32_t pixel_at(const major_line *line, int32_t along, int64_t *left)
     const int32_t centre = along * 65536 + 32768;
     const int64_t sum = fxl_multiply_s32(line->across + 8192 * 65536, length) +
                         fxl_multiply_s32(centre - line->from, line->rise);
-    uint32_t rest;
+    uint32_t remainder;
     FXL_ASSERT(sum >= 0);
-    const uint32_t pixel = fxl_divide_u64((uint64_t)sum >> 16, (uint32_t)length, &rest);
-    *left = (int64_t)rest * 65536 + (sum & 0xFFFF);
+    const uint32_t pixel = fxl_divide_u64((uint64_t)sum >> 16, (uint32_t)length, &remainder);
+    *left = (int64_t)remainder * 65536 + (sum & 0xFFFF);
     return (int32_t)pixel - 8192;
 }
 

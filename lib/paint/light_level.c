@@ -17,9 +17,9 @@ static int64_t fraction_of(int64_t a, int64_t b)
  * 2^61. Errors: the sum's shift 1, the product's 1. */
 static int64_t from_direction(const fxl_light_settings *settings, const fxl_direction *normal)
 {
-    const fxl_direction *way = &settings->direction;
-    const int64_t facing =
-        -((int64_t)normal->x * way->x + (int64_t)normal->y * way->y + (int64_t)normal->z * way->z);
+    const fxl_direction *direction = &settings->direction;
+    const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
+                             (int64_t)normal->z * direction->z);
     return facing > 0 ? fraction_of(settings->strength, facing >> 30) : 0;
 }
 

@@ -162,10 +162,10 @@ static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t c
 {
     const fxl_point *corner = &window[i], *next = &window[i + 1 == count ? 0 : i + 1];
     fxl_point from = {beam->from[0], beam->from[1], beam->from[2]};
-    fxl_point way = beam->kind == FXL_BEAM_DIRECTION ? from : subtract(corner, &from);
+    fxl_point ray = beam->kind == FXL_BEAM_DIRECTION ? from : subtract(corner, &from);
     fxl_point side = subtract(next, corner);
     fxl_direction unit;
-    if (!fxl_unit_cross(&way, &side, &unit)) {
+    if (!fxl_unit_cross(&ray, &side, &unit)) {
         return false;
     }
     *plane = fxl_plane_from_point(corner, &unit, 0);

@@ -4,7 +4,7 @@
 #include "../math/unit_vector.h"
 #include "bsp_node.h"
 #include "scene_check.h"
-#include "turn_code.h"
+#include "placement_code.h"
 
 /* The object: its model is sorted, so that who knows no tree can draw it, and no
  * other object's, so that nothing else is to be clipped to the tree with it. It has no
@@ -15,7 +15,7 @@ static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
     if (scene->bsp_instance >= scene->instance_count) {
         return fxl_fault_at(fault, "BSP tree", 0, FXL_E_INDEX);
     }
-    if (fxl_turn_code_of(scene, scene->bsp_instance) != NULL) {
+    if (fxl_placement_code_of(scene, scene->bsp_instance) != NULL) {
         return fxl_fault_at(fault, "BSP tree", 0, FXL_E_BSP);
     }
     const fxl_instance *owner = &scene->instances[scene->bsp_instance];

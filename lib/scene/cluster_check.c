@@ -90,11 +90,11 @@ static bool faces_away(const cluster_faces *in, const fxl_face *face)
     const fxl_cluster *cluster = in->cluster;
     const fxl_point *apex = &cluster->apex;
     const int64_t along = dot_units(&face->normal, &cluster->axis) >> 30;
-    const int64_t rest =
+    const int64_t across =
         dot_units(&cluster->axis, &cluster->axis) - (int64_t)((uint64_t)cluster->cutoff << 28);
     return fxl_dot(&face->normal, apex->x, apex->y, apex->z) <=
                fxl_face_height(in->vertices, &in->indices[face->first_index], face) &&
-           along >= 0 && along * along >= rest + (rest >> 28) + 1;
+           along >= 0 && along * along >= across + (across >> 28) + 1;
 }
 
 static fxl_status check_sphere(const cluster_faces *in)

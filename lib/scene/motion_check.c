@@ -5,7 +5,7 @@
 #include "../math/memory.h"
 #include "../math/unit_vector.h"
 #include "scene_check.h"
-#include "turn_code.h"
+#include "placement_code.h"
 
 static bool is_scale(fxl_q16_16 scale)
 {
@@ -84,10 +84,10 @@ static uint32_t chain_of(const fxl_motion_set *set, const fxl_motion *motion,
 }
 
 /* scale * length / 2^16, rounded up, and what the rounding of an orientation and a centre adds:
- * less than for fxl_turn_radius. Below 2^40. */
+ * less than for fxl_placement_radius. Below 2^40. */
 static int64_t reach_of(fxl_q16_16 scale, int64_t length)
 {
-    return (fxl_multiply_s64(scale, length) + 65535) / 65536 + FXL_TURN_SLACK;
+    return (fxl_multiply_s64(scale, length) + 65535) / 65536 + FXL_PLACEMENT_SLACK;
 }
 
 /* |place|, rounded up. Components below 2^30. */
@@ -150,7 +150,8 @@ fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
     if (!fxl_is_aligned(set->motions, FXL_WORD) || !fxl_is_aligned(set->keys, FXL_WORD)) {
         return fxl_fault_at(fault, "motion table", 0, FXL_E_ALIGNMENT);
     }
-    const uint32_t turned = scene->turns != NULL ? scene->instance_count - scene->first_turned : 0;
+    const uint32_t turned =
+        scene->placements != NULL ? scene->instance_count - scene->first_turned : 0;
     if (set->motion_count > turned) {
         return fxl_fault_at(fault, "motion table", 0, FXL_E_COUNT);
     }

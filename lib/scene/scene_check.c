@@ -9,7 +9,7 @@
 #include "../math/unit_vector.h"
 #include "face_bounds.h"
 #include "scene_check.h"
-#include "turn_code.h"
+#include "placement_code.h"
 
 static bool count_in(uint32_t count, uint32_t low, uint32_t high)
 {
@@ -156,16 +156,16 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
 static fxl_status check_turns(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t number = 0;
-    if (scene->turns == NULL) {
+    if (scene->placements == NULL) {
         return FXL_OK;
     }
-    if (scene->turn_code == NULL) {
+    if (scene->placement_code == NULL) {
         return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
     }
     if (scene->first_turned > scene->instance_count) {
         return fxl_fault_at(fault, "turn table", 0, FXL_E_INDEX);
     }
-    const fxl_status status = scene->turn_code->check(scene, &number);
+    const fxl_status status = scene->placement_code->check(scene, &number);
     return status == FXL_OK ? FXL_OK : fxl_fault_at(fault, "instance", number, status);
 }
 
@@ -279,7 +279,7 @@ static fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fau
 }
 
 /* One entry for each instance, and one for each face of the largest sorted model. */
-static uint32_t order_needed(const fxl_scene *scene)
+static uint32_t draw_list_needed(const fxl_scene *scene)
 {
     uint32_t faces = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -297,7 +297,7 @@ static bool is_aligned(const fxl_scene *scene)
     const uintptr_t words =
         (uintptr_t)scene->vertices | (uintptr_t)scene->faces | (uintptr_t)scene->models |
         (uintptr_t)scene->instances | (uintptr_t)scene->face_bounds | (uintptr_t)scene->bsp_nodes |
-        (uintptr_t)scene->beams | (uintptr_t)scene->clusters | (uintptr_t)scene->turns;
+        (uintptr_t)scene->beams | (uintptr_t)scene->clusters | (uintptr_t)scene->placements;
     return (words & (FXL_WORD - 1)) == 0 && fxl_is_aligned(scene->indices, sizeof(uint16_t));
 }
 
@@ -322,7 +322,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
     }
     fxl_status status = more(scene, fault);
     if (status == FXL_OK) {
-        scene->order_needed = order_needed(scene);
+        scene->draw_list_needed = draw_list_needed(scene);
     }
     return status;
 }

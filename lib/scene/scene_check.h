@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the checks of a scene share: of the whole scene, of its tree, its clusters and its motions. Internal. */
+/* What the checks of a scene share: of the whole scene, of its tree, its clusters and its motions.
+ * Internal. */
 #ifndef FXL_SCENE_CHECK_H
 #define FXL_SCENE_CHECK_H
 
@@ -11,7 +12,7 @@ extern "C" {
 
 typedef fxl_status fxl_scene_checker(const fxl_scene *scene, fxl_scene_fault *fault);
 
-/* Checks the tables that every scene has, then calls more; sets scene->order_needed if no check
+/* Checks the tables that every scene has, then calls more; sets scene->draw_list_needed if no check
  * failed. */
 fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_scene_checker *more);
 

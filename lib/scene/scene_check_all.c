@@ -44,15 +44,15 @@ fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault)
     if (scene == NULL) {
         return fxl_scene_check_with(scene, fault, check_more);
     }
-    const fxl_turn_code *const before = scene->turn_code;
-    if (scene->turns != NULL) {
-        scene->turn_code = &fxl_turned_instances;
+    const fxl_placement_code *const before = scene->placement_code;
+    if (scene->placements != NULL) {
+        scene->placement_code = &fxl_turned_instances;
     }
     fxl_status status = fxl_scene_check_with(scene, fault, check_more);
     if (status == FXL_OK) {
         scene->cluster_code = scene->cluster_count > 0 ? &fxl_clusters : NULL;
     } else {
-        scene->turn_code = before;
+        scene->placement_code = before;
     }
     return status;
 }

@@ -49,7 +49,7 @@ const char *fxl_status_text(fxl_status status)
                "the tree's model or layer, or that model has clusters";
     case FXL_E_CLUSTER:
         return "a cluster's face may show its front to an eye in the cluster's cone";
-    case FXL_E_TURN:
+    case FXL_E_PLACEMENT:
         return "the orientation of an instance is not a rotation";
     case FXL_E_DISPLAY:
         return "a display, or the wires to it, failed";

@@ -18,57 +18,58 @@ typedef struct {
     int exit_plane; /* the plane through which the polygon left the frustum last */
 } pass;
 
-static void append(pass *on, const fxl_varying_vertex *vertex)
+static void append(pass *state, const fxl_varying_vertex *vertex)
 {
-    if (on->count == FXL_POLYGON_CAPACITY) {
-        on->full = true;
+    if (state->count == FXL_POLYGON_CAPACITY) {
+        state->full = true;
         return;
     }
-    fxl_copy_vertex(vertex, on->in->carried, &on->out->vertices[on->count++]);
+    fxl_copy_vertex(vertex, state->in->carried, &state->out->vertices[state->count++]);
 }
 
 /* Computes the vertex where a line meets a plane, from its inside end towards its outside end.
  * in and out are the distances of the ends. An end on the plane is the intersection itself. */
-static void intersect(pass *on, const fxl_varying_vertex *inside, const fxl_varying_vertex *outside,
-                      fxl_q18_46 in, fxl_q18_46 out, fxl_varying_vertex *vertex)
+static void intersect(pass *state, const fxl_varying_vertex *inside,
+                      const fxl_varying_vertex *outside, fxl_q18_46 in, fxl_q18_46 out,
+                      fxl_varying_vertex *vertex)
 {
     if (in == 0) {
-        fxl_copy_vertex(inside, on->in->carried, vertex);
+        fxl_copy_vertex(inside, state->in->carried, vertex);
     } else if (out >= 0) { /* outside by the sliver rule alone */
-        fxl_copy_vertex(outside, on->in->carried, vertex);
+        fxl_copy_vertex(outside, state->in->carried, vertex);
     } else {
-        on->workspace->stats.intersections += 1;
+        state->workspace->stats.intersections += 1;
         fxl_intersection_vertex(inside, outside, fxl_intersection_fraction(in, out),
-                                on->in->carried, vertex);
+                                state->in->carried, vertex);
     }
 }
 
-static uint32_t next_of(const pass *on, uint32_t vertex)
+static uint32_t next_of(const pass *state, uint32_t vertex)
 {
-    return vertex + 1 == on->in->count ? 0 : vertex + 1;
+    return vertex + 1 == state->in->count ? 0 : vertex + 1;
 }
 
-static bool is_outside(const pass *on, int plane, uint32_t vertex)
+static bool is_outside(const pass *state, int plane, uint32_t vertex)
 {
-    return ((uint32_t)on->codes[vertex] >> plane & 1u) != 0;
+    return ((uint32_t)state->codes[vertex] >> plane & 1u) != 0;
 }
 
 /* Returns the distance of a vertex of the input from a plane: at most 0 where the vertex counts
  * as outside. */
-static fxl_q18_46 distance(const pass *on, int plane, uint32_t vertex)
+static fxl_q18_46 distance(const pass *state, int plane, uint32_t vertex)
 {
     fxl_q18_46 exact =
-        fxl_normalised_distance(on->frustum, plane, &on->in->vertices[vertex].position);
-    return is_outside(on, plane, vertex) && exact > 0 ? 0 : exact;
+        fxl_normalised_distance(state->frustum, plane, &state->in->vertices[vertex].position);
+    return is_outside(state, plane, vertex) && exact > 0 ? 0 : exact;
 }
 
 /* Finds the last plane through which an edge enters, and the first through which it leaves.
  * Returns false for an invisible edge: one that lies outside one plane, or leaves before it
  * enters. */
-static bool find_intersections(const pass *on, uint32_t from, uint32_t to,
+static bool find_intersections(const pass *state, uint32_t from, uint32_t to,
                                fxl_plane_intersection *enter, fxl_plane_intersection *leave)
 {
-    uint32_t from_code = on->codes[from], to_code = on->codes[to];
+    uint32_t from_code = state->codes[from], to_code = state->codes[to];
     enter->plane = leave->plane = FXL_PLANE_COUNT;
     if ((from_code & to_code) != 0) {
         return false;
@@ -77,7 +78,8 @@ static bool find_intersections(const pass *on, uint32_t from, uint32_t to,
         if (((from_code | to_code) >> plane & 1u) == 0) {
             continue;
         }
-        fxl_plane_intersection one = {plane, distance(on, plane, from), distance(on, plane, to)};
+        fxl_plane_intersection one = {plane, distance(state, plane, from),
+                                      distance(state, plane, to)};
         if ((from_code >> plane & 1u) != 0) {
             fxl_intersection_prefer(enter, &one, true);
         } else {
@@ -90,29 +92,29 @@ static bool find_intersections(const pass *on, uint32_t from, uint32_t to,
 
 /* Returns the intersection of the outline with a plane, on an edge of which exactly one vertex
  * is outside the plane. */
-static const fxl_varying_vertex *cut_edge(pass *on, int plane, uint32_t from, uint32_t to)
+static const fxl_varying_vertex *cut_edge(pass *state, int plane, uint32_t from, uint32_t to)
 {
-    bool inward = is_outside(on, plane, from);
-    fxl_varying_vertex *vertex = &on->workspace->cuts[plane][inward].vertex;
-    if (on->workspace->cuts[plane][inward].edge != from) {
+    bool inward = is_outside(state, plane, from);
+    fxl_varying_vertex *vertex = &state->workspace->cuts[plane][inward].vertex;
+    if (state->workspace->cuts[plane][inward].edge != from) {
         uint32_t inside = inward ? to : from, outside = inward ? from : to;
-        intersect(on, &on->in->vertices[inside], &on->in->vertices[outside],
-                  distance(on, plane, inside), distance(on, plane, outside), vertex);
-        on->workspace->cuts[plane][inward].edge = from;
+        intersect(state, &state->in->vertices[inside], &state->in->vertices[outside],
+                  distance(state, plane, inside), distance(state, plane, outside), vertex);
+        state->workspace->cuts[plane][inward].edge = from;
     }
     return vertex;
 }
 
 /* Returns the point where the outline crosses a plane inward (or outward); null where it does
  * not. */
-static const fxl_varying_vertex *cut_outline(pass *on, int plane, bool inward)
+static const fxl_varying_vertex *cut_outline(pass *state, int plane, bool inward)
 {
-    for (uint32_t from = 0; from < on->in->count; from++) {
-        uint32_t to = next_of(on, from);
-        bool from_outside = is_outside(on, plane, from);
-        bool to_outside = is_outside(on, plane, to);
+    for (uint32_t from = 0; from < state->in->count; from++) {
+        uint32_t to = next_of(state, from);
+        bool from_outside = is_outside(state, plane, from);
+        bool to_outside = is_outside(state, plane, to);
         if (from_outside != to_outside && from_outside == inward) {
-            return cut_edge(on, plane, from, to);
+            return cut_edge(state, plane, from, to);
         }
     }
     return NULL;
@@ -122,42 +124,43 @@ static const fxl_varying_vertex *cut_outline(pass *on, int plane, bool inward)
  * number cuts the polygon, where the other plane crosses that line. The order of the planes is
  * fixed, because a face is flat only to within a few units of 1/65536, and next to the eye that
  * is a pixel. Returns false where the second plane does not cross the line, by as little. */
-static bool find_corner(pass *on, int plane, int other, fxl_varying_vertex *corner);
+static bool find_corner(pass *state, int plane, int other, fxl_varying_vertex *corner);
 
 /* Finds an end of the line in which a plane cuts the polygon. Where the outline crosses the
  * plane in front of the near plane or beyond the far plane, those planes have cut the polygon
  * already; the end is then the corner with near or far. */
-static bool find_end(pass *on, int plane, bool inward, fxl_varying_vertex *end)
+static bool find_end(pass *state, int plane, bool inward, fxl_varying_vertex *end)
 {
-    const fxl_varying_vertex *cut = cut_outline(on, plane, inward);
+    const fxl_varying_vertex *cut = cut_outline(state, plane, inward);
     if (cut == NULL) {
         return false;
     }
-    fxl_copy_vertex(cut, on->in->carried, end);
+    fxl_copy_vertex(cut, state->in->carried, end);
     for (int depth = FXL_PLANE_NEAR; depth <= FXL_PLANE_FAR && plane > FXL_PLANE_FAR; depth++) {
-        if (fxl_normalised_distance(on->frustum, depth, &end->position) < 0) {
+        if (fxl_normalised_distance(state->frustum, depth, &end->position) < 0) {
             fxl_varying_vertex corner;
-            if (find_corner(on, depth, plane, &corner)) {
-                fxl_copy_vertex(&corner, on->in->carried, end);
+            if (find_corner(state, depth, plane, &corner)) {
+                fxl_copy_vertex(&corner, state->in->carried, end);
             }
         }
     }
     return true;
 }
 
-static bool find_corner(pass *on, int plane, int other, fxl_varying_vertex *corner)
+static bool find_corner(pass *state, int plane, int other, fxl_varying_vertex *corner)
 {
     int first = plane < other ? plane : other, second = plane ^ other ^ first;
     fxl_varying_vertex from, to;
-    if (!find_end(on, first, false, &from) || !find_end(on, first, true, &to)) {
+    if (!find_end(state, first, false, &from) || !find_end(state, first, true, &to)) {
         return false;
     }
-    fxl_q18_46 a = fxl_normalised_distance(on->frustum, second, &from.position);
-    fxl_q18_46 b = fxl_normalised_distance(on->frustum, second, &to.position);
+    fxl_q18_46 a = fxl_normalised_distance(state->frustum, second, &from.position);
+    fxl_q18_46 b = fxl_normalised_distance(state->frustum, second, &to.position);
     if ((a < 0) == (b < 0)) {
         return false;
     }
-    intersect(on, a < 0 ? &to : &from, a < 0 ? &from : &to, a < 0 ? b : a, a < 0 ? a : b, corner);
+    intersect(state, a < 0 ? &to : &from, a < 0 ? &from : &to, a < 0 ? b : a, a < 0 ? a : b,
+              corner);
     return true;
 }
 
@@ -169,18 +172,18 @@ static bool find_corner(pass *on, int plane, int other, fxl_varying_vertex *corn
 /* Finds where a line in a plane leaves the frustum, if its end is not visible: through a plane
  * that the end is outside of. Where rounding hides that plane, the line leaves at its end; there
  * the outline passes the corner exactly or to within rounding. */
-static fxl_plane_intersection find_leave(const pass *on, const fxl_varying_vertex *at,
+static fxl_plane_intersection find_leave(const pass *state, const fxl_varying_vertex *at,
                                          const fxl_varying_vertex *end, uint32_t met)
 {
     fxl_plane_intersection leave = {FXL_PLANE_COUNT, 0, 0}, at_end = {FXL_PLANE_COUNT, 1, 0};
     fxl_q18_46 least = HIDDEN;
-    for (int other = 0; on->any >> other != 0; other++) {
-        if (((on->any & ~met) >> other & 1u) == 0) {
+    for (int other = 0; state->any >> other != 0; other++) {
+        if (((state->any & ~met) >> other & 1u) == 0) {
             continue;
         }
-        fxl_plane_intersection one = {other,
-                                      fxl_normalised_distance(on->frustum, other, &at->position),
-                                      fxl_normalised_distance(on->frustum, other, &end->position)};
+        fxl_plane_intersection one = {
+            other, fxl_normalised_distance(state->frustum, other, &at->position),
+            fxl_normalised_distance(state->frustum, other, &end->position)};
         one.from = one.from < 0 ? 0 : one.from;
         if (one.to < 0) {
             fxl_intersection_prefer(&leave, &one, false);
@@ -196,26 +199,26 @@ static fxl_plane_intersection find_leave(const pass *on, const fxl_varying_verte
  * through another plane. The path follows the line in which the plane cuts the polygon until the
  * next plane cuts that line off. A point counts as inside every plane that it was found inside
  * of, whatever its rounded coordinates say. */
-static void append_corners(pass *on, const fxl_varying_vertex *at, int plane, int last)
+static void append_corners(pass *state, const fxl_varying_vertex *at, int plane, int last)
 {
     fxl_varying_vertex corners[2];
     uint32_t spare = 0;
     uint32_t met = 0;
-    while (plane != last && !on->full) {
+    while (plane != last && !state->full) {
         met |= (uint32_t)1 << plane;
-        const fxl_varying_vertex *end = cut_outline(on, plane, true);
+        const fxl_varying_vertex *end = cut_outline(state, plane, true);
         if (end == NULL) {
             return;
         }
-        fxl_plane_intersection first = find_leave(on, at, end, met);
+        fxl_plane_intersection first = find_leave(state, at, end, met);
         if (first.plane == FXL_PLANE_COUNT) { /* rounding has lost the corner */
             return;
         }
         fxl_varying_vertex *corner = &corners[spare];
-        if (!find_corner(on, plane, first.plane, corner)) {
-            intersect(on, at, end, first.from, first.to, corner);
+        if (!find_corner(state, plane, first.plane, corner)) {
+            intersect(state, at, end, first.from, first.to, corner);
         }
-        append(on, corner);
+        append(state, corner);
         at = corner;
         spare ^= 1u;
         plane = first.plane;
@@ -224,40 +227,41 @@ static void append_corners(pass *on, const fxl_varying_vertex *at, int plane, in
 
 /* Appends what an edge contributes: its first vertex if that is inside; then the corners on the
  * way to the point where it enters, and that point; then the point where it leaves. */
-static void append_edge(pass *on, uint32_t from)
+static void append_edge(pass *state, uint32_t from)
 {
-    uint32_t to = next_of(on, from);
+    uint32_t to = next_of(state, from);
     fxl_plane_intersection enter, leave;
-    if (on->codes[from] == 0) {
-        append(on, &on->in->vertices[from]);
+    if (state->codes[from] == 0) {
+        append(state, &state->in->vertices[from]);
     }
-    if ((on->codes[from] | on->codes[to]) == 0 ||
-        !find_intersections(on, from, to, &enter, &leave)) {
+    if ((state->codes[from] | state->codes[to]) == 0 ||
+        !find_intersections(state, from, to, &enter, &leave)) {
         return;
     }
     if (enter.plane != FXL_PLANE_COUNT) {
-        append_corners(on, cut_outline(on, on->exit_plane, false), on->exit_plane, enter.plane);
+        append_corners(state, cut_outline(state, state->exit_plane, false), state->exit_plane,
+                       enter.plane);
         /* A vertex that is inside all planes is appended with the next edge. */
-        if (enter.to > 0 || on->codes[to] != 0) {
-            append(on, cut_edge(on, enter.plane, from, to));
+        if (enter.to > 0 || state->codes[to] != 0) {
+            append(state, cut_edge(state, enter.plane, from, to));
         }
     }
     if (leave.plane != FXL_PLANE_COUNT) {
-        on->exit_plane = leave.plane;
-        if (leave.from > 0 || on->codes[from] != 0) {
-            append(on, cut_edge(on, leave.plane, from, to));
+        state->exit_plane = leave.plane;
+        if (leave.from > 0 || state->codes[from] != 0) {
+            append(state, cut_edge(state, leave.plane, from, to));
         }
     }
 }
 
 /* Returns an edge on which the polygon leaves the frustum; the vertex count where there is none. */
-static uint32_t find_exit(const pass *on)
+static uint32_t find_exit(const pass *state)
 {
     fxl_plane_intersection enter, leave;
     uint32_t from = 0;
-    while (from < on->in->count &&
-           (on->codes[next_of(on, from)] == 0 ||
-            !find_intersections(on, from, next_of(on, from), &enter, &leave) ||
+    while (from < state->in->count &&
+           (state->codes[next_of(state, from)] == 0 ||
+            !find_intersections(state, from, next_of(state, from), &enter, &leave) ||
             leave.plane == FXL_PLANE_COUNT)) {
         from++;
     }
@@ -266,16 +270,16 @@ static uint32_t find_exit(const pass *on)
 
 /* Finds the visible part of the line in which a plane cuts the polygon, where neither end is
  * visible. Returns false where no part is visible. */
-static bool find_visible_part(const pass *on, int plane, const fxl_varying_vertex *from,
+static bool find_visible_part(const pass *state, int plane, const fxl_varying_vertex *from,
                               const fxl_varying_vertex *to, fxl_plane_intersection *enter,
                               fxl_plane_intersection *leave)
 {
     int enter_hidden = FXL_PLANE_COUNT;
     enter->plane = leave->plane = FXL_PLANE_COUNT;
-    for (int other = 0; on->any >> other != 0; other++) {
-        fxl_plane_intersection one = {other,
-                                      fxl_normalised_distance(on->frustum, other, &from->position),
-                                      fxl_normalised_distance(on->frustum, other, &to->position)};
+    for (int other = 0; state->any >> other != 0; other++) {
+        fxl_plane_intersection one = {
+            other, fxl_normalised_distance(state->frustum, other, &from->position),
+            fxl_normalised_distance(state->frustum, other, &to->position)};
         if (other == plane) {
             continue;
         }
@@ -293,7 +297,7 @@ static bool find_visible_part(const pass *on, int plane, const fxl_varying_verte
         *enter = hidden;
     }
     uint32_t met = (uint32_t)1 << plane | (uint32_t)1 << enter->plane;
-    *leave = find_leave(on, from, to, met);
+    *leave = find_leave(state, from, to, met);
     return enter->plane != FXL_PLANE_COUNT && leave->plane != FXL_PLANE_COUNT &&
            fxl_intersection_is_before(enter, leave);
 }
@@ -301,65 +305,67 @@ static bool find_visible_part(const pass *on, int plane, const fxl_varying_verte
 /* Handles a polygon without a visible edge. Either the polygon covers the frustum from side to
  * side and all vertices of the result are corners, or nothing is visible. In the first case the
  * line in which some plane cuts the polygon is visible in part. */
-static void append_corners_alone(pass *on)
+static void append_corners_alone(pass *state)
 {
-    for (int plane = 0; on->any >> plane != 0; plane++) {
+    for (int plane = 0; state->any >> plane != 0; plane++) {
         fxl_varying_vertex corner;
         fxl_plane_intersection enter, leave;
-        if ((on->any >> plane & 1u) == 0) {
+        if ((state->any >> plane & 1u) == 0) {
             continue;
         }
-        const fxl_varying_vertex *from = cut_outline(on, plane, false);
-        const fxl_varying_vertex *to = cut_outline(on, plane, true);
-        if (from != NULL && to != NULL && find_visible_part(on, plane, from, to, &enter, &leave)) {
-            if (!find_corner(on, plane, enter.plane, &corner)) {
-                intersect(on, to, from, enter.to, enter.from, &corner);
+        const fxl_varying_vertex *from = cut_outline(state, plane, false);
+        const fxl_varying_vertex *to = cut_outline(state, plane, true);
+        if (from != NULL && to != NULL &&
+            find_visible_part(state, plane, from, to, &enter, &leave)) {
+            if (!find_corner(state, plane, enter.plane, &corner)) {
+                intersect(state, to, from, enter.to, enter.from, &corner);
             }
-            append(on, &corner);
-            append_corners(on, &corner, plane, enter.plane);
+            append(state, &corner);
+            append_corners(state, &corner, plane, enter.plane);
             return;
         }
     }
 }
 
 /* Sets the bits of vertices that count as outside by the sliver rule. */
-static void apply_sliver(pass *on)
+static void apply_sliver(pass *state)
 {
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
-    for (int plane = 0; on->any >> plane != 0; plane++) {
-        for (uint32_t i = 0; i < on->in->count; i++) {
+    for (int plane = 0; state->any >> plane != 0; plane++) {
+        for (uint32_t i = 0; i < state->in->count; i++) {
             distances[i] =
-                fxl_normalised_distance(on->frustum, plane, &on->in->vertices[i].position);
+                fxl_normalised_distance(state->frustum, plane, &state->in->vertices[i].position);
         }
-        uint32_t inside = fxl_inside_bits(distances, on->in->count, on->workspace->stats.sliver);
-        for (uint32_t i = 0; i < on->in->count; i++) {
-            on->codes[i] |= (uint8_t)((~inside >> i & 1u) << plane);
+        uint32_t inside =
+            fxl_inside_bits(distances, state->in->count, state->workspace->stats.sliver);
+        for (uint32_t i = 0; i < state->in->count; i++) {
+            state->codes[i] |= (uint8_t)((~inside >> i & 1u) << plane);
         }
     }
 }
 
 /* Computes the outcodes of all vertices. Returns their AND. */
-static uint32_t set_codes(pass *on)
+static uint32_t set_codes(pass *state)
 {
     uint32_t all = UINT32_MAX;
-    for (uint32_t i = 0; i < on->in->count; i++) {
-        uint32_t code = fxl_normalised_code(on->frustum, &on->in->vertices[i].position);
-        on->codes[i] = (uint8_t)code;
-        on->any |= code;
+    for (uint32_t i = 0; i < state->in->count; i++) {
+        uint32_t code = fxl_normalised_code(state->frustum, &state->in->vertices[i].position);
+        state->codes[i] = (uint8_t)code;
+        state->any |= code;
     }
-    if (on->workspace->stats.sliver > 0) {
-        apply_sliver(on);
+    if (state->workspace->stats.sliver > 0) {
+        apply_sliver(state);
     }
-    for (uint32_t i = 0; i < on->in->count; i++) {
-        all &= on->codes[i];
+    for (uint32_t i = 0; i < state->in->count; i++) {
+        all &= state->codes[i];
     }
     return all;
 }
 
-static void start_pass(pass *on, fxl_clip_once_workspace *workspace)
+static void start_pass(pass *state, fxl_clip_once_workspace *workspace)
 {
-    on->workspace = workspace;
-    on->out = &workspace->polygon;
+    state->workspace = workspace;
+    state->out = &workspace->polygon;
     for (int plane = 0; plane < FXL_PLANE_COUNT; plane++) {
         workspace->cuts[plane][0].edge = workspace->cuts[plane][1].edge = FXL_POLYGON_CAPACITY;
     }
@@ -370,37 +376,37 @@ fxl_clip_result fxl_clip_once(const fxl_varying_polygon *in, const fxl_normalise
                               const fxl_varying_polygon **result)
 {
     FXL_ASSERT(in != &workspace->polygon && in->count >= 3 && in->count <= FXL_POLYGON_CAPACITY);
-    pass on = {.in = in, .frustum = frustum};
-    start_pass(&on, workspace);
+    pass state = {.in = in, .frustum = frustum};
+    start_pass(&state, workspace);
     *result = NULL;
-    if (set_codes(&on) != 0) {
+    if (set_codes(&state) != 0) {
         return FXL_CLIP_OUTSIDE;
     }
-    if (on.any == 0) {
+    if (state.any == 0) {
         *result = in;
         return FXL_CLIP_INSIDE;
     }
-    uint32_t start = find_exit(&on);
+    uint32_t start = find_exit(&state);
     if (start == in->count) {
-        append_corners_alone(&on);
+        append_corners_alone(&state);
     } else {
         fxl_plane_intersection enter, leave;
-        find_intersections(&on, start, next_of(&on, start), &enter, &leave);
-        on.exit_plane = leave.plane;
+        find_intersections(&state, start, next_of(&state, start), &enter, &leave);
+        state.exit_plane = leave.plane;
         for (uint32_t left = in->count, at = start; left > 0; left--) {
-            at = next_of(&on, at);
-            append_edge(&on, at);
+            at = next_of(&state, at);
+            append_edge(&state, at);
         }
     }
-    if (on.full) {
+    if (state.full) {
         return FXL_CLIP_CAPACITY;
     }
-    if (on.count < 3) {
-        return on.count == 0 ? FXL_CLIP_OUTSIDE : FXL_CLIP_DEGENERATE;
+    if (state.count < 3) {
+        return state.count == 0 ? FXL_CLIP_OUTSIDE : FXL_CLIP_DEGENERATE;
     }
-    on.out->colour = in->colour;
-    on.out->carried = in->carried;
-    on.out->count = (uint8_t)on.count;
-    *result = on.out;
+    state.out->colour = in->colour;
+    state.out->carried = in->carried;
+    state.out->count = (uint8_t)state.count;
+    *result = state.out;
     return FXL_CLIP_CUT;
 }

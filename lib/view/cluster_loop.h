@@ -33,12 +33,12 @@ static inline bool fxl_is_in_cone(const fxl_cluster *cluster, const fxl_point *e
     return fxl_square(along) << 4 > limit;
 }
 
-/* fxl_order_clusters_by, by the source's macros PLANES_OF, IS_TURNED_AWAY and FIND_FRONT: the names
+/* fxl_list_clusters_by, by the source's macros PLANES_OF, IS_TURNED_AWAY and FIND_FRONT: the names
  * of functions, which are inlined, or members of tests. */
-static inline uint32_t fxl_order_each_cluster(const fxl_cluster_tests *tests,
-                                              const fxl_scene *scene, const fxl_model *model,
-                                              const fxl_model_view *model_view, bool drops,
-                                              fxl_order_entry *entries, uint32_t *front)
+static inline uint32_t fxl_list_each_cluster(const fxl_cluster_tests *tests, const fxl_scene *scene,
+                                             const fxl_model *model,
+                                             const fxl_model_view *model_view, bool drops,
+                                             fxl_draw_entry *entries, uint32_t *front)
 {
     const fxl_face *faces = &scene->faces[model->first_face];
     const fxl_cluster *cluster = &scene->clusters[model->first_cluster - 1];
@@ -58,7 +58,7 @@ static inline uint32_t fxl_order_each_cluster(const fxl_cluster_tests *tests,
             *front += found;
             if (drops && planes != 0) {
                 narrowed.planes = (fxl_planes)planes;
-                found = fxl_order_drop_outside(&narrowed, faces, entries + count, found);
+                found = fxl_drop_outside(&narrowed, faces, entries + count, found);
             }
             count += found;
         }

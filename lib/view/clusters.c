@@ -13,7 +13,7 @@
 static uint32_t planes_of(const fxl_cluster *cluster, const fxl_model_view *model_view);
 static uint32_t order_run(const fxl_scene *scene, const fxl_model *model, uint32_t first,
                           uint32_t count, const fxl_model_view *model_view, const fxl_point *eye,
-                          fxl_order_entry *entries);
+                          fxl_draw_entry *entries);
 
 #include "cluster_loop.h"
 
@@ -39,10 +39,10 @@ static uint32_t planes_of(const fxl_cluster *cluster, const fxl_model_view *mode
     return planes == FXL_SPHERE_OUTSIDE ? planes : planes & model_view->planes;
 }
 
-/* fxl_order_front_faces for count faces of a model from first on. */
+/* fxl_list_front_faces for count faces of a model from first on. */
 static uint32_t order_run(const fxl_scene *scene, const fxl_model *model, uint32_t first,
                           uint32_t count, const fxl_model_view *model_view, const fxl_point *eye,
-                          fxl_order_entry *entries)
+                          fxl_draw_entry *entries)
 {
     (void)model_view;
     if (!FXL_IS_SMALL && scene->face_bounds != NULL) {
@@ -55,16 +55,16 @@ static uint32_t order_run(const fxl_scene *scene, const fxl_model *model, uint32
     run.first_face += first;
     run.first_face_bounds += first;
     run.face_count = count;
-    const uint32_t found = fxl_order_front_faces(scene, &run, eye, entries);
+    const uint32_t found = fxl_list_front_faces(scene, &run, eye, entries);
     for (uint32_t i = 0; i < found; i++) {
         entries[i].index = (uint16_t)(entries[i].index + first);
     }
     return found;
 }
 
-uint32_t fxl_order_clusters(const fxl_scene *scene, const fxl_model *model,
-                            const fxl_model_view *model_view, bool drops, fxl_order_entry *entries,
-                            uint32_t *front)
+uint32_t fxl_list_clusters(const fxl_scene *scene, const fxl_model *model,
+                           const fxl_model_view *model_view, bool drops, fxl_draw_entry *entries,
+                           uint32_t *front)
 {
-    return fxl_order_each_cluster(NULL, scene, model, model_view, drops, entries, front);
+    return fxl_list_each_cluster(NULL, scene, model, model_view, drops, entries, front);
 }

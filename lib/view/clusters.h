@@ -5,15 +5,15 @@
 
 #include "fixel/records.h"
 
-/* fxl_order_front_faces for a model with clusters, without the faces of clusters outside the
- * frustum. If drops is true, it also takes out faces as fxl_order_drop_outside does. Returns the
+/* fxl_list_front_faces for a model with clusters, without the faces of clusters outside the
+ * frustum. If drops is true, it also takes out faces as fxl_drop_outside does. Returns the
  * number of entries. *front becomes the number of faces that do not count as backfacing: those that
  * face the eye, and all faces of clusters outside.
  * Requires a checked scene, the model view of an instance of the model, and as many entries as the
  * model has faces. */
-uint32_t fxl_order_clusters(const fxl_scene *scene, const fxl_model *model,
-                            const fxl_model_view *model_view, bool drops, fxl_order_entry *entries,
-                            uint32_t *front);
+uint32_t fxl_list_clusters(const fxl_scene *scene, const fxl_model *model,
+                           const fxl_model_view *model_view, bool drops, fxl_draw_entry *entries,
+                           uint32_t *front);
 
 /* The planes of the model view that a cluster may cross, or FXL_SPHERE_OUTSIDE. */
 typedef uint32_t fxl_cluster_planes(const fxl_cluster *cluster, const fxl_model_view *model_view);
@@ -21,10 +21,10 @@ typedef uint32_t fxl_cluster_planes(const fxl_cluster *cluster, const fxl_model_
 /* Whether no face of a cluster shows its front to an eye, which is less the model view's offset. */
 typedef bool fxl_cluster_cone(const fxl_cluster *cluster, const fxl_point *eye);
 
-/* fxl_order_front_faces for count faces of the model from first on. */
+/* fxl_list_front_faces for count faces of the model from first on. */
 typedef uint32_t fxl_cluster_front(const fxl_scene *scene, const fxl_model *model, uint32_t first,
                                    uint32_t count, const fxl_model_view *model_view,
-                                   const fxl_point *eye, fxl_order_entry *entries);
+                                   const fxl_point *eye, fxl_draw_entry *entries);
 
 /* What clusters are tested by. */
 typedef struct {
@@ -33,10 +33,10 @@ typedef struct {
     fxl_cluster_front *find_front;
 } fxl_cluster_tests;
 
-/* fxl_order_clusters by other tests. */
-uint32_t fxl_order_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *scene,
-                               const fxl_model *model, const fxl_model_view *model_view, bool drops,
-                               fxl_order_entry *entries, uint32_t *front);
+/* fxl_list_clusters by other tests. */
+uint32_t fxl_list_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *scene,
+                              const fxl_model *model, const fxl_model_view *model_view, bool drops,
+                              fxl_draw_entry *entries, uint32_t *front);
 
 /* Whether an eye lies in the cone of a cluster, so that no face shows its front to the eye. The eye
  * is relative to the instance's centre; each coordinate is within 2 FXL_COORDINATE_MAX. The result

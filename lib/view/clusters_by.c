@@ -19,9 +19,9 @@ bool fxl_cluster_is_surely_turned_away(const fxl_cluster *cluster, const fxl_poi
     return fxl_is_in_cone(cluster, eye, ROUNDED_EYE);
 }
 
-uint32_t fxl_order_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *scene,
-                               const fxl_model *model, const fxl_model_view *model_view, bool drops,
-                               fxl_order_entry *entries, uint32_t *front)
+uint32_t fxl_list_clusters_by(const fxl_cluster_tests *tests, const fxl_scene *scene,
+                              const fxl_model *model, const fxl_model_view *model_view, bool drops,
+                              fxl_draw_entry *entries, uint32_t *front)
 {
-    return fxl_order_each_cluster(tests, scene, model, model_view, drops, entries, front);
+    return fxl_list_each_cluster(tests, scene, model, model_view, drops, entries, front);
 }

@@ -61,9 +61,9 @@ bool fxl_bounded_face_is_front(const fxl_face *face, const fxl_face_bounds *boun
  * below 2^61; fxl_face_is_front tests the sign of their difference. Returns the address behind the
  * last entry. The entries' `next` has no meaning. Requires count >= 1, and the eye relative to the
  * model's origin, each coordinate below 2^30. */
-fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
-                                 const fxl_point *eye, fxl_order_entry *entry, uint32_t count,
-                                 uint32_t end);
+fxl_draw_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
+                                const fxl_point *eye, fxl_draw_entry *entry, uint32_t count,
+                                uint32_t end);
 
 #ifdef __cplusplus
 }

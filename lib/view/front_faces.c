@@ -7,9 +7,9 @@
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
-fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
-                                 const fxl_point *eye, fxl_order_entry *entry, uint32_t count,
-                                 uint32_t end)
+fxl_draw_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
+                                const fxl_point *eye, fxl_draw_entry *entry, uint32_t count,
+                                uint32_t end)
 {
     const fxl_point from = *eye;
     for (uint32_t i = 0; i < count; i++) {
@@ -18,7 +18,7 @@ fxl_order_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *b
             fxl_face_bounds_height(face_bounds)) {
             uint64_t distance =
                 fxl_box_distance(face_bounds->box_x, face_bounds->box_y, face_bounds->box_z, &from);
-            *entry++ = fxl_order_entry_of(distance, (uint16_t)(end - count + i), 0);
+            *entry++ = fxl_draw_entry_of(distance, (uint16_t)(end - count + i), 0);
         }
     }
     return entry;

@@ -2,7 +2,7 @@
 /* A file of its own, so that the compiler does not spend registers of the loop on the choice. */
 #include "../math/arith.h"
 #include "../scene/face_bounds.h"
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "cull.h"
 #include "model_view.h"
 #include "order.h"
@@ -26,9 +26,9 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
 }
 
 /* Whether a is drawn before b. */
-static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
+static inline bool before(const fxl_draw_entry *a, const fxl_draw_entry *b)
 {
-    uint64_t from_a = fxl_order_distance(a), from_b = fxl_order_distance(b);
+    uint64_t from_a = fxl_draw_entry_distance(a), from_b = fxl_draw_entry_distance(b);
     if (a->instance.layer == b->instance.layer) {
         if (from_a > from_b) {
             return true;
@@ -41,14 +41,14 @@ static inline bool before(const fxl_order_entry *a, const fxl_order_entry *b)
 /* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place, without
  * recursion, and of order count^(4/3) at most, for any input. Few instances are visible, so
  * it matters most that short arrays are fast. */
-void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
+void fxl_sort_instances(fxl_draw_entry *entries, uint32_t count)
 {
     static const uint16_t gaps[] = {16577, 4193, 1073, 281, 77, 23, 8, 1};
     for (uint32_t g = 0; g < sizeof gaps / sizeof gaps[0]; g++) {
         uint32_t gap = gaps[g];
         for (uint32_t i = gap; i < count; i++) {
-            const fxl_order_entry entry = entries[i];
-            fxl_order_entry *place = &entries[i];
+            const fxl_draw_entry entry = entries[i];
+            fxl_draw_entry *place = &entries[i];
             while (place >= &entries[gap] && before(&entry, place - gap)) {
                 *place = *(place - gap);
                 place -= gap;
@@ -58,9 +58,9 @@ void fxl_order_sort(fxl_order_entry *entries, uint32_t count)
     }
 }
 
-uint32_t fxl_order_still_instances(const fxl_scene *scene, const fxl_camera *camera,
-                                   const fxl_view_frustum *frustum, fxl_order_entry *entries,
-                                   uint32_t *left_out)
+uint32_t fxl_list_still_instances(const fxl_scene *scene, const fxl_camera *camera,
+                                  const fxl_view_frustum *frustum, fxl_draw_entry *entries,
+                                  uint32_t *left_out)
 {
     uint32_t count = 0;
     *left_out = 0;
@@ -72,9 +72,9 @@ uint32_t fxl_order_still_instances(const fxl_scene *scene, const fxl_camera *cam
             *left_out += model->face_count; /* below 2^16 * 2^16 */
             continue;
         }
-        entries[count++] = fxl_order_instance_of(instance, i, planes, camera);
+        entries[count++] = fxl_draw_instance_of(instance, i, planes, camera);
     }
-    fxl_order_sort(entries, count);
+    fxl_sort_instances(entries, count);
     return count;
 }
 
@@ -89,7 +89,7 @@ static inline bool is_front(const fxl_face *face, const fxl_point *vertex, const
  * computed from the vertices. With FXL_SMALL it serves both kinds of scenes. */
 static uint32_t find_front(const fxl_scene *scene, const fxl_model *model,
                            const fxl_face_bounds *bounds, const fxl_point *eye,
-                           fxl_order_entry *entries)
+                           fxl_draw_entry *entries)
 {
     uint32_t count = 0;
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
@@ -109,15 +109,15 @@ static uint32_t find_front(const fxl_scene *scene, const fxl_model *model,
                 box = fxl_face_box(vertices, indices, faces[i].count);
             }
             *entries++ =
-                fxl_order_entry_of(fxl_box_distance(box.x, box.y, box.z, eye), (uint16_t)i, 0);
+                fxl_draw_entry_of(fxl_box_distance(box.x, box.y, box.z, eye), (uint16_t)i, 0);
             count++;
         }
     }
     return count;
 }
 
-uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
-                               fxl_order_entry *entries)
+uint32_t fxl_list_front_faces(const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
+                              fxl_draw_entry *entries)
 {
     const fxl_face_bounds *bounds =
         scene->face_bounds != NULL ? &scene->face_bounds[model->first_face_bounds] : NULL;
@@ -129,11 +129,11 @@ uint32_t fxl_order_front_faces(const fxl_scene *scene, const fxl_model *model, c
                       entries);
 }
 
-uint32_t fxl_order_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
-                                fxl_order_entry *entries, uint32_t count)
+uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
+                          fxl_draw_entry *entries, uint32_t count)
 {
-    fxl_order_entry *to = entries;
-    for (const fxl_order_entry *from = entries; from < entries + count; from++) {
+    fxl_draw_entry *to = entries;
+    for (const fxl_draw_entry *from = entries; from < entries + count; from++) {
         const fxl_face *face = &faces[from->index];
         const uint16_t *number = model_view->indices + face->first_index;
         uint32_t left = face->count, of_all = FXL_PLANES_ALL;
@@ -147,11 +147,11 @@ uint32_t fxl_order_drop_outside(const fxl_model_view *model_view, const fxl_face
     return (uint32_t)(to - entries);
 }
 
-uint32_t fxl_order_instances(const fxl_scene *scene, const fxl_camera *camera,
-                             const fxl_view_frustum *frustum, fxl_order_entry *entries,
-                             uint32_t *left_out)
+uint32_t fxl_list_instances(const fxl_scene *scene, const fxl_camera *camera,
+                            const fxl_view_frustum *frustum, fxl_draw_entry *entries,
+                            uint32_t *left_out)
 {
-    return scene->turns != NULL
-               ? scene->turn_code->order(scene, camera, frustum, entries, left_out)
-               : fxl_order_still_instances(scene, camera, frustum, entries, left_out);
+    return scene->placements != NULL
+               ? scene->placement_code->list_instances(scene, camera, frustum, entries, left_out)
+               : fxl_list_still_instances(scene, camera, frustum, entries, left_out);
 }

@@ -4,12 +4,12 @@
 #include "order.h"
 
 /* Sorts faces as instances of one layer, 0. */
-static void sort_as_instances(fxl_order_entry *entries, uint32_t count)
+static void sort_as_instances(fxl_draw_entry *entries, uint32_t count)
 {
     for (uint32_t i = 0; !FXL_IS_SMALL && i < count; i++) {
         entries[i].next = 0; /* a link of the sort by buckets, in the bytes of the layer */
     }
-    fxl_order_sort(entries, count);
+    fxl_sort_instances(entries, count);
     for (uint32_t i = 0; i < count; i++) {
         entries[i].face = entries[i].index;
     }
@@ -20,12 +20,12 @@ static void sort_as_instances(fxl_order_entry *entries, uint32_t count)
 
 /* Merges two chains of entries, each in order, into one; returns its first place. Requires that
  * a's entries have lower places than b's: of two entries with equal distances a's comes first. */
-static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
+static uint32_t merge(fxl_draw_entry *entries, uint32_t a, uint32_t b)
 {
-    fxl_order_entry *at_a = &entries[a], *at_b = &entries[b];
-    uint64_t from_a = fxl_order_distance(at_a), from_b = fxl_order_distance(at_b);
+    fxl_draw_entry *at_a = &entries[a], *at_b = &entries[b];
+    uint64_t from_a = fxl_draw_entry_distance(at_a), from_b = fxl_draw_entry_distance(at_b);
     uint32_t head = from_a >= from_b ? a : b;
-    fxl_order_entry *last = NULL;
+    fxl_draw_entry *last = NULL;
     for (;;) {
         if (from_a >= from_b) {
             if (last != NULL) {
@@ -38,7 +38,7 @@ static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
                 return head;
             }
             at_a = &entries[a];
-            from_a = fxl_order_distance(at_a);
+            from_a = fxl_draw_entry_distance(at_a);
         } else {
             if (last != NULL) {
                 last->next = (uint16_t)b;
@@ -50,27 +50,27 @@ static uint32_t merge(fxl_order_entry *entries, uint32_t a, uint32_t b)
                 return head;
             }
             at_b = &entries[b];
-            from_b = fxl_order_distance(at_b);
+            from_b = fxl_draw_entry_distance(at_b);
         }
     }
 }
 
 /* Chains the longest run of entries from *place on that are in order, or in the reverse order
  * without equal distances, and moves *place behind the run. Returns the chain. */
-static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *place)
+static uint32_t take_run(fxl_draw_entry *entries, uint32_t count, uint32_t *place)
 {
     uint32_t head = *place, at = head + 1;
-    uint64_t from_last = fxl_order_distance(&entries[head]);
-    if (at < count && fxl_order_distance(&entries[at]) > from_last) {
+    uint64_t from_last = fxl_draw_entry_distance(&entries[head]);
+    if (at < count && fxl_draw_entry_distance(&entries[at]) > from_last) {
         entries[head].next = END;
-        for (; at < count && fxl_order_distance(&entries[at]) > from_last; at++) {
-            from_last = fxl_order_distance(&entries[at]);
+        for (; at < count && fxl_draw_entry_distance(&entries[at]) > from_last; at++) {
+            from_last = fxl_draw_entry_distance(&entries[at]);
             entries[at].next = (uint16_t)head;
             head = at;
         }
     } else {
-        for (; at < count && fxl_order_distance(&entries[at]) <= from_last; at++) {
-            from_last = fxl_order_distance(&entries[at]);
+        for (; at < count && fxl_draw_entry_distance(&entries[at]) <= from_last; at++) {
+            from_last = fxl_draw_entry_distance(&entries[at]);
             entries[at - 1].next = (uint16_t)at;
         }
         entries[at - 1].next = END;
@@ -81,10 +81,10 @@ static uint32_t take_run(fxl_order_entry *entries, uint32_t count, uint32_t *pla
 
 /* Writes the numbers of a chain's faces into `face` of the entries from `place` on. Returns the
  * place behind the last. This overwrites distances, but no links. */
-static uint32_t put_in_order(fxl_order_entry *entries, uint32_t chain, uint32_t place)
+static uint32_t put_in_order(fxl_draw_entry *entries, uint32_t chain, uint32_t place)
 {
     while (chain != END) {
-        const fxl_order_entry *entry = &entries[chain];
+        const fxl_draw_entry *entry = &entries[chain];
         entries[place++].face = entry->index;
         chain = entry->next;
     }
@@ -98,7 +98,7 @@ FXL_STATIC_ASSERT((FXL_MODEL_FACES_MAX + 1) / 2 < 1 << LEVELS, "a chain of all r
 
 /* Merge sort of runs, in place and without recursion. chains[i] has 2^i runs, whose places are
  * below those of chains[i - 1]. A run has at least two entries, except the last. */
-static void sort_by_merging(fxl_order_entry *entries, uint32_t count)
+static void sort_by_merging(fxl_draw_entry *entries, uint32_t count)
 {
     uint16_t chains[LEVELS];
     uint32_t levels = 0, place = 0;
@@ -139,7 +139,7 @@ typedef struct {
 } buckets;
 
 /* Sets up the buckets from a sample of the faces: about one a face. */
-static void survey_distances(const fxl_order_entry *entries, uint32_t count, buckets *by)
+static void survey_distances(const fxl_draw_entry *entries, uint32_t count, buckets *by)
 {
     uint32_t bits_of_count = 1;
     while (bits_of_count < CHAINS_BITS && count >> bits_of_count > 1) {
@@ -148,7 +148,7 @@ static void survey_distances(const fxl_order_entry *entries, uint32_t count, buc
     by->count = 1u << bits_of_count;
     uint64_t farthest = 0, nearest = UINT64_MAX;
     for (uint32_t i = 0; i < count; i += count / 64 | 1) {
-        uint64_t distance = fxl_order_distance(&entries[i]);
+        uint64_t distance = fxl_draw_entry_distance(&entries[i]);
         farthest = distance > farthest ? distance : farthest;
         nearest = distance < nearest ? distance : nearest;
     }
@@ -182,7 +182,7 @@ static inline uint32_t bucket_of(const buckets *by, uint64_t distance)
  * the first, so a face goes before others of the same distance. Squared distances of the points of
  * a plane or a sphere are spread evenly, so a bucket holds few. Returns false if too many faces
  * share too few buckets: then only links have changed. */
-static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count, uint16_t *chains)
+static bool sort_by_buckets(fxl_draw_entry *entries, uint32_t count, uint16_t *chains)
 {
     buckets by;
     survey_distances(entries, count, &by);
@@ -191,9 +191,9 @@ static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count, uint16_t *
         chains[i] = END;
     }
     for (uint32_t i = count; i-- > 0;) {
-        uint64_t distance = fxl_order_distance(&entries[i]);
+        uint64_t distance = fxl_draw_entry_distance(&entries[i]);
         uint16_t *link = &chains[bucket_of(&by, distance)];
-        while (*link != END && fxl_order_distance(&entries[*link]) > distance) {
+        while (*link != END && fxl_draw_entry_distance(&entries[*link]) > distance) {
             link = &entries[*link].next;
             if (steps-- == 0) {
                 return false;
@@ -209,7 +209,7 @@ static bool sort_by_buckets(fxl_order_entry *entries, uint32_t count, uint16_t *
     return true;
 }
 
-void fxl_order_sort_faces(fxl_order_entry *entries, uint32_t count, fxl_order_work *work)
+void fxl_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work)
 {
     if (!FXL_IS_SMALL && sort_by_buckets(entries, count, work->chains)) {
         return;

@@ -54,11 +54,14 @@ static void assert_no_marker(void)
 static void draw_whole(const fxl_pose *pose, uint8_t *pixels)
 {
     static fxl_renderer renderer;
-    fxl_order_entry order[4];
+    fxl_draw_entry order[4];
     const fxl_memory memory = {order, 4, NULL, 0, NULL, 0};
     fxl_scene_image image;
-    const fxl_band band = {.pixels = pixels, .width = SCENE_WIDTH, .stride = SCENE_WIDTH,
-                           .first_row = 0, .rows = SCENE_HEIGHT};
+    const fxl_band band = {.pixels = pixels,
+                           .width = SCENE_WIDTH,
+                           .stride = SCENE_WIDTH,
+                           .first_row = 0,
+                           .rows = SCENE_HEIGHT};
 
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(scene.words, scene.size, &image, NULL));
     TEST_ASSERT_EQUAL(FXL_OK,

@@ -21,7 +21,7 @@ static const fxl_instance instances[] = {{{0, 0, 0}, 0, 0, 0}};
 
 static fxl_scene scene;
 static fxl_renderer renderer;
-static fxl_order_entry order[1];
+static fxl_draw_entry order[1];
 static uint32_t list[6 * FXL_DISPLAY_LIST_WORDS(4)];
 static fxl_cached_vertex cache[8];
 static uint8_t pixels[HEIGHT][WIDTH];
@@ -29,8 +29,8 @@ static uint8_t pixels[HEIGHT][WIDTH];
 static fxl_status draw(void)
 {
     const fxl_memory memory = {order, 1, list, sizeof list / sizeof list[0], cache, 8};
-    const fxl_band band = {.pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                           .rows = HEIGHT};
+    const fxl_band band = {
+        .pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
     const fxl_pose pose = {{2 * U, 2 * U, -4 * U}, 0xEB000000u, 0xEE000000u, 0};
     fxl_lens lens;
     scene.vertices = vertices;

@@ -52,7 +52,7 @@ void moving_reference_play(moving_reference *moving, uint32_t frame)
     fxl_motion_play(&moving->player, frame);
     for (uint32_t i = scene->first_turned; i < scene->instance_count; i++) {
         const fxl_point *centre = &moving->instances[i].centre;
-        const fxl_turn *turn = &moving->turns[i - scene->first_turned];
+        const fxl_placement *turn = &moving->turns[i - scene->first_turned];
         ref_turn *to = &scene->turns[i - scene->first_turned];
         scene->instances[i].centre = (ref_lattice_point){centre->x, centre->y, centre->z};
         _Static_assert(sizeof to->rows == sizeof turn->orientation, "nine entries each");

@@ -12,7 +12,7 @@ typedef struct {
     bool moves;      /* false: the scene is that of the image */
     fxl_scene moved;
     fxl_instance *instances;
-    fxl_turn *turns;
+    fxl_placement *turns;
     fxl_motion_player player;
 } moving_reference;
 

@@ -41,7 +41,7 @@ const char *session_open(session *run, const char *path)
         const uint32_t turned = scene->instance_count - scene->first_turned;
         const fxl_motion_memory memory = {
             session_memory(scene->instance_count * sizeof(fxl_instance)), scene->instance_count,
-            session_memory(turned * sizeof(fxl_turn)), turned};
+            session_memory(turned * sizeof(fxl_placement)), turned};
         status = fxl_motion_begin(&run->motion, &run->image.motion, scene, &memory);
     }
     return status == FXL_OK ? NULL : fxl_status_text(status);
@@ -79,8 +79,8 @@ static uint32_t beam_light_bytes(const fxl_scene *scene)
 void session_reserve(session *run, const session_settings *most)
 {
     const fxl_scene *scene = &run->image.scene;
-    run->memory = (fxl_memory){session_memory(scene->order_needed * sizeof(fxl_order_entry)),
-                               scene->order_needed,
+    run->memory = (fxl_memory){session_memory(scene->draw_list_needed * sizeof(fxl_draw_entry)),
+                               scene->draw_list_needed,
                                session_memory(sizeof(uint32_t) * (size_t)most->display_list_words),
                                most->display_list_words,
                                session_memory(most->cache_entries * sizeof(fxl_cached_vertex)),
@@ -146,8 +146,8 @@ static fxl_status choose(session *run, const session_settings *settings)
     return fxl_renderer_choose(&run->renderer, &config);
 }
 
-/* What draws into the renderer's target. Nothing draws into a target of the study: the palette's are
- * refused when a frame begins. */
+/* What draws into the renderer's target. Nothing draws into a target of the study: the palette's
+ * are refused when a frame begins. */
 static int painters_of(const fxl_renderer *renderer)
 {
     for (int i = 0; i < TARGETS; i++) {
@@ -237,9 +237,12 @@ static fxl_status draw_bands(const fxl_lens *lens, uint32_t rows, uint8_t backgr
     rows = rows > 0 ? rows : lens->height;
     for (uint32_t row = 0; status == FXL_OK && row < lens->height; row += rows) {
         const uint32_t left = lens->height - row;
-        const fxl_band band = {.pixels = pixels + row * row_bytes, .width = lens->width,
-                               .stride = lens->width, .first_row = (uint16_t)row,
-                               .rows = (uint16_t)(rows < left ? rows : left), .palette = palette};
+        const fxl_band band = {.pixels = pixels + row * row_bytes,
+                               .width = lens->width,
+                               .stride = lens->width,
+                               .first_row = (uint16_t)row,
+                               .rows = (uint16_t)(rows < left ? rows : left),
+                               .palette = palette};
         (palette ? fxl_rgb565.fill : fxl_palette.fill)(&band, background);
         status = draw(with, &band);
     }
@@ -288,7 +291,7 @@ fxl_status session_draw(session *run, const fxl_pose *pose, uint32_t rows, uint8
     const uint16_t *palette = session_pixel_bits(run) == 16 ? run->palette : NULL;
     fxl_status status = fxl_frame_begin(&run->renderer, pose);
     run->bands = 0;
-    return status == FXL_OK ? draw_bands(&run->image.lens, rows, background, palette, pixels,
-                                         draw_in_turn, run)
-                            : status;
+    return status == FXL_OK
+               ? draw_bands(&run->image.lens, rows, background, palette, pixels, draw_in_turn, run)
+               : status;
 }

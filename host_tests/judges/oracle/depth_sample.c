@@ -74,11 +74,14 @@ static int colour_of(const depth_sample *sample, int wide)
     static fxl_renderer renderer;
     static uint8_t pixels[FXL_SCREEN_MAX];
     static uint64_t cells[FXL_DEPTH_BYTES(FXL_SCREEN_MAX, 1, 32) / 8];
-    fxl_order_entry order[2 * DEPTH_FACES];
+    fxl_draw_entry order[2 * DEPTH_FACES];
     const fxl_memory memory = {order, 2 * DEPTH_FACES, NULL, 0, NULL, 0};
     const uint16_t width = sample->lens.width;
-    const fxl_band band = {.pixels = pixels, .width = width, .stride = width,
-                           .first_row = (uint16_t)sample->pixel[1], .rows = 1};
+    const fxl_band band = {.pixels = pixels,
+                           .width = width,
+                           .stride = width,
+                           .first_row = (uint16_t)sample->pixel[1],
+                           .rows = 1};
     fxl_config config =
         fxl_config_for(width, 1, wide ? &fxl_palette_depth_32 : &fxl_palette_depth_16);
     config.depth = cells;

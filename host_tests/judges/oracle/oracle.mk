@@ -19,7 +19,7 @@ $(ORACLE_LIBRARY): $(BUILD)/host/objects/judges/oracle/tie.o
 	ar rcs $@ $^
 
 # Rotations in long double, as the unit tests have them.
-ORACLE_TURNS := $(BUILD)/host/objects/unit/exact_turn.o
+ORACLE_TURNS := $(BUILD)/host/objects/unit/exact_placement.o
 ORACLE_OBJECTS += $(ORACLE_TURNS)
 
 $(ORACLE_TURNS): $(BUILD)/host/objects/%.o: host_tests/%.c

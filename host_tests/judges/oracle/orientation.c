@@ -6,13 +6,13 @@
 
 #include "oracle/claim.h"
 #include "oracle/turns.h"
-#include "unit/exact_turn.h"
+#include "unit/exact_placement.h"
 
 static const char *const entry_names[9] = {"x.x", "x.y", "x.z", "y.x", "y.y",
                                            "y.z", "z.x", "z.y", "z.z"};
 
 /* Counts the largest difference of an entry; a refusal where the status is another than FXL_OK. */
-static oracle_outcome judge_turn(fxl_status status, const exact_turn *exact,
+static oracle_outcome judge_turn(fxl_status status, const exact_placement *exact,
                                  const fxl_orientation *got, FILE *words, oracle_verdict *verdict)
 {
     if (status != FXL_OK) {
@@ -64,7 +64,7 @@ static oracle_outcome judge_angles(const oracle_input *input, FILE *words, oracl
     if (input->count != 3 || !are_angles(n, 3)) {
         return ORACLE_UNUSABLE;
     }
-    const exact_turn exact = exact_angles((fxl_angle)n[0], (fxl_angle)n[1], (fxl_angle)n[2]);
+    const exact_placement exact = exact_angles((fxl_angle)n[0], (fxl_angle)n[1], (fxl_angle)n[2]);
     const fxl_status status =
         fxl_orientation_from_angles((fxl_angle)n[0], (fxl_angle)n[1], (fxl_angle)n[2], &got);
     return judge_turn(status, &exact, &got, words, verdict);
@@ -129,7 +129,7 @@ static oracle_outcome judge_axis(const oracle_input *input, FILE *words, oracle_
         return ORACLE_UNUSABLE;
     }
     const fxl_point axis = point_of(n);
-    const exact_turn exact = exact_axis(axis, (fxl_angle)n[3]);
+    const exact_placement exact = exact_axis(axis, (fxl_angle)n[3]);
     return judge_turn(fxl_orientation_from_axis(&axis, (fxl_angle)n[3], &got), &exact, &got, words,
                       verdict);
 }
@@ -179,7 +179,7 @@ static oracle_outcome judge_look(const oracle_input *input, FILE *words, oracle_
         return ORACLE_SKIPPED;
     }
     const fxl_point direction = point_of(n), up = point_of(n + 3);
-    const exact_turn exact = exact_look(direction, up);
+    const exact_placement exact = exact_look(direction, up);
     return judge_turn(fxl_orientation_look_at(&direction, &up, &got), &exact, &got, words, verdict);
 }
 
@@ -209,20 +209,20 @@ static void generate_product(oracle_random *random, uint64_t index, oracle_input
     }
 }
 
-static bool orientation_of(const int64_t *n, fxl_turn *turn)
+static bool orientation_of(const int64_t *n, fxl_placement *turn)
 {
     const fxl_point centre = {0, 0, 0};
     for (int i = 0; i < 9; i++) {
         (&turn->orientation.x.x)[i] = (int32_t)n[i];
     }
     turn->scale = FXL_Q16_16_ONE;
-    return fxl_turn_check(turn, &centre, 0) == FXL_OK;
+    return fxl_placement_check(turn, &centre, 0) == FXL_OK;
 }
 
 static oracle_outcome judge_product(const oracle_input *input, FILE *words, oracle_verdict *verdict)
 {
     const int64_t *n = input->numbers;
-    fxl_turn a, b;
+    fxl_placement a, b;
     fxl_orientation got;
     if (input->count != 18 || !are_words(n, 18)) {
         return ORACLE_UNUSABLE;
@@ -230,7 +230,7 @@ static oracle_outcome judge_product(const oracle_input *input, FILE *words, orac
     if (!orientation_of(n, &a) || !orientation_of(n + 9, &b)) {
         return ORACLE_SKIPPED;
     }
-    const exact_turn exact = exact_nearest_to_product(&a.orientation, &b.orientation);
+    const exact_placement exact = exact_nearest_to_product(&a.orientation, &b.orientation);
     return judge_turn(fxl_orientation_multiply(&a.orientation, &b.orientation, &got), &exact, &got,
                       words, verdict);
 }
@@ -273,7 +273,7 @@ static void generate_parents(oracle_random *random, uint64_t index, oracle_input
     }
 }
 
-static bool place_of(const int64_t *n, fxl_point *centre, fxl_turn *turn)
+static bool place_of(const int64_t *n, fxl_point *centre, fxl_placement *turn)
 {
     if (!is_vector((int64_t[]){n[0] | 1, n[1], n[2]}) || !are_angles(n + 3, 3) ||
         n[6] < FXL_SCALE_MIN || n[6] > FXL_SCALE_MAX) {
@@ -296,7 +296,7 @@ static oracle_outcome judge_parents(const oracle_input *input, FILE *words, orac
     const int64_t *n = input->numbers;
     const int depth = input->count / LINK - 1;
     fxl_point centre, local;
-    fxl_turn turn, child;
+    fxl_placement turn, child;
     exact_bounds bounds = {0, 0, 0};
     if (input->count % LINK != 0 || depth < 1 || depth > DEPTH || !place_of(n, &centre, &turn)) {
         return ORACLE_UNUSABLE;
@@ -309,7 +309,7 @@ static oracle_outcome judge_parents(const oracle_input *input, FILE *words, orac
         const exact_place step = exact_place_of(&local, &child);
         bounds = exact_bounds_of_child(&bounds, &exact, &step);
         exact = exact_attached(&exact, &step);
-        if (fxl_turn_attach(&centre, &turn, &local, &child, &centre, &turn) != FXL_OK) {
+        if (fxl_placement_attach(&centre, &turn, &local, &child, &centre, &turn) != FXL_OK) {
             verdict->value = ORACLE_REFUSED;
             return ORACLE_COUNTED;
         }

@@ -119,8 +119,11 @@ static int draw_over(fxl_renderer *renderer, const surface_sample *sample, uint8
 {
     static uint8_t pixels[FXL_SCREEN_MAX];
     const uint16_t width = renderer->frame.view.lens.width;
-    const fxl_band band = {.pixels = pixels, .width = width, .stride = width,
-                           .first_row = (uint16_t)sample->y, .rows = 1};
+    const fxl_band band = {.pixels = pixels,
+                           .width = width,
+                           .stride = width,
+                           .first_row = (uint16_t)sample->y,
+                           .rows = 1};
     fxl_fill_band(&band, background);
     return fxl_frame_begin(renderer, &sample->setup.pose) == FXL_OK &&
                    fxl_frame_draw(renderer, &band) == FXL_OK
@@ -137,7 +140,7 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
     static fxl_light lamp;
     static fxl_lit_surfaces lit;
     static const uint16_t face_map[1] = {1};
-    fxl_order_entry order[2];
+    fxl_draw_entry order[2];
     const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
     fxl_mapped_face mapped = {.corners = {0, 1, 2}, .normals = {0, 1, 2}};
     for (int i = 0; i < 3; i++) {

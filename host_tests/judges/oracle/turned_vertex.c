@@ -7,7 +7,7 @@
 
 #include "oracle/setup.h"
 #include "oracle/turns.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 enum {
     ANGLES = 3,
@@ -48,11 +48,11 @@ static void shear(double exact[3][3], const int signs[6], double part, int32_t r
 static bool is_taken(const int32_t rows[9])
 {
     const fxl_point centre = {0, 0, 0};
-    fxl_turn turn = {.scale = FXL_Q16_16_ONE};
+    fxl_placement turn = {.scale = FXL_Q16_16_ONE};
     for (int i = 0; i < 9; i++) {
         (&turn.orientation.x.x)[i] = rows[i];
     }
-    return fxl_turn_check(&turn, &centre, 0) == FXL_OK;
+    return fxl_placement_check(&turn, &centre, 0) == FXL_OK;
 }
 
 /* The rounding of the entries takes a part of the tolerance; what is left decides how near to the
@@ -111,7 +111,7 @@ typedef struct {
     uint16_t index;
     fxl_model model;
     fxl_instance instance;
-    fxl_turn turn;
+    fxl_placement turn;
     fxl_scene scene;
     fxl_view view;
 } turned_sample;
@@ -147,14 +147,15 @@ static bool read_sample(const int64_t *n, turned_sample *sample)
                                 .index_count = 1,
                                 .model_count = 1,
                                 .instance_count = 1,
-                                .turns = &sample->turn,
-                                .turn_code = &fxl_turned_instances};
+                                .placements = &sample->turn,
+                                .placement_code = &fxl_turned_instances};
     if (fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, FXL_FAR_MAX, 0, &lens) != FXL_OK) {
         return false;
     }
     fxl_view_set_lens(&sample->view, &lens);
     return fxl_view_set_pose(&sample->view, &pose) == FXL_OK &&
-           fxl_turn_check(&sample->turn, &sample->instance.centre, sample->model.radius) == FXL_OK;
+           fxl_placement_check(&sample->turn, &sample->instance.centre, sample->model.radius) ==
+               FXL_OK;
 }
 
 /* row . O . vertex times the scale, in units of 2^-92. Row and O are of about unit length, 2^30,

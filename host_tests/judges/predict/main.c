@@ -39,7 +39,7 @@ static const char *why_no_room(const fxl_scene_image *image, const uint32_t sett
     if (settings[BAND] < image->lens.width * (image->pixel_bits / 8u)) {
         return "a band holds no row of the screen";
     }
-    if (settings[ORDER] > 0 && image->scene.order_needed > settings[ORDER]) {
+    if (settings[ORDER] > 0 && image->scene.draw_list_needed > settings[ORDER]) {
         return "the order has too few entries";
     }
     const uint32_t left = taken < settings[LIST] ? settings[LIST] - taken : 0;
@@ -68,7 +68,7 @@ static bool parse(int count, char **words, uint32_t settings[SETTINGS])
 static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint32_t taken)
 {
     const uint32_t order =
-        settings[ORDER] > 0 ? settings[ORDER] : run->image.scene.order_needed;
+        settings[ORDER] > 0 ? settings[ORDER] : run->image.scene.draw_list_needed;
     const uint32_t depth = depth_bytes(&run->image, settings[LIST] - taken);
     const uint32_t tree = tree_bytes(&run->image, settings[LIST] - taken);
     uint32_t list = settings[LIST] - taken - depth - tree;
@@ -84,8 +84,8 @@ static const char *set_up(session *run, const uint32_t settings[SETTINGS], uint3
         methods.order = &counting_tree;
     }
     session_reserve(run, &methods);
-    run->memory.order = session_memory(order * sizeof(fxl_order_entry));
-    run->memory.order_capacity = order;
+    run->memory.draw_list = session_memory(order * sizeof(fxl_draw_entry));
+    run->memory.draw_list_capacity = order;
     const fxl_status status = session_set_up(run, &methods);
     return status == FXL_OK ? NULL : fxl_status_text(status);
 }
@@ -160,7 +160,8 @@ int main(int count, char **arguments)
         printf("%s\"%s\"", i > 0 ? ", " : "", names[i]);
     }
     printf("],\n\"frames\": [");
-    const fxl_status status = draw_all(&run, frames, settings[BAND] / (run.image.lens.width * (run.image.pixel_bits / 8u)));
+    const fxl_status status = draw_all(
+        &run, frames, settings[BAND] / (run.image.lens.width * (run.image.pixel_bits / 8u)));
     if (status != FXL_OK) {
         return fail(arguments[1], fxl_status_text(status));
     }

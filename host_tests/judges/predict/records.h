@@ -5,18 +5,18 @@
 #define PREDICT_RECORDS_H
 
 enum {
-    ARM_INSTANCE = 16,   /* fxl_instance */
-    ARM_TURN = 40,       /* fxl_turn */
-    ARM_POINT = 12,      /* fxl_point */
-    ARM_BEAM_LIGHT = 40, /* what lib/draw/beam_light.c has at the start of its workspace */
-    ARM_LIT_PIECES = 28, /* fxl_lit_pieces */
-    ARM_LIT_PIECE = 6,   /* fxl_lit_piece */
-    ARM_LIGHT = 132,     /* fxl_light */
-    ARM_SURFACES = 100,  /* what firmware/walk/surfaces.c has before its textures */
-    ARM_TEXTURE = 16,    /* fxl_texture */
-    ARM_BILLBOARDS = 24, /* what firmware/walk/billboards.c has before its records */
-    ARM_BILLBOARD = 20,  /* fxl_billboard */
-    ARM_SPRITE = 16,     /* fxl_sprite */
+    ARM_INSTANCE = 16,      /* fxl_instance */
+    ARM_TURN = 40,          /* fxl_placement */
+    ARM_POINT = 12,         /* fxl_point */
+    ARM_BEAM_LIGHT = 40,    /* what lib/draw/beam_light.c has at the start of its workspace */
+    ARM_LIT_PIECES = 28,    /* fxl_lit_pieces */
+    ARM_LIT_PIECE = 6,      /* fxl_lit_piece */
+    ARM_LIGHT = 132,        /* fxl_light */
+    ARM_SURFACES = 100,     /* what firmware/walk/surfaces.c has before its textures */
+    ARM_TEXTURE = 16,       /* fxl_texture */
+    ARM_BILLBOARDS = 24,    /* what firmware/walk/billboards.c has before its records */
+    ARM_BILLBOARD = 20,     /* fxl_billboard */
+    ARM_SPRITE = 16,        /* fxl_sprite */
     ARM_BSP_WORKSPACE = 36, /* fxl_bsp_workspace */
     ARM_BSP_ITEM = 12       /* fxl_bsp_item */
 };

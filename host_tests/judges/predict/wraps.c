@@ -6,15 +6,15 @@
 #include "clip/clip_view.h"
 #include "clip/intersection.h"
 #include "draw/display_list.h"
-#include "draw/reach.h"
+#include "draw/extents.h"
 #include "predict/wrapped.h"
 #include "raster/draw_outline.h"
 #include "raster/scan.h"
-#include "scene/turn_code.h"
+#include "scene/placement_code.h"
 #include "view/model_view.h"
 #include "view/order.h"
 #include "view/project.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 #include "draw/surface_polygon.h"
 #include "paint/light_level.h"
@@ -61,27 +61,26 @@ WRAPPED(bool, fxl_is_rotation, (const fxl_orientation *rows))
     return __real_fxl_is_rotation(rows);
 }
 
-WRAPPED(uint32_t, fxl_order_front_faces,
+WRAPPED(uint32_t, fxl_list_front_faces,
         (const fxl_scene *scene, const fxl_model *model, const fxl_point *eye,
-         fxl_order_entry *entries))
+         fxl_draw_entry *entries))
 {
     counted.faces_facing += model->face_count;
     return __real_fxl_order_front_faces(scene, model, eye, entries);
 }
 
-WRAPPED(void, fxl_order_sort_faces,
-        (fxl_order_entry * entries, uint32_t count, fxl_order_work *work))
+WRAPPED(void, fxl_sort_faces, (fxl_draw_entry * entries, uint32_t count, fxl_sort_work *work))
 {
     counted.faces_sorted += count;
     __real_fxl_order_sort_faces(entries, count, work);
 }
 
-WRAPPED(bool, fxl_reach_submit, (const fxl_traversal *on))
+WRAPPED(bool, fxl_extents_submit, (const fxl_traversal *traversal))
 {
-    counted.spilled_faces += on->renderer->workspace.counters.spilled;
-    counted.instances_passed += on->renderer->frame.visible_count;
+    counted.spilled_faces += traversal->renderer->workspace.counters.spilled;
+    counted.instances_passed += traversal->renderer->frame.visible_count;
     passes_over = true;
-    const bool done = __real_fxl_reach_submit(on);
+    const bool done = __real_fxl_extents_submit(traversal);
     passes_over = false;
     return done;
 }
@@ -212,7 +211,7 @@ WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
 }
 
 /* A row of a band that is cleared, or of a polygon. */
-WRAPPED(void, fxl_fill_row_rgb565, (uint16_t *pixel, uint16_t *end, uint16_t colour))
+WRAPPED(void, fxl_fill_row_rgb565, (uint16_t * pixel, uint16_t *end, uint16_t colour))
 {
     counted.wide_rows += 1;
     counted.wide_pixels += (double)(end - pixel);

@@ -15,7 +15,7 @@
 #include "raster/scan.h"
 #include "scene/beam.h"
 #include "view/model_view.h"
-#include "view/turn.h"
+#include "view/placement.h"
 
 /* --- depth buffer --------------------------------------------------------------------------- */
 
@@ -26,11 +26,11 @@ bool has_depth_buffer, paints_surface, keeps_less;
 static bool compares_each;
 
 WRAPPED(void, fxl_depth_plane_find,
-        (const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *on,
+        (const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
          fxl_depth_plane *plane))
 {
     counted.depth_planes += 1;
-    __real_fxl_depth_plane_find(model_view, face, on, plane);
+    __real_fxl_depth_plane_find(model_view, face, traversal, plane);
 }
 
 WRAPPED(void, fxl_depth_draw_parts,
@@ -111,8 +111,8 @@ static void count_row(fxl_billboard_row *row, const void *with)
 
 static bool is_passed_over(const fxl_workspace *workspace)
 {
-    return has_depth_buffer && ((const fxl_depth_head *)workspace->target_memory)->pass ==
-                                   FXL_DEPTH_BLENDED;
+    return has_depth_buffer &&
+           ((const fxl_depth_head *)workspace->target_memory)->pass == FXL_DEPTH_BLENDED;
 }
 
 static void count_billboard(const fxl_renderer *renderer, const fxl_workspace *workspace,
@@ -181,9 +181,9 @@ WRAPPED(bool, fxl_lit_split,
     return done;
 }
 
-WRAPPED(void, fxl_turn_direction,
-        (const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned))
+WRAPPED(void, fxl_placement_direction,
+        (const fxl_placement *turn, const fxl_direction *direction, fxl_direction *turned))
 {
     counted.turned_normals += 1;
-    __real_fxl_turn_direction(turn, direction, turned);
+    __real_fxl_placement_direction(turn, direction, turned);
 }

@@ -7,7 +7,7 @@
 
 /* A traversal, as far as it is counted. */
 typedef struct {
-    const fxl_traversal *on;
+    const fxl_traversal *traversal;
     const fxl_instance *instance;
     fxl_point from;                    /* the eye, relative to the instance */
     const fxl_bsp_resume_point *start; /* where it resumes; null: it is past that */
@@ -33,14 +33,15 @@ static bool is_at_work(counted_walk *walk, uint32_t number, uint32_t phase)
     if (is_place(walk->start, number, phase)) {
         walk->start = NULL;
     }
-    walk->has_ended = walk->has_ended || (walk->start == NULL && is_place(walk->end, number, phase));
+    walk->has_ended =
+        walk->has_ended || (walk->start == NULL && is_place(walk->end, number, phase));
     return walk->start == NULL && !walk->has_ended;
 }
 
 /* The planes that a node's sphere may cross, or FXL_SPHERE_OUTSIDE. */
 static uint32_t planes_of(const counted_walk *walk, const fxl_bsp_node *node)
 {
-    const fxl_view *view = &walk->on->renderer->frame.view;
+    const fxl_view *view = &walk->traversal->renderer->frame.view;
     const fxl_point *origin = &walk->instance->centre;
     const fxl_point centre = {node->centre.x + origin->x, node->centre.y + origin->y,
                               node->centre.z + origin->z};
@@ -51,9 +52,9 @@ static uint32_t planes_of(const counted_walk *walk, const fxl_bsp_node *node)
 /* A subtree as the traversal visits it. inside: no sphere of it is tested. */
 static void count_subtree(counted_walk *walk, uint32_t number, fxl_q16_16 above, bool inside)
 {
-    const fxl_bsp_node *node = &walk->on->renderer->scene->bsp_nodes[number];
+    const fxl_bsp_node *node = &walk->traversal->renderer->scene->bsp_nodes[number];
     const bool front_first =
-        fxl_bsp_is_front(node, &walk->from) == walk->on->renderer->near_first;
+        fxl_bsp_is_front(node, &walk->from) == walk->traversal->renderer->near_first;
     const uint32_t first = front_first ? node->front : node->back;
     const uint32_t second = front_first ? node->back : node->front;
     if (is_at_work(walk, number, FIRST)) {
@@ -78,23 +79,23 @@ static void count_subtree(counted_walk *walk, uint32_t number, fxl_q16_16 above,
     }
 }
 
-static bool submit(const fxl_traversal *on)
+static bool submit(const fxl_traversal *traversal)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = &scene->instances[scene->bsp_instance];
     const fxl_point *eye = &renderer->frame.view.camera.position;
     const fxl_bsp_workspace *workspace = (const fxl_bsp_workspace *)renderer->order_memory;
     const fxl_bsp_resume_point start = workspace->rest;
-    const fxl_resume_point before = *on->resume;
-    const bool done = fxl_by_tree.submit(on);
-    counted_walk walk = {
-        .on = on,
-        .instance = instance,
-        .from = {eye->x - instance->centre.x, eye->y - instance->centre.y,
-                 eye->z - instance->centre.z},
-        .start = before.faces != 0 && before.instances == workspace->first ? &start : NULL,
-        .end = !done && on->resume->faces != 0 ? &workspace->rest : NULL};
+    const fxl_resume_point before = *traversal->resume;
+    const bool done = fxl_by_tree.submit(traversal);
+    counted_walk walk = {.traversal = traversal,
+                         .instance = instance,
+                         .from = {eye->x - instance->centre.x, eye->y - instance->centre.y,
+                                  eye->z - instance->centre.z},
+                         .start = before.faces != 0 && before.instances == workspace->first ? &start
+                                                                                            : NULL,
+                         .end = !done && traversal->resume->faces != 0 ? &workspace->rest : NULL};
     if (before.instances <= workspace->first) {
         count_subtree(&walk, 0, -1, false);
     }
@@ -127,9 +128,9 @@ WRAPPED(bool, fxl_bsp_cut,
 }
 
 WRAPPED(bool, fxl_submit_bsp_leaf,
-        (const fxl_traversal *on, fxl_bsp_workspace *workspace, uint32_t leaf,
+        (const fxl_traversal *traversal, fxl_bsp_workspace *workspace, uint32_t leaf,
          fxl_bsp_resume_point *place))
 {
     counted.tree_leaves += 1;
-    return __real_fxl_submit_bsp_leaf(on, workspace, leaf, place);
+    return __real_fxl_submit_bsp_leaf(traversal, workspace, leaf, place);
 }

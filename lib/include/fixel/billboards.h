@@ -42,7 +42,7 @@ extern const fxl_sprite_painter fxl_palette_sprites, fxl_palette_depth_16_sprite
 /* How an order submits instances that may show a billboard. */
 typedef struct {
     bool (*all)(const fxl_traversal *traversal); /* by distance */
-    bool (*instance)(const fxl_traversal *traversal, const fxl_order_entry *entry);
+    bool (*instance)(const fxl_traversal *traversal, const fxl_draw_entry *entry);
 } fxl_billboard_code;
 
 /* The billboards of a renderer, which the caller owns. Members are internal. */
@@ -87,12 +87,12 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
                                fxl_scene_fault *fault);
 
 /* Attaches the billboards of a set to a renderer, or, where set is null, detaches them. painter is
- * FXL_SPRITES_OF the renderer's target. The renderer keeps a pointer to *billboards, and that one to
- * *set. What else is attached, before or after, does not matter. A sprite may change between frames,
- * and so may model_map. With a depth buffer each pixel of a billboard has the distance of its
- * instance's centre, to a relative error below 2^-28; one with the colour key keeps no depth. In the
- * display list a billboard takes 32 bytes, or 40 with a depth buffer. The next frame must begin anew;
- * where set is null and there are none, a frame that has begun stays.
+ * FXL_SPRITES_OF the renderer's target. The renderer keeps a pointer to *billboards, and that one
+ * to *set. What else is attached, before or after, does not matter. A sprite may change between
+ * frames, and so may model_map. With a depth buffer each pixel of a billboard has the distance of
+ * its instance's centre, to a relative error below 2^-28; one with the colour key keeps no depth.
+ * In the display list a billboard takes 32 bytes, or 40 with a depth buffer. The next frame must
+ * begin anew; where set is null and there are none, a frame that has begun stays.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_ALIGNMENT: billboards.

@@ -68,8 +68,8 @@ typedef struct {
  * 0.75 units of 1/65536 in each coordinate of `point`. With no hit, *hit has `to`, a fraction of 1,
  * FXL_HIT_NONE and face 0. All turns are checked in each call.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the scene was not checked, or has turns without a turn_code.
- * FXL_E_TURN: the orientation of an instance is no rotation.
+ * FXL_E_ORDER: the scene was not checked, or has turns without a placement_code.
+ * FXL_E_PLACEMENT: the orientation of an instance is no rotation.
  * FXL_E_RANGE: a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale or the
  * place of a turned instance.
  * With each of these statuses: *hit untouched. */
@@ -101,8 +101,8 @@ typedef struct {
  * instance whose sphere it reaches, a few times for each step. The faces of an instance that is
  * turned are those of fxl_cast_segment; all turns are checked in each call. *slide may be null.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the scene was not checked, or has turns without a turn_code.
- * FXL_E_TURN: the orientation of an instance is no rotation.
+ * FXL_E_ORDER: the scene was not checked, or has turns without a placement_code.
+ * FXL_E_PLACEMENT: the orientation of an instance is no rotation.
  * FXL_E_RANGE: the centre, or the radius; a component of `move` outside of FXL_COORDINATE_MAX; a
  * move of more than FXL_SLIDE_STEPS_MAX steps; the scale or the place of a turned instance.
  * With each of these statuses: nothing is changed. */

@@ -15,15 +15,15 @@ extern "C" {
 typedef struct {
     fxl_instance *instances;
     uint32_t instance_capacity; /* at least the scene's instance_count */
-    fxl_turn *turns;
+    fxl_placement *placements;
     uint32_t turn_capacity; /* at least instance_count - first_turned */
 } fxl_motion_memory;
 
 /* Set by fxl_motion_begin; for reading only. */
 typedef struct {
     fxl_motion_set set;
-    fxl_instance *instances; /* of the motions, in turn: set.motion_count */
-    fxl_turn *turns;         /* of the same */
+    fxl_instance *instances;   /* of the motions, in turn: set.motion_count */
+    fxl_placement *placements; /* of the same */
 } fxl_motion_player;
 
 /* Copies the scene's instances and turns to the memory, points *scene to the copies, and plays
@@ -47,8 +47,8 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
  * one. Call it between two frames of the renderer, not while bands of one are drawn, unless
  * fxl_frame_release_scene released that frame.
  * Requires a player that fxl_motion_begin set.
- * Error: that of fxl_orientation_from_angles, fxl_orientation_from_axis and fxl_turn_attach, and of
- * a centre 0.5 unit of 1/65536 for the keys and 0.76 for the circle. */
+ * Error: that of fxl_orientation_from_angles, fxl_orientation_from_axis and fxl_placement_attach,
+ * and of a centre 0.5 unit of 1/65536 for the keys and 0.76 for the circle. */
 void fxl_motion_play(const fxl_motion_player *player, uint32_t frame);
 
 #ifdef __cplusplus

@@ -17,7 +17,7 @@ typedef struct fxl_order {
     /* Submits every face from the traversal's resume point on, in the order of drawing, or, if the
      * renderer draws near_first, in its exact reverse. Returns false if it was stopped: the resume
      * point is then the face for which there was no space. */
-    bool (*submit)(const fxl_traversal *on);
+    bool (*submit)(const fxl_traversal *traversal);
     /* The least size of its memory, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_scene *scene);
     /* Gives a renderer the order, and the target. Null: the order needs no memory. */
@@ -37,9 +37,9 @@ typedef struct {
     uint16_t phase;
 } fxl_bsp_resume_point;
 
-/* The memory of fxl_by_tree, `tree` of a configuration, begins with this record. The memory_size of the
- * order includes what follows it, but for the pieces, which take the rest of tree_size. It is for
- * reading only. */
+/* The memory of fxl_by_tree, `tree` of a configuration, begins with this record. The memory_size of
+ * the order includes what follows it, but for the pieces, which take the rest of tree_size. It is
+ * for reading only. */
 typedef struct {
     void *pieces;         /* memory for pieces of instances that move; null: none */
     uint32_t pieces_size; /* bytes; memory aligned to four; 12 a piece and 16 a vertex of one */

@@ -11,10 +11,10 @@ extern "C" {
 #endif
 
 /* The rows that these functions write are within 1.8 units of 2^-30 of unit length and of right
- * angles. Each function takes the orientations that fxl_turn_check takes. An output may be one of
- * the inputs. Errors are those of an entry, in units of 2^-30, against the exact rotation.
+ * angles. Each function takes the orientations that fxl_placement_check takes. An output may be one
+ * of the inputs. Errors are those of an entry, in units of 2^-30, against the exact rotation.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_TURN: an orientation that fxl_turn_check refuses.
+ * FXL_E_PLACEMENT: an orientation that fxl_placement_check refuses.
  * With each status but FXL_OK: the output is untouched. */
 
 /* A model turned so looks where a camera with these angles looks: its z axis to the camera's
@@ -42,7 +42,7 @@ fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *
 /* The turn b and then the turn a: a point v goes to a . (b . v). The product's rows are brought to
  * unit length and to right angles again, so a chain of products of any length keeps within the
  * range that every function takes.
- * FXL_E_TURN: a or b is no rotation.
+ * FXL_E_PLACEMENT: a or b is no rotation.
  * Error: at most 0.501 from the rotation nearest to the exact product. */
 fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
                                     fxl_orientation *product);
@@ -55,14 +55,14 @@ fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientat
  *   scale       = parent's scale * child's scale
  * A child may be the parent of another. docs/extras/orientation.md states the error by depth.
  * FXL_E_RANGE: an input or an output is out of range.
- * FXL_E_TURN: an input or an output is out of range.
- * The parent's centre and turn, and those that would be written, must be such as fxl_turn_check
- * takes with a radius of 0, and so must the child's turn.
+ * FXL_E_PLACEMENT: an input or an output is out of range.
+ * The parent's centre and turn, and those that would be written, must be such as
+ * fxl_placement_check takes with a radius of 0, and so must the child's turn.
  * Error: of the centre and of the scale half a unit of 1/65536, of the orientation that of
  * fxl_orientation_multiply. */
-fxl_status fxl_turn_attach(const fxl_point *parent_centre, const fxl_turn *parent,
-                           const fxl_point *child_centre, const fxl_turn *child, fxl_point *centre,
-                           fxl_turn *turn);
+fxl_status fxl_placement_attach(const fxl_point *parent_centre, const fxl_placement *parent,
+                                const fxl_point *child_centre, const fxl_placement *child,
+                                fxl_point *centre, fxl_placement *placement);
 
 #ifdef __cplusplus
 }

@@ -229,16 +229,16 @@ typedef struct {
 typedef struct {
     uint8_t layer;
     uint8_t planes; /* that the instance may cross (fxl_sphere_planes) */
-} fxl_order_instance;
+} fxl_draw_instance;
 
 /* An instance or a face, with its key. The squared distance is an integer, in units of
  * 2^-32 (instances) or 2^-34 (faces). It has two halves because a member of 64 bits
  * would make the entry 16 bytes instead of 12. */
-typedef struct fxl_order_entry {
+typedef struct fxl_draw_entry {
     union {
         uint32_t distance_low;
-        uint32_t face;  /* after fxl_order_sort_faces: the face at this place of the order */
-        uint32_t faces; /* of an instance, once a frame has begun: lib/draw/reach.c */
+        uint32_t face;  /* after fxl_sort_faces: the face at this place of the order */
+        uint32_t faces; /* of an instance, once a frame has begun: lib/draw/extents.c */
     };
     union {
         uint32_t distance_high;
@@ -246,19 +246,19 @@ typedef struct fxl_order_entry {
     };
     uint16_t index; /* of an instance of the scene, or of a face of its model */
     union {
-        fxl_order_instance instance;
+        fxl_draw_instance instance;
         uint16_t next; /* of faces, while they are sorted: the next entry of a chain */
     };
-} fxl_order_entry;
+} fxl_draw_entry;
 
 FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
 
-/* A scratch area of fxl_order_sort_faces: of the number of chains, less than what the scratch area
+/* A scratch area of fxl_sort_faces: of the number of chains, less than what the scratch area
  * of a clipper takes. It keeps nothing from one call to the next. */
 #define FXL_ORDER_CHAINS (FXL_POLYGON_CAPACITY >= 19 ? 512 : FXL_POLYGON_CAPACITY >= 9 ? 256 : 128)
 typedef struct {
     uint16_t chains[FXL_ORDER_CHAINS];
-} fxl_order_work;
+} fxl_sort_work;
 
 /* --- the display list ----------------------------------------------------------------- */
 

@@ -35,8 +35,8 @@ typedef struct fxl_config {
 
 /* Memory of the caller that a renderer works in for as long as it lives. */
 typedef struct {
-    fxl_order_entry *order;         /* at least scene->order_needed entries */
-    uint32_t order_capacity;        /* entries */
+    fxl_draw_entry *draw_list;      /* at least scene->draw_list_needed entries */
+    uint32_t draw_list_capacity;    /* entries */
     uint32_t *display_list;         /* may be null where display_list_capacity is 0 */
     uint32_t display_list_capacity; /* words; see FXL_DISPLAY_LIST_WORDS */
     fxl_cached_vertex *cache;       /* may be null where cache_capacity is 0 */
@@ -63,7 +63,7 @@ enum {
 /* What fxl_frame_begin works out, and drawing only reads. */
 typedef struct {
     fxl_view view;
-    fxl_order_entry *order; /* instances in sight, in the order of drawing; the caller's */
+    fxl_draw_entry *draw_list; /* instances in sight, in the order of drawing; the caller's */
     fxl_display_list display_list;
     fxl_resume_point resume; /* the first face that the display list had no room for */
     uint16_t visible_count;  /* instances in sight */
@@ -75,20 +75,20 @@ typedef struct {
  * within it; fxl_workspace_init sets up others. */
 typedef struct fxl_workspace {
     fxl_counters counters;
-    uint32_t frame_number;       /* fxl_view.frame of the frame that this workspace last drew */
-    fxl_order_entry *face_order; /* front faces of one sorted model, in the order of drawing */
-    uint16_t sorted_instance;    /* whose they are, as fxl_resume_point counts instances */
-    uint16_t front_count;        /* how many of its faces face the eye */
-    uint16_t sorted_count;       /* how many are in the order: fewer, where some were dropped */
-    uint16_t settings_version;   /* of the renderer when this was set up */
+    uint32_t frame_number;     /* fxl_view.frame of the frame that this workspace last drew */
+    fxl_draw_entry *face_list; /* front faces of one sorted model, in the order of drawing */
+    uint16_t sorted_instance;  /* whose they are, as fxl_resume_point counts instances */
+    uint16_t front_count;      /* how many of its faces face the eye */
+    uint16_t sorted_count;     /* how many are in the order: fewer, where some were dropped */
+    uint16_t settings_version; /* of the renderer when this was set up */
     fxl_vertex_cache cache;
     void *target_memory; /* the target's, of the caller's memory; or null */
     uint32_t target_memory_size;
     fxl_screen_polygon screen;
-    bool face_rows_known; /* face_order has the rows that the faces reach */
+    bool face_rows_known; /* face_list has the rows that the faces reach */
     bool rest_counted;    /* faces that are not in the display list have been counted */
     union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
-        fxl_order_work order;
+        fxl_sort_work sort;
         fxl_clipper_work clip;
         fxl_scan scan;
     } work;
@@ -100,7 +100,7 @@ typedef struct fxl_workspace {
 typedef struct fxl_shader fxl_shader;
 struct fxl_shader {
     const fxl_shader *next; /* of the renderer; null: it is the last */
-    uint32_t rank;    /* FXL_SHADER_...: they come in rising order, at most one of each */
+    uint32_t rank;          /* FXL_SHADER_...: they come in rising order, at most one of each */
     const struct fxl_shader_code *code;
 };
 
@@ -120,7 +120,7 @@ struct fxl_renderer {
     fxl_billboards *billboards; /* null: instances show their faces */
     const uint16_t *palette;    /* of frames of 16 bits a pixel */
     void *order_memory;         /* the order's, of the caller's memory; or null */
-    bool (*draw_list)(const fxl_traversal *traversal); /* null: all its records are flat */
+    bool (*draw_display_list)(const fxl_traversal *traversal); /* null: all its records are flat */
     union {
         uint32_t instance_capacity; /* instances that the order has room for */
         uint32_t memory_missing;    /* bytes, if fxl_renderer_init answers FXL_E_CAPACITY */
@@ -186,9 +186,10 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride);
 
 /* Finds two things that do not go together: of a renderer's order, its target and what is attached
- * to it (docs/extras/combinations.md). If there are such, fxl_frame_begin answers FXL_E_COMBINATION.
- * Returns false if there are none: names untouched. Otherwise names[0] and names[1] are English, and
- * never null. */
+ * to it (docs/extras/combinations.md). If there are such,
+ * fxl_frame_begin answers FXL_E_COMBINATION.
+ * Returns false if there are none: names untouched. Otherwise names[0] and names[1] are English,
+ * and never null. */
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 
 /* --- the second level -------------------------------------------------------------------- */
@@ -201,7 +202,7 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: order or display list is not aligned to 4 bytes, or cache to 8.
  * FXL_E_RANGE: a lens that is not valid.
- * FXL_E_ORDER: the scene was not checked: its order_needed is 0.
+ * FXL_E_ORDER: the scene was not checked: its draw_list_needed is 0.
  * FXL_E_CAPACITY: order; or an instance_count that was raised after the check.
  * With each of these statuses: renderer untouched. */
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
@@ -248,12 +249,12 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
  * fxl_frame_release_scene, and fxl_frame_begin, as far as the order has room; so may the turns, and
  * the centres of instances that have one. They are checked in constant time each: the scales and
  * centres of all, and the orientations of the instances in sight. fxl_scene_check checks all
- * orientations. Requires that turns do not lose their turn_code, and that a scene gets no turns
- * without one.
+ * orientations. Requires that turns do not lose their placement_code, and that a scene gets no
+ * turns without one.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no clipper, no target, or turns without a turn_code.
+ * FXL_E_ORDER: no clipper, no target, or turns without a placement_code.
  * FXL_E_RANGE: pose, or an instance's turn.
- * FXL_E_TURN: the orientation of an instance in sight is no rotation.
+ * FXL_E_PLACEMENT: the orientation of an instance in sight is no rotation.
  * FXL_E_CAPACITY: scene->instance_count has grown beyond the order's room.
  * With each of these statuses: counted in refused_calls.
  * A refused call leaves the frame before current if the scene has no turns. If it has turns, the
@@ -261,9 +262,9 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
  * checked. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
-/* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws. What
- * lies between width and stride is untouched. Requires a renderer that is initialised, and a band
- * that fxl_frame_draw takes; pixels of RGB565 at an odd address are left to fxl_frame_draw. */
+/* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws.
+ * What lies between width and stride is untouched. Requires a renderer that is initialised, and a
+ * band that fxl_frame_draw takes; pixels of RGB565 at an odd address are left to fxl_frame_draw. */
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
 
 /* Draws the frame's polygons over a band that the caller has cleared
@@ -315,8 +316,8 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
                               size_t memory_size);
 
 /* fxl_frame_draw in another workspace. It changes neither the renderer nor the frame, so each core
- * may draw a band of its own at the same time, each in its own workspace, with any clipper, order and
- * target and all that is attached, whether the display list holds the whole frame or not.
+ * may draw a band of its own at the same time, each in its own workspace, with any clipper, order
+ * and target and all that is attached, whether the display list holds the whole frame or not.
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
  * FXL_E_ARGUMENT: a null pointer.

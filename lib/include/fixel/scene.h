@@ -129,8 +129,8 @@ extern const fxl_cluster_code fxl_clusters;
 
 /* The code that draws instances that turn and scale. A scene with turns names it, so that a program
  * whose scenes have none does not link it. */
-typedef struct fxl_turn_code fxl_turn_code;
-extern const fxl_turn_code fxl_turned_instances;
+typedef struct fxl_placement_code fxl_placement_code;
+extern const fxl_placement_code fxl_turned_instances;
 
 /* The most planes of a beam, and the most beams of a scene. */
 #define FXL_BEAM_PLANES_MAX 8
@@ -319,7 +319,7 @@ typedef struct {
     const fxl_model *models;
     const fxl_instance *instances;
     uint32_t vertex_count, index_count, face_count, model_count, instance_count;
-    uint32_t order_needed; /* entries that the order of a renderer needs; set by the checks */
+    uint32_t draw_list_needed; /* entries that the order of a renderer needs; set by the checks */
     const fxl_face_bounds *face_bounds; /* a record a face, sorted models in turn; or null */
     uint32_t face_bounds_count;
     const fxl_bsp_node *bsp_nodes; /* a tree over the faces of one instance; or null */
@@ -331,9 +331,10 @@ typedef struct {
     const fxl_cluster *clusters; /* of the models that have some, in turn; or null */
     uint32_t cluster_count;
     const fxl_cluster_code *cluster_code; /* &fxl_clusters, set by the checks; null: no clusters */
-    const fxl_turn *turns; /* of each instance from first_turned on; null: no instance is turned */
+    const fxl_placement
+        *placements;       /* of each instance from first_turned on; null: no instance is turned */
     uint32_t first_turned; /* where there are turns: the first instance that has one */
-    const fxl_turn_code *turn_code; /* where there are turns: &fxl_turned_instances */
+    const fxl_placement_code *placement_code; /* where there are turns: &fxl_turned_instances */
     uint32_t instance_capacity; /* of a world (fixel/world.h): the most that instance_count becomes;
                                    else 0 */
 } fxl_scene;
@@ -367,7 +368,7 @@ typedef struct {
     uint32_t index;
 } fxl_scene_fault;
 
-/* Checks a scene written as tables, and sets scene->order_needed. It checks every count, index,
+/* Checks a scene written as tables, and sets scene->draw_list_needed. It checks every count, index,
  * range, normal, planarity and face bounds; that no vertex lies outside its model's radius; and
  * that every vertex of every instance lies within FXL_COORDINATE_MAX.
  * Requires tables as long as their counts; fault may be null.
@@ -384,15 +385,15 @@ typedef struct {
  * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
  * FXL_E_CAPACITY: a face has more than FXL_FACE_VERTICES_MAX vertices, which a build with a larger
  * FXL_POLYGON_CAPACITY would draw.
- * FXL_E_TURN: an orientation is no rotation; fxl_turn_check checks a turned instance, instead of
- * its vertices.
+ * FXL_E_PLACEMENT: an orientation is no rotation; fxl_placement_check checks a turned instance,
+ * instead of its vertices.
  * With each of these statuses: scene untouched, *fault written.
  * On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
- * fxl_scene_check. On FXL_OK scene->cluster_code is set too, and scene->turn_code where there are
- * turns.
+ * fxl_scene_check. On FXL_OK scene->cluster_code is set too, and scene->placement_code where there
+ * are turns.
  * FXL_E_CLUSTER: a cluster is not as it must be.
  * FXL_E_BSP: the tree is not as it must be.
  * The statuses of fxl_scene_check and fxl_beam_check. */
@@ -450,11 +451,12 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
  * depend on the model.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: a scale outside FXL_SCALE_MIN..FXL_SCALE_MAX; a radius outside 0..FXL_RADIUS_MAX;
- * or a coordinate of the centre beyond FXL_COORDINATE_MAX less fxl_turn_radius.
- * FXL_E_TURN: rows that are no rotation.
+ * or a coordinate of the centre beyond FXL_COORDINATE_MAX less fxl_placement_radius.
+ * FXL_E_PLACEMENT: rows that are no rotation.
  * All six products of two rows may differ from those of a rotation by less than 2^-28; SPEC.md,
  * section 8.1, has the exact test. A mirror image is no rotation. */
-fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius);
+fxl_status fxl_placement_check(const fxl_placement *placement, const fxl_point *centre,
+                               fxl_q16_16 radius);
 
 /* --- beams of light ---------------------------------------------------------------------- */
 

@@ -19,7 +19,7 @@ struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
 /* What a target has beside that flat faces do not need. */
 typedef struct fxl_target_extras {
     /* With a depth buffer: fxl_renderer.draw_list of a renderer that draws into it. */
-    bool (*draw_list)(const struct fxl_traversal *traversal);
+    bool (*draw_display_list)(const struct fxl_traversal *traversal);
     /* With a depth buffer: draws a record of the display list that has a depth and no surface. */
     void (*flat)(struct fxl_workspace *workspace, const struct fxl_display_list_record *record,
                  const fxl_band *band);
@@ -43,7 +43,8 @@ typedef struct fxl_target {
     bool near_first : 1; /* faces are submitted near to far, unless surfaces are blended */
     /* Sets every pixel of a band to a colour of the palette. */
     void (*fill)(const fxl_band *band, uint8_t colour);
-    /* Gives a renderer the target. Null: the target needs neither memory, a palette nor a shader. */
+    /* Gives a renderer the target. Null: the target needs neither memory, a palette nor a shader.
+     * */
     fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
     /* The least size of a workspace's memory for the target, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_lens *lens);
@@ -73,13 +74,14 @@ extern const fxl_target fxl_rgb565_depth_16;
 extern const fxl_target fxl_rgb565_depth_32;
 
 /* Bytes of a depth buffer for so many rows of so many pixels, of 16 or 32 bits each, and for what
- * the buffer keeps beside them. A band with more rows than the buffer is drawn in parts, each of which
- * counts in split_bands; the pixels are the same. docs/extras/depth.md says which faces are told apart. */
+ * the buffer keeps beside them. A band with more rows than the buffer is drawn in parts, each of
+ * which counts in split_bands; the pixels are the same. docs/extras/depth.md says which faces are
+ * told apart. */
 #define FXL_DEPTH_BYTES(width, rows, bits) \
     (8u + (((uint32_t)(width) * (uint32_t)(rows) * ((bits) / 8u) + 7u) & ~7u))
 
-/* A pixel of RGB565: five bits of red above six of green above five of blue. The value of a colour of
- * three bytes, as docs/extras/pixels.md defines it. A constant expression. */
+/* A pixel of RGB565: five bits of red above six of green above five of blue. The value of a colour
+ * of three bytes, as docs/extras/pixels.md defines it. A constant expression. */
 #define FXL_RGB565(red, green, blue) \
     FXL_CAST(uint16_t, ((red) / 8u) << 11 | ((green) / 4u) << 5 | (blue) / 8u)
 

@@ -37,7 +37,8 @@ extern "C" {
  * the header defines the table, and the linker keeps one of them. With another compiler exactly one
  * file of a program may define the tables; the header says how the others declare them. */
 #if defined __GNUC__ && defined __cplusplus
-#define FXL_SHARED extern __attribute__((weak)) /* without extern, C++ keeps a constant to its file */
+#define FXL_SHARED \
+    extern __attribute__((weak)) /* without extern, C++ keeps a constant to its file */
 #elif defined __GNUC__
 #define FXL_SHARED __attribute__((weak))
 #elif defined _MSC_VER
@@ -148,7 +149,7 @@ typedef enum {
     FXL_E_FACE_BOUNDS, /* a face's bounds differ from those of its vertices and its normal */
     FXL_E_BSP,         /* no tree, too deep a tree, or an instance that may not be with it */
     FXL_E_CLUSTER,     /* the front of a cluster's face may be seen from the cluster's cone */
-    FXL_E_TURN,        /* an orientation that is no rotation */
+    FXL_E_PLACEMENT,   /* an orientation that is no rotation */
     FXL_E_DISPLAY,     /* a display, or the wires to it, failed */
     FXL_E_STALE,       /* the handle of an instance that was removed, or that never was */
     FXL_E_COMBINATION, /* two things that a renderer has do not go together */
@@ -201,9 +202,9 @@ typedef struct {
 typedef struct {
     fxl_orientation orientation;
     fxl_q16_16 scale; /* FXL_SCALE_MIN..FXL_SCALE_MAX */
-} fxl_turn;
+} fxl_placement;
 
-/* An initialiser of an fxl_orientation that turns nothing, and one of an fxl_turn that neither
+/* An initialiser of an fxl_orientation that turns nothing, and one of an fxl_placement that neither
  * turns nor scales. */
 #define FXL_ORIENTATION_NONE \
     { \
@@ -212,7 +213,7 @@ typedef struct {
             0, 0, FXL_Q2_30_ONE \
         } \
     }
-#define FXL_TURN_NONE \
+#define FXL_PLACEMENT_NONE \
     { \
         FXL_ORIENTATION_NONE, FXL_Q16_16_ONE \
     }

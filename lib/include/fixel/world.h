@@ -30,18 +30,18 @@ typedef struct {
 
 /* Memory of the caller that a world works in for as long as it lives. */
 typedef struct {
-    fxl_instance *instances;  /* capacity + turned_capacity */
-    fxl_world_slot *slots;    /* as many */
-    fxl_turn *turns;          /* turned_capacity; may be null where that is 0 */
-    uint32_t capacity;        /* instances without a turn, hidden ones included */
-    uint32_t turned_capacity; /* instances with a turn, hidden ones included; both together are
-                                 1..FXL_SCENE_INSTANCES_MAX */
+    fxl_instance *instances;   /* capacity + turned_capacity */
+    fxl_world_slot *slots;     /* as many */
+    fxl_placement *placements; /* turned_capacity; may be null where that is 0 */
+    uint32_t capacity;         /* instances without a turn, hidden ones included */
+    uint32_t turned_capacity;  /* instances with a turn, hidden ones included; both together are
+                                  1..FXL_SCENE_INSTANCES_MAX */
     /* Tables of 256 colours that fxl_world_recolour chooses from: by table n, colours[256 * n + c]
      * is drawn in place of colour c. May be null where colour_count is 0. */
     const uint8_t *colours;
-    uint32_t colour_count;          /* tables, 0..255 */
-    const fxl_turn_code *turn_code; /* &fxl_turned_instances where turned_capacity is above 0: a
-                                       program that turns nothing links no code for it */
+    uint32_t colour_count;                    /* tables, 0..255 */
+    const fxl_placement_code *placement_code; /* &fxl_turned_instances where turned_capacity is
+                                       above 0: a program that turns nothing links no code for it */
 } fxl_world_memory;
 
 /* A world, which the caller owns. Members are for reading only. It may not be moved while a
@@ -65,7 +65,7 @@ typedef struct {
 /* Sets up a world over a scene that was checked. The world takes the scene's instances over, all of
  * them shown, and keeps pointers to the scene's other tables and to the memory. The scene itself is
  * neither changed nor needed afterwards: what a player of motions (fixel/motion.h) writes there
- * does not move the world. world->scene.order_needed is then enough for the whole capacity. A
+ * does not move the world. world->scene.draw_list_needed is then enough for the whole capacity. A
  * renderer that drew this world before must be initialised and attached again.
  * The scene may be the scene of another world: the instances that are shown there, in the colours
  * that they have there, are then in both worlds.
@@ -113,24 +113,24 @@ fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
  * Their time does not depend on the number of instances.
  *
  * An instance must lie within the world: with r its model's radius, times its scale where it has a
- * turn, rounded up to 1/65536 and enlarged by FXL_TURN_SLACK, |c| + r <= FXL_COORDINATE_MAX holds
- * for each coordinate c of its centre. The scene's own instances may reach beyond that; they are
- * tested where they are moved, turned or given another model. Where the scene has a BSP tree, its
- * instance may be recoloured and nothing else, and no other instance may have its model, or a
+ * turn, rounded up to 1/65536 and enlarged by FXL_PLACEMENT_SLACK, |c| + r <= FXL_COORDINATE_MAX
+ * holds for each coordinate c of its centre. The scene's own instances may reach beyond that; they
+ * are tested where they are moved, turned or given another model. Where the scene has a BSP tree,
+ * its instance may be recoloured and nothing else, and no other instance may have its model, or a
  * sorted model in its layer.
  * FXL_E_RANGE: an instance would not lie within the world.
  * FXL_E_BSP: what the tree does not allow. */
 
-/* Adds an instance that is shown, and writes its handle. turn null: it has no turn. The field
+/* Adds an instance that is shown, and writes its handle. placement null: it has no turn. The field
  * recolour must be 0.
  * FXL_E_CAPACITY: there are as many as the memory has room for.
  * FXL_E_INDEX: there is no such model.
  * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
  * FXL_E_RANGE: the place, or a turn's scale.
- * FXL_E_TURN: its orientation is no rotation.
+ * FXL_E_PLACEMENT: its orientation is no rotation.
  * FXL_E_BSP: what the tree does not allow. */
-fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance, const fxl_turn *turn,
-                           fxl_handle *handle);
+fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance,
+                           const fxl_placement *placement, fxl_handle *handle);
 
 /* Removes an instance. Its handle goes stale.
  * FXL_E_BSP: what the tree does not allow. */
@@ -147,12 +147,13 @@ fxl_status fxl_world_show(fxl_world *world, fxl_handle handle);
  * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_move(fxl_world *world, fxl_handle handle, const fxl_point *centre);
 
-/* Turns and scales an instance; turn null: it has none any more.
+/* Turns and scales an instance; placement null: it has none any more.
  * FXL_E_CAPACITY: it had none, and turned_capacity is used up; or the other way round.
  * FXL_E_RANGE: it would not lie within the world.
- * FXL_E_TURN: the orientation is no rotation.
+ * FXL_E_PLACEMENT: the orientation is no rotation.
  * FXL_E_BSP: what the tree does not allow. */
-fxl_status fxl_world_turn(fxl_world *world, fxl_handle handle, const fxl_turn *turn);
+fxl_status fxl_world_set_placement(fxl_world *world, fxl_handle handle,
+                                   const fxl_placement *placement);
 
 /* Gives an instance another model.
  * FXL_E_INDEX: there is no such model.
@@ -187,7 +188,7 @@ const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle
 
 /* Its turn, valid until the next change; null: it has none, the handle is stale, or world is null.
  */
-const fxl_turn *fxl_world_turn_of(const fxl_world *world, fxl_handle handle);
+const fxl_placement *fxl_world_placement(const fxl_world *world, fxl_handle handle);
 
 /* Whether it is shown. False if the handle is stale, or world is null. */
 bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle);

@@ -20,7 +20,7 @@ def _spin(number, centre):
 
 
 def turned(scene, how):
-    """The scene with a turn for each instance. how: "still", all turns are those of FXL_TURN_NONE and the picture is
+    """The scene with a turn for each instance. how: "still", all turns are those of FXL_PLACEMENT_NONE and the picture is
     the scene's; "turning", the instances turn from frame to frame."""
     motions = [_spin(number, item.centre) for number, item in enumerate(scene.objects)] if how == "turning" else []
     return dataclasses.replace(scene, turns=[NONE] * len(scene.objects), motions=motions)

@@ -66,7 +66,7 @@ def measure(plan, core, size, settings, file, frames):
     scene = image.load(file)
     rows, words, cache, more = settings
     names, counts = frame_costs.count(plan.build, file, rows * scene.width * scene.pixel_bits // 8,
-                                      memory_needed.order_needed(scene) + more, room_of(words), cache, 4 * words, frames)
+                                      memory_needed.draw_list_needed(scene) + more, room_of(words), cache, 4 * words, frames)
     drawn = bench_run.draw(plan, core, f"costs-{size}", file, len(counts))
     return names, counts, np.array(drawn.instructions, dtype=float)
 

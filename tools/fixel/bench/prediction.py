@@ -45,7 +45,7 @@ def board_of(options, known):
 
 def count(options, scene, size, board, file):
     """frame_costs.count with the board's settings; NoRoom says what the board has no room for."""
-    needed = memory_needed.order_needed(scene)
+    needed = memory_needed.draw_list_needed(scene)
     if size > board["scene_room"]:
         raise frame_costs.NoRoom(f"the scene image has {size:,} bytes, the board's scene partition {board['scene_room']:,}")
     if needed > options.order:

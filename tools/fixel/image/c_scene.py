@@ -100,7 +100,7 @@ class _Tables:
                                     "Centre and radius of the sphere; axis, cutoff and apex of the cone; faces, "
                                     "reserved."))
         if self.scene.turns:
-            made.append(self._table("fxl_turn", "turns", list(map(_turn, self.scene.turns)),
+            made.append(self._table("fxl_placement", "turns", list(map(_turn, self.scene.turns)),
                                     "Of the last instances: the rows of the orientation in 2.30, scale in 16.16."))
         if self.scene.beams:
             made += [self._table("fxl_beam", "beams", list(map(_beam, self.scene.beams)),
@@ -120,7 +120,7 @@ class _Tables:
             ", ".join(f"{name}_{what}" for what in ("vertices", "indices", "faces", "models", "instances")),
             ", ".join(str(len(part)) for part in (self.vertices, self.indices, self.faces, self.models,
                                                   scene.objects)),
-            f"{memory_needed.order_needed(scene)} /* order_needed */",
+            f"{memory_needed.draw_list_needed(scene)} /* draw_list_needed */",
             rows(self.bounds, "face_bounds", len(self.bounds)),
             rows(scene.tree, "bsp_nodes", len(scene.tree.nodes) if scene.tree else 0,
                  scene.tree.object if scene.tree else 0),

@@ -145,7 +145,7 @@ SECTIONS = (
             65_535, limit="FXL_SCENE_CLUSTERS_MAX", record="fxl_cluster"),
     Section("turns", "turn table", (
         Field("9i", "", "orientation (2.30), row by row"), Field("i", "scale", "scale (16.16)")),
-            65_535, limit="FXL_SCENE_INSTANCES_MAX", record="fxl_turn"),
+            65_535, limit="FXL_SCENE_INSTANCES_MAX", record="fxl_placement"),
     Section("motions", "motion table", (
         Field("3I", "yaw_step", "steps of yaw, pitch, roll"), Field("3i", "axis", "axis"),
         Field("2I", "spin", "spin, its step"), Field("i", "radius", "radius (16.16)"),

@@ -12,7 +12,7 @@ SCALE_MIN, SCALE_MAX = 256, 256 << 16
 KEYS_MAX, FRAME_MAX = 1_000_000, 1_000_000
 DEPTH_MAX = 8
 PLACE_MAX = (1 << 30) - 1       # of a coordinate of a place, and of an axis
-SLACK = 32                      # FXL_TURN_SLACK
+SLACK = 32                      # FXL_PLACEMENT_SLACK
 TOLERANCE = 1 << 32             # 2^-28 in units of 2^-60
 TURN, MOTION, KEY = map(entry, ("turns", "motions", "motion keys"))
 assert (TURN.size, MOTION.size, KEY.size) == (40, 76, 32)

@@ -8,7 +8,7 @@ with what the library made of a block."""
 from fixel.image import image_surface
 from fixel.image.image_tree import SORTED
 
-ORDER_ENTRY = 12        # bytes of an fxl_order_entry
+ORDER_ENTRY = 12        # bytes of an fxl_draw_entry
 CACHED_VERTEX = 40      # bytes of an fxl_cached_vertex
 WORD = 4                # bytes of a word of the display list
 CLIP_PLANES = 6         # each adds at most one vertex to a convex polygon
@@ -17,7 +17,7 @@ UNIT = 8                # the block is an array of uint64_t
 MODERATE = 10240        # bytes beside the order: a cache of 64 vertices, and 7,680 bytes of display list
 
 
-def order_needed(scene):
+def draw_list_needed(scene):
     """Entries of the order of drawing: the instances, and the faces of the largest sorted model."""
     sorted_faces = [len(model.faces) for model in scene.models if model.kind == SORTED]
     return len(scene.objects) + max(sorted_faces, default=0)
@@ -58,7 +58,7 @@ def most_words(scene):
 
 def least(scene):
     """The uint64_t without which fxl_renderer_init answers FXL_E_CAPACITY: the order of drawing alone."""
-    return _up(ORDER_ENTRY * order_needed(scene), UNIT) // UNIT
+    return _up(ORDER_ENTRY * draw_list_needed(scene), UNIT) // UNIT
 
 
 def moderate(scene):

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "turn.h"
-#include "turn.h"
+#include "placement.h"
+#include "placement.h"
 
 #include "../math/arith.h"
 #include "../math/family.h"
 
-#if !FXL_TURNS_IN_ASSEMBLY
+#if !FXL_PLACEMENTS_IN_ASSEMBLY
 
 /* A row of the view along a column of the orientation. Both may have an entry of -2^30 - 4, so
  * fxl_multiply_s31 would not do. */
@@ -23,7 +23,7 @@ static void turn_row(const fxl_direction *row, const fxl_orientation *of, fxl_di
     to->z = along(row, of->x.z, of->y.z, of->z.z);
 }
 
-void fxl_turn_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix)
+void fxl_placement_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix)
 {
     turn_row(&view->right, of, &matrix->right);
     turn_row(&view->up, of, &matrix->up);

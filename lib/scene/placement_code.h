@@ -1,28 +1,29 @@
 /* SPDX-License-Identifier: MIT */
 /* What a scene with turns links. All other code reaches turned instances through this record, so
  * that a program whose scenes have no turns links none of it. Internal. */
-#ifndef FXL_TURN_CODE_H
-#define FXL_TURN_CODE_H
+#ifndef FXL_PLACEMENT_CODE_H
+#define FXL_PLACEMENT_CODE_H
 
 #include "../math/arith.h"
 #include "fixel/records.h"
 
 struct fxl_camera;
 struct fxl_view_frustum;
-struct fxl_order_entry;
+struct fxl_draw_entry;
 struct fxl_renderer;
 struct fxl_traversal;
-struct fxl_turned_view; /* lib/view/turn.h */
+struct fxl_turned_view; /* lib/view/placement.h */
 
-struct fxl_turn_code {
-    /* Whether all instances from first_turned on may be turned as they are: fxl_turn_check. On
+struct fxl_placement_code {
+    /* Whether all instances from first_turned on may be turned as they are: fxl_placement_check. On
      * failure *number is the instance. */
     fxl_status (*check)(const fxl_scene *scene, uint32_t *number);
     /* fxl_begin's part from the camera to the order of the instances. *culled: the faces of those
-     * out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_TURN, FXL_E_CAPACITY (the order): the frame
-     * before has ended. */
-    fxl_status (*look)(struct fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled);
-    /* fxl_turn_radius of a turned instance. */
+     * out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_PLACEMENT, FXL_E_CAPACITY (the order): the
+     * frame before has ended. */
+    fxl_status (*find_visible)(struct fxl_renderer *renderer, const fxl_pose *pose,
+                               uint32_t *culled);
+    /* fxl_placement_radius of a turned instance. */
     fxl_q16_16 (*radius)(const fxl_scene *scene, uint32_t number);
     /* fxl_face_is_front of a turned instance. */
     bool (*face_is_front)(const fxl_scene *scene, uint32_t number, const fxl_face *face,
@@ -33,19 +34,19 @@ struct fxl_turn_code {
                        fxl_point *points);
     /* The normal of a face of a turned instance in the world, rounded once. */
     fxl_direction (*normal)(const fxl_scene *scene, uint32_t number, const fxl_face *face);
-    /* fxl_order_instances. */
-    uint32_t (*order)(const fxl_scene *scene, const struct fxl_camera *camera,
-                      const struct fxl_view_frustum *frustum, struct fxl_order_entry *entries,
-                      uint32_t *left_out);
+    /* fxl_list_instances. */
+    uint32_t (*list_instances)(const fxl_scene *scene, const struct fxl_camera *camera,
+                               const struct fxl_view_frustum *frustum,
+                               struct fxl_draw_entry *entries, uint32_t *left_out);
     /* fxl_submit_by_distance. */
-    bool (*submit)(const struct fxl_traversal *on);
+    bool (*submit)(const struct fxl_traversal *traversal);
     /* fxl_submit_instance of a turned instance. rounded: its points are rounded in the world,
      * whatever the clipper needs. */
-    bool (*submit_instance)(const struct fxl_traversal *on, const struct fxl_order_entry *entry,
-                            bool rounded);
+    bool (*submit_instance)(const struct fxl_traversal *traversal,
+                            const struct fxl_draw_entry *entry, bool rounded);
     /* The instances in sight whose points are rounded in the world, if all in the places from first
      * to end - 1 of the frame's order are: fxl_counters.rounded. */
-    uint32_t (*count_rounded)(const struct fxl_traversal *on, uint32_t first, uint32_t end);
+    uint32_t (*count_rounded)(const struct fxl_traversal *traversal, uint32_t first, uint32_t end);
     /* fxl_turned_view_of_instance. */
     const fxl_model *(*view)(struct fxl_turned_view *turned, const fxl_scene *scene,
                              uint32_t number, const fxl_view *view, fxl_vertex_cache *cache,
@@ -58,62 +59,66 @@ extern "C" {
 
 /* Added to scale * radius, in units of 1/65536: more than tolerated rows and all rounding move a
  * point of an instance away from its centre. */
-#define FXL_TURN_SLACK 32
+#define FXL_PLACEMENT_SLACK 32
 
-/* The radius of a turned instance: scale * radius, rounded upward, and FXL_TURN_SLACK. No point of
- * the instance is farther from its centre. Requires a scale within its range and
+/* The radius of a turned instance: scale * radius, rounded upward, and FXL_PLACEMENT_SLACK. No
+ * point of the instance is farther from its centre. Requires a scale within its range and
  * scale * radius <= 2 * FXL_COORDINATE_MAX. */
-fxl_q16_16 fxl_turn_radius(const fxl_turn *turn, fxl_q16_16 radius);
+fxl_q16_16 fxl_placement_radius(const fxl_placement *placement, fxl_q16_16 radius);
 
-/* fxl_turn_code.check. */
-fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number);
+/* fxl_placement_code.check. */
+fxl_status fxl_placement_check_all(const fxl_scene *scene, uint32_t *number);
 
 /* Whether the scales of all turned instances are in range and their spheres lie in the world: what
- * fxl_turn_check answers FXL_E_RANGE for where they do not. */
-bool fxl_turn_places_are_in_range(const fxl_scene *scene);
+ * fxl_placement_check answers FXL_E_RANGE for where they do not. */
+bool fxl_placement_places_are_in_range(const fxl_scene *scene);
 
-/* Whether rows are those of a rotation: what fxl_turn_check answers FXL_E_TURN for if not. */
+/* Whether rows are those of a rotation: what fxl_placement_check answers FXL_E_PLACEMENT for if
+ * not. */
 bool fxl_is_rotation(const fxl_orientation *rows);
 
 #ifdef __cplusplus
 }
 #endif
 
-/* Whether all turns of a scene are those of rotations in range: fxl_turn_check. A scene without
- * turns passes. */
-static inline fxl_status fxl_check_turns(const fxl_scene *scene)
+/* Whether all turns of a scene are those of rotations in range: fxl_placement_check. A scene
+ * without turns passes. */
+static inline fxl_status fxl_check_placements(const fxl_scene *scene)
 {
     uint32_t number;
-    if (scene->turns == NULL) {
+    if (scene->placements == NULL) {
         return FXL_OK;
     }
-    return scene->turn_code == NULL ? FXL_E_ORDER : scene->turn_code->check(scene, &number);
+    return scene->placement_code == NULL ? FXL_E_ORDER
+                                         : scene->placement_code->check(scene, &number);
 }
 
-/* fxl_turn_radius. scale * radius is below 2^24 2^31. */
+/* fxl_placement_radius. scale * radius is below 2^24 2^31. */
 static inline fxl_q16_16 fxl_scaled_radius(fxl_q16_16 scale, fxl_q16_16 radius)
 {
     const uint64_t scaled = fxl_multiply_u32((uint32_t)scale, (uint32_t)radius);
-    return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_TURN_SLACK;
+    return (fxl_q16_16)((scaled + 0xFFFF) >> 16) + FXL_PLACEMENT_SLACK;
 }
 
 /* The number of the first turned instance; the number of instances where none is turned. */
 static inline uint32_t fxl_first_turned(const fxl_scene *scene)
 {
-    return scene->turns != NULL && scene->first_turned < scene->instance_count
+    return scene->placements != NULL && scene->first_turned < scene->instance_count
                ? scene->first_turned
                : scene->instance_count;
 }
 
 /* The code for an instance; null for one that is not turned. */
-static inline const fxl_turn_code *fxl_turn_code_of(const fxl_scene *scene, uint32_t number)
+static inline const fxl_placement_code *fxl_placement_code_of(const fxl_scene *scene,
+                                                              uint32_t number)
 {
-    return scene->turns != NULL && number >= scene->first_turned ? scene->turn_code : NULL;
+    return scene->placements != NULL && number >= scene->first_turned ? scene->placement_code
+                                                                      : NULL;
 }
 
-static inline const fxl_turn *fxl_turn_of(const fxl_scene *scene, uint32_t number)
+static inline const fxl_placement *fxl_placement_of(const fxl_scene *scene, uint32_t number)
 {
-    return &scene->turns[number - scene->first_turned];
+    return &scene->placements[number - scene->first_turned];
 }
 
 /* The number of an instance of the scene. */
@@ -126,7 +131,7 @@ static inline uint32_t fxl_instance_number(const fxl_scene *scene, const fxl_ins
 static inline fxl_q16_16 fxl_instance_radius(const fxl_scene *scene, const fxl_instance *instance)
 {
     const uint32_t number = fxl_instance_number(scene, instance);
-    const fxl_turn_code *turned = fxl_turn_code_of(scene, number);
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     return turned != NULL ? turned->radius(scene, number) : scene->models[instance->model].radius;
 }
 

@@ -17,7 +17,7 @@ enum {
 
 static uint8_t whole[WIDTH * HEIGHT_MAX], other[WIDTH * HEIGHT_MAX];
 static uint32_t list[WORDS];
-static fxl_order_entry order[ENTRIES];
+static fxl_draw_entry order[ENTRIES];
 static fxl_renderer renderer;
 static uint16_t height;
 static uint32_t asked;
@@ -83,7 +83,7 @@ static void make_scene(void)
                         .instances = instances,
                         .instance_count = INSTANCES,
                         .model_count = 3,
-                        .order_needed = INSTANCES + 6};
+                        .draw_list_needed = INSTANCES + 6};
 }
 
 static fxl_clip_result counting(const fxl_model_view *model_view, const fxl_face *face,
@@ -110,8 +110,8 @@ static void start(const setting *with)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &scene, &lens, &memory));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, with->clipper, clipper_room,
                                                        sizeof clipper_room));
-    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, with->visibility, spans_room,
-                                                          sizeof spans_room));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      choice_take(&renderer, with->visibility, spans_room, sizeof spans_room));
 }
 
 static void draw_rows(fxl_workspace *workspace, uint8_t *frame, uint32_t first, uint32_t rows)
@@ -288,7 +288,7 @@ void test_a_band_clips_what_reaches_it(void)
 void test_a_cache_behind_the_order_is_kept(void)
 {
     static struct {
-        fxl_order_entry order[4];
+        fxl_draw_entry order[4];
         FXL_ALIGN_8 fxl_cached_vertex cache[16];
     } block;
     const fxl_lens lens = unit_lens(WIDTH, 16);
@@ -302,8 +302,8 @@ void test_a_cache_behind_the_order_is_kept(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
     for (int frame = 0; frame < 2; frame++) {
-        const fxl_band band = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
-                               .rows = 16};
+        const fxl_band band = {
+            .pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 16};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
         TEST_ASSERT_EQUAL_PTR(block.cache, renderer.workspace.cache.entries);

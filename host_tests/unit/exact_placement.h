@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Rotations in long double, against which orientations are measured: by unit tests, and by the
  * oracle. */
-#ifndef EXACT_TURN_H
-#define EXACT_TURN_H
+#ifndef EXACT_PLACEMENT_H
+#define EXACT_PLACEMENT_H
 
 #include "fixel/orientation.h"
 
@@ -11,31 +11,31 @@
 
 typedef struct {
     long double at[3][3];
-} exact_turn;
+} exact_placement;
 
 /* The entries of an orientation, row by row. */
 void exact_entries(const fxl_orientation *o, fxl_q2_30 out[3][3]);
 
 /* The largest difference of an entry, in units of 2^-30. */
-long double exact_distance(const exact_turn *wanted, const fxl_orientation *actual);
+long double exact_distance(const exact_placement *wanted, const fxl_orientation *actual);
 
 /* What fxl_orientation_from_angles and fxl_orientation_from_axis write, without an error. */
-exact_turn exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll);
-exact_turn exact_axis(fxl_point axis, fxl_angle angle);
+exact_placement exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll);
+exact_placement exact_axis(fxl_point axis, fxl_angle angle);
 
 /* What fxl_orientation_look_at writes, without an error. */
-exact_turn exact_look(fxl_point direction, fxl_point up);
+exact_placement exact_look(fxl_point direction, fxl_point up);
 
 /* The rotation that is nearest to a product of two stated orientations: b and then a. */
-exact_turn exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b);
+exact_placement exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b);
 
 /* A place in a chain of parents, without rounding. */
 typedef struct {
     long double centre[3], scale; /* in units of 2^-16, and of 1 */
-    exact_turn turn;
+    exact_placement turn;
 } exact_place;
 
-exact_place exact_place_of(const fxl_point *centre, const fxl_turn *turn);
+exact_place exact_place_of(const fxl_point *centre, const fxl_placement *turn);
 
 /* The place of a child whose place in its parent's model is stated. */
 exact_place exact_attached(const exact_place *parent, const exact_place *child);
@@ -50,6 +50,6 @@ exact_bounds exact_bounds_of_child(const exact_bounds *of_parent, const exact_pl
                                    const exact_place *child);
 
 /* b and then a. */
-exact_turn exact_product(const exact_turn *a, const exact_turn *b);
+exact_placement exact_product(const exact_placement *a, const exact_placement *b);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 
 #include "../math/arith.h"
-#include "turn_code.h"
+#include "placement_code.h"
 
 /* In units of 2^-60: 1; 2^-28; and a component of z. */
 #define ONE           ((uint64_t)1 << 60)
@@ -51,9 +51,9 @@ bool fxl_is_rotation(const fxl_orientation *rows)
     return wide < 8;
 }
 
-fxl_q16_16 fxl_turn_radius(const fxl_turn *turn, fxl_q16_16 radius)
+fxl_q16_16 fxl_placement_radius(const fxl_placement *placement, fxl_q16_16 radius)
 {
-    return fxl_scaled_radius(turn->scale, radius);
+    return fxl_scaled_radius(placement->scale, radius);
 }
 
 /* Whether a scale and a radius are in range, and the sphere lies in the world. */
@@ -64,9 +64,9 @@ static inline bool is_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q1
         return false;
     }
     const uint64_t scaled = fxl_multiply_u32((uint32_t)scale, (uint32_t)radius);
-    /* fxl_turn_radius, of which the lower words are those of a number below 2^39. */
+    /* fxl_placement_radius, of which the lower words are those of a number below 2^39. */
     const uint32_t limit =
-        (uint32_t)(FXL_COORDINATE_MAX - FXL_TURN_SLACK) - (uint32_t)((scaled + 0xFFFF) >> 16);
+        (uint32_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) - (uint32_t)((scaled + 0xFFFF) >> 16);
     return scaled >> 32 < 1u << 14 && limit <= FXL_COORDINATE_MAX &&
            (uint32_t)centre->x + limit <= 2 * limit && (uint32_t)centre->y + limit <= 2 * limit &&
            (uint32_t)centre->z + limit <= 2 * limit;
@@ -83,41 +83,43 @@ static inline bool is_surely_in_range(fxl_q16_16 scale, const fxl_point *centre,
             ((uint32_t)centre->z + near_by)) < 2 * near_by;
 }
 
-static inline fxl_status check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
+static inline fxl_status check(const fxl_placement *placement, const fxl_point *centre,
+                               fxl_q16_16 radius)
 {
-    if (!is_in_range(turn->scale, centre, radius)) {
+    if (!is_in_range(placement->scale, centre, radius)) {
         return FXL_E_RANGE;
     }
-    return fxl_is_rotation(&turn->orientation) ? FXL_OK : FXL_E_TURN;
+    return fxl_is_rotation(&placement->orientation) ? FXL_OK : FXL_E_PLACEMENT;
 }
 
-fxl_status fxl_turn_check(const fxl_turn *turn, const fxl_point *centre, fxl_q16_16 radius)
+fxl_status fxl_placement_check(const fxl_placement *placement, const fxl_point *centre,
+                               fxl_q16_16 radius)
 {
-    return turn == NULL || centre == NULL ? FXL_E_ARGUMENT : check(turn, centre, radius);
+    return placement == NULL || centre == NULL ? FXL_E_ARGUMENT : check(placement, centre, radius);
 }
 
-bool fxl_turn_places_are_in_range(const fxl_scene *scene)
+bool fxl_placement_places_are_in_range(const fxl_scene *scene)
 {
-    const fxl_turn *turn = scene->turns;
+    const fxl_placement *placement = scene->placements;
     const fxl_instance *instance = &scene->instances[scene->first_turned];
     const fxl_instance *const end = &scene->instances[scene->instance_count];
-    for (; instance < end; instance++, turn++) {
+    for (; instance < end; instance++, placement++) {
         const fxl_q16_16 radius = scene->models[instance->model].radius;
-        if (!is_surely_in_range(turn->scale, &instance->centre, radius) &&
-            !is_in_range(turn->scale, &instance->centre, radius)) {
+        if (!is_surely_in_range(placement->scale, &instance->centre, radius) &&
+            !is_in_range(placement->scale, &instance->centre, radius)) {
             return false;
         }
     }
     return true;
 }
 
-fxl_status fxl_turn_check_all(const fxl_scene *scene, uint32_t *number)
+fxl_status fxl_placement_check_all(const fxl_scene *scene, uint32_t *number)
 {
-    const fxl_turn *turn = scene->turns;
-    for (uint32_t i = scene->first_turned; i < scene->instance_count; i++, turn++) {
+    const fxl_placement *placement = scene->placements;
+    for (uint32_t i = scene->first_turned; i < scene->instance_count; i++, placement++) {
         const fxl_instance *instance = &scene->instances[i];
         const fxl_status status =
-            check(turn, &instance->centre, scene->models[instance->model].radius);
+            check(placement, &instance->centre, scene->models[instance->model].radius);
         if (status != FXL_OK) {
             *number = i;
             return status;

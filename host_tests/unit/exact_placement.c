@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "exact_turn.h"
+#include "exact_placement.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,7 +9,7 @@ void exact_entries(const fxl_orientation *o, fxl_q2_30 out[3][3])
     memcpy(out, o, sizeof *o);
 }
 
-long double exact_distance(const exact_turn *wanted, const fxl_orientation *actual)
+long double exact_distance(const exact_placement *wanted, const fxl_orientation *actual)
 {
     fxl_q2_30 found[3][3];
     long double most = 0;
@@ -22,25 +22,25 @@ long double exact_distance(const exact_turn *wanted, const fxl_orientation *actu
     return most;
 }
 
-exact_turn exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
+exact_placement exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
 {
     const long double turn = EXACT_PI / 2147483648.0L;
     const long double sy = sinl(yaw * turn), cy = cosl(yaw * turn);
     const long double sp = sinl(pitch * turn), cp = cosl(pitch * turn);
     const long double sr = sinl(roll * turn), cr = cosl(roll * turn);
-    return (exact_turn){{{cr * cy - sr * sp * sy, -sr * cy - cr * sp * sy, cp * sy},
+    return (exact_placement){{{cr * cy - sr * sp * sy, -sr * cy - cr * sp * sy, cp * sy},
                          {sr * cp, cr * cp, sp},
                          {-cr * sy - sr * sp * cy, sr * sy - cr * sp * cy, cp * cy}}};
 }
 
-exact_turn exact_axis(fxl_point axis, fxl_angle angle)
+exact_placement exact_axis(fxl_point axis, fxl_angle angle)
 {
     const long double length = sqrtl((long double)axis.x * axis.x + (long double)axis.y * axis.y +
                                      (long double)axis.z * axis.z);
     const long double a[3] = {axis.x / length, axis.y / length, axis.z / length};
     const long double s = sinl(angle * EXACT_PI / 2147483648.0L),
                       c = cosl(angle * EXACT_PI / 2147483648.0L);
-    exact_turn result;
+    exact_placement result;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         result.at[i][i] = c + (1 - c) * a[i] * a[i];
@@ -50,9 +50,9 @@ exact_turn exact_axis(fxl_point axis, fxl_angle angle)
     return result;
 }
 
-exact_turn exact_product(const exact_turn *a, const exact_turn *b)
+exact_placement exact_product(const exact_placement *a, const exact_placement *b)
 {
-    exact_turn product;
+    exact_placement product;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             product.at[i][j] =
@@ -82,11 +82,11 @@ static void unit_vector(long double v[3])
     }
 }
 
-exact_turn exact_look(fxl_point direction, fxl_point up)
+exact_placement exact_look(fxl_point direction, fxl_point up)
 {
     long double forward[3] = {direction.x, direction.y, direction.z};
     long double above[3] = {up.x, up.y, up.z}, right[3], top[3];
-    exact_turn result;
+    exact_placement result;
     cross(above, forward, right);
     unit_vector(forward);
     unit_vector(right);
@@ -99,10 +99,10 @@ exact_turn exact_look(fxl_point direction, fxl_point up)
     return result;
 }
 
-static exact_turn exact_rows(const fxl_orientation *of)
+static exact_placement exact_rows(const fxl_orientation *of)
 {
     fxl_q2_30 entries[3][3];
-    exact_turn rows;
+    exact_placement rows;
     exact_entries(of, entries);
     for (int i = 0; i < 9; i++) {
         rows.at[i / 3][i % 3] = entries[i / 3][i % 3] / EXACT_ONE;
@@ -112,12 +112,12 @@ static exact_turn exact_rows(const fxl_orientation *of)
 
 /* Newton's method, X + (I - X X^T) X / 2, converges by squares: from an error below 2^-26 two steps
  * leave no more than the last bits. */
-exact_turn exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b)
+exact_placement exact_nearest_to_product(const fxl_orientation *a, const fxl_orientation *b)
 {
-    const exact_turn first = exact_rows(a), second = exact_rows(b);
-    exact_turn nearest = exact_product(&first, &second);
+    const exact_placement first = exact_rows(a), second = exact_rows(b);
+    exact_placement nearest = exact_product(&first, &second);
     for (int step = 0; step < 3; step++) {
-        const exact_turn before = nearest;
+        const exact_placement before = nearest;
         for (int i = 0; i < 3; i++) {
             for (int j = 0; j < 3; j++) {
                 long double off = i == j;
@@ -133,7 +133,7 @@ exact_turn exact_nearest_to_product(const fxl_orientation *a, const fxl_orientat
     return nearest;
 }
 
-exact_place exact_place_of(const fxl_point *centre, const fxl_turn *turn)
+exact_place exact_place_of(const fxl_point *centre, const fxl_placement *turn)
 {
     return (exact_place){
         {centre->x, centre->y, centre->z}, turn->scale / 65536.0L, exact_rows(&turn->orientation)};

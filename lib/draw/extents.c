@@ -2,14 +2,14 @@
 #include "../view/cull.h"
 #include "../view/model_view.h"
 #include "display_list.h"
-#include "reach.h"
+#include "extents.h"
 
-#include "../scene/turn_code.h"
+#include "../scene/placement_code.h"
 #include "submit_sorted.h"
 
 /* The rows that a face reaches, in units of 2^shift rows, rounded outward; end 0: none. They are
  * kept in the order in which a method submits the faces, for those groups of consecutive faces of
- * which one reaches a row: fxl_order_entry.faces has the place of the first in its lower half, and
+ * which one reaches a row: fxl_draw_entry.faces has the place of the first in its lower half, and
  * a bit for each group in its upper half. */
 typedef struct {
     uint8_t first, end;
@@ -32,13 +32,12 @@ static unsigned shift_of(const fxl_frame *frame)
 /* The memory behind the entries of the instances in sight, up to the first entry of the faces. */
 static face_rows *faces_of(const fxl_frame *frame)
 {
-    return (face_rows *)(void *)(frame->order + frame->visible_count);
+    return (face_rows *)(void *)(frame->draw_list + frame->visible_count);
 }
 
 static uint32_t place_of(const fxl_renderer *renderer, uint32_t number)
 {
-    return renderer->near_first ? renderer->frame.visible_count - 1 - number
-                                               : number;
+    return renderer->near_first ? renderer->frame.visible_count - 1 - number : number;
 }
 
 /* --- measuring ------------------------------------------------------------------------- */
@@ -51,22 +50,22 @@ typedef struct {
 
 /* The faces of a group, from number `first` on. Returns whether one reaches a row; then their rows
  * are in the store, so far as there is room. */
-static bool measure_group(const fxl_traversal *on, const fxl_model_view *model_view,
+static bool measure_group(const fxl_traversal *traversal, const fxl_model_view *model_view,
                           const fxl_model *model, uint32_t first, uint32_t end, store *to)
 {
-    const unsigned shift = shift_of(&on->renderer->frame);
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->near_first;
+    const unsigned shift = shift_of(&traversal->renderer->frame);
+    const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
+    const bool reverse = traversal->renderer->near_first;
     const uint32_t used = to->used;
     bool reaches = false;
     for (uint32_t number = first; number < end; number++) {
         const fxl_face *face = &faces[reverse ? model->face_count - 1 - number : number];
         fxl_rows rows = {0, 0};
-        on->counters->in += 1;
+        traversal->counters->in += 1;
         if (fxl_model_view_face_is_front(model_view, face)) {
-            rows = fxl_measure_face(on, model_view, face);
+            rows = fxl_measure_face(traversal, model_view, face);
         } else {
-            on->counters->backfacing += 1;
+            traversal->counters->backfacing += 1;
         }
         if (to->used < to->room) {
             /* At most 255, since rows are not above the screen's height. */
@@ -89,15 +88,16 @@ static uint32_t group_of(const fxl_model *model)
 }
 
 /* Returns the instance's `faces`. */
-static uint32_t measure_convex(const fxl_traversal *on, const fxl_model_view *model_view,
+static uint32_t measure_convex(const fxl_traversal *traversal, const fxl_model_view *model_view,
                                const fxl_model *model, store *to)
 {
     const uint32_t place = to->used, size = group_of(model);
     uint32_t groups = 0, bit = 1u << GROUPS;
     for (uint32_t number = 0; number < model->face_count; number += size, bit <<= 1) {
         const uint32_t end = number + size < model->face_count ? number + size : model->face_count;
-        const uint32_t first = number > on->resume->faces ? number : on->resume->faces;
-        if (first < end && measure_group(on, model_view, model, first, end, to)) {
+        const uint32_t first =
+            number > traversal->resume->faces ? number : traversal->resume->faces;
+        if (first < end && measure_group(traversal, model_view, model, first, end, to)) {
             groups |= bit;
         }
     }
@@ -113,7 +113,7 @@ static uint32_t measure_convex(const fxl_traversal *on, const fxl_model_view *mo
 /* The first address behind the memory of the instances' entries. */
 static uintptr_t end_of_order(const fxl_renderer *renderer)
 {
-    return (uintptr_t)(renderer->frame.order + renderer->instance_capacity);
+    return (uintptr_t)(renderer->frame.draw_list + renderer->instance_capacity);
 }
 
 /* Vertices of an instance are then transformed once a band, not once a face. */
@@ -126,60 +126,64 @@ static void lend_cache(const fxl_renderer *renderer, fxl_vertex_cache *cache, co
     }
 }
 
-void fxl_reach_take_back(const fxl_renderer *renderer, fxl_workspace *workspace)
+void fxl_extents_take_back(const fxl_renderer *renderer, fxl_workspace *workspace)
 {
     const uintptr_t at = (uintptr_t)workspace->cache.entries;
-    if (at >= (uintptr_t)renderer->frame.order && at < end_of_order(renderer)) {
+    if (at >= (uintptr_t)renderer->frame.draw_list && at < end_of_order(renderer)) {
         fxl_vertex_cache_init(&workspace->cache, NULL, 0);
     }
 }
 
 /* Returns the instance's `faces`. */
-static uint32_t measure_instance(const fxl_traversal *on, const fxl_order_entry *entry, store *to)
+static uint32_t measure_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+                                 store *to)
 {
     FXL_ALIGN_8 fxl_model_view model_view;
-    const fxl_turn_code *turned = fxl_turn_code_of(on->renderer->scene, entry->index);
+    const fxl_placement_code *turned =
+        fxl_placement_code_of(traversal->renderer->scene, entry->index);
     if (turned != NULL) {
-        (void)turned->submit_instance(on, entry, false); /* there is room for rows' numbers */
+        (void)turned->submit_instance(traversal, entry,
+                                      false); /* there is room for rows' numbers */
         return NO_FACES;
     }
-    const fxl_model *model =
-        &on->renderer->scene->models[fxl_view_instance(on, entry, &model_view)->model];
+    const fxl_model *model = &traversal->renderer->scene
+                                  ->models[fxl_view_instance(traversal, entry, &model_view)->model];
     if (model->kind != FXL_MODEL_SORTED) {
-        return measure_convex(on, &model_view, model, to);
+        return measure_convex(traversal, &model_view, model, to);
     }
-    (void)fxl_submit_sorted(on, &model_view, model, fxl_order_model, true);
+    (void)fxl_submit_sorted(traversal, &model_view, model, fxl_list_model, true);
     return NO_FACES;
 }
 
-static void measure_instances(const fxl_traversal *on, const fxl_frame *frame, store *to)
+static void measure_instances(const fxl_traversal *traversal, const fxl_frame *frame, store *to)
 {
-    for (; on->resume->instances < frame->visible_count; on->resume->instances++) {
-        fxl_order_entry *entry = &frame->order[place_of(on->renderer, on->resume->instances)];
-        *on->reached = fxl_no_rows;
-        entry->faces = measure_instance(on, entry, to);
-        entry->rows = *on->reached;
-        on->resume->faces = 0;
+    for (; traversal->resume->instances < frame->visible_count; traversal->resume->instances++) {
+        fxl_draw_entry *entry =
+            &frame->draw_list[place_of(traversal->renderer, traversal->resume->instances)];
+        *traversal->reached = fxl_no_rows;
+        entry->faces = measure_instance(traversal, entry, to);
+        entry->rows = *traversal->reached;
+        traversal->resume->faces = 0;
     }
 }
 
-void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
+void fxl_extents_measure(const fxl_traversal *filling, fxl_frame *frame)
 {
     const fxl_renderer *renderer = filling->renderer;
     fxl_resume_point resume = {filling->resume->instances, filling->resume->faces};
-    fxl_traversal on = *filling;
-    on.display_list = NULL;
-    on.resume = &resume;
-    on.way = FXL_SUBMIT_MEASURE;
+    fxl_traversal traversal = *filling;
+    traversal.display_list = NULL;
+    traversal.resume = &resume;
+    traversal.mode = FXL_SUBMIT_MEASURE;
     store to = {faces_of(frame), 0,
                 (renderer->instance_capacity - frame->visible_count) *
-                    (uint32_t)(sizeof(fxl_order_entry) / sizeof(face_rows))};
+                    (uint32_t)(sizeof(fxl_draw_entry) / sizeof(face_rows))};
     fxl_rows reached;
-    on.reached = &reached;
+    traversal.reached = &reached;
     if (FXL_IS_COMPACT) {
-        (void)fxl_submit_by_distance(&on);
+        (void)fxl_submit_by_distance(&traversal);
     } else {
-        measure_instances(&on, frame, &to);
+        measure_instances(&traversal, frame, &to);
     }
     lend_cache(renderer, &filling->workspace->cache, to.start + to.used);
     frame->state = FXL_FRAME_MEASURED;
@@ -187,15 +191,15 @@ void fxl_reach_measure(const fxl_traversal *filling, fxl_frame *frame)
 
 /* --- drawing --------------------------------------------------------------------------- */
 
-static bool draw_convex(const fxl_traversal *on, const fxl_model_view *model_view,
+static bool draw_convex(const fxl_traversal *traversal, const fxl_model_view *model_view,
                         const fxl_model *model, uint32_t kept)
 {
-    const unsigned shift = shift_of(&on->renderer->frame);
-    const uint32_t first_row = on->band->first_row >> shift;
-    const uint32_t last_row = (on->band->first_row + on->band->rows - 1u) >> shift;
-    const fxl_face *faces = &on->renderer->scene->faces[model->first_face];
-    const bool reverse = on->renderer->near_first;
-    const face_rows *rows = faces_of(&on->renderer->frame) + (kept & UINT16_MAX);
+    const unsigned shift = shift_of(&traversal->renderer->frame);
+    const uint32_t first_row = traversal->band->first_row >> shift;
+    const uint32_t last_row = (traversal->band->first_row + traversal->band->rows - 1u) >> shift;
+    const fxl_face *faces = &traversal->renderer->scene->faces[model->first_face];
+    const bool reverse = traversal->renderer->near_first;
+    const face_rows *rows = faces_of(&traversal->renderer->frame) + (kept & UINT16_MAX);
     const uint32_t size = group_of(model);
     uint32_t number = 0;
     for (uint32_t groups = kept >> GROUPS; groups != 0; groups >>= 1, number += size) {
@@ -203,11 +207,12 @@ static bool draw_convex(const fxl_traversal *on, const fxl_model_view *model_vie
             continue;
         }
         const uint32_t end = number + size < model->face_count ? number + size : model->face_count;
-        const uint32_t first = number > on->resume->faces ? number : on->resume->faces;
+        const uint32_t first =
+            number > traversal->resume->faces ? number : traversal->resume->faces;
         for (uint32_t i = first; i < end; i++, rows++) {
             const uint32_t at = reverse ? model->face_count - 1 - i : i;
             if (rows->first <= last_row && rows->end > first_row &&
-                !fxl_submit_face(model_view, &faces[at], on)) {
+                !fxl_submit_face(model_view, &faces[at], traversal)) {
                 return false;
             }
         }
@@ -215,39 +220,39 @@ static bool draw_convex(const fxl_traversal *on, const fxl_model_view *model_vie
     return true;
 }
 
-static bool draw_instance(const fxl_traversal *on, const fxl_order_entry *entry)
+static bool draw_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
-    const fxl_renderer *renderer = on->renderer;
+    const fxl_renderer *renderer = traversal->renderer;
     const fxl_model *model =
         &renderer->scene->models[renderer->scene->instances[entry->index].model];
     const bool is_sorted = model->kind == FXL_MODEL_SORTED;
-    if (fxl_turn_code_of(renderer->scene, entry->index) != NULL ||
+    if (fxl_placement_code_of(renderer->scene, entry->index) != NULL ||
         (!is_sorted && (entry->faces & UINT16_MAX) == NO_FACES)) {
-        return fxl_submit_any_instance(on, entry);
+        return fxl_submit_any_instance(traversal, entry);
     }
     FXL_ALIGN_8 fxl_model_view model_view;
-    (void)fxl_view_instance(on, entry, &model_view);
-    return is_sorted ? fxl_submit_sorted(on, &model_view, model, fxl_order_model, true)
-                     : draw_convex(on, &model_view, model, entry->faces);
+    (void)fxl_view_instance(traversal, entry, &model_view);
+    return is_sorted ? fxl_submit_sorted(traversal, &model_view, model, fxl_list_model, true)
+                     : draw_convex(traversal, &model_view, model, entry->faces);
 }
 
-bool fxl_reach_submit(const fxl_traversal *on)
+bool fxl_extents_submit(const fxl_traversal *traversal)
 {
-    const fxl_renderer *renderer = on->renderer;
-    const fxl_rows wanted = fxl_rows_of_band(on->band);
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_rows wanted = fxl_rows_of_band(traversal->band);
     const uint32_t count = renderer->frame.visible_count;
     const int32_t step = renderer->near_first ? -1 : 1;
-    uint32_t number = on->resume->instances;
-    const fxl_order_entry *entry = renderer->frame.order + place_of(renderer, number);
+    uint32_t number = traversal->resume->instances;
+    const fxl_draw_entry *entry = renderer->frame.draw_list + place_of(renderer, number);
     for (; number < count; number++, entry += step) {
         if (!fxl_rows_meet(entry->rows, wanted)) {
             continue;
         }
-        if (number != on->resume->instances) {
-            on->resume->instances = (uint16_t)number;
-            on->resume->faces = 0;
+        if (number != traversal->resume->instances) {
+            traversal->resume->instances = (uint16_t)number;
+            traversal->resume->faces = 0;
         }
-        if (!draw_instance(on, entry)) {
+        if (!draw_instance(traversal, entry)) {
             return false;
         }
     }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What a frame works out of an instance's turn. SPEC.md, section 8, defines each result. Internal.
  * */
-#ifndef FXL_TURN_H
-#define FXL_TURN_H
+#ifndef FXL_PLACEMENT_H
+#define FXL_PLACEMENT_H
 
 #include "../math/arith.h"
 #include "fixel/camera.h"
@@ -15,36 +15,37 @@ extern "C" {
 /* The model matrix times the view matrix, M = scale * view * orientation: *matrix is M / 2^shift,
  * each entry rounded once to 2.30. Returns the shift, the least for which 2^shift >= scale.
  * Requires a checked turn. Error: half a unit an entry, 2^(shift - 31) of M. If the turn is
- * FXL_TURN_NONE, *matrix is *view and the shift is 0. */
-unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *matrix);
+ * FXL_PLACEMENT_NONE, *matrix is *view and the shift is 0. */
+unsigned fxl_placement_matrix(const fxl_placement *placement, const fxl_axes *view,
+                              fxl_axes *matrix);
 
 /* A point of the model in the world: centre + scale * orientation . vertex, rounded once. point may
  * be centre. Requires a checked turn and a vertex of which each coordinate is within the model's
  * radius. A vertex within the radius comes within FXL_COORDINATE_MAX, any other within three times
  * that. Error: half a unit a coordinate. */
-void fxl_turn_point(const fxl_turn *turn, const fxl_point *centre, const fxl_point *vertex,
-                    fxl_point *point);
+void fxl_placement_point(const fxl_placement *placement, const fxl_point *centre,
+                         const fxl_point *vertex, fxl_point *point);
 
 /* The eye in the space of the model, from_eye being the centre less the eye:
  * *eye is -(orientation^T . from_eye) / scale in units of 2^shift / 65536, rounded once. Returns
  * the shift: the least for which each |coordinate| + (radius >> shift) < 2^30.
  * Requires a checked turn; centre and eye within FXL_COORDINATE_MAX. */
-unsigned fxl_turn_eye(const fxl_turn *turn, const fxl_point *from_eye, fxl_q16_16 radius,
-                      fxl_point *eye);
+unsigned fxl_placement_eye(const fxl_placement *placement, const fxl_point *from_eye,
+                           fxl_q16_16 radius, fxl_point *eye);
 
 /* A direction of the model in the world: orientation . direction, each component rounded once. */
-void fxl_turn_direction(const fxl_turn *turn, const fxl_direction *direction,
-                        fxl_direction *turned);
+void fxl_placement_direction(const fxl_placement *placement, const fxl_direction *direction,
+                             fxl_direction *turned);
 
 /* Whether the plane normal . v = height of the model shows its front to the eye:
  * normal . (orientation^T . (eye - centre)) > scale * height, exactly. height has units of 2^-46.
  * Requires a checked turn, from_eye as above, a unit vector, and |scale * height| < 2^14 units. */
-bool fxl_turn_is_front(const fxl_turn *turn, const fxl_point *from_eye, const fxl_direction *normal,
-                       fxl_q18_46 height);
+bool fxl_placement_is_front(const fxl_placement *placement, const fxl_point *from_eye,
+                            const fxl_direction *normal, fxl_q18_46 height);
 
-/* fxl_turn_eye from the exact eye, orientation^T . (eye - centre) in units of 2^-46. */
-unsigned fxl_turn_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, fxl_q16_16 radius,
-                             fxl_point *eye);
+/* fxl_placement_eye from the exact eye, orientation^T . (eye - centre) in units of 2^-46. */
+unsigned fxl_placement_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, fxl_q16_16 radius,
+                                  fxl_point *eye);
 
 /* Whether no coordinate exceeds the limit, which is at least 0. */
 static inline bool fxl_eye_is_within(const fxl_point *point, int32_t limit)
@@ -57,7 +58,7 @@ static inline bool fxl_eye_is_within(const fxl_point *point, int32_t limit)
 /* *matrix = view * of, each entry rounded once to 2.30. Requires rows of the view and columns of
  * the orientation that are at most 1 + 2^-24 long: then an entry fits, and a sum of three products
  * is below 2^60 (1 + 2^-23), as is each of its parts. Error: half a unit an entry. */
-void fxl_turn_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
+void fxl_placement_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
 
 /* A turned view. The caller owns it. */
 typedef struct fxl_turned_view {
@@ -66,29 +67,29 @@ typedef struct fxl_turned_view {
      */
     fxl_model_view model_view;
     fxl_axes matrix;
-    const fxl_turn *turn;
+    const fxl_placement *placement;
     fxl_point from_eye; /* the instance's centre - the eye, along the world's axes */
     unsigned eye_shift;
 } fxl_turned_view;
 
 /* Sets up the turned view of an instance that is turned, as fxl_model_view_of_instance does, and
  * answers the instance's model. Its planes are those given; the caller gives those that
- * fxl_sphere_planes finds for fxl_turn_radius. Requires a checked scene and a checked turn. */
+ * fxl_sphere_planes finds for fxl_placement_radius. Requires a checked scene and a checked turn. */
 const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene,
                                              uint32_t number, const fxl_view *view,
                                              fxl_vertex_cache *cache, uint32_t planes);
 
 /* Fills entries with those of count faces of the instance's model, from first on, that face the
- * eye, as fxl_order_front_faces does. */
-uint32_t fxl_order_turned_faces(const fxl_turned_view *turned, const fxl_scene *scene,
-                                const fxl_model *model, uint32_t first, uint32_t count,
-                                fxl_order_entry *entries);
+ * eye, as fxl_list_front_faces does. */
+uint32_t fxl_list_turned_faces(const fxl_turned_view *turned, const fxl_scene *scene,
+                               const fxl_model *model, uint32_t first, uint32_t count,
+                               fxl_draw_entry *entries);
 
 /* The planes that a cluster of the instance may cross, of the model view's, and
  * FXL_MODEL_VIEW_SCALED as the model view has it; or 0; or FXL_SPHERE_OUTSIDE. */
 uint32_t fxl_turned_cluster_planes(const fxl_turned_view *turned, const fxl_cluster *cluster);
 
-/* fxl_turn_is_front, from all bits. */
+/* fxl_placement_is_front, from all bits. */
 bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *face);
 
 /* Whether a face is turned away from the eye: -1 no, 1 yes, 0 the estimate does not decide.
@@ -111,7 +112,7 @@ static inline bool fxl_turned_view_face_is_front(const fxl_turned_view *turned,
 {
     const fxl_model_view *model_view = &turned->model_view;
     if (is_near) {
-        /* Below 2^30: fxl_turn_eye says so. */
+        /* Below 2^30: fxl_placement_eye says so. */
         const fxl_point first =
             fxl_model_view_vertex(model_view, model_view->indices[face->first_index]);
         const int side = fxl_estimated_side(fxl_dot(&face->normal, first.x, first.y, first.z));

@@ -6,7 +6,7 @@
  * lower half is below 2^6, and where it is -2^14 - 1, the middle products add up to more than
  * -2^31. */
 #include "../math/arith.h"
-#include "turn.h"
+#include "placement.h"
 
 /* floor(value * scale / 2^32). |value| < 2^61 and scale <= 2^24: the result is below 2^53. */
 static int64_t scaled(int64_t value, fxl_q16_16 scale)
@@ -22,28 +22,29 @@ static int64_t scaled(int64_t value, fxl_q16_16 scale)
 
 /* A row of the matrix / 2^shift. The 32 bits that `scaled` leaves out are below the half unit that
  * the rounding adds. */
-static void scale_row(const fxl_direction *row, const fxl_turn *turn, unsigned shift,
+static void scale_row(const fxl_direction *row, const fxl_placement *placement, unsigned shift,
                       fxl_direction *to)
 {
-    const fxl_orientation *of = &turn->orientation;
-    to->x = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, x), turn->scale), 14 + shift);
-    to->y = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, y), turn->scale), 14 + shift);
-    to->z = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, z), turn->scale), 14 + shift);
+    const fxl_orientation *of = &placement->orientation;
+    to->x = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, x), placement->scale), 14 + shift);
+    to->y = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, y), placement->scale), 14 + shift);
+    to->z = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, z), placement->scale), 14 + shift);
 }
 
-unsigned fxl_turn_matrix(const fxl_turn *turn, const fxl_axes *view, fxl_axes *matrix)
+unsigned fxl_placement_matrix(const fxl_placement *placement, const fxl_axes *view,
+                              fxl_axes *matrix)
 {
     unsigned shift = 0;
-    if (turn->scale == FXL_Q16_16_ONE) {
-        fxl_turn_rows(view, &turn->orientation, matrix);
+    if (placement->scale == FXL_Q16_16_ONE) {
+        fxl_placement_rows(view, &placement->orientation, matrix);
         return 0;
     }
-    while (FXL_Q16_16_ONE << shift < turn->scale) {
+    while (FXL_Q16_16_ONE << shift < placement->scale) {
         shift++;
     }
-    scale_row(&view->right, turn, shift, &matrix->right);
-    scale_row(&view->up, turn, shift, &matrix->up);
-    scale_row(&view->forward, turn, shift, &matrix->forward);
+    scale_row(&view->right, placement, shift, &matrix->right);
+    scale_row(&view->up, placement, shift, &matrix->up);
+    scale_row(&view->forward, placement, shift, &matrix->forward);
     return shift;
 }
 
@@ -54,20 +55,21 @@ static int32_t along(const fxl_direction *row, const fxl_point *vertex, fxl_q16_
     return (int32_t)fxl_round_shift(scaled(sum, scale), 14);
 }
 
-void fxl_turn_point(const fxl_turn *turn, const fxl_point *centre, const fxl_point *vertex,
-                    fxl_point *point)
+void fxl_placement_point(const fxl_placement *placement, const fxl_point *centre,
+                         const fxl_point *vertex, fxl_point *point)
 {
-    point->x = centre->x + along(&turn->orientation.x, vertex, turn->scale);
-    point->y = centre->y + along(&turn->orientation.y, vertex, turn->scale);
-    point->z = centre->z + along(&turn->orientation.z, vertex, turn->scale);
+    point->x = centre->x + along(&placement->orientation.x, vertex, placement->scale);
+    point->y = centre->y + along(&placement->orientation.y, vertex, placement->scale);
+    point->z = centre->z + along(&placement->orientation.z, vertex, placement->scale);
 }
 
-void fxl_turn_direction(const fxl_turn *turn, const fxl_direction *direction, fxl_direction *turned)
+void fxl_placement_direction(const fxl_placement *placement, const fxl_direction *direction,
+                             fxl_direction *turned)
 {
     const fxl_point as_point = {direction->x, direction->y, direction->z};
-    turned->x = along(&turn->orientation.x, &as_point, FXL_Q16_16_ONE);
-    turned->y = along(&turn->orientation.y, &as_point, FXL_Q16_16_ONE);
-    turned->z = along(&turn->orientation.z, &as_point, FXL_Q16_16_ONE);
+    turned->x = along(&placement->orientation.x, &as_point, FXL_Q16_16_ONE);
+    turned->y = along(&placement->orientation.y, &as_point, FXL_Q16_16_ONE);
+    turned->z = along(&placement->orientation.z, &as_point, FXL_Q16_16_ONE);
 }
 
 /* orientation^T . (eye - centre), exact, in units of 2^-46. */
@@ -80,12 +82,12 @@ static inline void eye_along(const fxl_orientation *of, const fxl_point *from_ey
     eye[2] = ALONG(&to_eye, of, z);
 }
 
-unsigned fxl_turn_eye(const fxl_turn *turn, const fxl_point *from_eye, fxl_q16_16 radius,
-                      fxl_point *eye)
+unsigned fxl_placement_eye(const fxl_placement *placement, const fxl_point *from_eye,
+                           fxl_q16_16 radius, fxl_point *eye)
 {
     fxl_q18_46 exact[3];
-    eye_along(&turn->orientation, from_eye, exact);
-    if (turn->scale == FXL_Q16_16_ONE) { /* sums below 2^61: the results fit */
+    eye_along(&placement->orientation, from_eye, exact);
+    if (placement->scale == FXL_Q16_16_ONE) { /* sums below 2^61: the results fit */
         eye->x = (int32_t)fxl_round_shift(exact[0], 30);
         eye->y = (int32_t)fxl_round_shift(exact[1], 30);
         eye->z = (int32_t)fxl_round_shift(exact[2], 30);
@@ -93,34 +95,34 @@ unsigned fxl_turn_eye(const fxl_turn *turn, const fxl_point *from_eye, fxl_q16_1
             return 0;
         }
     }
-    return fxl_turn_divide_eye(exact, turn->scale, radius, eye);
+    return fxl_placement_divide_eye(exact, placement->scale, radius, eye);
 }
 
 /* Both sides in units of 2^-76, as upper * 2^32 + lower, 0 <= lower < 2^32. Left: with
  * e = upper * 2^32 + lower along each axis, |upper| < 2^29 and |normal| sums up to less than
  * 1.74 2^30, so both sums are below 2^63. Right: scale * height * 2^14, with |scale * height| below
  * 2^14 units, 2^76 of 2^-62. */
-bool fxl_turn_is_front(const fxl_turn *turn, const fxl_point *from_eye, const fxl_direction *normal,
-                       fxl_q18_46 height)
+bool fxl_placement_is_front(const fxl_placement *placement, const fxl_point *from_eye,
+                            const fxl_direction *normal, fxl_q18_46 height)
 {
     const int32_t of[3] = {normal->x, normal->y, normal->z};
     fxl_q18_46 eye[3];
     int64_t upper = 0, lower = 0;
-    eye_along(&turn->orientation, from_eye, eye);
+    eye_along(&placement->orientation, from_eye, eye);
     for (uint32_t i = 0; i < 3; i++) {
         upper += fxl_multiply_s32(of[i], (int32_t)(eye[i] >> 32));
         lower += fxl_multiply_su32(of[i], (uint32_t)eye[i]);
     }
-    const uint64_t low = fxl_multiply_u32((uint32_t)height, (uint32_t)turn->scale);
+    const uint64_t low = fxl_multiply_u32((uint32_t)height, (uint32_t)placement->scale);
     const int64_t high =
-        fxl_multiply_s32((int32_t)(height >> 32), turn->scale) + (int64_t)(low >> 32);
+        fxl_multiply_s32((int32_t)(height >> 32), placement->scale) + (int64_t)(low >> 32);
     const int64_t right_upper = (int64_t)((uint64_t)high << 14) + (int64_t)((uint32_t)low >> 18);
     const uint32_t right_lower = (uint32_t)low << 14;
     upper += (lower >> 32) - right_upper;
     return upper > 0 || (upper == 0 && (uint32_t)lower > right_lower);
 }
 
-/* A file of its own, so that fxl_turn_eye keeps no registers for it. */
+/* A file of its own, so that fxl_placement_eye keeps no registers for it. */
 
 /* value / (scale 2^(14 + shift)), rounded: floor((value + half) / divisor), in two exact floors.
  * half is below 2^24 2^23. Returns false if the quotient exceeds 2^30. */
@@ -135,8 +137,8 @@ static bool divide(int64_t value, fxl_q16_16 scale, unsigned shift, int32_t *quo
     return true;
 }
 
-unsigned fxl_turn_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, fxl_q16_16 radius,
-                             fxl_point *eye)
+unsigned fxl_placement_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, fxl_q16_16 radius,
+                                  fxl_point *eye)
 {
     unsigned shift = 0;
     int32_t limit = (1 << 30) - 1 - radius;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_turn_rows for Armv7-M and Armv8-M Mainline: 71 instructions, and 115 as the compiler has it.
+/* fxl_placement_rows for Armv7-M and Armv8-M Mainline: 71 instructions, and 115 as the compiler has it.
  * A sum is rounded by two: the shift that leaves its lower word's upper two bits puts bit 29, the
  * half, into the carry. */
 #include "../math/family.h"
 
-#if FXL_TURNS_IN_ASSEMBLY
+#if FXL_PLACEMENTS_IN_ASSEMBLY
 
 
     .syntax unified
@@ -45,12 +45,12 @@ high    .req lr
     str     low, [to], #12
     .endm
 
-    .section .text.fxl_turn_rows, "ax", %progbits
-    .global fxl_turn_rows
-    .type fxl_turn_rows, %function
+    .section .text.fxl_placement_rows, "ax", %progbits
+    .global fxl_placement_rows
+    .type fxl_placement_rows, %function
     .thumb_func
 
-fxl_turn_rows:
+fxl_placement_rows:
     push    {r4-r11, lr}
     ldrd    x0, x1, [of]
     ldrd    y0, y1, [of, #12]
@@ -68,6 +68,6 @@ fxl_turn_rows:
     last_entry
     pop     {r4-r11, pc}
 
-    .size fxl_turn_rows, . - fxl_turn_rows
+    .size fxl_placement_rows, . - fxl_placement_rows
 
 #endif
