@@ -66,13 +66,13 @@ WRAPPED(uint32_t, fxl_list_front_faces,
          fxl_draw_entry *entries))
 {
     counted.faces_facing += model->face_count;
-    return __real_fxl_order_front_faces(scene, model, eye, entries);
+    return __real_fxl_list_front_faces(scene, model, eye, entries);
 }
 
 WRAPPED(void, fxl_sort_faces, (fxl_draw_entry * entries, uint32_t count, fxl_sort_work *work))
 {
     counted.faces_sorted += count;
-    __real_fxl_order_sort_faces(entries, count, work);
+    __real_fxl_sort_faces(entries, count, work);
 }
 
 WRAPPED(bool, fxl_extents_submit, (const fxl_traversal *traversal))
