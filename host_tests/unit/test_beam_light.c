@@ -3,6 +3,7 @@
  * whole, and no pixel between lit and dark is left out or drawn twice. */
 #include "../../lib/paint/lit_pieces.h"
 #include "choices.h"
+#include "frame_bands.h"
 #include "painters.h"
 #include "tiny.h"
 #include "tiny_frames.h"
@@ -51,21 +52,6 @@ static void light(uint32_t count, const uint8_t *colours)
                       fxl_attach_beams(&renderer, count > 0 ? &set : NULL, room, sizeof room));
 }
 
-static void draw(uint8_t *pixels, const fxl_pose *pose, uint32_t rows)
-{
-    memset(pixels, 0, WIDTH * HEIGHT);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    for (uint32_t row = 0; row < HEIGHT; row += rows) {
-        uint32_t left = HEIGHT - row;
-        fxl_band band = {.pixels = pixels + row * WIDTH,
-                         .width = WIDTH,
-                         .stride = WIDTH,
-                         .first_row = (uint16_t)row,
-                         .rows = (uint16_t)(rows < left ? rows : left)};
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
-    }
-}
-
 /* Towards the first cube from somewhere about it. */
 static fxl_pose any_pose(void)
 {
@@ -103,9 +89,9 @@ void test_what_lies_in_the_beam_is_lit(void)
 {
     const fxl_pose above = {{0, Q16(4), 0}, 0, DEGREES(-90), 0};
     make(WORDS);
-    draw(whole, &above, HEIGHT);
+    frame_draw_pose(&renderer, &above, whole, HEIGHT, 0);
     light(1, lit);
-    draw(other, &above, HEIGHT);
+    frame_draw_pose(&renderer, &above, other, HEIGHT, 0);
     int bright = lit_pixels(other);
     TEST_ASSERT_TRUE(bright > 30 && bright < 200);
     TEST_ASSERT_EQUAL_HEX8(104, other[HEIGHT / 2 * WIDTH + WIDTH / 2]);
@@ -113,7 +99,7 @@ void test_what_lies_in_the_beam_is_lit(void)
         TEST_ASSERT_TRUE(other[i] == whole[i] || other[i] == lit[whole[i]]);
     }
     light(0, NULL);
-    draw(other, &above, HEIGHT);
+    frame_draw_pose(&renderer, &above, other, HEIGHT, 0);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
 }
 
@@ -123,7 +109,7 @@ void test_what_is_turned_away_stays_dark(void)
     const fxl_pose below = {{0, Q16(-4), 0}, 0, DEGREES(90), 0};
     make(WORDS);
     light(1, lit);
-    draw(other, &below, HEIGHT);
+    frame_draw_pose(&renderer, &below, other, HEIGHT, 0);
     TEST_ASSERT_EQUAL(0, lit_pixels(other));
     TEST_ASSERT_EQUAL_HEX8(3, other[HEIGHT / 2 * WIDTH + WIDTH / 2]);
 }
@@ -136,11 +122,11 @@ void test_bands_and_lists_give_the_same_pixels(void)
         const uint32_t count = 1 + unit_random() % 2;
         make(WORDS);
         light(count, lit);
-        draw(whole, &pose, HEIGHT);
+        frame_draw_pose(&renderer, &pose, whole, HEIGHT, 0);
         fxl_counters counters = renderer.workspace.counters;
         make((uint32_t)unit_between(0, WORDS));
         light(count, lit);
-        draw(other, &pose, (uint32_t)unit_between(1, HEIGHT));
+        frame_draw_pose(&renderer, &pose, other, (uint32_t)unit_between(1, HEIGHT), 0);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         counters.spilled = renderer.workspace.counters.spilled;
         TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
@@ -166,11 +152,11 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
         method.target = painter_counting(drawn, WIDTH, 255);
         TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &method, NULL, 0));
         memset(drawn, 0, sizeof drawn);
-        draw(whole, &pose, HEIGHT);
+        frame_draw_pose(&renderer, &pose, whole, HEIGHT, 0);
         memcpy(whole, drawn, sizeof whole);
         light(1 + unit_random() % 2, lit);
         memset(drawn, 0, sizeof drawn);
-        draw(other, &pose, HEIGHT);
+        frame_draw_pose(&renderer, &pose, other, HEIGHT, 0);
         for (int k = 0; k < WIDTH * HEIGHT; k++) {
             TEST_ASSERT_TRUE(drawn[k] <= 1);
             pixels += drawn[k];
@@ -191,11 +177,11 @@ void test_near_to_far_gives_the_same_pixels(void)
         const fxl_pose pose = any_pose();
         make(0);
         light(1u + (uint32_t)i % 2, lit);
-        draw(whole, &pose, HEIGHT);
+        frame_draw_pose(&renderer, &pose, whole, HEIGHT, 0);
         make(0);
         TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &reverse, NULL, 0));
         light(1u + (uint32_t)i % 2, lit);
-        draw(other, &pose, HEIGHT);
+        frame_draw_pose(&renderer, &pose, other, HEIGHT, 0);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         bright += lit_pixels(whole) > 0;
     }
@@ -262,11 +248,11 @@ void test_what_has_no_room_is_drawn_dark(void)
     scene->face_bounds = NULL;
     scene->face_bounds_count = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(scene, NULL));
-    draw(whole, &above, HEIGHT);
+    frame_draw_pose(&renderer, &above, whole, HEIGHT, 0);
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.drawn);
     TEST_ASSERT_NOT_NULL(memchr(whole, 1, sizeof whole));
     light(1, lit);
-    draw(other, &above, HEIGHT);
+    frame_draw_pose(&renderer, &above, other, HEIGHT, 0);
     TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.drawn);
     TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);

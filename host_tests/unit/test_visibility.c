@@ -213,21 +213,11 @@ void test_two_renderers_do_not_know_of_each_other(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&other, &tiny->scene, &lens, &memory));
     for (int round = 0; round < 20; round++) {
         fxl_pose pose = tiny_pose_before();
-        fxl_band upper = {.pixels = frames[0],
-                          .width = WIDTH,
-                          .stride = WIDTH,
-                          .first_row = 0,
-                          .rows = HEIGHT / 2},
-                 lower = upper;
-        lower.pixels += HEIGHT / 2 * WIDTH;
-        lower.first_row = HEIGHT / 2;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&other, &pose));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        fxl_fill_band(&upper, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&other, &upper));
+        frame_draw_band(&other, &other.workspace, frames[0], 0, HEIGHT / 2, BACKGROUND);
         draw_rows(frames[1], 0, HEIGHT);
-        fxl_fill_band(&lower, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&other, &lower));
+        frame_draw_band(&other, &other.workspace, frames[0], HEIGHT / 2, HEIGHT / 2, BACKGROUND);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
     }
 }
@@ -241,23 +231,13 @@ void test_a_renderer_is_moved_within_a_frame(void)
                         {&choice_box, LIST_WORDS, 0}};
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_pose pose = tiny_pose_before();
-        fxl_band upper = {.pixels = frames[1],
-                          .width = WIDTH,
-                          .stride = WIDTH,
-                          .first_row = 0,
-                          .rows = HEIGHT / 2},
-                 lower = upper;
-        lower.pixels += HEIGHT / 2 * WIDTH;
-        lower.first_row = HEIGHT / 2;
         (void)draw(&ways[i], &pose, frames[0], HEIGHT);
         start(&ways[i]);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        fxl_fill_band(&upper, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &upper));
+        draw_rows(frames[1], 0, HEIGHT / 2);
         moved = renderer;
         memset(&renderer, 0x5A, sizeof renderer);
-        fxl_fill_band(&lower, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&moved, &lower));
+        frame_draw_band(&moved, &moved.workspace, frames[1], HEIGHT / 2, HEIGHT / 2, BACKGROUND);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
         TEST_ASSERT_EACH_EQUAL_HEX8(0x5A, &renderer, sizeof renderer);
     }
