@@ -61,8 +61,10 @@ static fxl_band any_band(const fxl_lens *lens, uint8_t *pixels, fuzz_input *in)
 static void misuse_frame(fxl_renderer *renderer, const fxl_band *band, fuzz_input *in)
 {
     fxl_pose pose = fuzz_pose(in);
-    fxl_band nowhere = *band;
+    fxl_band nowhere = *band, other_pixels = *band;
+    static const uint16_t palette[256];
     nowhere.pixels = NULL;
+    other_pixels.palette = renderer->palette == NULL ? palette : NULL;
     DEMAND(fxl_frame_begin(NULL, &pose) == FXL_E_ARGUMENT);
     DEMAND(fxl_frame_begin(renderer, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_frame_draw(NULL, band) == FXL_E_ARGUMENT);
@@ -74,7 +76,8 @@ static void misuse_frame(fxl_renderer *renderer, const fxl_band *band, fuzz_inpu
     bool legal = band->width == lens->width && band->stride >= band->width && band->rows >= 1 &&
                  band->first_row + band->rows <= lens->height;
     DEMAND(fxl_frame_draw(renderer, band) == (legal ? FXL_OK : FXL_E_RANGE));
-    DEMAND(renderer->workspace.counters.refused_calls == (legal ? 4u : 5u));
+    DEMAND(fxl_frame_draw(renderer, &other_pixels) == FXL_E_ORDER);
+    DEMAND(renderer->workspace.counters.refused_calls == (legal ? 5u : 6u));
     pose.position.y = fuzz_any(in);
     fxl_status status = fxl_frame_begin(renderer, &pose);
     DEMAND(status == FXL_OK || status == FXL_E_RANGE);

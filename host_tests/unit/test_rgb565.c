@@ -286,6 +286,22 @@ void test_bands_of_the_wrong_kind_are_refused(void)
     TEST_ASSERT_EACH_EQUAL_HEX16(0x5A5A, walls.pixels, WIDTH * HEIGHT);
 }
 
+/* A band with a palette has pixels of 16 bits, and the target of a byte would draw into half of them.
+ */
+void test_a_target_of_bytes_refuses_a_band_with_a_palette(void)
+{
+    fxl_band band = band_of(walls.pixels, 0, HEIGHT);
+    walls_start(&fxl_palette);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
+    const uint32_t refused = walls.renderer.workspace.counters.refused_calls;
+    memset(walls.pixels, 0x5A, sizeof walls.pixels);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_draw(&walls.renderer, &band));
+    TEST_ASSERT_EQUAL(refused + 1, walls.renderer.workspace.counters.refused_calls);
+    TEST_ASSERT_EACH_EQUAL_HEX16(0x5A5A, walls.pixels, WIDTH * HEIGHT);
+    band.palette = NULL;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &band));
+}
+
 void test_flat_frames_need_no_surfaces(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, walls.indexed, WIDTH));

@@ -51,12 +51,9 @@ static inline bool fxl_is_aligned_band(const fxl_band *band)
     return ((uintptr_t)band->pixels & 1u) == 0;
 }
 
-/* FXL_E_ORDER: a band of bytes. FXL_E_ALIGNMENT: pixels at an odd address. */
+/* FXL_E_ALIGNMENT: pixels at an odd address. */
 static inline fxl_status fxl_check_band(const fxl_band *band)
 {
-    if (band->palette == NULL) {
-        return FXL_E_ORDER;
-    }
     return fxl_is_aligned_band(band) ? FXL_OK : FXL_E_ALIGNMENT;
 }
 

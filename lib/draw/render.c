@@ -337,6 +337,13 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
     return band->width == lens->width && fxl_band_is_within(band, lens->width, lens->height);
 }
 
+/* Whether a band's pixels are as wide as those that the renderer draws: a renderer has a palette of
+ * 16 bits where its target is RGB565, and a band has one where its pixels are of 16 bits. */
+static bool has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
+{
+    return (band->palette != NULL) == (renderer->palette != NULL);
+}
+
 fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band)
 {
@@ -357,7 +364,7 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
         return fxl_refuse(workspace, FXL_E_ARGUMENT);
     }
     const fxl_frame *frame = &renderer->frame;
-    if (frame->state == FXL_FRAME_NONE ||
+    if (frame->state == FXL_FRAME_NONE || !has_pixels_of(renderer, band) ||
         workspace->settings_version != renderer->workspace.settings_version) {
         return fxl_refuse(workspace, FXL_E_ORDER);
     }

@@ -272,7 +272,8 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. Faces that the list had no room for are counted by the first band alone.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no frame begun; or an RGB565 target, and a band without a palette.
+ * FXL_E_ORDER: no frame begun; or a band whose pixels are not the target's: without a palette where
+ * that is RGB565, or with one where it is not.
  * FXL_E_RANGE: a band that is not of this screen.
  * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
  * With each of these statuses: band untouched; counted in refused_calls. */
@@ -321,9 +322,10 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
  * Requires a workspace that was set up for this renderer. The faces of a frame are counted
  * in the renderer's own workspace; another's counters have split_bands and refused_calls.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no frame begun; the workspace was set up before the settings above were changed,
- * or never: it is all zeros.
+ * FXL_E_ORDER: no frame begun; a band whose pixels are not the target's; the workspace was set up
+ * before the settings above were changed, or never: it is all zeros.
  * FXL_E_RANGE: a band that is not of this screen.
+ * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
  * With each of these statuses: band untouched; counted in refused_calls of the workspace. */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band);
