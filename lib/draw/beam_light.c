@@ -13,7 +13,6 @@
 typedef struct {
     fxl_beam_shader shader;
     const fxl_beam *beams;
-    const uint8_t *lit;
     uint8_t *tables; /* after this record */
     uint32_t beam_count, corner_capacity, piece_capacity;
 } lighting;
@@ -78,6 +77,17 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
     return false;
 }
 
+/* A piece, or a face that is dark as a whole, to the shader that has its faces split, or to the next one. */
+static bool emit(const lighting *of, fxl_pieces *pieces, const fxl_face *face,
+                 const fxl_point *points, uint32_t count, bool is_lit)
+{
+    if (pieces->take != NULL) {
+        return pieces->take(pieces, points, count, is_lit);
+    }
+    const uint8_t colour = is_lit ? of->shader.lit[face->material] : face->material;
+    return fxl_submit_split_piece(&of->shader.shader, pieces, face, points, count, colour);
+}
+
 /* Front to back, the pieces come in reverse order. If rounding has made the pieces need more
  * memory than there is, the face is drawn whole and dark, and counts as refused. */
 static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
@@ -89,7 +99,7 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     lay_out(of, pieces->traversal, &lit);
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= REFUSED;
-        return fxl_submit_split_piece(shader, pieces, face, points, count, face->material);
+        return emit(of, pieces, face, points, count, false);
     }
     const bool reverse = pieces->traversal->renderer->near_first;
     for (uint32_t i = 0; i < made->piece_count; i++) {
@@ -98,8 +108,7 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
             pieces->outcome |= REFUSED;
             continue;
         }
-        uint8_t colour = piece->is_lit ? of->lit[face->material] : face->material;
-        if (!fxl_submit_split_piece(shader, pieces, face, lit.outline, piece->count, colour)) {
+        if (!emit(of, pieces, face, lit.outline, piece->count, piece->is_lit)) {
             return false;
         }
     }
@@ -121,7 +130,7 @@ static fxl_shader *build(const fxl_beam_set *set, uint8_t *workspace)
     of->shader.shader.code = &code;
     of->beams = beams;
     of->beam_count = beam_count;
-    of->lit = set->lit;
+    of->shader.lit = set->lit;
     return &of->shader.shader;
 }
 

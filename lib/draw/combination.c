@@ -48,6 +48,7 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_DEPTH},
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
+    {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
 };
 
@@ -63,6 +64,16 @@ static bool has_movers(const fxl_scene *scene)
         count += scene->instances[i].layer == layer;
     }
     return count > 1;
+}
+
+static bool has_texels_565(const fxl_surfaces *surfaces)
+{
+    for (uint32_t i = 0; surfaces != NULL && i < surfaces->set->texture_count; i++) {
+        if (surfaces->set->textures[i].format == FXL_TEXTURE_565) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static uint32_t bit_if(bool has, uint32_t number)
@@ -81,6 +92,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(target->depth_bits != 0, FXL_HAS_DEPTH) |
            bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over, FXL_HAS_STUDY) |
            bit_if(surfaces != NULL, FXL_HAS_SURFACES) |
+           bit_if(has_texels_565(surfaces), FXL_HAS_TEXELS_565) |
            bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
@@ -123,6 +135,7 @@ fxl_status fxl_check_combination(fxl_renderer *renderer)
         return FXL_E_COMBINATION;
     }
     if (surfaces != NULL) {
+        surfaces->beams = fxl_renderer_shader(renderer, FXL_SHADER_BEAMS);
         const bool is_lit = lit != NULL && light != NULL;
         surfaces->light = is_lit ? (const fxl_light *)(const void *)light : NULL;
         surfaces->light_code = is_lit ? lit->code : NULL;

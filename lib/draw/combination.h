@@ -12,6 +12,7 @@ enum {
     FXL_HAS_DEPTH,    /* the target has a depth buffer */
     FXL_HAS_STUDY,    /* the target is a span buffer, or scans bounding boxes */
     FXL_HAS_SURFACES, /* these and what follows are attached */
+    FXL_HAS_TEXELS_565, /* surfaces with textures of RGB565 */
     FXL_HAS_BILLBOARDS,
     FXL_HAS_BEAMS,
     FXL_HAS_OUTLINES,

@@ -12,6 +12,7 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "a depth buffer", /* FXL_HAS_DEPTH */
         "a target of the study", /* FXL_HAS_STUDY */
         "surfaces", /* FXL_HAS_SURFACES */
+        "textures of RGB565", /* FXL_HAS_TEXELS_565 */
         "billboards", /* FXL_HAS_BILLBOARDS */
         "beams", /* FXL_HAS_BEAMS */
         "outlines", /* FXL_HAS_OUTLINES */

@@ -7,6 +7,7 @@
 void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *traversal)
 {
     pieces->traversal = traversal;
+    pieces->take = NULL;
     pieces->planes = FXL_PLANES_ALL;
     pieces->outcome = 0;
     pieces->used = traversal->renderer->frame.display_list.used;
@@ -82,6 +83,8 @@ bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *fac
         points[i].z += eye->z;
     }
     fxl_pieces_begin(&pieces, traversal);
+    pieces.instance = model_view->instance;
+    pieces.face = face;
     pieces.planes = model_view->planes;
     (void)shader->code->split(shader, &pieces, face, points, face->count);
     return fxl_pieces_end(&pieces);

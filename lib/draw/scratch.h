@@ -12,6 +12,7 @@
 typedef struct {
     fxl_shader shader;
     uint32_t scratch_size; /* a multiple of 8 */
+    const uint8_t *lit;    /* of fxl_beam_set */
 } fxl_beam_shader;
 
 /* A bit for each node of the tree. */

@@ -134,14 +134,23 @@ bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint
 
 /* A face that is submitted piece by piece. It is counted once, and is in the display list whole
  * or not at all. The caller owns it. */
-typedef struct {
+typedef struct fxl_pieces fxl_pieces;
+
+/* Takes a piece that beams made, in place of the shader after them: that it is dark or lit. False where
+ * there is no room. */
+typedef bool fxl_piece_taker(fxl_pieces *pieces, const fxl_point *points, uint32_t count,
+                             bool is_lit);
+
+struct fxl_pieces {
     const fxl_traversal *traversal;
     const fxl_instance *instance; /* whose face it is, and the face: of shaded pieces */
     const fxl_face *face;
+    fxl_piece_taker *take; /* of a shader that has beams split its faces, and its data; else null */
+    const void *taker;
     fxl_planes planes; /* that pieces may cross; begin sets all, narrowing it saves time */
     fxl_outcome outcome;
     uint32_t used; /* words of the display list before the face */
-} fxl_pieces;
+};
 
 void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *traversal);
 

@@ -2,6 +2,7 @@
 /* The shader of surfaces: a face that has one goes, after the clipper, with its gradients to the
  * display list or into the band. */
 #include "../paint/gradients.h"
+#include "../paint/segments.h"
 #include "../paint/texture_level.h"
 #include "../view/model_view.h"
 #include "renderer.h"
@@ -57,6 +58,19 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
     polygon->has_depth = false;
+    polygon->is_in_beam = false;
+}
+
+void fxl_surface_put_in_beam(fxl_surface_polygon *polygon)
+{
+    static const fxl_gradient none = {0, 0, 0};
+    fxl_gradients *gradients = &polygon->gradients;
+    polygon->is_in_beam = true;
+    if (gradients->count == FXL_SEGMENT_LIGHT) {
+        gradients->attributes[FXL_SEGMENT_LIGHT] = none;
+        gradients->shifts[FXL_SEGMENT_LIGHT] = 0;
+        gradients->count++;
+    }
 }
 
 bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
@@ -66,6 +80,13 @@ bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face
         fxl_shader_reaching(shader->next, traversal->renderer->scene, model_view->instance);
     return next != NULL ? next->code->face(model_view, face, traversal, next)
                         : fxl_submit_shaded_face(model_view, face, traversal);
+}
+
+const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_scene *scene,
+                                     const fxl_instance *instance)
+{
+    const fxl_shader *beams = surfaces->beams;
+    return beams != NULL && beams->code->reaches(beams, scene, instance) ? beams : NULL;
 }
 
 const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
@@ -112,6 +133,7 @@ fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
     surfaces->painter = painter;
     surfaces->light = NULL;
     surfaces->light_code = NULL;
+    surfaces->beams = NULL;
     surfaces->shader.code = painter->code;
     renderer->draw_display_list = fxl_mixed_draw_list;
     fxl_renderer_attach(renderer, FXL_SHADER_SURFACES, &surfaces->shader);

@@ -4,13 +4,14 @@
 
 #include "../math/arith.h"
 #include "../math/memory.h"
+#include "scratch.h"
 #include "surface_light.h"
 #include "../paint/texture_level.h"
 
 /* A record: what every record begins with, whose count is that of all pairs of words after it and
  * whose reserved byte is that of the points; the points; the first two words below; with a surface
  * two more, its weight and its attributes; with a depth its unit and its gradient. */
-#define FIRST_WORDS    2u /* surface, count, level and colour; shifts */
+#define FIRST_WORDS    2u /* surface, count and level; shifts */
 #define SURFACE_WORDS  2u /* weight_min */
 #define UNIT_WORDS     2u /* the depth's unit, and 0 */
 #define GRADIENT_WORDS 6u
@@ -19,7 +20,7 @@
 #define COUNT_AT  16
 #define LEVEL_AT  20
 #define HAS_DEPTH 0x80000u
-#define COLOUR_AT 24
+#define IN_BEAM   0x1000000u
 
 FXL_STATIC_ASSERT(sizeof(fxl_gradient) == GRADIENT_WORDS * sizeof(uint32_t), "no padding");
 FXL_STATIC_ASSERT(FXL_ATTRIBUTES < 8 && FXL_TEXTURE_LOG_MAX < 16, "bits of the first word");
@@ -71,7 +72,7 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     to = put(to, screen->points, 2u * screen->count);
     *to++ = polygon->surface | (uint32_t)gradients->count << COUNT_AT |
             (uint32_t)polygon->level << LEVEL_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
-            (uint32_t)polygon->colour << COLOUR_AT;
+            (polygon->is_in_beam ? IN_BEAM : 0);
     to = put(to, gradients->shifts, 1);
     if (polygon->surface != FXL_NO_SURFACE) {
         to = put(to, gradients->weight_min, SURFACE_WORDS);
@@ -95,9 +96,10 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
     const uint32_t *from = (const uint32_t *)(const void *)(record->points + count);
     const uint32_t first = *from++;
     polygon->surface = (uint16_t)first;
-    polygon->colour = (uint8_t)(first >> COLOUR_AT);
+    polygon->colour = record->colour;
     polygon->level = (uint8_t)(first >> LEVEL_AT & 15u);
     polygon->has_depth = (first & HAS_DEPTH) != 0;
+    polygon->is_in_beam = (first & IN_BEAM) != 0;
     gradients->count = (uint8_t)(first >> COUNT_AT & 7u);
     from = get(from, gradients->shifts, 1);
     if (polygon->surface != FXL_NO_SURFACE) {
@@ -141,6 +143,9 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
         paint->ramp = surfaces->light->settings.ramp;
         paint->levels_less_1 = (uint8_t)(surfaces->light->settings.levels - 1);
     }
+    paint->in_beam = polygon->is_in_beam
+                         ? ((const fxl_beam_shader *)(const void *)surfaces->beams)->lit
+                         : NULL;
     paint->blend = surface->flags & FXL_SURFACE_BLEND ? set->blend : NULL;
     paint->blend_first = (uint8_t)set->blend_first;
     paint->blend_count = set->blend_count;

@@ -25,6 +25,7 @@ typedef struct {
     uint8_t level;           /* of its texture; u and v are in texels of that level */
     uint8_t colour;          /* of the face */
     bool has_depth;
+    bool is_in_beam; /* it is a lit piece */
 } fxl_surface_polygon;
 
 /* What draws the faces that have surfaces into a target: a constant record for each target. */
@@ -88,6 +89,13 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_surface_polygon *polygon);
+
+/* Makes it a lit piece. Where it has a texture and no light, its light is the one level of a ramp. */
+void fxl_surface_put_in_beam(fxl_surface_polygon *polygon);
+
+/* The beams of a renderer with surfaces, if they reach an instance; or null. */
+const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_scene *scene,
+                                     const fxl_instance *instance);
 
 /* The view of an instance, turned or not, in which the corners of a whole face are found where
  * pieces of it are drawn. view: room for it. */

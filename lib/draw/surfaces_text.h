@@ -10,6 +10,7 @@
 
 #include "../math/memory.h"
 #include "../paint/paint_polygon.h"
+#include "../paint/texture_level.h"
 #include "../view/model_view.h"
 #include "submit_polygons.h"
 #include "pixel_row.h"
@@ -36,6 +37,10 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
     of->dark = surfaces->dark;
     of->key = surface->texture != 0 ? surfaces->set->textures[surface->texture - 1].key_565 : 0;
     of->flags = surface->flags;
+    if (paint->in_beam != NULL) {
+        paint->level.flags |= FXL_LEVEL_IN_BEAM;
+        paint->colour = paint->in_beam[paint->colour];
+    }
 }
 
 static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_face *face)
@@ -52,6 +57,12 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
 {
     (void)band;
     fxl_surface_paint_of(surfaces, polygon, paint);
+    if (paint->in_beam != NULL && paint->ramp == NULL) {
+        paint->colour = paint->in_beam[paint->colour];
+        paint->ramp = paint->level.texels != NULL ? paint->in_beam : NULL; /* levels_less_1 is 0 */
+        paint->in_beam = NULL;
+    }
+    paint->is_replaced = paint->in_beam != NULL || paint->blend != NULL;
 }
 
 static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_face *face)
@@ -197,6 +208,7 @@ typedef struct {
     const fxl_surfaces *surfaces;
     const fxl_mapped_face *mapped;
     const fxl_pieces *pieces; /* where a piece of the face is drawn */
+    bool is_in_beam;          /* the piece is lit */
 } mapped_surface;
 
 /* fxl_polygon_finder. */
@@ -218,16 +230,21 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
                   band);
 }
 
-/* The same for a piece of a face: its texels, light and depth are those of the whole face. */
+/* The same for a piece of a face: its texels, light and depth are those of the whole face. Whether a beam
+ * lights it is its own. */
 static void find_whole(const void *what, const fxl_model_view *model_view, const fxl_face *face,
                        const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
-    const fxl_pieces *pieces = ((const mapped_surface *)what)->pieces;
+    const mapped_surface *of = (const mapped_surface *)what;
+    const fxl_pieces *pieces = of->pieces;
     FXL_ALIGN_8 fxl_turned_view view;
     (void)model_view;
     (void)face;
     find(what, fxl_surfaces_view(traversal, pieces->instance, &view), pieces->face, traversal,
          polygon);
+    if (of->is_in_beam) {
+        fxl_surface_put_in_beam(polygon);
+    }
 }
 
 /* The mapped face of a face; null: it has no surface. Picks, and targets of another painter, draw
@@ -241,34 +258,64 @@ static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_
                                                                       : &set->faces[number - 1];
 }
 
-/* fxl_shader_code.split, and .face. */
-static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
-                  const fxl_point *points, uint32_t count)
+/* A piece of a mapped face, which no beam splits further. */
+static bool submit_piece(fxl_pieces *pieces, const fxl_surfaces *surfaces,
+                         const fxl_mapped_face *mapped, const fxl_point *points, uint32_t count,
+                         bool is_in_beam)
 {
     const fxl_traversal *traversal = pieces->traversal;
-    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const mapped_surface of = {surfaces, mapped_of(surfaces, pieces->face, traversal->renderer),
-                               pieces};
+    const mapped_surface of = {surfaces, mapped, pieces, is_in_beam};
+    const fxl_face piece = {.count = (uint8_t)count, .material = pieces->face->material};
     fxl_model_view model_view;
-    (void)count;
-    if (of.mapped == NULL) {
-        return fxl_submit_piece_by(pieces, shader->next, face, points);
-    }
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = pieces->planes;
     pieces->outcome |=
-        fxl_submit_found_polygons(&model_view, face, traversal, find_whole, paint_polygon, &of);
+        fxl_submit_found_polygons(&model_view, &piece, traversal, find_whole, paint_polygon, &of);
     return pieces->outcome < FXL_OUTCOME_FULL;
+}
+
+/* fxl_piece_taker. */
+static bool take_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, bool is_lit)
+{
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)pieces->taker;
+    return submit_piece(pieces, surfaces,
+                        mapped_of(surfaces, pieces->face, pieces->traversal->renderer), points,
+                        count, is_lit);
+}
+
+/* fxl_shader_code.split, and .face. Beams split the face, or the piece of it, and give the pieces back. */
+static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                  const fxl_point *points, uint32_t count)
+{
+    const fxl_renderer *renderer = pieces->traversal->renderer;
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
+    const fxl_mapped_face *mapped = mapped_of(surfaces, pieces->face, renderer);
+    if (mapped == NULL) {
+        return fxl_submit_piece_by(pieces, shader->next, face, points);
+    }
+    const fxl_shader *beams = fxl_surfaces_beams(surfaces, renderer->scene, pieces->instance);
+    if (beams == NULL) {
+        return submit_piece(pieces, surfaces, mapped, points, count, false);
+    }
+    pieces->take = take_piece;
+    pieces->taker = surfaces;
+    const bool fitted = beams->code->split(beams, pieces, face, points, count);
+    pieces->take = NULL;
+    return fitted;
 }
 
 static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const mapped_surface of = {surfaces, mapped_of(surfaces, face, traversal->renderer), NULL};
+    const mapped_surface of = {surfaces, mapped_of(surfaces, face, traversal->renderer), NULL,
+                               false};
     if (of.mapped == NULL) {
         return fxl_surfaces_pass_on(model_view, face, traversal, shader);
+    }
+    if (fxl_surfaces_beams(surfaces, traversal->renderer->scene, model_view->instance) != NULL) {
+        return fxl_submit_split_face(model_view, face, traversal, shader);
     }
     const uint32_t used = traversal->renderer->frame.display_list.used;
     return fxl_count_outcome(

@@ -143,6 +143,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     }
     polygon->level = 0;
     polygon->colour = face->material;
+    polygon->is_in_beam = false;
     polygon->has_depth = true;
     fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
 }

@@ -35,6 +35,8 @@ typedef struct {
     const fxl_gradients *gradients;
     fxl_texture_level level; /* texels null: the face's own colour */
     const uint8_t *ramp;     /* ramp[256 * level + colour], by the last attribute; null: unlit */
+    const uint8_t *in_beam;  /* in_beam[colour]: what the ramp has made, in a beam; null: in none, or
+                                `ramp` is that of a beam, of one level */
     const uint8_t *blend;    /* as of fxl_surface_set; null: no colour is blended */
     uint32_t blend_count;
     uint8_t blend_first;
@@ -42,6 +44,7 @@ typedef struct {
     uint8_t colour;        /* of the face */
     uint8_t division;      /* FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_DIVIDE_1 */
     uint8_t opacity;       /* 1..16 */
+    bool is_replaced;      /* in_beam or blend is not null */
     fxl_paint_565 of_565;  /* where pixels have 16 bits; `blend` is not used there */
 } fxl_paint;
 

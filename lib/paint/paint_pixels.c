@@ -4,8 +4,13 @@
 
 /* --- pixels --------------------------------------------------------------------------------- */
 
-static inline uint8_t blended(const fxl_paint *paint, uint8_t colour, uint8_t beneath)
+/* What a beam and what is beneath make of a colour. */
+static inline uint8_t replaced(const fxl_paint *paint, uint8_t colour, uint8_t beneath)
 {
+    colour = paint->in_beam != NULL ? paint->in_beam[colour] : colour;
+    if (paint->blend == NULL) {
+        return colour;
+    }
     const uint32_t number = (uint8_t)(colour - paint->blend_first);
     return number < paint->blend_count ? paint->blend[256u * number + beneath] : colour;
 }
@@ -31,7 +36,7 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
         const uint32_t level = fxl_limited(light >> 16, paint->levels_less_1);
         colour = paint->ramp[256u * level + colour];
     }
-    row->pixels[x] = paint->blend == NULL ? colour : blended(paint, colour, row->pixels[x]);
+    row->pixels[x] = paint->is_replaced ? replaced(paint, colour, row->pixels[x]) : colour;
 }
 
 #include "paint_row.h"
@@ -85,7 +90,7 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 {
     uint8_t *pixel = row->pixels + x0;
     const uint8_t *end = row->pixels + x1;
-    if (!FXL_IS_SMALL && paint->opacity == 16 && paint->blend == NULL) {
+    if (!FXL_IS_SMALL && paint->opacity == 16 && !paint->is_replaced) {
         if (paint->level.texels == NULL && paint->ramp != NULL) {
             paint_levels(paint, of, pixel, end);
             return;
@@ -157,6 +162,14 @@ static int32_t kernel_end_of_light(const fxl_paint *paint, const fxl_paint_row *
     return segment_end - 16 > x0 ? segment_end - 16 : x0;
 }
 
+/* Pixels that the kernel has painted, in a beam. */
+static void put_in_beam(const uint8_t *in_beam, uint8_t *pixel, const uint8_t *end)
+{
+    for (; pixel != end; pixel++) {
+        *pixel = in_beam[*pixel];
+    }
+}
+
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     divided_column at;
@@ -168,6 +181,9 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
         }
         if (end > x0) {
             fxl_paint_segments(row->segments, row, x0, end);
+            if (paint->in_beam != NULL) {
+                put_in_beam(paint->in_beam, row->pixels + x0, row->pixels + end);
+            }
         } else {
             end = smaller((x0 & ~15) + 16, x1);
             paint_sixteen(paint, row, x0, end, &at);

@@ -15,7 +15,7 @@ static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_
         return !is_keyed || *colour != of->key;
     }
     const uint8_t index = fxl_texel_index(level, place);
-    *colour = of->palette[index];
+    *colour = of->palette[level->flags & FXL_LEVEL_IN_BEAM ? paint->in_beam[index] : index];
     return !is_keyed || index != level->key;
 }
 

@@ -53,6 +53,9 @@ static void find_light(const fxl_paint *paint, fxl_segment_face *face)
         face->light_scale = (uint32_t)1 << shift;
         face->light_limit = 65536u * (paint->levels_less_1 + 1u) - 1u;
     }
+    if (paint->in_beam != NULL) {
+        face->light_scale = face->light_limit = 0; /* fxl_paint_pixels takes every row */
+    }
 }
 
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)

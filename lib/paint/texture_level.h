@@ -12,6 +12,9 @@ extern "C" {
 /* Among the flags of a level: its texels are FXL_TEXTURE_565. */
 #define FXL_LEVEL_565 0x80u
 
+/* The same, in frames of 16 bits a pixel: a texel is looked up in fxl_paint.in_beam. */
+#define FXL_LEVEL_IN_BEAM 0x40u
+
 /* The log of a side of a level: one less a level, and at least least. */
 static inline uint32_t fxl_level_log(uint32_t log, uint32_t level, uint32_t least)
 {

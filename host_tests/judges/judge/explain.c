@@ -79,7 +79,7 @@ static void add_texel(const ref_surface_view *look, const ref_place *place, doub
     if (texel == REF_CLEAR) {
         found->clear = true;
     } else if (look->rgb565) {
-        found->colours[texel] = true; /* find_parts has the light */
+        found->colours[ref_surface_entry(look, (uint8_t)texel)] = true; /* find_parts has the light */
     } else {
         for (int64_t i = down(level - slack); i <= down(level + slack); i++) {
             found->colours[ref_surface_lit(look, i, (uint8_t)texel)] = true;

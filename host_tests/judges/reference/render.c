@@ -126,8 +126,8 @@ static bool shows_surface(const ref_renderer *renderer, const ref_instance *inst
            scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
 }
 
-bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
-                        uint32_t face, ref_counters *counters)
+static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
+                           uint32_t face, bool is_in_beam, ref_counters *counters)
 {
     ref_drawn drawn = {.instance = instance, .face = face};
     count(clip_and_project(renderer, whole, 0, &drawn.polygon), counters);
@@ -144,6 +144,7 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
                          &renderer->scene->instances[instance], face, &drawn.look);
         drawn.look.rgb565 = renderer->rgb565;
+        drawn.look.in_beam = is_in_beam ? renderer->scene->lit : NULL;
     }
     if (renderer->depth_bits != 0) {
         const ref_scene *scene = renderer->scene;
@@ -154,6 +155,12 @@ bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_display_list_append(&renderer->display_list, &drawn);
+}
+
+bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
+                        uint32_t face, ref_counters *counters)
+{
+    return submit_polygon(renderer, whole, instance, face, false, counters);
 }
 
 /* Counts one face, from the counts of its pieces. */
@@ -179,13 +186,9 @@ uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instan
                         : face->material;
 }
 
-static bool is_lit_by_beams(const ref_renderer *renderer, uint32_t instance_number,
-                            uint32_t face_number)
+static bool is_lit_by_beams(const ref_scene *scene, const ref_instance *instance)
 {
-    const ref_scene *scene = renderer->scene;
-    const ref_instance *instance = &scene->instances[instance_number];
-    return !shows_surface(renderer, instance, face_number) &&
-           ref_beam_light_reaches(scene, &instance->centre, ref_instance_radius(scene, instance));
+    return ref_beam_light_reaches(scene, &instance->centre, ref_instance_radius(scene, instance));
 }
 
 bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t instance_number,
@@ -202,7 +205,7 @@ bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t i
     if (turn) {
         ref_turn_normal(turn, face->normal, normal);
     }
-    if (!is_lit_by_beams(renderer, instance_number, face_number) ||
+    if (!is_lit_by_beams(scene, instance) ||
         !ref_beam_light_split(scene, whole, normal, &pieces)) {
         pieces.count = 1;
         pieces.pieces[0] = (ref_lit_piece){*whole, false};
@@ -214,7 +217,7 @@ bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t i
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!ref_submit_polygon(renderer, &polygon, instance_number, face_number, counters)) {
+        if (!submit_polygon(renderer, &polygon, instance_number, face_number, piece->lit, counters)) {
             return false;
         }
     }
@@ -243,14 +246,12 @@ bool ref_submit_face(ref_renderer *renderer, uint32_t instance_number, uint32_t 
 {
     const ref_instance *instance = &renderer->scene->instances[instance_number];
     const ref_model *model = &renderer->scene->models[instance->model];
-    const bool is_reached = ref_beam_light_reaches(
-        renderer->scene, &instance->centre, ref_instance_radius(renderer->scene, instance));
-    if (is_lit_by_beams(renderer, instance_number, face_number)) {
+    if (is_lit_by_beams(renderer->scene, instance)) {
         return submit_lit_face(renderer, instance_number, face_number);
     }
     ref_polygon whole;
     const ref_face *face = &renderer->scene->faces[model->first_face + face_number];
-    ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points || is_reached, &whole);
+    ref_face_to_polygon(renderer->scene, instance, face, renderer->by_points, &whole);
     whole.colour = shows_surface(renderer, instance, face_number)
                        ? face->material
                        : ref_face_colour(renderer, instance, face);

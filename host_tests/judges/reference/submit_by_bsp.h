@@ -15,8 +15,8 @@
 bool ref_submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
                         uint32_t face, ref_counters *counters);
 
-/* Takes a piece of a face, or all of it, to the display list: where beams reach it and it has no
- * surface, in lit parts and dark ones, each counted. */
+/* Takes a piece of a face, or all of it, to the display list: where beams reach it, in lit parts and dark
+ * ones, each counted. */
 bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t instance,
                       uint32_t face, ref_counters *counters);
 

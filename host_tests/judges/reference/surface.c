@@ -291,8 +291,14 @@ bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, do
 
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
 {
-    return view->light ? view->light->ramp[within(level, view->light->levels, true)][colour]
-                       : colour;
+    return ref_surface_entry(
+        view, view->light ? view->light->ramp[within(level, view->light->levels, true)][colour]
+                          : colour);
+}
+
+uint8_t ref_surface_entry(const ref_surface_view *view, uint8_t colour)
+{
+    return view->in_beam ? view->in_beam[colour] : colour;
 }
 
 uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath)
@@ -320,7 +326,7 @@ bool ref_stipple_draws(int opacity, int x, int y)
 static uint16_t colour_565(const ref_surface_view *view, const ref_place *place, int texel,
                            uint16_t beneath)
 {
-    const uint16_t colour = view->rgb565->palette[texel];
+    const uint16_t colour = view->rgb565->palette[ref_surface_entry(view, (uint8_t)texel)];
     const double part =
         view->light ? ref_rgb565_part(view->light, place->values[REF_BRIGHTNESS]) : 1;
     int channels[REF_CHANNELS];

@@ -71,6 +71,7 @@ typedef struct {
     const ref_texture_level *level; /* of the texture */
     const ref_light *light;         /* null: unlit */
     const ref_rgb565 *rgb565;       /* of frames of 16 bits a pixel; or null */
+    const uint8_t *in_beam;         /* of a lit piece: what each colour is in a beam; or null */
     ref_view_point corner, sides[2];
     bool is_affine;
     ref_screen_point points[3];                      /* where it is affine: its corners */
@@ -103,8 +104,12 @@ int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row)
 bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, double x, double y,
                           int texel[2]);
 
-/* A colour at a level of light, counted from 0 and limited to those that there are. */
+/* A colour at a level of light, counted from 0 and limited to those that there are, and then in a beam, if the
+ * view is that of a lit piece. */
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour);
+
+/* A texel, or the face's own colour, as a frame of 16 bits takes it: of a lit piece, in a beam. */
+uint8_t ref_surface_entry(const ref_surface_view *view, uint8_t colour);
 
 /* What a colour shows over another one. */
 uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath);

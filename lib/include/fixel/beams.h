@@ -22,13 +22,14 @@ uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_coun
 typedef struct {
     const fxl_beam *beams;
     uint32_t count;     /* 1..FXL_BEAMS_MAX */
-    const uint8_t *lit; /* lit[c]: the lit variant of colour c */
+    const uint8_t *lit; /* lit[c]: the lit variant of colour c, also of a texel */
 } fxl_beam_set;
 
 /* Attaches the beams of a set to a renderer, in any sequence with what else is attached, or, where set
  * is null, detaches them: then memory and size are ignored. memory has at least
  * fxl_beam_light_workspace_size bytes, aligned to 8. The renderer keeps pointers to memory and to the
- * set's tables. The caller must begin a frame anew.
+ * set's tables. The caller must begin a frame anew: fxl_frame_begin refuses beams beside textures of the format
+ * FXL_TEXTURE_565, whose texels `lit` does not know.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes.
  * FXL_E_ORDER: the renderer was never initialised.

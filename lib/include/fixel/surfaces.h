@@ -124,6 +124,7 @@ typedef struct {
     const fxl_light *light; /* null: faces are not lit */
     const struct fxl_surface_light_code *light_code;
     const fxl_painter *painter;
+    const fxl_shader *beams; /* null: there are none */
     uint16_t dark; /* of frames of 16 bits a pixel: what the lowest level of light leaves */
 } fxl_surfaces;
 

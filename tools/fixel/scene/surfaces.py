@@ -243,7 +243,7 @@ class Records:
         self.indices = indices
         self.textures, self.surfaces, self.normals = {}, {}, {}
         self.known = {}     # (paint, id of its colours): number of a texture, the colours
-        self.made, self.blended = Surfaces(), set()     # colours
+        self.made, self.blended = Surfaces(), set()     # colours, and whether light changes them
 
     def _texture(self, look):
         """The number of a look's texture, counted from 1; 0 without one."""
@@ -265,7 +265,7 @@ class Records:
         if look is None:
             return None
         if look.flags & image_surface.BLENDED:
-            self.blended.update(look.colours or (own,))
+            self.blended.update((colour, bool(look.flags & image_surface.LIT)) for colour in look.colours or (own,))
         surface = Surface(self._texture(look), look.division, look.flags, look.opacity)
         if surface not in self.surfaces:
             self.surfaces[surface] = len(self.made.surfaces)
@@ -280,10 +280,13 @@ class Records:
             self.made.normals.append(normal)
         return self.normals[normal]
 
-    def result(self, colours, sixteenths):
+    def result(self, colours, sixteenths, ramp, in_beam):
         """The surfaces; None if no face has one. colours: of the palette; sixteenths: what a blended colour shows of
-        itself."""
-        blended = {self.indices[colour] for colour in self.blended}
+        itself; ramp: the levels of light, none if there is no light; in_beam: what each entry of the palette is in a
+        beam. What light and beams make of a blended colour is blended too."""
+        blended = {self.indices[colour] for colour, _ in self.blended}
+        blended |= {level[self.indices[colour]] for colour, is_lit in self.blended if is_lit for level in ramp}
+        blended |= {in_beam[number] for number in blended}
         if blended:
             first, end = min(blended), max(blended) + 1
             self.made.blend_first = first

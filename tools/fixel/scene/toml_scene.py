@@ -266,13 +266,17 @@ def _blend(top):
     return top.table("palette", _PALETTE_KEYS).whole("blend", 8, 1, 16)
 
 
+def _texel_colours(placements):
+    looks = (look for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look)
+    return {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}
+
+
 def _count_colours(placements, lit):
     wanted, times = {}, collections.Counter(id(placement.colours) for placement in placements)
     for colours in {id(placement.colours): placement.colours for placement in placements}.values():
         for colour in colours:
             wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
-    looks = (look for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look)
-    for colour in {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}:
+    for colour in _texel_colours(placements):
         wanted[colour] = wanted.get(colour, 0) + 1
     for colour in {c for board in {placement.board for placement in placements if placement.board} for c in board.picture.colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
@@ -285,7 +289,8 @@ def _count_colours(placements, lit):
 def _lit_table(placements, indices, lit):
     """For each colour of the palette, the one that it has in a beam."""
     table = list(range(256))
-    for colour in {c for colours in {id(p.colours): p.colours for p in placements}.values() for c in colours}:
+    of_faces = {c for colours in {id(p.colours): p.colours for p in placements}.values() for c in colours}
+    for colour in of_faces | _texel_colours(placements):
         if lit and not isinstance(colour, int):
             table[indices[colour]] = indices[lit(colour)]
     return bytes(table)
@@ -368,7 +373,8 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     scene.centre = lens[-1]
     _target(top, scene)
     scene.layers = _layers(top)
-    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(colours, _blend(top))
+    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(
+        colours, _blend(top), light.image.ramp if isinstance(light, toml_light.RunTime) else [], in_beam)
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
