@@ -65,6 +65,9 @@ static void make_set(set_565 *made, const fxl_surface_set *from, fuzz_input *in)
             made->surfaces[i].flags =
                 (uint8_t)((made->surfaces[i].flags & FXL_SURFACE_LIT) | FXL_SURFACE_ADD);
         }
+        if (made->surfaces[i].flags & FXL_SURFACE_BLEND) {
+            made->surfaces[i].sixteenths = made->surfaces[i].opacity;
+        }
     }
 }
 
@@ -103,6 +106,9 @@ static void misuse(fxl_renderer *renderer, const set_565 *made, const uint16_t *
     set = made->set;
     set.surfaces = &surface;
     surface.flags = FXL_SURFACE_ADD | FXL_SURFACE_BLEND;
+    DEMAND(fxl_surfaces_check(&set, scene, 16, NULL) != FXL_OK);
+    surface.flags = FXL_SURFACE_BLEND;
+    surface.sixteenths = 17;
     DEMAND(fxl_surfaces_check(&set, scene, 16, NULL) != FXL_OK);
     free(pixels);
 }

@@ -95,7 +95,7 @@ static void make_surface(fxl_surface *surface, fuzz_input *in)
     surface->division = spoilt(in, fuzz_below(in, 4));
     surface->flags = spoilt(in, fuzz_below(in, 4));
     surface->opacity = spoilt(in, fuzz_below(in, 2) ? 16 : fuzz_below(in, 17));
-    surface->reserved[1] = spoilt(in, 0);
+    surface->reserved[0] = spoilt(in, 0);
 }
 
 static fxl_q16_16 any_texel(fuzz_input *in)

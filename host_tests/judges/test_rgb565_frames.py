@@ -21,6 +21,7 @@ height = 48
 pixels = "rgb565"
 near = 1
 far = 32
+%s
 [light]
 levels = 16
 direction = [0, -1, 1]
@@ -69,11 +70,12 @@ def with_pixel(data, frame_bytes, frame, place, change):
     return data[:-4] + struct.pack("<I", zlib.crc32(data[:-4]))
 
 
+@pytest.mark.parametrize("blend", ("", "[palette]\nblend = 3\n"), ids=("half", "three-sixteenths"))
 @pytest.mark.parametrize("method", METHODS[:2], ids=("by-distance", "depth"))
-def test_a_blended_lit_pixel_is_explained_and_one_that_is_off_is_not(build, tmp_path, method):
+def test_a_blended_lit_pixel_is_explained_and_one_that_is_off_is_not(build, tmp_path, method, blend):
     """Two layers: each channel may be what the light's rounding leaves, and no more than that."""
     scene = tmp_path / "blended.toml"
-    scene.write_text(BLENDED)
+    scene.write_text(BLENDED % blend)
     image_file = built(scene, tmp_path)
     shown = drawn(build, image_file, "shown", *method)
     assert judged(build, image_file, shown, *method)["pixels_unexplained"] == 0

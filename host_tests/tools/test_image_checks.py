@@ -79,6 +79,17 @@ def test_a_blend_table_ends_with_the_palette():
     refuses("count", image_surface.read, surfaces(), 256, MODELS)
 
 
+def test_a_blended_surface_shows_up_to_all_of_its_own_colour():
+    def looks(flags, sixteenths, *reserved):
+        return surfaces(surfaces=[(0, 0, flags, 16, sixteenths, *reserved)], **{"blend table": [bytes(256)]})
+
+    for sixteenths in (0, 1, 16):
+        assert image_surface.read(looks(image_surface.BLENDED, sixteenths, 0, 0), 0, MODELS).surfaces[0].sixteenths == sixteenths
+    refuses("range", image_surface.read, looks(image_surface.BLENDED, 17, 0, 0), 0, MODELS)
+    refuses("reserved", image_surface.read, looks(0, 1, 0, 0), 0, MODELS)
+    refuses("reserved", image_surface.read, looks(image_surface.BLENDED, 1, 0, 1), 0, MODELS)
+
+
 def mapped(*corners, surface=0, coordinates=(0, 0, 1, 0, 1, 1), reserved=0):
     return surfaces(**{"mapped faces": [(surface, 0, 0, 0, *corners, reserved, *coordinates)], "face map": [1]})
 

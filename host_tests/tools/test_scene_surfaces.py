@@ -327,6 +327,7 @@ def test_a_blend_table_has_the_nearest_entries(tmp_path):
                   '[[objects]]\nsolid = "tile"\nposition = [0, 0, 4]\ncolour = "#40c0e0"\nshade = false\nblend = true\n')
     made = scene.surfaces
     assert len(made.blend) == 1 and scene.palette[made.blend_first] == (0x40, 0xC0, 0xE0)
+    assert [each.sixteenths for each in made.surfaces] == [0, 5]      # in RGB565
     for beneath, shown in enumerate(made.blend[0]):
         wanted = light_palette.between(scene.palette[beneath], (0x40, 0xC0, 0xE0), 5, 16)
         distances = [sum((a - b) ** 2 for a, b in zip(entry, wanted)) for entry in scene.palette]

@@ -111,15 +111,6 @@ def test_the_dark_of_a_lit_scene_is_told_in_16_bits(tmp_path):
     assert image.pack(toml_scene.compile_file(str(scene_of(tmp_path, lit)))[0])[38:40] == (4 << 11 | 16 << 5 | 16).to_bytes(2, "little")
 
 
-def test_a_blend_that_rgb565_has_not_is_told(tmp_path):
-    """What is blended shows half there, whatever the palette's table mixes."""
-    glass = SOLIDS.replace('colour = "teal"', 'colour = "teal"\nblend = true')
-    for view, more, told in (('pixels = "rgb565"', "[palette]\nblend = 6\n", True), ("", "[palette]\nblend = 6\n", False),
-                             ('pixels = "rgb565"', "", False)):
-        done = run_cli("build", scene_of(tmp_path, glass % view + more), "-o", tmp_path / "out.fxls")
-        assert done.returncode == 0 and ("palette.blend = 6" in done.stderr) == told, done.stderr
-
-
 def test_a_tree_and_a_depth_buffer_exclude_each_other(tmp_path):
     done = run_cli("build", scene_of(tmp_path, SOLIDS % 'visibility = "depth"'), "-o", tmp_path / "out.fxls",
                    "--tree", "all")

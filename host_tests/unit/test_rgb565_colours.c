@@ -31,7 +31,7 @@ static void check_blend(uint8_t flags, int (*rule)(int above, int beneath, int l
     walls.face_map[1] = 2;
     walls.surface[1].flags = flags;
     walls_begin();
-    for (uint32_t round = 0; round < 300; round++) {
+    for (uint32_t round = 0; round < UNIT_REPEAT / 200; round++) {
         const uint16_t above = (uint16_t)unit_random(), beneath = (uint16_t)(unit_random() >> 16);
         walls.palette[20] = walls.palette[22] = walls.palette[BACKGROUND] = beneath;
         walls.palette[21] = above;
@@ -51,10 +51,12 @@ static void check_blend(uint8_t flags, int (*rule)(int above, int beneath, int l
     }
 }
 
-static int half(int above, int beneath, int largest)
+static int own_sixteenths;
+
+static int share(int above, int beneath, int largest)
 {
     (void)largest;
-    return (above + beneath) / 2;
+    return (own_sixteenths * above + (16 - own_sixteenths) * beneath) / 16;
 }
 
 static int sum(int above, int beneath, int largest)
@@ -62,9 +64,14 @@ static int sum(int above, int beneath, int largest)
     return above + beneath > largest ? largest : above + beneath;
 }
 
-void test_half_of_each_channel(void)
+/* Without a number it is half. */
+void test_sixteenths_of_each_channel(void)
 {
-    check_blend(FXL_SURFACE_BLEND, half);
+    for (uint8_t sixteenths = 0; sixteenths <= 16; sixteenths++) {
+        own_sixteenths = sixteenths == 0 ? 8 : sixteenths;
+        walls.surface[1].sixteenths = sixteenths;
+        check_blend(FXL_SURFACE_BLEND, share);
+    }
 }
 
 void test_channels_are_added_up_to_the_largest(void)

@@ -191,9 +191,13 @@ void test_surfaces(void)
     TAKES(quad.surface.flags, FXL_SURFACE_LIT | FXL_SURFACE_BLEND);
     REFUSES(quad.surface.flags, FXL_SURFACE_ADD, FXL_E_RESERVED, "surface");
     REFUSES(quad.surface.flags, 8, FXL_E_RESERVED, "surface");
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         REFUSES(quad.surface.reserved[i], 1, FXL_E_RESERVED, "surface");
     }
+    REFUSES(quad.surface.sixteenths, 1, FXL_E_RESERVED, "surface");
+    quad.surface.flags = FXL_SURFACE_BLEND;
+    TAKES(quad.surface.sixteenths, 16);
+    REFUSES(quad.surface.sixteenths, 17, FXL_E_RANGE, "surface");
 }
 
 void test_mapped_faces(void)

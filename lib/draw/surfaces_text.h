@@ -36,7 +36,10 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
     of->part_of_level = paint->ramp != NULL ? (65536u + levels / 2) / levels : 0;
     of->dark = surfaces->dark;
     of->key = surface->texture != 0 ? surfaces->set->textures[surface->texture - 1].key_565 : 0;
-    of->flags = surface->flags;
+    of->sixteenths = (uint8_t)((surface->flags & FXL_SURFACE_BLEND) == 0 ? 0
+                               : surface->sixteenths == 0              ? 8
+                                                                       : surface->sixteenths);
+    of->adds = (surface->flags & FXL_SURFACE_ADD) != 0;
     if (paint->in_beam != NULL) {
         paint->level.flags |= FXL_LEVEL_IN_BEAM;
         paint->colour = paint->in_beam[paint->colour];

@@ -26,8 +26,9 @@ typedef struct {
     const uint16_t *palette;
     uint32_t part_of_level; /* 2^16 / (levels - 1), rounded; 0: unlit */
     uint16_t dark;
-    uint16_t key;  /* of a texture that is FXL_TEXTURE_565 */
-    uint8_t flags; /* of the surface */
+    uint16_t key;       /* of a texture that is FXL_TEXTURE_565 */
+    uint8_t sixteenths; /* that a pixel shows of its own colour; 0: it is not blended */
+    bool adds;
 } fxl_paint_565;
 
 /* All that a face's pixels depend on. */

@@ -48,9 +48,9 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
         const uint32_t part = part_of_light(paint, values[paint->gradients->count - 1]);
         colour = fxl_mix_565(colour, of->dark, part);
     }
-    if (of->flags & FXL_SURFACE_BLEND) {
-        colour = fxl_half_565(colour, *pixel);
-    } else if (of->flags & FXL_SURFACE_ADD) {
+    if (of->sixteenths != 0) {
+        colour = fxl_blend_565(colour, *pixel, of->sixteenths);
+    } else if (of->adds) {
         colour = fxl_add_565(colour, *pixel);
     }
     *pixel = colour;
@@ -88,8 +88,8 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
                          const linear_pixels *linear)
 {
     const fxl_paint_565 *of = &paint->of_565;
-    const bool blends = (of->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
-    if (FXL_IS_SMALL || paint->opacity < 16 || blends || paint->level.flags != FXL_LEVEL_565) {
+    if (FXL_IS_SMALL || paint->opacity < 16 || of->sixteenths != 0 || of->adds ||
+        paint->level.flags != FXL_LEVEL_565) {
         paint_each_linear(paint, row, x0, x1, linear);
         return;
     }

@@ -14,11 +14,23 @@ extern "C" {
 #define FXL_GREEN_565 0x07E0u
 #define FXL_BLUE_565  0x001Fu
 
-/* (a + b) / 2 of each channel, rounded down: bits that both have, and half of the others, whose
- * lowest of each channel must not fall into the next. */
-static inline uint16_t fxl_half_565(uint32_t a, uint32_t b)
+/* The channels of a colour with zeros between them: green above, then red, then blue. Each has four
+ * bits of room for a product with 16 at most. */
+#define FXL_SPREAD_565 0x07E0F81Fu
+static inline uint32_t fxl_spread_565(uint32_t colour)
 {
-    return (uint16_t)((a & b) + (((a ^ b) & 0xF7DEu) >> 1));
+    return (colour | colour << 16) & FXL_SPREAD_565;
+}
+
+/* (colour * sixteenths + beneath * (16 - sixteenths)) / 16 of each channel, rounded down. The sum is
+ * 16 times a channel's largest value at most: in the uppermost place below 63 * 2^25. Requires
+ * sixteenths <= 16. */
+static inline uint16_t fxl_blend_565(uint32_t colour, uint32_t beneath, uint32_t sixteenths)
+{
+    const uint32_t sum =
+        fxl_spread_565(colour) * sixteenths + fxl_spread_565(beneath) * (16u - sixteenths);
+    const uint32_t mixed = sum >> 4 & FXL_SPREAD_565;
+    return (uint16_t)(mixed | mixed >> 16);
 }
 
 /* One channel of a + b, or the largest value. Both are of 16 bits, so the sum is below 2^17. */

@@ -142,7 +142,7 @@ static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *s
     if (surface->texture > set->texture_count) {
         return FXL_E_INDEX;
     }
-    if (surface->opacity < 1 || surface->opacity > 16) {
+    if (surface->opacity < 1 || surface->opacity > 16 || surface->sixteenths > 16) {
         return FXL_E_RANGE;
     }
     if (!kind->is_565 && (surface->flags & FXL_SURFACE_BLEND) && set->blend == NULL) {
@@ -152,7 +152,8 @@ static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *s
     const bool plain = surface->division <= FXL_AFFINE &&
                        (surface->flags & ~(uint32_t)kind->surface_flags) == 0 &&
                        (surface->flags & both) != both &&
-                       (surface->reserved[0] | surface->reserved[1] | surface->reserved[2]) == 0;
+                       ((surface->flags & FXL_SURFACE_BLEND) || surface->sixteenths == 0) &&
+                       (surface->reserved[0] | surface->reserved[1]) == 0;
     return plain ? FXL_OK : FXL_E_RESERVED;
 }
 

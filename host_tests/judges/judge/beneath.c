@@ -41,15 +41,24 @@ static bool overlap(const judge_range *a, const judge_range *b)
     return true;
 }
 
-/* What is beneath a colour where floor((colour + beneath) / 2) is within a range. False: nothing. */
-static bool find_beneath(const judge_range *mixed, const judge_range *colour, judge_range *beneath)
+/* What is beneath a colour where floor((own colour + (16 - own) beneath) / 16) is within a range.
+ * False: nothing. */
+static bool find_beneath(const judge_range *mixed, const judge_range *colour, int own,
+                         judge_range *beneath)
 {
     bool found = true;
     for (int i = 0; i < REF_CHANNELS; i++) {
-        const int low = 2 * mixed->low[i] - colour->high[i];
-        const int high = 2 * mixed->high[i] + 1 - colour->low[i], most = ref_channel_most(i);
-        beneath->low[i] = low < 0 ? 0 : low;
-        beneath->high[i] = high > most ? most : high;
+        const double low = 16 * mixed->low[i] - own * colour->high[i];
+        const double high = 16 * mixed->high[i] + 15 - own * colour->low[i];
+        const int most = ref_channel_most(i);
+        if (own == 16) {
+            beneath->low[i] = 0;
+            beneath->high[i] = most;
+            found = found && low <= 0 && high >= 0;
+            continue;
+        }
+        beneath->low[i] = (int)fmax(ceil(low / (16 - own)), 0);
+        beneath->high[i] = (int)fmin(floor(high / (16 - own)), most);
         found = found && beneath->low[i] <= beneath->high[i];
     }
     return found;
@@ -73,7 +82,8 @@ static void add_range(judge_beneath *to, const judge_range *range)
     to->ranges[to->count++] = *range;
 }
 
-static void blend_ranges(judge_beneath *of, const judge_showing *found, judge_choice made)
+static void blend_ranges(judge_beneath *of, const ref_surface_view *look,
+                         const judge_showing *found, judge_choice made)
 {
     const int count = of->count;
     const size_t size = (size_t)count * sizeof(judge_range);
@@ -88,7 +98,7 @@ static void blend_ranges(judge_beneath *of, const judge_showing *found, judge_ch
         const judge_range colour = found->colours[c] ? range_shown(of, found, c) : *before;
         for (int i = 0; i < count && found->colours[c]; i++) {
             judge_range beneath = {.cost = fmax(before[i].cost, made.in)};
-            if (find_beneath(&before[i], &colour, &beneath)) {
+            if (find_beneath(&before[i], &colour, look->surface->sixteenths, &beneath)) {
                 add_range(of, &beneath);
             }
         }
@@ -154,7 +164,7 @@ void judge_beneath_blend(judge_beneath *of, const ref_surface_view *look,
                          const judge_showing *found, judge_choice made)
 {
     if (of->rgb565) {
-        blend_ranges(of, found, made);
+        blend_ranges(of, look, found, made);
     } else {
         blend_colours(of, look, found, made);
     }

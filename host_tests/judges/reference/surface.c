@@ -333,7 +333,8 @@ static uint16_t colour_565(const ref_surface_view *view, const ref_place *place,
     for (int i = 0; i < REF_CHANNELS; i++) {
         channels[i] = (int)floor(ref_rgb565_lit(view->rgb565, colour, i, part) + 0.5);
         if (view->surface->blends) {
-            channels[i] = (channels[i] + ref_channel(beneath, i)) / 2;
+            const int own = view->surface->sixteenths;
+            channels[i] = (own * channels[i] + (16 - own) * ref_channel(beneath, i)) / 16;
         }
     }
     return ref_colour_of(channels);

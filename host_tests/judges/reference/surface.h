@@ -41,6 +41,7 @@ typedef struct {
 typedef struct {
     int texture; /* its number, counted from 1; 0: the face's own colour */
     int division, opacity;
+    int sixteenths; /* that a blended colour shows of itself in RGB565 */
     bool is_lit, blends;
 } ref_surface;
 

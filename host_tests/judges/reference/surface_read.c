@@ -81,8 +81,14 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
         return false;
     }
     for (uint32_t i = 0; i < surfaces->surface_count; i++, p += 8) {
-        surfaces->surfaces[i] = (ref_surface){ref_u16(p), p[2], p[4], p[3] & 1, p[3] >> 1 & 1};
-        if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE) {
+        surfaces->surfaces[i] = (ref_surface){.texture = ref_u16(p),
+                                              .division = p[2],
+                                              .opacity = p[4],
+                                              .sixteenths = p[5] != 0 ? p[5] : 8,
+                                              .is_lit = p[3] & 1,
+                                              .blends = p[3] >> 1 & 1};
+        if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE ||
+            p[5] > REF_OPAQUE) {
             return false;
         }
     }

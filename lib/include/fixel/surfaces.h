@@ -65,8 +65,8 @@ enum {
 enum {
     FXL_SURFACE_LIT = 1u << 0, /* light is found at the three corners, and is linear over the face:
                                   fxl_attach_lit */
-    FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath, by the set's table; in
-                                    a frame of 16 bits a pixel half and half, without a table */
+    FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath: by the set's table, in a
+                                    frame of 16 bits a pixel by `sixteenths` */
     FXL_SURFACE_ADD = 1u << 2 /* colours are added to those beneath: in such a frame alone, and not
                                  together with FXL_SURFACE_BLEND */
 };
@@ -77,7 +77,9 @@ struct fxl_surface {
     uint8_t division; /* FXL_DIVIDE_16 and so on */
     uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND, FXL_SURFACE_ADD */
     uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
-    uint8_t reserved[3];
+    uint8_t sixteenths; /* FXL_SURFACE_BLEND: what a frame of 16 bits a pixel shows of the colour
+                           itself, 1..16; 0: 8. Else 0 */
+    uint8_t reserved[2]; /* 0 */
 };
 
 /* A face that has a surface. Three of its corners, which are not on one line, say where the texture

@@ -45,8 +45,8 @@ def _tables(scene, name, names):
     face_map = ["0" if each is None else str(numbers.setdefault(each, len(numbers) + 1)) for each in faces]
     rows = [("textures", "fxl_texture", [_texture(each, names) for each in surfaces.textures],
              "Texels, colours, log2 of width and of height, format, flags, key, levels, reserved."),
-            ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, braces(0, 0, 0))
-                                      for each in surfaces.surfaces], "Texture, division, flags, opacity, reserved."),
+            ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, each.sixteenths, braces(0, 0))
+                                      for each in surfaces.surfaces], "Texture, division, flags, opacity, sixteenths, reserved."),
             ("mapped_faces", "fxl_mapped_face", [_mapped(each) for each in numbers],
              "Surface; normals; corners; reserved; texels u, v at the corners in 16.16."),
             ("face_map", "uint16_t", face_map, "For each face its mapped face, counted from 1; 0: none."),

@@ -181,7 +181,8 @@ SECTIONS = (
         Field("H", "texture", "texture, counted from 1 (0: the face's own colour)"),
         Field("B", "division", "division (0 every 16 columns, 1 every 8, 2 each, 3 affine)"),
         Field("B", "flags", "flags (1 lit, 2 blended)"), Field("B", "opacity", "opacity (1..16)"),
-        Field("3B", "reserved", "reserved")),
+        Field("B", "sixteenths", "what a blended colour shows of itself in RGB565, in sixteenths (1..16; 0: 8)"),
+        Field("2B", "reserved", "reserved")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_surface", room="paint"),
     Section("mapped faces", "mapped face table", (
         Field("H", "surface", "surface"), Field("3H", "normals", "normals of the corners"),

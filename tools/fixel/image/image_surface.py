@@ -43,6 +43,7 @@ class Surface:
     division: int = DIVIDE_16
     flags: int = 0
     opacity: int = OPAQUE
+    sixteenths: int = 0         # BLENDED: what RGB565 frames show of the colour itself; 0: 8
 
 
 @dataclass(frozen=True)
@@ -102,7 +103,7 @@ def tables(surfaces, models):
              "models")
     return dict(zip(TABLES, [
         textures, bytes(blob),
-        [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, 0, 0, 0) for one in surfaces.surfaces],
+        [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, one.sixteenths, 0, 0) for one in surfaces.surfaces],
         mapped, face_map, [NORMAL.pack(*normal) for normal in surfaces.normals], [bytes(row) for row in surfaces.blend]]))
 
 
@@ -134,16 +135,18 @@ def _check_texture(texture, reserved, number):
 
 
 def _read_surface(fields, number, textures, blend):
-    texture, division, flags, opacity, *reserved = fields
+    texture, division, flags, opacity, sixteenths, *reserved = fields
     if texture > textures:
         fail("index", f"surface {number}: texture {texture} of {textures}")
     if not 1 <= opacity <= OPAQUE:
         fail("range", f"surface {number}: an opacity of {opacity} is outside 1..{OPAQUE}")
+    if sixteenths > OPAQUE:
+        fail("range", f"surface {number}: {sixteenths} sixteenths of a colour are more than the colour")
     if flags & BLENDED and not blend:
         fail("argument", f"surface {number} is blended, and there is no blend table")
-    if division > AFFINE or flags > LIT | BLENDED or any(reserved):
+    if division > AFFINE or flags > LIT | BLENDED or any(reserved) or sixteenths and not flags & BLENDED:
         fail("reserved", f"surface {number}: a flag or a reserved field is not what it may be")
-    return Surface(texture, division, flags, opacity)
+    return Surface(texture, division, flags, opacity, sixteenths)
 
 
 def _on_one_line(a, b, c):

@@ -291,4 +291,6 @@ class Records:
             first, end = min(blended), max(blended) + 1
             self.made.blend_first = first
             self.made.blend = blend_table(colours, sixteenths, range(first, end))
+        self.made.surfaces = [replace(one, sixteenths=sixteenths) if one.flags & image_surface.BLENDED else one
+                              for one in self.made.surfaces]
         return self.made if self.made.surfaces else None

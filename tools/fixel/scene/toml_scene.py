@@ -379,9 +379,6 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     scene.lit = in_beam
     scene.light = light.image if isinstance(light, toml_light.RunTime) else None
     scene.dark = palette.rgb565(light.dark) if scene.light else 0
-    if scene.pixel_bits == 16 and _blend(top) != 8 and scene.surfaces and scene.surfaces.blend:
-        notes.append(f"{name}: palette.blend = {_blend(top)} is for frames of the palette: in RGB565 blended objects show half of their "
-                     "own colour; blend = 8 makes both alike")
     scene.reserved = len(reserved)
     if not entries:
         _check_poses(frames or default_path.FRAMES, name)
