@@ -13,7 +13,7 @@ static const fxl_texture texture = {
 static const fxl_surface wood = {.texture = 1, .flags = FXL_SURFACE_LIT, .opacity = 16};
 static const uint16_t face_map[6] = {1, 2, 3, 4, 5, 6};
 static fxl_mapped_face faces[6] = {
-    {.corners = {0, 1, 2}, .texels = {{0, 0}, {FXL_UNITS(32), 0}, {FXL_UNITS(32), FXL_UNITS(32)}}}};
+    {.texels = {{0, 0}, {FXL_UNITS(32), 0}, {FXL_UNITS(32), FXL_UNITS(32)}}}};
 static fxl_direction normals[6]; /* of each face one, at all of its corners */
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
@@ -51,7 +51,10 @@ int main(void)
     for (uint16_t i = 0; i < 6; i++) {
         normals[i] = scene.faces[i].normal;
         faces[i] = faces[0];
-        faces[i].normals[0] = faces[i].normals[1] = faces[i].normals[2] = i;
+        for (uint32_t k = 0; k < 3; k++) {
+            faces[i].vertices[k] = scene.indices[scene.faces[i].first_index + k];
+            faces[i].normals[k] = i;
+        }
     }
     if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) ||
         fxl_attach_lit(&renderer, &lit) ||

@@ -37,7 +37,7 @@ static void put_face(int i, int left, int top, int size, int kind, int texels)
         indices[4 * i + k] = (uint16_t)(i < WALL ? 4 * i + k : k);
     }
     faces[i] = (fxl_face){normal, (uint32_t)(4 * i), 4, 1, 0};
-    mapped[i] = (fxl_mapped_face){.surface = (uint16_t)kind, .corners = {0, 1, 2},
+    mapped[i] = (fxl_mapped_face){.surface = (uint16_t)kind, .vertices = {indices[4 * i], indices[4 * i + 1], indices[4 * i + 2]},
         .texels = {{0, 0}, {FXL_UNITS(texels), 0}, {FXL_UNITS(texels), FXL_UNITS(texels)}}};
     face_map[i] = (uint16_t)(i + 1);
 }

@@ -104,14 +104,24 @@ static fxl_q16_16 any_texel(fuzz_input *in)
     return fuzz_below(in, 64) ? fuzz_between(in, -limit, limit) : fuzz_any(in);
 }
 
-static void make_face(fxl_mapped_face *mapped, const fxl_face *face, fuzz_input *in)
+/* The number of a vertex; if it is spoilt, of any of the model, or of one too many. */
+static uint16_t spoilt_vertex(fuzz_input *in, uint32_t number, const fxl_model *model)
+{
+    return (uint16_t)(fuzz_below(in, 32) == 0 ? fuzz_bits(in, 1) % (model->vertex_count + 1u)
+                                              : number);
+}
+
+/* Three corners of the face that follow each other. */
+static void make_face(fxl_mapped_face *mapped, const fxl_scene *scene, const fxl_model *model,
+                      const fxl_face *face, fuzz_input *in)
 {
     const uint32_t first = face->count < 3 ? 0 : fuzz_below(in, face->count - 2u);
+    const uint16_t *corners = &scene->indices[face->first_index + first];
     memset(mapped, 0, sizeof *mapped);
     mapped->surface = spoilt(in, fuzz_below(in, SURFACES));
-    mapped->corners[0] = (uint8_t)first;
-    mapped->corners[1] = spoilt(in, first + 1);
-    mapped->corners[2] = spoilt(in, first + 2);
+    mapped->vertices[0] = corners[0];
+    mapped->vertices[1] = spoilt_vertex(in, corners[1], model);
+    mapped->vertices[2] = spoilt_vertex(in, corners[2], model);
     mapped->reserved = spoilt(in, 0);
     for (int i = 0; i < 3; i++) {
         mapped->texels[i].u = any_texel(in);
@@ -141,9 +151,12 @@ static void make_surfaces(made_surfaces *made, const fxl_scene *scene, fuzz_inpu
         make_surface(&made->surfaces[i], in);
     }
     make_normals(made, in);
-    for (uint32_t i = 0; i < scene->face_count; i++) {
-        make_face(&made->faces[i], &scene->faces[i], in);
-        made->face_map[i] = (uint16_t)(fuzz_below(in, 4) ? i + 1 : spoilt(in, 0));
+    for (uint32_t m = 0; m < scene->model_count; m++) { /* the models take the faces in turn */
+        const fxl_model *model = &scene->models[m];
+        for (uint32_t i = model->first_face; i < model->first_face + model->face_count; i++) {
+            make_face(&made->faces[i], scene, model, &scene->faces[i], in);
+            made->face_map[i] = (uint16_t)(fuzz_below(in, 4) ? i + 1 : spoilt(in, 0));
+        }
     }
     const uint32_t first = fuzz_below(in, 256), count = fuzz_below(in, 257 - first);
     made->blend = block(256 * count);

@@ -90,15 +90,15 @@ def test_a_blended_surface_shows_up_to_all_of_its_own_colour():
     refuses("reserved", image_surface.read, looks(image_surface.BLENDED, 1, 0, 1), 0, MODELS)
 
 
-def mapped(*corners, surface=0, coordinates=(0, 0, 1, 0, 1, 1), reserved=0):
-    return surfaces(**{"mapped faces": [(surface, 0, 0, 0, *corners, reserved, *coordinates)], "face map": [1]})
+def mapped(*vertices, surface=0, coordinates=(0, 0, 1, 0, 1, 1), reserved=0):
+    return surfaces(**{"mapped faces": [(surface, *vertices, 0, 0, 0, reserved, *coordinates)], "face map": [1]})
 
 
-def test_a_face_has_a_mapping_of_three_corners_that_are_on_no_line():
+def test_a_face_has_a_mapping_of_three_vertices_that_are_on_no_line():
     most = image_surface.TEXEL_MAX
     image_surface.read(mapped(0, 1, 2, coordinates=(most, -most, 0, 0, 0, 0)), 0, MODELS)
-    assert MODELS[0].faces[0].mapped.texels[0] == (most, -most) and MODELS[0].faces[0].mapped.corners == (0, 1, 2)
-    for status, found in (("degenerate", mapped(0, 2, 3)), ("index", mapped(0, 1, 4)), ("index", mapped(1, 1, 2)),
+    assert MODELS[0].faces[0].mapped.texels[0] == (most, -most) and MODELS[0].faces[0].mapped.vertices == (0, 1, 2)
+    for status, found in (("degenerate", mapped(0, 2, 3)), ("index", mapped(0, 1, 4)), ("degenerate", mapped(1, 1, 2)),
                           ("index", mapped(0, 1, 2, surface=1)), ("reserved", mapped(0, 1, 2, reserved=1)),
                           ("range", mapped(0, 1, 2, coordinates=(most + 1, 0, 0, 0, 0, 0))),
                           ("index", {**mapped(0, 1, 2), "face map": [2]})):

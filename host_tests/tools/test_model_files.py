@@ -231,8 +231,8 @@ def test_an_image_becomes_a_texture_at_the_files_coordinates(tmp_path):
     assert [made.palette[entry] for entry in texture.texels[:16]] == [(250, 0, 0)] * 8 + [(0, 0, 250)] * 8
     found = {}      # vertex -> texel, in texels from the upper left corner
     for face in made.models[0].faces:
-        for corner, texel in zip(face.mapped.corners, face.mapped.texels):
-            found[made.models[0].vertices[face.corners[corner]]] = texel
+        for vertex, texel in zip(face.mapped.vertices, face.mapped.texels):
+            found[made.models[0].vertices[vertex]] = texel
     left, right = (end(x for x, _, _ in found) for end in (min, max))
     top, bottom = (end(y for _, y, _ in found) for end in (max, min))
     # The file's (0, 0, 0) is at u = 0, v = 0, its (1, 1, 0) at u = 2, v = 1; its y is up.

@@ -73,7 +73,7 @@ static inline void mapped_quad_make(mapped_quad *quad, fxl_direction normal, fxl
         quad->indices[i] = i;
     }
     for (uint8_t i = 0; i < 3; i++) {
-        quad->mapped.corners[i] = i;
+        quad->mapped.vertices[i] = i;
     }
     quad->face = (fxl_face){normal, 0, 4, 200, 0};
     quad->model =

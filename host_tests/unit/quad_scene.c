@@ -54,10 +54,10 @@ static void make_pose(quad_scene *quad)
 static void make_surface(quad_scene *quad)
 {
     quad->surface = (fxl_surface){.opacity = 16};
-    quad->mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
+    quad->mapped = (fxl_mapped_face){.vertices = {0, 1, 2}};
     if (unit_between(0, 1)) {
-        quad->mapped.corners[1] = 2;
-        quad->mapped.corners[2] = 3;
+        quad->mapped.vertices[1] = 2;
+        quad->mapped.vertices[2] = 3;
     }
     for (uint32_t i = 0; i < 3; i++) {
         quad->mapped.texels[i] =
@@ -111,8 +111,8 @@ void quad_begin(quad_scene *quad)
     config.background = QUAD_BACKGROUND;
     const double scale = quad->turn.scale / 65536.0;
     for (uint32_t i = 0; i < 3; i++) {
-        quad->corners[i] =
-            turned(quad, exact_point(&quad->vertices[quad->mapped.corners[i]], 1.0 / 65536), scale);
+        quad->corners[i] = turned(
+            quad, exact_point(&quad->vertices[quad->mapped.vertices[i]], 1.0 / 65536), scale);
         quad->lit[i] = turned(quad, exact_direction(&quad->normals[quad->mapped.normals[i]]), 1);
     }
     if (quad->scene.placements != NULL) {

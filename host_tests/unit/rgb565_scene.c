@@ -70,7 +70,7 @@ void walls_make(void)
     walls.surface[1] = (fxl_surface){.opacity = 16};
     for (uint16_t i = 0; i < 2; i++) {
         walls.mapped[i] = (fxl_mapped_face){.surface = i,
-                                            .corners = {0, 1, 2},
+                                            .vertices = {0, 1, 2},
                                             .texels = {{0, 0}, {Q16(40), 0}, {Q16(40), Q16(24)}}};
     }
     walls.face_map[0] = 1;

@@ -67,7 +67,7 @@ void setUp(void)
         FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(25), 0, &turns[0].orientation));
     tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
     surface = (fxl_surface){.opacity = 16};
-    mapped = (fxl_mapped_face){.corners = {0, 1, 2}};
+    mapped = (fxl_mapped_face){.vertices = {0, 1, 2}};
     memset(face_map, 0, sizeof face_map);
     surface_set = (fxl_surface_set){.surfaces = &surface,
                                     .faces = &mapped,

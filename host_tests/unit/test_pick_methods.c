@@ -37,7 +37,7 @@ static const fxl_texture texture = {.texels = texels,
                                     .key = KEY,
                                     .levels = 1};
 static const fxl_surface surface = {.texture = 1, .division = FXL_DIVIDE_1, .opacity = 16};
-static const fxl_mapped_face mapped = {.corners = {0, 1, 2},
+static const fxl_mapped_face mapped = {.vertices = {0, 2, 6},
                                        .texels = {{0, 0}, {0, Q16(8)}, {Q16(8), Q16(8)}}};
 static const uint16_t face_map[12] = {0, 0, 0, 0, 1};
 static const fxl_surface_set surface_set = {.textures = &texture,

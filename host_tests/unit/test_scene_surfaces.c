@@ -36,8 +36,8 @@ static tiny_image *make(void)
         {.texture = 1, .opacity = 16, .flags = FXL_SURFACE_BLEND},
         {.texture = 2, .division = FXL_DIVIDE_1, .opacity = 7, .flags = FXL_SURFACE_LIT}};
     static const fxl_mapped_face faces[2] = {
-        {.corners = {0, 1, 3}, .texels = {{0, 0}, {Q16(4), 0}, {0, Q16(-2)}}},
-        {.surface = 1, .corners = {1, 2, 3}, .texels = {{1, 2}, {3, 4}, {5, 6}}}};
+        {.vertices = {1, 3, 0}, .texels = {{0, 0}, {Q16(4), 0}, {0, Q16(-2)}}},
+        {.surface = 1, .vertices = {6, 7, 5}, .texels = {{1, 2}, {3, 4}, {5, 6}}}};
     static const uint16_t map[FACES] = {1, 2};
     static const fxl_direction normal = {0, FXL_Q2_30_ONE, 0};
     uint8_t texels[TEXELS];
@@ -212,7 +212,7 @@ void test_sections_of_surfaces_go_together(void)
         static const uint32_t bytes[64];
         tiny_image *image = tiny_image_make(false);
         const uint32_t size = kind == SECTION_BLEND_TABLE    ? 256
-                              : kind == SECTION_MAPPED_FACES ? 36
+                              : kind == SECTION_MAPPED_FACES ? 40
                                                              : 48;
         tiny_set_section(image, kind, bytes, 1, size);
         if (size == 48) { /* whole entries of any of the others */
@@ -267,7 +267,7 @@ void test_the_rest_is_checked(void)
     tiny_entry(image, AT_SURFACES, 0, 8)[4] = 17;
     expect_surfaces(FXL_E_RANGE, "surface", image);
     image = make();
-    tiny_put16(tiny_entry(image, AT_MAPPED, 1, 36) + 4, 1);
+    tiny_put16(tiny_entry(image, AT_MAPPED, 1, 40) + 10, 1);
     expect_surfaces(FXL_E_INDEX, "mapped face", image);
     image = make();
     tiny_put16(tiny_entry(image, AT_MAP, 2, 2), 3);

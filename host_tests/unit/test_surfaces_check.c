@@ -205,11 +205,11 @@ void test_mapped_faces(void)
     REFUSES(quad.face_map, 2, FXL_E_INDEX, "face");
     REFUSES(quad.mapped.reserved, 1, FXL_E_RESERVED, "mapped face");
     REFUSES(quad.mapped.surface, 1, FXL_E_INDEX, "mapped face");
-    TAKES(quad.mapped.corners[2], 3);
-    REFUSES(quad.mapped.corners[2], 4, FXL_E_INDEX, "mapped face");
-    REFUSES(quad.mapped.corners[0], 1, FXL_E_INDEX, "mapped face");
-    REFUSES(quad.mapped.corners[1], 2, FXL_E_INDEX, "mapped face");
     for (int i = 0; i < 3; i++) {
+        TAKES(quad.mapped.vertices[i], 3);
+        REFUSES(quad.mapped.vertices[i], 4, FXL_E_INDEX, "mapped face");
+        REFUSES(quad.mapped.vertices[i], UINT16_MAX, FXL_E_INDEX, "mapped face");
+        REFUSES(quad.mapped.vertices[i], (uint16_t)((i + 1) % 3), FXL_E_DEGENERATE, "mapped face");
         TAKES(quad.mapped.normals[i], 2); /* not lit: not read */
         TAKES(quad.mapped.texels[i].u, FXL_TEXEL_MAX);
         TAKES(quad.mapped.texels[i].v, FXL_TEXEL_MAX);

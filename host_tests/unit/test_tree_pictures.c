@@ -204,8 +204,8 @@ static void map_faces(bool is_lit)
         surface[f] = (fxl_surface){
             .texture = (uint16_t)(f + 1), .opacity = 16, .flags = is_lit ? FXL_SURFACE_LIT : 0};
         mapped[f] = (fxl_mapped_face){.surface = (uint16_t)f,
-                                      .corners = {0, 1, 2},
                                       .texels = {{0, Q16(16)}, {0, 0}, {Q16(16), 0}}};
+        memcpy(mapped[f].vertices, &made->tiny->corners[4 * f], sizeof mapped[f].vertices);
         face_map[f] = (uint16_t)(f + 1);
     }
     normals[0] = (fxl_direction){0, 0, -FXL_Q2_30_ONE};

@@ -34,18 +34,17 @@ static bsp_scene *made;
 static const fxl_texture texture = {
     .texels = texels, .log_width = 3, .log_height = 3, .levels = 1};
 static const fxl_surface surface = {.texture = 1, .opacity = 16, .flags = FXL_SURFACE_LIT};
-static const fxl_mapped_face mapped = {.corners = {0, 1, 2},
-                                       .texels = {{0, Q16(8)}, {0, 0}, {Q16(8), 0}}};
+static fxl_mapped_face mapped[6]; /* the faces of a cube */
 static const fxl_direction normals[1] = {{0, 0, -FXL_Q2_30_ONE}};
-static const uint16_t face_map[12] = {1, 1, 0, 0, 1, 1, 1, 0, 1, 0, 1, 0}; /* of both models */
+static const uint16_t face_map[12] = {1, 2, 0, 0, 5, 6, 1, 0, 3, 0, 5, 0}; /* of both models */
 static const fxl_surface_set surface_set = {.textures = &texture,
                                             .surfaces = &surface,
-                                            .faces = &mapped,
+                                            .faces = mapped,
                                             .face_map = face_map,
                                             .normals = normals,
                                             .texture_count = 1,
                                             .surface_count = 1,
-                                            .face_count = 1,
+                                            .face_count = 6,
                                             .normal_count = 1};
 void setUp(void)
 {
@@ -57,6 +56,10 @@ void setUp(void)
     made = bsp_make();
     made->tiny->instances[0].centre = (fxl_point){Q16(-1), Q16(0.25), Q16(9)};
     made->tiny->instances[2].centre = (fxl_point){Q16(1.25), Q16(-0.5), Q16(9.5)};
+    for (uint32_t f = 0; f < 6; f++) {
+        mapped[f] = (fxl_mapped_face){.texels = {{0, Q16(8)}, {0, 0}, {Q16(8), 0}}};
+        memcpy(mapped[f].vertices, &made->tiny->corners[4 * f], sizeof mapped[f].vertices);
+    }
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(100 + i % 7);
     }

@@ -21,20 +21,19 @@ bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
 
 /* The corners of a face in the view, and the values of its attributes there. */
 static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
-                         const fxl_face *face, const fxl_mapped_face *mapped,
-                         const fxl_traversal *traversal, fxl_gradient_corners *corners)
+                         const fxl_mapped_face *mapped, const fxl_traversal *traversal,
+                         fxl_gradient_corners *corners)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
-    const uint16_t *indices = model_view->indices + face->first_index;
     for (uint32_t i = 0; i < 3; i++) {
-        fxl_find_corner(model_view, indices[mapped->corners[i]], traversal, &corners->corners[i]);
+        fxl_find_corner(model_view, mapped->vertices[i], traversal, &corners->corners[i]);
         corners->values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
         corners->values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
     }
     corners->count = surface->texture == 0 ? 0 : 2;
     if (fxl_surface_is_lit(surfaces, surface)) {
         surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance,
-                                            face, mapped, corners->values[corners->count]);
+                                            mapped, corners->values[corners->count]);
         corners->count++;
     }
 }
@@ -45,7 +44,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     fxl_gradient_corners corners;
-    find_corners(surfaces, model_view, face, mapped, traversal, &corners);
+    find_corners(surfaces, model_view, mapped, traversal, &corners);
     if (surface->division == FXL_AFFINE) {
         fxl_corners_make_affine(&corners, model_view->view);
     }

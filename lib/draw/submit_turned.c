@@ -32,16 +32,23 @@ static bool face_is_front(const fxl_scene *scene, uint32_t number, const fxl_fac
         fxl_face_height(vertices, &scene->indices[face->first_index], face));
 }
 
+static fxl_point place_vertex(const fxl_scene *scene, uint32_t number, uint32_t vertex)
+{
+    const fxl_point *vertices = &scene->vertices[model_of(scene, number)->first_vertex];
+    fxl_point point;
+    fxl_placement_point(fxl_placement_of(scene, number), &scene->instances[number].centre,
+                        &vertices[vertex], &point);
+    FXL_ASSERT(fxl_point_in_range(&point));
+    return point;
+}
+
 static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *face,
                        fxl_point *points)
 {
-    const fxl_point *vertices = &scene->vertices[model_of(scene, number)->first_vertex];
     const uint16_t *indices = &scene->indices[face->first_index];
     FXL_ASSERT(face->count >= 3 && face->count <= FXL_FACE_VERTICES_MAX);
     for (uint32_t i = 0; i < face->count; i++) {
-        fxl_placement_point(fxl_placement_of(scene, number), &scene->instances[number].centre,
-                            &vertices[indices[i]], &points[i]);
-        FXL_ASSERT(fxl_point_in_range(&points[i]));
+        points[i] = place_vertex(scene, number, indices[i]);
     }
 }
 
@@ -335,6 +342,7 @@ const fxl_placement_code fxl_turned_instances = {.check = fxl_placement_check_al
                                                  .find_visible = find_visible,
                                                  .radius = radius_of,
                                                  .face_is_front = face_is_front,
+                                                 .place_vertex = place_vertex,
                                                  .place_face = place_face,
                                                  .normal = normal_of,
                                                  .list_instances = list_instances,

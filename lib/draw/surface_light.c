@@ -19,32 +19,28 @@ static void place_corner(const fxl_point *point, const fxl_direction *normal, fx
     place->middle.z = 2 * point->z;
 }
 
-/* The three corners of a turned instance's face. fxl_placement_code places whole faces, and turns
- * the normal of a face. */
-static void place_turned_corners(const fxl_scene *scene, uint32_t number, const fxl_face *face,
+/* The three corners in a turned instance. fxl_placement_code turns the normal of a face. */
+static void place_turned_corners(const fxl_scene *scene, uint32_t number,
                                  const fxl_mapped_face *mapped, const fxl_direction *normals,
                                  fxl_lit_place places[3])
 {
     const fxl_placement_code *code = scene->placement_code;
-    fxl_point points[FXL_FACE_VERTICES_MAX];
-    code->place_face(scene, number, face, points);
     for (uint32_t i = 0; i < 3; i++) {
-        fxl_face corner = *face;
-        corner.normal = normals[mapped->normals[i]];
+        const fxl_face corner = {.normal = normals[mapped->normals[i]]};
         const fxl_direction normal = code->normal(scene, number, &corner);
-        place_corner(&points[mapped->corners[i]], &normal, &places[i]);
+        const fxl_point point = code->place_vertex(scene, number, mapped->vertices[i]);
+        place_corner(&point, &normal, &places[i]);
     }
 }
 
 static void place_corners(const fxl_scene *scene, const fxl_instance *instance,
-                          const fxl_face *face, const fxl_mapped_face *mapped,
-                          const fxl_direction *normals, fxl_lit_place places[3])
+                          const fxl_mapped_face *mapped, const fxl_direction *normals,
+                          fxl_lit_place places[3])
 {
     const fxl_point *vertices = &scene->vertices[scene->models[instance->model].first_vertex];
-    const uint16_t *indices = &scene->indices[face->first_index];
     const fxl_point *centre = &instance->centre;
     for (uint32_t i = 0; i < 3; i++) {
-        const fxl_point *vertex = &vertices[indices[mapped->corners[i]]];
+        const fxl_point *vertex = &vertices[mapped->vertices[i]];
         const fxl_point point = {centre->x + vertex->x, centre->y + vertex->y,
                                  centre->z + vertex->z};
         place_corner(&point, &normals[mapped->normals[i]], &places[i]);
@@ -59,8 +55,8 @@ static int32_t level_of(fxl_q2_30 brightness, uint32_t levels)
 }
 
 static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_face *face,
-                          const fxl_mapped_face *mapped, int32_t values[3])
+                          const fxl_instance *instance, const fxl_mapped_face *mapped,
+                          int32_t values[3])
 {
     const fxl_light_settings *settings = &surfaces->light->settings;
     const fxl_direction *normals = surfaces->set->normals;
@@ -68,9 +64,9 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const uint32_t number = fxl_instance_number(scene, instance);
     fxl_lit_place places[3];
     if (fxl_placement_code_of(scene, number) != NULL) {
-        place_turned_corners(scene, number, face, mapped, normals, places);
+        place_turned_corners(scene, number, mapped, normals, places);
     } else {
-        place_corners(scene, instance, face, mapped, normals, places);
+        place_corners(scene, instance, mapped, normals, places);
     }
     for (uint32_t i = 0; i < 3; i++) {
         values[i] =

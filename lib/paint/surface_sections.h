@@ -14,11 +14,11 @@ FXL_STATIC_ASSERT(offsetof(fxl_surface, flags) == 3, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_surface, opacity) == 4, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_surface, sixteenths) == 5, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_surface, reserved) == 6, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(sizeof(fxl_mapped_face) == 36, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(sizeof(fxl_mapped_face) == 40, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, surface) == 0, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, normals) == 2, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, corners) == 8, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, reserved) == 11, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, texels) == 12, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, vertices) == 2, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, normals) == 8, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, reserved) == 14, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_mapped_face, texels) == 16, FXL_AS_DOCUMENTED);
 
 #endif

@@ -180,14 +180,14 @@ static fxl_status check_texels(const fxl_mapped_face *mapped)
 }
 
 static fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
-                             const fxl_model *model, const fxl_face *face,
-                             const fxl_mapped_face *mapped)
+                             const fxl_model *model, const fxl_mapped_face *mapped)
 {
     if (mapped->reserved != 0) {
         return FXL_E_RESERVED;
     }
-    if (mapped->surface >= set->surface_count || mapped->corners[0] >= mapped->corners[1] ||
-        mapped->corners[1] >= mapped->corners[2] || mapped->corners[2] >= face->count) {
+    const uint16_t *numbers = mapped->vertices;
+    if (mapped->surface >= set->surface_count || numbers[0] >= model->vertex_count ||
+        numbers[1] >= model->vertex_count || numbers[2] >= model->vertex_count) {
         return FXL_E_INDEX;
     }
     if (set->surfaces[mapped->surface].flags & FXL_SURFACE_LIT) {
@@ -197,10 +197,8 @@ static fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
             }
         }
     }
-    const uint16_t *indices = &scene->indices[face->first_index];
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
-    if (on_one_line(&vertices[indices[mapped->corners[0]]], &vertices[indices[mapped->corners[1]]],
-                    &vertices[indices[mapped->corners[2]]])) {
+    if (on_one_line(&vertices[numbers[0]], &vertices[numbers[1]], &vertices[numbers[2]])) {
         return FXL_E_DEGENERATE;
     }
     return check_texels(mapped);
@@ -218,9 +216,7 @@ static fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene
                 return fxl_fault_at(fault, "face", number, FXL_E_INDEX);
             }
             const fxl_status status =
-                mapped == 0
-                    ? FXL_OK
-                    : check_face(set, scene, model, &scene->faces[number], &set->faces[mapped - 1]);
+                mapped == 0 ? FXL_OK : check_face(set, scene, model, &set->faces[mapped - 1]);
             if (status != FXL_OK) {
                 return fxl_fault_at(fault, "mapped face", mapped - 1, status);
             }

@@ -28,6 +28,8 @@ struct fxl_placement_code {
     /* fxl_face_is_front of a turned instance. */
     bool (*face_is_front)(const fxl_scene *scene, uint32_t number, const fxl_face *face,
                           const fxl_point *eye);
+    /* A vertex of a turned instance in the world, rounded once, by its number within the model. */
+    fxl_point (*place_vertex)(const fxl_scene *scene, uint32_t number, uint32_t vertex);
     /* The points of a face of a turned instance in the world, rounded once, at most
      * FXL_FACE_VERTICES_MAX. */
     void (*place_face)(const fxl_scene *scene, uint32_t number, const fxl_face *face,

@@ -68,7 +68,7 @@ enum {
     {16, 1, FXL_SCENE_TABLE_MAX, "texture table"},       \
     {1, 1, FXL_SCENE_IMAGE_MAX, "texel table"},          \
     {8, 1, FXL_SCENE_TABLE_MAX, "surface table"},        \
-    {36, 1, FXL_SCENE_TABLE_MAX, "mapped face table"},   \
+    {40, 1, FXL_SCENE_TABLE_MAX, "mapped face table"},   \
     {2, 1, FXL_SCENE_FACES_MAX, "face map"},             \
     {12, 1, FXL_SCENE_TABLE_MAX, "corner normal table"}, \
     {256, 1, 256, "blend table"},                        \

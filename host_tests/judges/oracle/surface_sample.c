@@ -142,7 +142,7 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
     static const uint16_t face_map[1] = {1};
     fxl_draw_entry order[2];
     const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
-    fxl_mapped_face mapped = {.corners = {0, 1, 2}, .normals = {0, 1, 2}};
+    fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .normals = {0, 1, 2}};
     for (int i = 0; i < 3; i++) {
         mapped.texels[i] =
             (fxl_texel){(int32_t)sample->values[i][0], (int32_t)sample->values[i][1]};

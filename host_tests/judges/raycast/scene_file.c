@@ -16,7 +16,7 @@ enum {
     INSTANCE = 16,
     TEXTURE = 16,
     SURFACE = 8,
-    MAPPED_FACE = 36,
+    MAPPED_FACE = 40,
     OPAQUE = 16
 };
 

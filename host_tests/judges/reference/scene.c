@@ -57,19 +57,30 @@ ref_pose ref_pose_read(const uint8_t *bytes)
                       ref_u32(bytes + 20)};
 }
 
+ref_lattice_point ref_model_vertex(const ref_scene *scene, const ref_instance *instance,
+                                   uint32_t number)
+{
+    return scene->vertices[scene->models[instance->model].first_vertex + number];
+}
+
 ref_lattice_point ref_face_corner(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner)
 {
-    const ref_model *model = &scene->models[instance->model];
-    uint32_t number = scene->indices[face->first_index + (uint32_t)corner];
-    return scene->vertices[model->first_vertex + number];
+    return ref_model_vertex(scene, instance, scene->indices[face->first_index + (uint32_t)corner]);
 }
 
 ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *instance,
                                   const ref_face *face, int corner)
 {
+    return ref_instance_vertex(scene, instance,
+                               scene->indices[face->first_index + (uint32_t)corner]);
+}
+
+ref_lattice_point ref_instance_vertex(const ref_scene *scene, const ref_instance *instance,
+                                      uint32_t number)
+{
     const ref_turn *turn = ref_turn_of(scene, instance);
-    ref_lattice_point vertex = ref_face_corner(scene, instance, face, corner);
+    ref_lattice_point vertex = ref_model_vertex(scene, instance, number);
     if (turn) {
         return ref_turn_rounded(turn, &instance->centre, &vertex);
     }

@@ -28,7 +28,7 @@ static const struct {
     [REF_LIGHT] = {28, 1},             [REF_POINT_LIGHTS] = {20, 4},
     [REF_RAMP] = {256, 64},            [REF_TEXTURES] = {16, 65535},
     [REF_TEXELS] = {1, 16u << 20},     [REF_SURFACES] = {8, 65535},
-    [REF_MAPPED_FACES] = {36, 65535},  [REF_FACE_MAP] = {2, 1000000},
+    [REF_MAPPED_FACES] = {40, 65535},  [REF_FACE_MAP] = {2, 1000000},
     [REF_CORNER_NORMALS] = {12, 65535}, [REF_BLEND_TABLE] = {256, 256},
     [REF_BILLBOARDS] = {32, 65535},    [REF_BILLBOARD_MAP] = {2, 65535},
     [REF_SPRITE_PIXELS] = {1, 16u << 20}, [REF_LENS_CENTRE] = {8, 1}};

@@ -11,12 +11,12 @@
 /* --- the corners of a face ---------------------------------------------------------------------
  */
 
-static ref_view_point corner_in_view(const ref_scene *scene, const ref_camera *camera,
-                                     const ref_instance *instance, const ref_face *face, int number)
+static ref_view_point vertex_in_view(const ref_scene *scene, const ref_camera *camera,
+                                     const ref_instance *instance, uint32_t number)
 {
     const ref_turn *turn = ref_turn_of(scene, instance);
-    const ref_lattice_point corner = ref_face_corner(scene, instance, face, number);
-    const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, number);
+    const ref_lattice_point corner = ref_model_vertex(scene, instance, number);
+    const ref_lattice_point vertex = ref_instance_vertex(scene, instance, number);
     const ref_point at =
         turn ? ref_turn_point(turn, &instance->centre, &corner) : ref_point_from_lattice(&vertex);
     return ref_transform_point(camera, &at);
@@ -24,11 +24,10 @@ static ref_view_point corner_in_view(const ref_scene *scene, const ref_camera *c
 
 /* The light at a corner, in levels of the ramp, so that the nearest is what is below. */
 static double light_at(const ref_scene *scene, const ref_camera *camera,
-                       const ref_instance *instance, const ref_face *face, int corner,
-                       const int32_t normal[3])
+                       const ref_instance *instance, uint32_t number, const int32_t normal[3])
 {
     const ref_turn *turn = ref_turn_of(scene, instance);
-    const ref_lattice_point vertex = ref_face_vertex(scene, instance, face, corner);
+    const ref_lattice_point vertex = ref_instance_vertex(scene, instance, number);
     int32_t turned[3] = {normal[0], normal[1], normal[2]};
     if (turn) {
         ref_turn_normal(turn, normal, turned);
@@ -119,15 +118,15 @@ static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])
 }
 
 static void find_values(const ref_scene *scene, const ref_camera *camera,
-                        const ref_instance *instance, const ref_face *face,
-                        const ref_mapped_face *mapped, ref_surface_view *view)
+                        const ref_instance *instance, const ref_mapped_face *mapped,
+                        ref_surface_view *view)
 {
     double at[3][REF_VALUES] = {{0}};
     for (int i = 0; i < 3; i++) {
         at[i][REF_U] = mapped->texels[i][0];
         at[i][REF_V] = mapped->texels[i][1];
         if (view->light) {
-            at[i][REF_BRIGHTNESS] = light_at(scene, camera, instance, face, mapped->corners[i],
+            at[i][REF_BRIGHTNESS] = light_at(scene, camera, instance, (uint32_t)mapped->vertices[i],
                                              scene->surfaces->normals[mapped->normals[i]]);
         }
     }
@@ -143,16 +142,15 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     if (!surfaces || surfaces->face_map[number] == 0) {
         return;
     }
-    const ref_face *face = &scene->faces[number];
     const ref_mapped_face *mapped = &surfaces->faces[surfaces->face_map[number] - 1];
     ref_view_point corners[3];
     bool on_screen = true;
     view->surfaces = surfaces;
     view->surface = &surfaces->surfaces[mapped->surface];
-    view->own = face->material;
+    view->own = scene->faces[number].material;
     view->light = view->surface->is_lit ? scene->light : NULL;
     for (int i = 0; i < 3; i++) {
-        corners[i] = corner_in_view(scene, camera, instance, face, mapped->corners[i]);
+        corners[i] = vertex_in_view(scene, camera, instance, (uint32_t)mapped->vertices[i]);
         on_screen = is_on_screen(lens, &corners[i], &view->points[i]) && on_screen;
     }
     view->corner = corners[0];
@@ -160,7 +158,7 @@ void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const re
     view->sides[1] = difference(&corners[2], &corners[0]);
     view->is_affine =
         view->surface->division == REF_AFFINE && on_screen && area_of(view->points) != 0;
-    find_values(scene, camera, instance, face, mapped, view);
+    find_values(scene, camera, instance, mapped, view);
     if (view->surface->texture) {
         view->texture = &surfaces->textures[view->surface->texture - 1];
         choose_level(view, lens, corners);

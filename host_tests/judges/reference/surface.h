@@ -46,8 +46,8 @@ typedef struct {
 } ref_surface;
 
 typedef struct {
-    int surface, corners[3], normals[3];
-    double texels[3][2]; /* u, v */
+    int surface, vertices[3], normals[3]; /* numbers; of vertices within the model */
+    double texels[3][2];                  /* u, v */
 } ref_mapped_face;
 
 struct ref_surfaces {
@@ -100,8 +100,8 @@ bool ref_surface_place(const ref_surface_view *view, const ref_lens *lens, doubl
  * texture: the face's own. */
 int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row);
 
-/* Finds the column and the row, within its level, of the texel at a point of the screen. False: there is
- * none. */
+/* Finds the column and the row, within its level, of the texel at a point of the screen. False:
+ * there is none. */
 bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, double x, double y,
                           int texel[2]);
 
@@ -118,7 +118,8 @@ uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t b
 /* Whether the stipple of an opacity draws a pixel. */
 bool ref_stipple_draws(int opacity, int x, int y);
 
-/* The colour of a pixel of a face over another colour; or REF_CLEAR. Of the palette, or of RGB565. */
+/* The colour of a pixel of a face over another colour; or REF_CLEAR. Of the palette, or of RGB565.
+ */
 int ref_surface_colour(const ref_surface_view *view, const ref_lens *lens, int x, int y,
                        uint16_t beneath);
 

@@ -102,14 +102,14 @@ static bool read_faces(const uint8_t *bytes, ref_surfaces *surfaces)
     if (!p || !surfaces->faces) {
         return false;
     }
-    for (uint32_t i = 0; i < surfaces->face_count; i++, p += 36) {
+    for (uint32_t i = 0; i < surfaces->face_count; i++, p += 40) {
         ref_mapped_face *face = &surfaces->faces[i];
         face->surface = ref_u16(p);
         for (int k = 0; k < 3; k++) {
-            face->corners[k] = p[8 + k];
-            face->normals[k] = ref_u16(p + 2 + 2 * k);
-            face->texels[k][0] = ref_i32(p + 12 + 8 * k) / REF_ONE;
-            face->texels[k][1] = ref_i32(p + 16 + 8 * k) / REF_ONE;
+            face->vertices[k] = ref_u16(p + 2 + 2 * k);
+            face->normals[k] = ref_u16(p + 8 + 2 * k);
+            face->texels[k][0] = ref_i32(p + 16 + 8 * k) / REF_ONE;
+            face->texels[k][1] = ref_i32(p + 20 + 8 * k) / REF_ONE;
         }
         if ((uint32_t)face->surface >= surfaces->surface_count) {
             return false;
@@ -150,6 +150,20 @@ static bool read_blend(const uint8_t *bytes, ref_surfaces *surfaces)
     return surfaces->blend != NULL;
 }
 
+/* Whether the vertices of the mapped faces of a model's faces are the model's. */
+static bool has_its_vertices(const ref_model *model, const ref_surfaces *surfaces)
+{
+    for (uint32_t i = 0; i < model->face_count; i++) {
+        const uint16_t number = surfaces->face_map[model->first_face + i];
+        for (int k = 0; number && k < 3; k++) {
+            if ((uint32_t)surfaces->faces[number - 1].vertices[k] >= model->vertex_count) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 static bool read_map(const uint8_t *bytes, const ref_scene *scene,
                      ref_surfaces *surfaces)
 {
@@ -164,12 +178,12 @@ static bool read_map(const uint8_t *bytes, const ref_scene *scene,
         if (number > surfaces->face_count) {
             return false;
         }
-        for (int k = 0; number && k < 3; k++) {
-            if (surfaces->faces[number - 1].corners[k] >= scene->faces[i].count) {
-                return false;
-            }
-        }
         surfaces->face_map[i] = number;
+    }
+    for (uint32_t m = 0; m < scene->model_count; m++) {
+        if (!has_its_vertices(&scene->models[m], surfaces)) {
+            return false;
+        }
     }
     return true;
 }

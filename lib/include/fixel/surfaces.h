@@ -58,12 +58,12 @@ enum {
     FXL_DIVIDE_16 = 0, /* at each 16th column; where that is half a texel off, as the next */
     FXL_DIVIDE_8 = 1,  /* at each 8th column; where that is half a texel off, as the next */
     FXL_DIVIDE_1 = 2,  /* at each pixel */
-    FXL_AFFINE = 3 /* nowhere: linear on the screen. Where one of the face's three corners is not on
-                      the screen, as FXL_DIVIDE_16 */
+    FXL_AFFINE = 3 /* nowhere: linear on the screen. Where one of the face's three vertices is not
+                      on the screen, as FXL_DIVIDE_16 */
 };
 
 enum {
-    FXL_SURFACE_LIT = 1u << 0, /* light is found at the three corners, and is linear over the face:
+    FXL_SURFACE_LIT = 1u << 0, /* light is found at the three vertices, and is linear over the face:
                                   fxl_attach_lit */
     FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath: by the set's table, in a
                                     frame of 16 bits a pixel by `sixteenths` */
@@ -82,14 +82,15 @@ struct fxl_surface {
     uint8_t reserved[2]; /* 0 */
 };
 
-/* A face that has a surface. Three of its corners, which are not on one line, say where the texture
- * lies; over the rest of the face it is linear. */
+/* A face that has a surface. Three vertices of its model, which are not on one line, say where the
+ * texture lies; over the rest of their plane it is linear. They are corners of the face, or, of a
+ * face that is a part of another, corners of the whole. So all parts of a face share a record. */
 struct fxl_mapped_face {
-    uint16_t surface;    /* a number */
-    uint16_t normals[3]; /* of the corners, numbers; FXL_SURFACE_LIT only, else 0 */
-    uint8_t corners[3];  /* which of the face's corners, in rising order */
-    uint8_t reserved;    /* 0 */
-    fxl_texel texels[3]; /* at these corners; each coordinate within FXL_TEXEL_MAX */
+    uint16_t surface;     /* a number */
+    uint16_t vertices[3]; /* numbers within the model */
+    uint16_t normals[3];  /* at these vertices, numbers; FXL_SURFACE_LIT only, else 0 */
+    uint16_t reserved;    /* 0 */
+    fxl_texel texels[3];  /* at these vertices; each coordinate within FXL_TEXEL_MAX */
 };
 
 /* The surfaces of a scene: tables that the caller owns and that must outlive it. */
@@ -99,7 +100,7 @@ typedef struct {
     const fxl_mapped_face *faces;
     const uint16_t *face_map; /* one for each face of the scene: 0, or the number of its record in
                                  faces, counted from 1 */
-    const fxl_direction *normals; /* of corners, in the model */
+    const fxl_direction *normals; /* at vertices, in the model */
     uint32_t texture_count, surface_count, face_count, normal_count;
     const uint8_t *blend; /* blend[256 * (colour - blend_first) + beneath]: what FXL_SURFACE_BLEND
                              shows of a colour over another; null where no surface has that flag */
@@ -131,17 +132,17 @@ typedef struct {
 } fxl_surfaces;
 
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
- * corners of a face are not on one line; that normals have unit length; that a set with a surface
- * that is FXL_SURFACE_BLEND has a table. pixel_bits: of the frames that they are for, 8 or 16. With 16,
- * textures may be FXL_TEXTURE_565, surfaces may be FXL_SURFACE_ADD, and FXL_SURFACE_BLEND needs no
- * table. Requires a checked scene and tables as long as their counts; fault may be null.
+ * vertices of a face are not on one line; that normals have unit length; that a set with a surface
+ * that is FXL_SURFACE_BLEND has a table. pixel_bits: of the frames that they are for, 8 or 16. With
+ * 16, textures may be FXL_TEXTURE_565, surfaces may be FXL_SURFACE_ADD, and FXL_SURFACE_BLEND needs
+ * no table. Requires a checked scene and tables as long as their counts; fault may be null.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: a table is not aligned, or the texels of a texture FXL_TEXTURE_565 to 2 bytes.
  * FXL_E_COUNT: a count is out of its range.
  * FXL_E_INDEX: an index is past the end of its table.
  * FXL_E_RANGE: a number is out of its range.
  * FXL_E_NORMAL: a normal is not of unit length.
- * FXL_E_DEGENERATE: corners on one line.
+ * FXL_E_DEGENERATE: vertices on one line.
  * FXL_E_RESERVED: an unknown value; with 8 bits also a texture FXL_TEXTURE_565 and a surface
  * FXL_SURFACE_ADD.
  * With each of these statuses: *fault written.
@@ -173,7 +174,7 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
 fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, const fxl_painter *painter);
 
-/* The light at the corners of lit surfaces. */
+/* The light at the vertices of lit surfaces. */
 typedef struct {
     fxl_shader shader;
     const struct fxl_surface_light_code *code;
@@ -181,8 +182,9 @@ typedef struct {
 } fxl_lit_surfaces;
 
 /* Has surfaces that are FXL_SURFACE_LIT take the light that fxl_attach_light attaches, at their
- * corners, or, where lit is null, be drawn at full brightness. Without a light, or without surfaces,
- * it changes nothing. The renderer keeps a pointer to *lit. The next frame must begin anew.
+ * vertices, or, where lit is null, be drawn at full brightness. Without a light, or without
+ * surfaces, it changes nothing. The renderer keeps a pointer to *lit. The next frame must begin
+ * anew.
  * FXL_E_ARGUMENT: renderer is null.
  * FXL_E_ORDER: the renderer was never initialised.
  * With each of these statuses: nothing is changed but refused_calls. */

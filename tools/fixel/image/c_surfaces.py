@@ -34,7 +34,7 @@ def _texture(texture, names):
 
 
 def _mapped(mapped):
-    return braces(mapped.surface, braces(*mapped.normals), braces(*mapped.corners), 0,
+    return braces(mapped.surface, braces(*mapped.vertices), braces(*mapped.normals), 0,
                   braces(*(braces(*texel) for texel in mapped.texels)))
 
 
@@ -48,7 +48,7 @@ def _tables(scene, name, names):
             ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, each.sixteenths, braces(0, 0))
                                       for each in surfaces.surfaces], "Texture, division, flags, opacity, sixteenths, reserved."),
             ("mapped_faces", "fxl_mapped_face", [_mapped(each) for each in numbers],
-             "Surface; normals; corners; reserved; texels u, v at the corners in 16.16."),
+             "Surface; vertices; normals; reserved; texels u, v at the vertices in 16.16."),
             ("face_map", "uint16_t", face_map, "For each face its mapped face, counted from 1; 0: none."),
             ("normals", "fxl_direction", [braces(*each) for each in surfaces.normals], "Of corners, in 2.30."),
             ("blend", "uint8_t", _numbers(itertools.chain(*surfaces.blend)),

@@ -185,9 +185,9 @@ SECTIONS = (
         Field("2B", "reserved", "reserved")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_surface", room="paint"),
     Section("mapped faces", "mapped face table", (
-        Field("H", "surface", "surface"), Field("3H", "normals", "normals of the corners"),
-        Field("3B", "corners", "corners of the face, in rising order"), Field("B", "reserved", "reserved"),
-        Field("6i", "texels", "u, v (16.16) of each of the three")),
+        Field("H", "surface", "surface"), Field("3H", "vertices", "numbers of three vertices within the model"),
+        Field("3H", "normals", "normals at these"), Field("H", "reserved", "reserved"),
+        Field("6i", "texels", "u, v (16.16) at these")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_mapped_face", room="paint"),
     Section("face map", "face map", (Field("H", "", "mapped face, counted from 1; 0: the face has no surface"),),
             1_000_000, limit="FXL_SCENE_FACES_MAX"),

@@ -50,7 +50,7 @@ class Surface:
 class Mapped:
     """How a surface lies on a face."""
     surface: int
-    corners: tuple              # three of the face's, in rising order
+    vertices: tuple             # numbers of three of the model's
     texels: tuple               # (u, v) at these, in 16.16
     normals: tuple = (0, 0, 0)  # numbers of normals at these
 
@@ -96,7 +96,7 @@ def tables(surfaces, models):
                                      one.log_height, one.format, one.flags, one.key, one.levels, 0))
     for face in (face for model in models for face in model.faces):
         face_map.append(MAP.pack(numbers.setdefault(face.mapped, len(numbers) + 1) if face.mapped else 0))
-    mapped = [MAPPED.pack(one.surface, *one.normals, *one.corners, 0, *(c for texel in one.texels for c in texel))
+    mapped = [MAPPED.pack(one.surface, *one.vertices, *one.normals, 0, *(c for texel in one.texels for c in texel))
               for one in numbers]
     if len(mapped) > TABLE_MAX:
         fail("count", f"{len(mapped):,} faces with surfaces that lie differently are more than {TABLE_MAX:,}; use smaller "
@@ -154,22 +154,22 @@ def _on_one_line(a, b, c):
     return all(p[i - 1] * q[i] == p[i] * q[i - 1] for i in range(3))
 
 
-def _read_mapped(fields, number, surfaces, model, face):
-    """The record of a face that it is used by. surfaces: a Surfaces."""
+def _read_mapped(fields, number, surfaces, model):
+    """The record of a face of a model. surfaces: a Surfaces."""
     surface, *rest = fields
-    normals, corners, reserved, coordinates = tuple(rest[:3]), tuple(rest[3:6]), rest[6], rest[7:]
+    vertices, normals, reserved, coordinates = tuple(rest[:3]), tuple(rest[3:6]), rest[6], rest[7:]
     what = f"mapped face {number}"
     if reserved:
         fail("reserved", f"{what}: a reserved field is not zero")
-    if surface >= len(surfaces.surfaces) or not corners[0] < corners[1] < corners[2] < len(face.corners):
-        fail("index", f"{what}: its surface or a corner does not exist")
+    if surface >= len(surfaces.surfaces) or max(vertices) >= len(model.vertices):
+        fail("index", f"{what}: its surface or a vertex does not exist")
     if surfaces.surfaces[surface].flags & LIT and max(normals) >= len(surfaces.normals):
         fail("index", f"{what}: a normal does not exist")
-    if _on_one_line(*(model.vertices[face.corners[corner]] for corner in corners)):
-        fail("degenerate", f"{what}: its corners are on one line")
+    if _on_one_line(*map(model.vertices.__getitem__, vertices)):
+        fail("degenerate", f"{what}: its vertices are on one line")
     if any(abs(c) > TEXEL_MAX for c in coordinates):
         fail("range", f"{what}: a texture coordinate leaves -16383..16383")
-    return Mapped(surface, corners, tuple(zip(coordinates[::2], coordinates[1::2])), normals)
+    return Mapped(surface, vertices, tuple(zip(coordinates[::2], coordinates[1::2])), normals)
 
 
 def read(found, blend_first, models):
@@ -194,5 +194,5 @@ def read(found, blend_first, models):
         if number > len(mapped):
             fail("index", f"face {i}: mapped face {number} of {len(mapped)}")
         if number:
-            face.mapped = _read_mapped(mapped[number - 1], number - 1, made, model, face)
+            face.mapped = _read_mapped(mapped[number - 1], number - 1, made, model)
     return made

@@ -46,17 +46,8 @@ def plant(compiled, layers, name, where, report):
     """Gives a scene a tree; answers what there is to say about it. where: what asks for the tree, for messages."""
     if compiled.depth_bits and not compiled.by_distance:
         raise ToolError(f'{where}: [view] asks for a depth buffer; remove it, leave the tree out, or give view.order = "distance"')
-    mapped_before = _mapped_faces(compiled)
     try:
         counts = tree.plant(compiled, tree.layers_of(layers, compiled), compiled.moving, report)
     except ToolError as error:
         raise ToolError(f"{where}: {error}") from error
-    lost = mapped_before - _mapped_faces(compiled)
-    left_out = f"; {lost:,} faces of the tree's object lose their surfaces" if lost else ""
-    return f"{name}: tree: {counts.text()}{left_out}"
-
-
-def _mapped_faces(compiled):
-    """Faces that have a surface, of all objects."""
-    each = [sum(face.mapped is not None for face in model.faces) for model in compiled.models]
-    return sum(each[item.model] for item in compiled.objects)
+    return f"{name}: tree: {counts.text()}"

@@ -55,7 +55,7 @@ def _part(shape, numbers):
     """The shape of these faces alone."""
     used = sorted({corner for number in numbers for corner in shape.faces[number].corners})
     place = {corner: i for i, corner in enumerate(used)}
-    faces = [Face(face.normal, tuple([place[c] for c in face.corners]), face.colour, face.mapped)
+    faces = [Face(face.normal, tuple([place[c] for c in face.corners]), face.colour)
              for face in map(shape.faces.__getitem__, numbers)]
     return dataclasses.replace(shape, vertices=[shape.vertices[corner] for corner in used], faces=faces,
                                sources=[shape.sources[number] for number in numbers])

@@ -260,8 +260,8 @@ class Records:
             self.known[same] = self.textures[key], look.colours     # which keeps the id its own
         return self.known[same][0]
 
-    def mapped(self, look, own):
-        """The record of a face whose own colour is this; None without a look."""
+    def mapped(self, look, own, corners):
+        """The record of a face of this colour and these corners; None without a look."""
         if look is None:
             return None
         if look.flags & image_surface.BLENDED:
@@ -270,7 +270,7 @@ class Records:
         if surface not in self.surfaces:
             self.surfaces[surface] = len(self.made.surfaces)
             self.made.surfaces.append(surface)
-        return Mapped(self.surfaces[surface], look.corners, look.texels,
+        return Mapped(self.surfaces[surface], tuple(corners[i] for i in look.corners), look.texels,
                       tuple(map(self._normal, look.normals)) if look.normals else (0, 0, 0))
 
     def _normal(self, normal):

@@ -318,7 +318,7 @@ def _models(placements, indices, records):
         if key not in numbers:
             colours = tuple(indices[c] for c in item.colours)
             vertices = tuple(tuple(a - b for a, b in zip(v, moved)) for v in made.vertices)
-            mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours)
+            mapped = map(records.mapped, item.looks or (None,) * len(colours), item.colours, (f.corners for f in made.faces))
             faces = tuple((f.normal, f.corners, c, m) for f, c, m in zip(made.faces, colours, mapped))
             # Meshes from different sources may come out the same.
             content = (vertices, faces, item.kind, item.clusters, item.board)

@@ -7,12 +7,13 @@ vertices and of lines: a line is an edge of the scene or of a cut, with the ends
 first. A new vertex is where a line, from its first ends, meets a plane; it is rounded once and
 belongs to the line, so whoever has the line finds the same vertices on it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fixel.image import image_beam
 from fixel.scene import tree_choice, tree_faces
 from fixel.base.errors import ToolError
 from fixel.image.image import (CONVEX, FACE_VERTICES_MAX, SORTED, Model, Object, check_coordinates)
+from fixel.image.image_surface import Mapped
 from fixel.image.image_tree import DEPTH_MAX, NODES_MAX, NONE, Node, Tree
 from fixel.image.image_tree import PLANARITY_MAX as NEAR
 from fixel.model.mesh import FACES_MAX, dot, minus
@@ -32,6 +33,7 @@ class Part:
     group: int          # the scene's object
     ring: list          # vertices; line i goes from vertex i to the next
     lines: list | None = None   # None once nothing cuts it any more
+    mapped: Mapped | None = None    # the surface of the scene's face, by vertices of it whole
 
 
 @dataclass
@@ -163,7 +165,7 @@ def cut(lines, part, number, plane):
         else:
             ring.append(end)
             own.append(across)
-        halves.append(_whole(Part(part.normal, part.colour, part.source, part.group, ring, own)))
+        halves.append(_whole(replace(part, ring=ring, lines=own)))
     return halves
 
 
@@ -234,6 +236,11 @@ class Builder:
         return on, front, back
 
 
+def _renumbered(mapped, numbers):
+    """The record of a face with other numbers of its vertices; None without a surface."""
+    return mapped and replace(mapped, vertices=tuple(numbers[vertex] for vertex in mapped.vertices))
+
+
 def parts_of(scene, members, origin, lines):
     """The faces of the objects as parts; vertices relative to origin."""
     parts = []
@@ -246,7 +253,7 @@ def parts_of(scene, members, origin, lines):
         for face in model.faces:
             ring = [numbers[corner] for corner in face.corners]
             own = [lines.edge(a, b) for a, b in zip(ring, ring[1:] + ring[:1])]
-            parts.append(Part(face.normal, face.colour, len(parts), group, ring, own))
+            parts.append(Part(face.normal, face.colour, len(parts), group, ring, own, _renumbered(face.mapped, numbers)))
     return parts
 
 
@@ -337,7 +344,8 @@ def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
     last of them; answers the counts. Billboards of these layers go to the last, where the tree has a
     place for each. The others stay as they are; the new object is the last that
-    is not turned. Its faces have no surface: where a face was cut, its mapped corners are gone."""
+    is not turned. The parts of a face that was cut share its surface, which lies as on the whole: its vertices
+    stay in the model."""
     members = _members(scene, layers, moving)
     for item in scene.objects:
         if item.layer in layers and _shows_billboard(scene, item):
@@ -349,6 +357,9 @@ def plant(scene, layers, moving=(), progress=None):
     used = {}
     for face in faces:
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)
+    for face in faces:
+        if face.mapped:
+            face.mapped = _renumbered(face.mapped, {vertex: used.setdefault(vertex, len(used)) for vertex in face.mapped.vertices})
     vertices = [lines.points[number] for number in used]
     counts.vertices_out = len(vertices)
     _check_size("vertices", len(vertices))
@@ -357,8 +368,6 @@ def plant(scene, layers, moving=(), progress=None):
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
     _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
     scene.tree = Tree(nodes, len(scene.objects) - len(scene.turns) - 1)
-    if all(face.mapped is None for model in scene.models for face in model.faces):
-        scene.surfaces = None
     return counts
 
 

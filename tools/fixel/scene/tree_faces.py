@@ -63,7 +63,7 @@ def flat_face(lines, part):
         middle = (max(along) + min(along)) // 2
         first = min(range(len(points)), key=lambda i: (abs(along[i] - middle), i))
         if all(abs(value - along[first]) <= PLANARITY_MAX << 30 for value in along):
-            return Face(normal, tuple(part.ring[first:] + part.ring[:first]), part.colour)
+            return Face(normal, tuple(part.ring[first:] + part.ring[:first]), part.colour, part.mapped)
     raise ToolError(f"a face of object {part.group} is too far from flat to be cut for a tree: "
                     "triangulate it in the model")
 

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: MIT
+"""Surfaces of faces that a tree cuts when the scene is built: each part shows the texels and the light of the whole face."""
+
+import json
+import subprocess
+
+import numpy
+import pytest
+from conftest import run_cli
+
+from fixel.board import dump
+from fixel.image import image
+from fixel.scene import compiler
+
+TARGETS = ("palette", "rgb565")
+SCREEN = """background = "#203040"
+[screen]
+width = 128
+height = 96
+[view]
+pixels = "%s"
+near = 0.125
+far = 64
+[light]
+levels = 16
+direction = [0.3, -1, 0.8]
+ambient = 0.35
+fog = { near = 4, far = 30 }
+points = [{ position = [1, 2, -2], range = 9, strength = 0.7 }]
+[[textures]]
+name = "stones"
+pattern = "stones"
+size = [32, 32]
+[[textures]]
+name = "planks"
+pattern = "planks"
+size = [32, 32]
+bits = 4
+[[textures]]
+name = "grille"
+pattern = "grille"
+size = [16, 16]
+"""
+
+# Boxes through each other and through the floor, each with a surface of its own.
+CROSSING = """
+[[objects]]
+solid = "tile"
+scale = [16, 1, 16]
+position = [0, -1, 2]
+texture = "planks"
+texels_per_unit = 8
+[[objects]]
+solid = "box"
+scale = [5, 1.2, 1.2]
+position = [0, 0, 1]
+rotation = 25
+texture = "stones"
+[[objects]]
+solid = "box"
+scale = [1.1, 5, 1.1]
+position = [0.4, 0, 1]
+rotation = [10, 40, 0]
+texture = "planks"
+smooth = true
+[[objects]]
+solid = "box"
+scale = [1, 1, 6]
+position = [-1, 0.3, 1.5]
+texture = "grille"
+two_sided = true
+[[objects]]
+solid = "tile"
+scale = [4, 1, 3]
+position = [1, 0.4, 0]
+rotation = [0, 0, 30]
+colour = "#78c8d8"
+two_sided = true
+%s
+[path]
+keys = [{ position = [2.5, 2, -4], look_at = [0, 0, 1], frames = 6 }, { position = [-4, 1, -2], look_at = [0, 0, 1] }]
+"""
+
+# A floor that fills the screen, and panes through it that are turned away from all eyes of the path: the tree cuts the floor by them.
+FLOOR = """
+[[objects]]
+solid = "tile"
+scale = [40, 1, 40]
+position = [0, -3, 8]
+texture = "stones"
+texels_per_unit = 4
+division = %s
+%s
+[[objects]]
+solid = "tile"
+scale = [60, 1, 9]
+rotation = [%s, -90, 0]
+colour = "#ff0000"
+shade = false
+positions = [%s]
+[path]
+keys = [{ position = [0, 0, 0], pitch = -50, frames = 5 }, { position = [0.5, 0.6, 0.2], yaw = 4, pitch = -47 }]
+"""
+
+
+def run(*words):
+    done = subprocess.run(list(map(str, words)), capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def compiled(folder, text, layers):
+    """(the scene, its image)."""
+    file = folder / "scene.toml"
+    file.write_text(text)
+    scene, _ = compiler.compile_scene(str(file), layers=layers)
+    made = folder / f"{layers}.fxls"
+    made.write_bytes(image.pack(scene))
+    return scene, made
+
+
+def drawn(build, made, *options):
+    out = made.with_suffix(".fxld")
+    run(build / "host" / "frames", made, out, *options)
+    return out
+
+
+def pictures(dumped):
+    return [frame.pixels for frame in dump.read_dump(dumped).frames]
+
+
+def tree_faces(scene):
+    """The faces of the tree's model that have a surface, and their records."""
+    faces = [face for face in scene.models[scene.objects[scene.tree.object].model].faces if face.mapped]
+    return faces, {face.mapped for face in faces}
+
+
+@pytest.mark.parametrize("pixels", TARGETS)
+@pytest.mark.parametrize("last", ["opacity = 6", "blend = true"])
+def test_parts_are_those_of_the_reference(build, tmp_path, pixels, last):
+    scene, made = compiled(tmp_path, SCREEN % pixels + CROSSING % last, "all")
+    faces, records = tree_faces(scene)
+    assert len(faces) > len(records) + 10 and scene.surfaces.normals
+    out = drawn(build, made)
+    run(build / "host" / "judge", made, out, "--json", tmp_path / "judge.json")
+    verdict = json.loads((tmp_path / "judge.json").read_text())
+    assert verdict["pixels_unexplained"] == 0 < verdict["texel_pixels"]
+    whole = pictures(out)
+    for options in (("--rows", "7"), ("--rows", "7", "--list", "60"), ("--rows", "7", "--cores", "2")):
+        assert all(map(numpy.array_equal, whole, pictures(drawn(build, made, *options)))), options
+
+
+@pytest.mark.parametrize("pixels", TARGETS)
+def test_a_board_draws_the_host_s_frames(build, tmp_path, pixels):
+    (tmp_path / "scene.toml").write_text('tree = "all"\n' + SCREEN % pixels + CROSSING % "opacity = 6")
+    done = run_cli("run", "--board", "mps2-an385", "--scene", tmp_path / "scene.toml", "--frames", 3, "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0 and summary["frames"] == 3
+    assert summary["pixels_differing"] < summary["pixels"] / 20
+
+
+def test_parts_share_the_record_of_the_whole(tmp_path):
+    """Its vertices stay in the model, also where no part has them for corners."""
+    text = SCREEN % "palette" + CROSSING % "opacity = 6"
+    whole, _ = compiled(tmp_path, text, "none")
+    scene, made = compiled(tmp_path, text, "all")
+    planted = scene.models[scene.objects[scene.tree.object].model]
+    lost = [face for face in planted.faces if face.mapped and not set(face.mapped.vertices) & set(face.corners)]
+    assert lost
+    faces, records = tree_faces(scene)
+    assert len(records) == sum(len([face for face in whole.models[item.model].faces if face.mapped]) for item in whole.objects)
+    for face in faces:
+        points = [planted.vertices[vertex] for vertex in face.mapped.vertices]
+        height = sum(n * c for n, c in zip(face.normal, planted.vertices[face.corners[0]]))
+        assert all(abs(sum(n * c for n, c in zip(face.normal, point)) - height) < 16 << 30 for point in points)
+    again = image.load(made)
+    assert [face.mapped for face in again.models[-1].faces] == [face.mapped for face in planted.faces]
+
+
+@pytest.mark.parametrize("pixels", TARGETS)
+@pytest.mark.parametrize("division, more, yaw", [("16", "smooth = true", "0"), ("8", "lit = false", "20"), ("1", "", "-35"), ("16", "opacity = 9", "12")])
+def test_a_cut_moves_no_texel(build, tmp_path, pixels, division, more, yaw):
+    """A face cut and whole, bit for bit: all pixels of the frame are the face's."""
+    text = SCREEN % pixels + FLOOR % (division, more, yaw, ", ".join(f"[0, -3, {0.7 * i + 1.5:.1f}]" for i in range(9)))
+    scene, cut = compiled(tmp_path, text, "all")
+    faces, records = tree_faces(scene)
+    assert len(records) == 1 and len(faces) >= 4
+    _, whole = compiled(tmp_path, text, "none")
+    one, other = (pictures(drawn(build, made)) for made in (cut, whole))
+    assert len(one) == 6 and all(map(numpy.array_equal, one, other))
+    assert all(len(numpy.unique(picture)) >= 3 for picture in one)
