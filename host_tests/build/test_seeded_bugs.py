@@ -29,6 +29,10 @@ def test_each_bug_applies_to_the_library():
     assert "\n".join(bugs.stale(CHECKOUT, bugs.entries(CHECKOUT))) == ""
 
 
+def test_each_bug_names_tests_that_there_are():
+    assert {test for bug in bugs.read(CHECKOUT) for test in bug.tests} <= set(seeded_bugs.all_tests(CHECKOUT))
+
+
 def test_the_library_has_no_marks():
     """A bug is found by its function and its line."""
     assert [file for file, text in bugs.sources(CHECKOUT).items() if "/* bug:" in text] == []
