@@ -308,7 +308,7 @@ TEST_BOARDS_FOUND = $(if $(TEST_BOARD),$(filter $(TEST_BOARD),$(TARGET_BOARDS)),
 BENCH_TESTED := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_OUT)/$(core)/calibration.elf) $(BENCH_PROGRAMS.m3) $(BENCH_SIZES.m3)
 TEST_UNITS = $(foreach board,$(TEST_BOARDS),$(BOARD_UNITS.$(board))) $(if $(filter-out host,$(TEST_BOARD)),,$(UNITY_TESTS))
 # What the tests of the tools run, and all that make boards links.
-TEST_PROGRAMS = $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) \
+TEST_PROGRAMS = $(if $(TEST_BOARD),,$(HOST_TOOLS) $(BENCH_TESTED) $(CLIPPERS_TESTED) $(EQUALITY_PROGRAMS) $(CELLS_PROGRAMS) \
     $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board))))
 # For tools: a board, and what says which unit tests it has.
 UNIT_OPTIONS = $(foreach board,$(1),--units $(board) $(BOARD_UNITS.$(board)))

@@ -54,6 +54,14 @@ BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks surfaces $(BENCH_FRAMES)
 # As PIXELS=, ORDER= and DEPTH= ask for: a program of make costs with what 512 KiB of RAM hold. Its band is the frame, and
 # a depth buffer holds some 100 rows of it.
 BENCH_OBJECTS.fixel-target = target/draw_costs $(COSTS_WALK) frames $(COSTS_LIB)
+# What the table of docs/extras/combinations.md has, on each core: host_tests/judges/test_combinations.py runs it, and
+# no bench does. Two more have the library for few bytes.
+CELLS_OF = cells target/draw_costs $(COSTS_WALK)
+BENCH_OBJECTS.cells = $(CELLS_OF) $(COSTS_LIB)
+BENCH_OBJECTS.cells-small = $(CELLS_OF) $(COSTS_LIB:%=small/%)
+CELLS_KINDS := $(foreach core,m0 m3 m55,$(filter $(core),$(BENCH_CORES_HERE))/cells) \
+    $(foreach core,m0 m3,$(filter $(core),$(BENCH_CORES_HERE))/cells-small)
+CELLS_PROGRAMS := $(patsubst %,$(BENCH_OUT)/%.elf,$(filter-out /%,$(CELLS_KINDS)))
 BENCH_OBJECTS.listing-double := double/draw_listing double/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.listing-float := float/draw_listing float/listing $(BENCH_FRAMES)
 BENCH_OBJECTS.memset := draw_memset $(BENCH_FRAMES)
@@ -214,6 +222,8 @@ $(foreach core,$(COSTED_CORES),$(foreach size,$(COSTS_SIZES),$(eval $(call COSTS
 COSTS_PROGRAMS := $(foreach core,$(COSTED_CORES),$(COSTS_SIZES:%=$(BENCH_OUT)/$(core)/costs-%.elf))
 # What the tool is told: NAME=rows:words:entries:more.
 COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COSTS_$(size))))
+
+$(if $(BUILT_GOALS),$(foreach kind,$(filter-out /%,$(CELLS_KINDS)),$(eval $(call BENCH_PROGRAM_RULES,$(patsubst %/,%,$(dir $(kind))),$(notdir $(kind))))))
 
 BENCH_BUILT := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))
 BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))

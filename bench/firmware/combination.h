@@ -19,7 +19,4 @@ extern const combination combination_chosen;
 void combination_prepare(fxl_renderer *renderer);
 uint32_t combination_memory(const fxl_renderer *renderer);
 
-/* After draw_open: what draws. */
-fxl_renderer *draw_renderer(void);
-
 #endif

@@ -19,6 +19,9 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *band);
 /* Bytes of RAM that drawing needs beside the band, the scene and the stack. */
 uint32_t draw_memory(void);
 
+/* After draw_open: what draws. Of programs that draw with Fixel and change what is drawn. */
+fxl_renderer *draw_renderer(void);
+
 /* The counters of the frame; zeroes where the renderer does not count. */
 const fxl_counters *draw_counters(void);
 

@@ -91,3 +91,8 @@ const fxl_counters *draw_counters(void)
 {
     return &renderer.workspace.counters;
 }
+
+fxl_renderer *draw_renderer(void)
+{
+    return &renderer;
+}

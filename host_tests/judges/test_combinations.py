@@ -2,12 +2,16 @@
 """What goes together (docs/extras/combinations.md, section 3): every order, target and attribute is drawn, whatever the delivery, and the
 reference renderer explains each pixel. This file writes the table of that page: .venv/bin/python host_tests/judges/test_combinations.py."""
 
+import dataclasses
 import itertools
 import json
 import os
+import re
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 from pathlib import Path
 
 import numpy
@@ -15,9 +19,10 @@ import pytest
 
 HERE = Path(__file__).resolve().parent
 if __name__ == "__main__":
-    sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "tools")]
+    sys.path[:0] = [str(HERE.parent), str(HERE.parent / "boards"), str(HERE.parents[1] / "tools")]
 
-from fixel.board import dump
+from board_programs import made
+from fixel.board import dump, emulator
 from fixel.image import image
 from fixel.scene import compiler
 
@@ -25,6 +30,7 @@ PAGE = HERE.parents[1] / "docs" / "extras" / "combinations.md"
 BEGIN, END = "<!-- table -->\n", "<!-- end of table -->\n"
 LEAST = 5           # per cent of the frame that an attribute must change
 LINE, BORDER = 1, 2     # palette indices
+WIDTH, HEIGHT = 64, 48
 
 TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in ("palette", "rgb565") for bits in (0, 16, 32)}
 WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if order == "distance" or not TARGETS[name][1]]
@@ -32,8 +38,8 @@ WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if o
 BASE = """background = "#203040"
 %(top)s
 [screen]
-width = 64
-height = 48
+width = %(width)d
+height = %(height)d
 [view]
 pixels = "%(pixels)s"
 depth = %(depth)d
@@ -91,6 +97,7 @@ ATTRIBUTES = {
 # How a frame is delivered: options of build/host/frames. The pixels are those of the whole frame.
 DELIVERIES = {"bands": ("--rows", "7"), "spilled list": ("--rows", "7", "--list", "60"), "two cores": ("--rows", "7", "--cores", "2"),
               "two cores, spilled list": ("--rows", "7", "--cores", "2", "--list", "60")}
+OVERLAY = ("--border", BORDER, "--rows", "7")
 
 
 def is_refused(order, bits, name):
@@ -102,7 +109,7 @@ def image_of(folder, order, target, name, tables, subject):
     """The image of the scene with tables and lines of its subject. name: of the file."""
     pixels, bits = TARGETS[target]
     file = folder / "scene.toml"
-    file.write_text(BASE % {"top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
+    file.write_text(BASE % {"width": WIDTH, "height": HEIGHT, "top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
                             "moves": "moves = true" if order == "tree" else "", "subject": subject})
     compiled, _ = compiler.compile_scene(str(file))
     made = folder / f"{name}.fxls"
@@ -159,8 +166,23 @@ def near(names):
     return numpy.array([padded[:, y:y + height, x:x + width] for y in range(3) for x in range(3)]).reshape(9, count, height, width)
 
 
+@dataclasses.dataclass
+class Cell:
+    """A cell of the table. per_cent: of the frames, that the attribute changes, or None where it is refused; crcs: of the pixels of
+    the whole frames and of those with an overlay; refusal: what the library says instead."""
+    per_cent: int | None
+    image: bytes
+    has_outlines: bool
+    crcs: tuple = ()
+    refusal: str = ""
+
+
+def crc_of(read):
+    return zlib.crc32(values(read).tobytes())
+
+
 def check_cell(build, folder, order, target, name, without):
-    """Per cent of the frames that the attribute changes. without: the colours of the frames without it."""
+    """The cell. without: the colours of the frames without its attribute."""
     scene = build_image(folder, order, target, name)
     extra = extra_of(name)
     picks = scene.with_suffix(".picks")
@@ -175,13 +197,14 @@ def check_cell(build, folder, order, target, name, without):
     assert (picked == names).mean() > 0.98, where
     for delivery, options in DELIVERIES.items():
         assert (values(frames_of(build, scene, *extra, *options)) == values(whole)).all(), (where, delivery)
-    over = frames_of(build, scene, *extra, "--border", BORDER, "--rows", "7")
-    border = numpy.zeros((48, 64), bool)
+    over = frames_of(build, scene, *extra, *OVERLAY)
+    border = numpy.zeros((HEIGHT, WIDTH), bool)
     border[4:20, 4:28] = True
     border[5:19, 5:27] = False
     assert (values(over)[:, ~border] == values(whole)[:, ~border]).all(), where
     assert len(numpy.unique(values(over)[:, border])) == 1, where
-    return round(100 * (shown(whole) != without).any(axis=-1).mean())
+    return Cell(round(100 * (shown(whole) != without).any(axis=-1).mean()), scene.read_bytes(), name == "outlines",
+                (crc_of(whole), crc_of(over)))
 
 
 def background_of(pixels):
@@ -192,24 +215,25 @@ def background_of(pixels):
 
 
 def cells_of(build, folder):
-    """(order, target, attribute) -> per cent, or None where it is refused."""
-    made = {}
+    """(order, target, attribute) -> its cell."""
+    found = {}
     for order, target in WAYS:
         plain = shown(frames_of(build, build_image(folder, order, target, "")))
         empty = numpy.broadcast_to(background_of(TARGETS[target][0]), plain.shape)
         for name in ATTRIBUTES:
             if is_refused(order, TARGETS[target][1], name):
-                done = run(build, "frames", build_image(folder, order, target, name), folder / "none.fxld", "--outlines", LINE)
+                scene = build_image(folder, order, target, name)
+                done = run(build, "frames", scene, folder / "none.fxld", "--outlines", LINE)
                 assert done.returncode == 2 and "do not go together" in done.stderr, (order, target, name)
-                made[order, target, name] = None
+                found[order, target, name] = Cell(None, scene.read_bytes(), True, refusal=done.stderr.strip().split(": ", 2)[2])
             else:
-                made[order, target, name] = check_cell(build, folder, order, target, name, empty if name == "flat" else plain)
-    return made
+                found[order, target, name] = check_cell(build, folder, order, target, name, empty if name == "flat" else plain)
+    return found
 
 
 def table_of(cells):
     head = ["attribute", *(f"{order}: {target}" for order, target in WAYS)]
-    rows = [[name, *("refused" if cells[(*way, name)] is None else f"{cells[(*way, name)]} %" for way in WAYS)] for name in ATTRIBUTES]
+    rows = [[name, *("refused" if cells[(*way, name)].per_cent is None else f"{cells[(*way, name)].per_cent} %" for way in WAYS)] for name in ATTRIBUTES]
     return "".join(f"| {' | '.join(row)} |\n" for row in (head, ["---"] * len(head), *rows))
 
 
@@ -219,13 +243,46 @@ def fixture_cells(build, tmp_path_factory):
 
 
 def test_each_attribute_changes_the_frame(cells):
-    assert {key: value for key, value in cells.items() if value is not None and value < LEAST} == {}
-    assert sum(value is None for value in cells.values()) == 6
+    assert {key: cell.per_cent for key, cell in cells.items() if cell.per_cent is not None and cell.per_cent < LEAST} == {}
+    assert sum(cell.per_cent is None for cell in cells.values()) == 6
 
 
 def test_the_page_has_the_table(cells):
     written = PAGE.read_text(encoding="utf-8").split(BEGIN)[1].split(END)[0]
     assert written == table_of(cells), f"{PAGE}: .venv/bin/python {Path(__file__).name} writes the table"
+
+
+# The cores for which bench/bench.mk links a program that draws the cells, and two with the library for few bytes.
+CORES = ("m0/cells", "m3/cells", "m55/cells", "m0/cells-small", "m3/cells-small")
+
+
+def words_of(options):
+    """Options of build/host/frames as bench/firmware/cells.c has them."""
+    chosen = {"--rows": HEIGHT, "--list": 1 << 20, "--cores": 1, "--border": -1, **dict(zip(options[::2], map(int, options[1::2])))}
+    return chosen["--rows"], chosen["--list"], chosen["--cores"], chosen["--border"] + 1
+
+
+def list_of(cells):
+    """The list of scenes for that program, and the lines that it is to print."""
+    words, lines = b"", []
+    for cell in cells.values():
+        ways = [(), *DELIVERIES.values(), OVERLAY] if cell.crcs else [()]
+        numbers = [len(cell.image), LINE + 1 if cell.has_outlines else 0, len(ways), *(word for way in ways for word in words_of(way))]
+        words += struct.pack(f"<{len(numbers)}I", *numbers) + cell.image + bytes(-len(cell.image) % 4)
+        lines += [f"crc {cell.crcs[way is OVERLAY]}" for way in ways] if cell.crcs else [f"refused: {cell.refusal}"]
+    return words + bytes(4), lines
+
+
+@pytest.mark.parametrize("program", CORES)
+def test_each_core_draws_the_cells_of_the_host(cells, program, tmp_path):
+    """The host's, which the reference has judged."""
+    scenes, expected = list_of(cells)
+    file = tmp_path / "cells"
+    file.write_bytes(scenes)
+    ending = emulator.run_text(made(f"build/bench/{program}.elf"), icount=False, scene=file)
+    lines = re.findall(r"^cells: (.+)$", ending.output, re.MULTILINE)
+    assert ending.code == emulator.exit_code("DONE"), ending.output
+    assert lines == [*expected, f"done {len(expected)}"]
 
 
 # Where something is blended over a line, the reference, which draws no lines, cannot say what the pixel shows.

@@ -78,8 +78,7 @@ def run(elf, code, plugin, directory, scene=None, frames=None, detail=False, tim
                + (",detail=on" if detail else ""),
                "-kernel", str(pathlib.Path(elf).resolve())]
     if scene is not None:
-        options += ["-device", f"loader,file={qemu.escape(pathlib.Path(scene).resolve())},"
-                               f"addr={program.scene_base:#x},force-raw=on"]
+        options += qemu.scene_loader(program, scene)
     ending = emulator.emulate(program, options, directory, timeout, _alive(directory))
     if ending.code != exit_code("DONE"):
         raise ToolError(f"{elf}: {describe(ending)}", exit_status(ending), last_lines(ending.output))

@@ -137,10 +137,10 @@ def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=
     return RunResult(program.board, program.cpu, done, ending.seconds, ending.output)
 
 
-def run_text(elf, arguments=(), timeout=60.0, icount=True):
-    """Runs a program without a flash image, for what it prints; an Ending."""
+def run_text(elf, arguments=(), timeout=60.0, icount=True, scene=None):
+    """Runs a program without a flash image, for what it prints; an Ending. scene: a file for the scene partition."""
     program = firmware.load(elf)
     options = [*(["-icount", "shift=0"] if icount else []), *qemu.semihosting(arguments),
-               "-kernel", str(program.path.resolve())]
+               *(qemu.scene_loader(program, scene) if scene else []), "-kernel", str(program.path.resolve())]
     with scratch.folder("board") as directory:
         return emulate(program, options, directory, timeout)

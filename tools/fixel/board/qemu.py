@@ -46,6 +46,11 @@ def loader(program, image):
             for word in ("-device", f"loader,file={file},addr={base - offset:#x},force-raw=on")]
 
 
+def scene_loader(program, file):
+    """A file at the scene partition, for a program that is loaded by -kernel."""
+    return ["-device", f"loader,file={escape(pathlib.Path(file).resolve())},addr={program.scene_base:#x},force-raw=on"]
+
+
 def semihosting(arguments):
     words = "".join(f",arg={escape(word)}" for word in arguments)
     return ["-semihosting-config", f"enable=on,target=native{words}"]
