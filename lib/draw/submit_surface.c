@@ -88,6 +88,44 @@ const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_sce
     return beams != NULL && beams->code->reaches(beams, scene, instance) ? beams : NULL;
 }
 
+/* A piece of a mapped face, which no beam splits further; fxl_piece_taker. */
+static bool submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count,
+                         bool is_in_beam)
+{
+    const fxl_traversal *traversal = pieces->traversal;
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)pieces->taker;
+    const fxl_surface_set *set = surfaces->set;
+    const uint32_t number = set->face_map[pieces->face - traversal->renderer->scene->faces];
+    const fxl_mapped_surface of = {surfaces, &set->faces[number - 1], pieces, is_in_beam};
+    const fxl_face piece = {.count = (uint8_t)count, .material = pieces->face->material};
+    fxl_model_view model_view;
+    fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
+                              &traversal->workspace->cache);
+    model_view.planes = pieces->planes;
+    pieces->outcome |= surfaces->painter->submit_piece(&of, &model_view, &piece, traversal);
+    return pieces->outcome < FXL_OUTCOME_FULL;
+}
+
+/* Beams split the face, or the piece of it, and give the pieces back. */
+bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                        const fxl_point *points, uint32_t count)
+{
+    const fxl_renderer *renderer = pieces->traversal->renderer;
+    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
+    if (fxl_surfaces_mapped(surfaces, pieces->face, renderer, surfaces->painter->target) == NULL) {
+        return fxl_submit_piece_by(pieces, shader->next, face, points);
+    }
+    const fxl_shader *beams = fxl_surfaces_beams(surfaces, renderer->scene, pieces->instance);
+    pieces->taker = surfaces;
+    if (beams == NULL) {
+        return submit_piece(pieces, points, count, false);
+    }
+    pieces->take = submit_piece;
+    const bool fitted = beams->code->split(beams, pieces, face, points, count);
+    pieces->take = NULL;
+    return fitted;
+}
+
 const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
                                         const fxl_instance *instance, fxl_turned_view *view)
 {

@@ -28,6 +28,14 @@ typedef struct {
     bool is_in_beam; /* it is a lit piece */
 } fxl_surface_polygon;
 
+/* What a face with a surface is found and painted by. */
+typedef struct {
+    const fxl_surfaces *surfaces;
+    const fxl_mapped_face *mapped;
+    const fxl_pieces *pieces; /* where a piece of the face is drawn */
+    bool is_in_beam;          /* the piece is lit */
+} fxl_mapped_surface;
+
 /* What draws the faces that have surfaces into a target: a constant record for each target. */
 struct fxl_painter {
     const fxl_target *target;
@@ -36,6 +44,9 @@ struct fxl_painter {
     /* Draws a record of the kind FXL_POLYGON_SURFACE into a band. */
     void (*draw)(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                  const fxl_display_list_record *record, const fxl_band *band);
+    /* Submits a piece of a mapped face; model_view: of the piece's points. */
+    fxl_outcome (*submit_piece)(const fxl_mapped_surface *of, const fxl_model_view *model_view,
+                                const fxl_face *piece, const fxl_traversal *traversal);
 };
 
 /* fxl_target.draw_list. */
@@ -105,6 +116,22 @@ const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
 /* A face that has no surface, to the next shader. */
 bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *traversal, const fxl_shader *shader);
+
+/* fxl_shader_code.split of all painters. */
+bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
+                        const fxl_point *points, uint32_t count);
+
+/* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's, draw
+ * faces in their own colours. */
+static inline const fxl_mapped_face *fxl_surfaces_mapped(const fxl_surfaces *surfaces,
+                                                         const fxl_face *face,
+                                                         const fxl_renderer *renderer,
+                                                         const fxl_target *target)
+{
+    const fxl_surface_set *set = surfaces->set;
+    const uint32_t number = set->face_map[face - renderer->scene->faces];
+    return number == 0 || fxl_painted_target(renderer) != target ? NULL : &set->faces[number - 1];
+}
 
 /* fxl_shader_code.reaches of all painters. */
 bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,

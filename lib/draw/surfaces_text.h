@@ -206,20 +206,12 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 
 /* --- a face --------------------------------------------------------------------------------- */
 
-/* What a face with a surface is found and painted by. */
-typedef struct {
-    const fxl_surfaces *surfaces;
-    const fxl_mapped_face *mapped;
-    const fxl_pieces *pieces; /* where a piece of the face is drawn */
-    bool is_in_beam;          /* the piece is lit */
-} mapped_surface;
-
 /* fxl_polygon_finder. */
 static inline __attribute__((always_inline)) void
 find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
-    const mapped_surface *of = (const mapped_surface *)what;
+    const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
     fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, polygon);
     find_depth(model_view, face, traversal, polygon);
 }
@@ -229,7 +221,7 @@ static inline __attribute__((always_inline)) void
 paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_polygon *polygon,
               const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
-    paint_surface(((const mapped_surface *)what)->surfaces, workspace, polygon, points, count,
+    paint_surface(((const fxl_mapped_surface *)what)->surfaces, workspace, polygon, points, count,
                   band);
 }
 
@@ -238,7 +230,7 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
 static void find_whole(const void *what, const fxl_model_view *model_view, const fxl_face *face,
                        const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
-    const mapped_surface *of = (const mapped_surface *)what;
+    const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
     const fxl_pieces *pieces = of->pieces;
     FXL_ALIGN_8 fxl_turned_view view;
     (void)model_view;
@@ -250,70 +242,20 @@ static void find_whole(const void *what, const fxl_model_view *model_view, const
     }
 }
 
-/* The mapped face of a face; null: it has no surface. Picks, and targets of another painter, draw
- * faces in their own colours. */
-static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_face *face,
-                                        const fxl_renderer *renderer)
+/* fxl_painter.submit_piece. */
+static fxl_outcome submit_piece(const fxl_mapped_surface *of, const fxl_model_view *model_view,
+                                const fxl_face *piece, const fxl_traversal *traversal)
 {
-    const fxl_surface_set *set = surfaces->set;
-    const uint32_t number = set->face_map[face - renderer->scene->faces];
-    return number == 0 || fxl_painted_target(renderer) != &FXL_TARGET ? NULL
-                                                                      : &set->faces[number - 1];
+    return fxl_submit_found_polygons(model_view, piece, traversal, find_whole, paint_polygon, of);
 }
 
-/* A piece of a mapped face, which no beam splits further. */
-static bool submit_piece(fxl_pieces *pieces, const fxl_surfaces *surfaces,
-                         const fxl_mapped_face *mapped, const fxl_point *points, uint32_t count,
-                         bool is_in_beam)
-{
-    const fxl_traversal *traversal = pieces->traversal;
-    const mapped_surface of = {surfaces, mapped, pieces, is_in_beam};
-    const fxl_face piece = {.count = (uint8_t)count, .material = pieces->face->material};
-    fxl_model_view model_view;
-    fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
-                              &traversal->workspace->cache);
-    model_view.planes = pieces->planes;
-    pieces->outcome |=
-        fxl_submit_found_polygons(&model_view, &piece, traversal, find_whole, paint_polygon, &of);
-    return pieces->outcome < FXL_OUTCOME_FULL;
-}
-
-/* fxl_piece_taker. */
-static bool take_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, bool is_lit)
-{
-    const fxl_surfaces *surfaces = (const fxl_surfaces *)pieces->taker;
-    return submit_piece(pieces, surfaces,
-                        mapped_of(surfaces, pieces->face, pieces->traversal->renderer), points,
-                        count, is_lit);
-}
-
-/* fxl_shader_code.split, and .face. Beams split the face, or the piece of it, and give the pieces back. */
-static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
-                  const fxl_point *points, uint32_t count)
-{
-    const fxl_renderer *renderer = pieces->traversal->renderer;
-    const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_mapped_face *mapped = mapped_of(surfaces, pieces->face, renderer);
-    if (mapped == NULL) {
-        return fxl_submit_piece_by(pieces, shader->next, face, points);
-    }
-    const fxl_shader *beams = fxl_surfaces_beams(surfaces, renderer->scene, pieces->instance);
-    if (beams == NULL) {
-        return submit_piece(pieces, surfaces, mapped, points, count, false);
-    }
-    pieces->take = take_piece;
-    pieces->taker = surfaces;
-    const bool fitted = beams->code->split(beams, pieces, face, points, count);
-    pieces->take = NULL;
-    return fitted;
-}
-
+/* fxl_shader_code.face. */
 static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const mapped_surface of = {surfaces, mapped_of(surfaces, face, traversal->renderer), NULL,
-                               false};
+    const fxl_mapped_surface of = {
+        surfaces, fxl_surfaces_mapped(surfaces, face, traversal->renderer, &FXL_TARGET), NULL, false};
     if (of.mapped == NULL) {
         return fxl_surfaces_pass_on(model_view, face, traversal, shader);
     }
@@ -334,8 +276,8 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
     paint_surface(surfaces, workspace, &polygon, record->points, count, band);
 }
 
-static const fxl_shader_code code = {fxl_surfaces_reach, submit, split, NULL, false};
+static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, false};
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw};
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw, submit_piece};
 
 #endif
