@@ -57,12 +57,12 @@ void portable_intersect_edge(const fxl_view_point *from, const fxl_view_point *t
                              const fxl_q18_46 *inside, const fxl_q18_46 *outside,
                              fxl_view_point *point);
 
-void portable_turn_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
+void portable_placement_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 
 /* Stages that have a different path with FXL_SMALL. */
-void portable_order_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work);
+void portable_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work);
 void portable_scan_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
                            fxl_scan *scan);
 bool portable_scan_next(fxl_scan *scan, fxl_span *span);

@@ -30,7 +30,7 @@ void test_order(uint32_t rounds)
             core[place] = portable[place] = fxl_draw_entry_of(distance, (uint16_t)place, 0);
         }
         fxl_sort_faces(core, count, &work);
-        portable_order_sort_faces(portable, count, &work);
+        portable_sort_faces(portable, count, &work);
         for (uint32_t place = 0; place < count; place++) {
             same &= core[place].face == portable[place].face;
         }

@@ -13,7 +13,7 @@
 #include "project.h"
 #include "rows.h"
 #include "texture_rows.h"
-#include "turn_rows.h"
+#include "placement_rows.h"
 
 #include <stddef.h>
 
@@ -34,7 +34,7 @@ const equality_test equality_tests[] = {
     {"front-faces", test_front_faces},
     {"clip-by-view", test_clip_by_view},
     {"intersect", test_intersect},
-    {"turn-rows", test_turn_rows},
+    {"placement-rows", test_placement_rows},
     {"chains", test_chains},
     {"fill", test_fill},
     {"draw-outline", test_draw_outline},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Compares the matrix of an instance that is turned. */
-#include "turn_rows.h"
+#include "placement_rows.h"
 #include "view/placement.h"
 
 #include "equality.h"
@@ -47,7 +47,7 @@ static void any_matrix(int32_t entries[ENTRIES])
     }
 }
 
-void test_turn_rows(uint32_t rounds)
+void test_placement_rows(uint32_t rounds)
 {
     for (uint32_t round = 0; round < rounds; round++) {
         int32_t entries[2][ENTRIES];
@@ -58,7 +58,7 @@ void test_turn_rows(uint32_t rounds)
         memcpy(&view, entries[0], sizeof view);
         memcpy(&of, entries[1], sizeof of);
         fxl_placement_rows(&view, &of, &core);
-        portable_turn_rows(&view, &of, &portable);
+        portable_placement_rows(&view, &of, &portable);
         equality_case(memcmp(&core, &portable, sizeof core) == 0);
     }
 }
