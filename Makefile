@@ -324,16 +324,21 @@ test: ## run the tests, on the host and on a board for each build of the library
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 
-boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [PIXELS= ORDER= DEPTH=]
+COMPARED_BOARDS = $(if $(filter host,$(TEST_BOARD)),$(error BOARD=host: all boards are compared with the host; name another),$(or $(TEST_BOARD),$(TARGET_BOARDS)))
+COMPARED_PROGRAMS = $(foreach board,host $(COMPARED_BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
+boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [BOARD= of one board, PIXELS= ORDER= DEPTH=]
 	@tools/setup.sh units
-	@$(MAKE) boards-programs
-	@$(TOOL) boards --boards $(TARGET_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
-	    $(call UNIT_OPTIONS,$(TARGET_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
+	@$(MAKE) $(COMPARED_PROGRAMS)
+	@$(TOOL) boards --boards $(COMPARED_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
+	    $(call UNIT_OPTIONS,$(COMPARED_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
 
-bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON [PIXELS= ORDER= DEPTH=]
+# CORE here is one of the bench's; the default of the other commands is none.
+BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(BENCH_CORES_HERE)),\
+    $(error there is no core "$(CORE)" in the bench; its cores are: $(BENCH_CORES_HERE))),$(BENCH_CORES_HERE))
+bench: ## count the instructions of frames and kernels on four cores, beside the chapter's listing: a report, JSON [CORE= of one core, WORKLOAD= of one workload, PIXELS= ORDER= DEPTH=]
 	@tools/setup.sh report
-	@$(MAKE) bench-programs
-	@$(TOOL) bench --cores $(BENCH_CORES_HERE) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
+	@$(MAKE) $(call BENCH_BUILT_OF,$(BENCH_CORES_ASKED))
+	@$(TOOL) bench --cores $(BENCH_CORES_ASKED) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
 clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]
@@ -353,7 +358,6 @@ bench-baseline: ## take the last make bench as the baseline, and renew the table
 	@tools/setup.sh tools
 	@$(FIXEL) bench-diff --current $(BENCH_OUT)/bench.json --accept
 
-# CORE here is one of the bench's; the default of the other commands is none.
 PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES)),m3)
 PROFILE_PROGRAM := $(filter %/$(or $(call ONE_OF,$(RENDERER),$(BENCH_PROGRAMS)),fixel).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 profile: ## show where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
@@ -366,7 +370,7 @@ equality: ## compare every kernel of every core with the portable one, on the em
 	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(TOOL) equality $(EQUALITY_PROGRAMS)
 
-fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60]
+fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60 EXAMPLES=1500]
 	@tools/setup.sh fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 	@$(TOOL) fuzz --seconds 60 --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
@@ -386,11 +390,15 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 	@tools/setup.sh units
 	@$(TOOL) seeded-bugs --build $(BUILD)
 
-coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach
+# ONLY here is the name of one unit test; without it, all.
+COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/$(or $(call ONE_OF,$(ONLY),$(notdir $(COVERAGE_TESTS))),\
+    $(error ONLY: there is no unit test "$(ONLY)"; host_tests/unit has them)),$(COVERAGE_TESTS))
+COVERED_REPLAYS = $(if $(ONLY),,$(FUZZ_TARGETS))
+coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach [ONLY= of one unit test, such as test_scan]
 	@tools/setup.sh coverage
-	@$(MAKE) $(COVERAGE_TESTS) $(COVERAGE_REPLAYS)
-	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERAGE_TESTS) --out $(BUILD)/coverage.json \
-	    $(foreach target,$(FUZZ_TARGETS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip)
+	@$(MAKE) $(COVERED_TESTS) $(COVERED_REPLAYS:%=$(COVERAGE_OUT)/replay_%)
+	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage.json \
+	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip)
 
 # What only the other part needs is not built.
 MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)

@@ -225,8 +225,9 @@ COSTS_SETTINGS := $(foreach size,$(COSTS_SIZES),$(size)=$(subst $(space),:,$(COS
 
 $(if $(BUILT_GOALS),$(foreach kind,$(filter-out /%,$(CELLS_KINDS)),$(eval $(call BENCH_PROGRAM_RULES,$(patsubst %/,%,$(dir $(kind))),$(notdir $(kind))))))
 
-BENCH_BUILT := $(BENCH_COUNTER) $(foreach core,$(BENCH_CORES_HERE),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))
+# $(1): cores.
+BENCH_BUILT_OF = $(BENCH_COUNTER) $(foreach core,$(1),$(BENCH_PROGRAMS.$(core)) $(BENCH_SIZES.$(core)))
 BENCH_LEFT_OUT := $(filter-out $(BENCH_CORES_HERE),$(BENCH_CORES))
 
 .PHONY: bench-programs
-bench-programs: $(BENCH_BUILT)
+bench-programs: $(call BENCH_BUILT_OF,$(BENCH_CORES_HERE))

@@ -18,8 +18,6 @@ CLIPPERS_CLIPPERS = $(eval CLIPPERS_CLIPPERS := $$(call CLIPPERS_READ,clippers,r
 CLIPPERS_HIDDEN = $(eval CLIPPERS_HIDDEN := $$(call CLIPPERS_READ,hidden,room))$(CLIPPERS_HIDDEN)
 CLIPPERS_PART = $(word $(2),$(subst :, ,$(1)))
 CLIPPERS_NAME = $(call CLIPPERS_PART,$(1),1)-$(call CLIPPERS_PART,$(2),1)
-CLIPPERS_COMBINATIONS = $(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
-    $(call CLIPPERS_NAME,$(clipper),$(hidden))))
 # $(1): a clipper, $(2): what hides what.
 CLIPPERS_DEFINES = -DCOMBINATION_CLIPPER=$(call CLIPPERS_PART,$(1),2) \
     -DCOMBINATION_ORDER=$(call CLIPPERS_PART,$(2),2) -DCOMBINATION_TARGET=$(call CLIPPERS_PART,$(2),3) \
@@ -98,11 +96,15 @@ endef
 $(if $(BUILT_GOALS),$(foreach clipper,$(CLIPPERS_CLIPPERS),$(foreach hidden,$(CLIPPERS_HIDDEN),\
     $(eval $(call COMPARISON_RULES,$(clipper),$(hidden))))))
 
-CLIPPERS_HOST = $(CLIPPERS_COMBINATIONS:%=$(COMPARISON_OUT)/%)
-CLIPPERS_BUILT = $(BENCH_COUNTER) $(CLIPPERS_HOST) $(BUILD)/host/judge $(foreach core,$(CLIPPERS_CORES),\
-    $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
-    $(CLIPPERS_COMBINATIONS:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf) \
-    $(foreach clipper,$(CLIPPERS_CLIPPERS),$(BENCH_OUT)/$(core)/clippers/operations/$(call CLIPPERS_PART,$(clipper),1).elf))
+# What ONLY= names of the words $(1); all of them if it names none.
+CLIPPERS_ONLY = $(or $(strip $(foreach word,$(subst $(,), ,$(ONLY)),$(call ONE_OF,$(word),$(1)))),$(1))
+CLIPPERS_NAMED = $(call CLIPPERS_ONLY,$(foreach entry,$(1),$(call CLIPPERS_PART,$(entry),1)))
+CLIPPERS_CHOSEN = $(foreach clipper,$(call CLIPPERS_NAMED,$(CLIPPERS_CLIPPERS)),$(foreach hidden,$(call CLIPPERS_NAMED,$(CLIPPERS_HIDDEN)),\
+    $(clipper)-$(hidden)))
+CLIPPERS_BUILT = $(BENCH_COUNTER) $(CLIPPERS_CHOSEN:%=$(COMPARISON_OUT)/%) $(BUILD)/host/judge $(foreach core,$(call CLIPPERS_ONLY,$(CLIPPERS_CORES)),\
+    $(CLIPPERS_CHOSEN:%=$(BENCH_OUT)/$(core)/clippers/%.elf) \
+    $(CLIPPERS_CHOSEN:%=$(BENCH_OUT)/$(core)/clippers/size/%.elf) \
+    $(patsubst %,$(BENCH_OUT)/$(core)/clippers/operations/%.elf,$(call CLIPPERS_NAMED,$(CLIPPERS_CLIPPERS))))
 # What the tests run.
 CLIPPERS_SAMPLE := view-sorted view-spans triangles-sorted triangles-spans
 CLIPPERS_TESTED := $(CLIPPERS_SAMPLE:%=$(COMPARISON_OUT)/%) $(COMPARISON_OUT)/world-sorted $(if $(filter m3,$(CLIPPERS_CORES)),\

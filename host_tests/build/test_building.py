@@ -5,6 +5,7 @@
 import os
 import pty
 import re
+import shlex
 import subprocess
 
 from conftest import CHECKOUT, environment
@@ -43,6 +44,21 @@ def test_a_pipe_has_no_line_for_each_file(tmp_path):
     done = built(tmp_path)
     assert done.stdout == "" and done.stderr == ""
     assert {file.stem for file in tmp_path.rglob("*.o")} == set(OBJECTS)
+
+
+def test_a_pipe_has_a_line_each_10_seconds(tmp_path):
+    """By a clock that goes on by 6 seconds whenever make asks for the time, which is at each tenth file; make -n builds none."""
+    clock = tmp_path / "bin" / "date"
+    clock.parent.mkdir()
+    clock.write_text(f"#!/bin/sh\ncd {shlex.quote(str(tmp_path))}\necho >> asked\necho $(($(wc -l < asked) * 6))\n")
+    clock.chmod(0o755)
+    sources = sorted((CHECKOUT / "host_tests" / "judges" / "reference").glob("*.c"))
+    done = subprocess.run(["make", "-n", f"BUILD={tmp_path}",
+                           *(f"{tmp_path}/host/objects/judges/reference/{file.stem}.o" for file in sources)],
+                          cwd=CHECKOUT, capture_output=True, text=True, check=True,
+                          env=environment(MAKELEVEL="1", PATH=f"{clock.parent}:{os.environ['PATH']}"))
+    told = [int(number) for number in re.findall(rf"building: (\d+) of {len(sources)}$", done.stdout, re.MULTILINE)]
+    assert told == list(range(30, len(sources) + 1, 20)) != []
 
 
 def test_v_shows_the_commands(tmp_path):

@@ -18,7 +18,7 @@ COMMANDS = make_variables.commands()
 # make itself compares these with the names that there are, and refuses any other value.
 CHECKED = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "PIXELS", "ORDER", "DEPTH", "COSTS_CORES", "COSTS_BOARDS", "LIB_FLAGS"}
 # Read by make in the commands that are named here, and by a tool in the others.
-CHECKED_IN = {"CORE": ["lib"]}
+CHECKED_IN = {"CORE": ["lib", "bench"], "ONLY": ["coverage"]}
 # Any value that is not empty means yes.
 SWITCHES = {"SIZE"}
 # Commands that call none of the tools.
@@ -80,10 +80,11 @@ def test_no_value_runs_and_each_reaches_the_tool(stand_in, tmp_path, command):
 @pytest.mark.parametrize("name", sorted(CHECKED | set(CHECKED_IN)))
 def test_a_checked_variable_refuses_such_values(tmp_path, name):
     marker = tmp_path / "marker"
-    for value in hostile(marker):
-        done = run_make("lib", f"{name}={value}")
-        assert done.returncode == 2 and name in done.stderr.upper() and not marker.exists(), (value, done.stderr)
-        assert done.stdout == ""
+    for command in CHECKED_IN.get(name, ["lib"]):
+        for value in hostile(marker):
+            done = run_make(command, f"{name}={value}")
+            assert done.returncode == 2 and name in done.stderr.upper() and not marker.exists(), (value, done.stderr)
+            assert done.stdout == ""
 
 
 def test_the_marker_is_made_by_a_value_that_runs(tmp_path):

@@ -494,8 +494,12 @@ def test_accepting_renews_baseline_and_document(tmp_path, baseline):
     assert run_cli("bench-diff", *options).returncode == 0
     assert json.loads((tmp_path / "baseline.json").read_text()) == baseline
     assert (tmp_path / "performance.md").read_text() == DOCUMENT.read_text(encoding="utf-8")
-    (tmp_path / "now.json").write_text(json.dumps({**baseline, "left_out": ["m55"]}))
-    assert_one_sentence(run_cli("bench-diff", *options), "m55")
+    for less, words in (({"left_out": ["m55"]}, "m55"),
+                        ({"rows": [row for row in baseline["rows"] if row.get("workload") != "w2"]}, "w2 was not measured"),
+                        ({"rows": [row for row in baseline["rows"] if row["core"] != "m0"]}, "m0 was not measured")):
+        (tmp_path / "now.json").write_text(json.dumps({**baseline, **less}))
+        assert_one_sentence(run_cli("bench-diff", *options), words)
+        assert json.loads((tmp_path / "baseline.json").read_text()) == baseline
 
 
 def test_the_make_commands_are_there():

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from conftest import CHECKOUT, LAUNCHER, environment
+from conftest import CHECKOUT, LAUNCHER, environment, sampled
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
 from test_input_bounds import PATH, assert_ended, run_bounded
 from fixel.model import gltf_check, model_file, sources
@@ -192,15 +192,14 @@ def loose_triangles(count):
     return "".join("".join(lines[i:i + 3]) + "f -1 -2 -3\n" for i in range(0, 3 * count, 3))
 
 
-@pytest.mark.parametrize("look", LOOKS)
+@pytest.mark.parametrize("look", sampled("loose triangles", LOOKS, 1))
 def test_20_000_loose_triangles_with_surfaces(tmp_path, look):
     write(tmp_path, m_obj=loose_triangles(20_000), scene_toml=SURFACED + LOOKS[look])
     build(tmp_path, "scene.toml")
 
 
-@pytest.mark.parametrize("look", LOOKS)
-@pytest.mark.parametrize("count", [11_000, 65_000])
-def test_faces_with_surfaces_that_share_their_vertices(tmp_path, look, count):
+@pytest.mark.parametrize("count, look", sampled("shared vertices", [(count, look) for count in (11_000, 65_000) for look in LOOKS], 2))
+def test_faces_with_surfaces_that_share_their_vertices(tmp_path, count, look):
     chance = random.Random(6)
     points = [(chance.random(), chance.random(), chance.random()) for _ in range(99)]
     write(tmp_path, m_obj="".join("v {:.2f} {:.2f} {:.2f}\n".format(*point) for point in points) +

@@ -10,7 +10,7 @@ import re
 
 MAKEFILE = pathlib.Path(__file__).resolve().parents[3] / "Makefile"
 # By these make chooses what it builds. It compares them with the names that there are, and its recipes pass on what was chosen.
-OF_MAKE = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "SIZE", "LIB_FLAGS", "COSTS_CORES", "COSTS_BOARDS"}
+OF_MAKE = {"BOARD", "PROGRAM", "VISIBILITY", "CLIPPER", "ROWS", "DRIVER", "SIZE", "LIB_FLAGS", "COSTS_CORES", "COSTS_BOARDS", "coverage ONLY"}
 # Options without a value: set by any value that is not empty.
 FLAGS = {"OPEN", "DRY_RUN", "WHOLE", "FRESH", "ALLOW_OUTSIDE", "compare JSON"}
 # Passed on even if empty, for the tool to refuse. Any other empty variable counts as not given.
@@ -27,10 +27,11 @@ def commands(makefile=MAKEFILE):
 
 def option(command, name, value):
     """The words that a variable becomes."""
-    if name in OF_MAKE or not value and name not in EVEN_EMPTY:
+    names_here = {name, f"{command} {name}"}
+    if names_here & OF_MAKE or not value and name not in EVEN_EMPTY:
         return []
     word = OPTIONS.get(name, f"--{name.lower().replace('_', '-')}")
-    return [word] if {name, f"{command} {name}"} & FLAGS else [f"{word}={value}"]
+    return [word] if names_here & FLAGS else [f"{word}={value}"]
 
 
 def options(command, environment):

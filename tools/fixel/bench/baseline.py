@@ -83,6 +83,11 @@ def accept(data, baseline, document, plan):
     """Makes a run the baseline."""
     if data.get("left_out"):
         raise ToolError(f"a baseline needs every core; left out were: {', '.join(data['left_out'])}")
+    measured = {value for row in data["rows"] for value in (row["core"], row.get("workload"))}
+    missing = [name for name in (*bench_plan.CORES, *plan.workloads) if name not in measured]
+    if missing:
+        raise ToolError(f"a baseline needs every core and every workload; {missing[0]} was not measured: "
+                        f"run make bench without CORE= and WORKLOAD=")
     text = bench_page.replace_tables(pathlib.Path(document).read_text(encoding="utf-8"), plan, data, bench_page.DOCUMENT)
     output.write_json(baseline, data)
     output.write_file(document, text)

@@ -15,8 +15,8 @@ from fixel.scene import target
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    made.add_argument("--cores", nargs="+", help="cores to measure, whose programs are built; all without")
-    made.add_argument("--workloads", nargs="+", help="workloads to draw; all without")
+    made.add_argument("--cores", "--core", nargs="+", help="cores to measure, whose programs are built; all without")
+    made.add_argument("--workloads", "--workload", nargs="+", help="workloads to draw; all without")
     made.add_argument("--left-out", nargs="*", default=[], help="cores that no board has")
     made.add_argument("--out", default="build/bench", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")
