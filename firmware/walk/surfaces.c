@@ -54,7 +54,6 @@ fxl_status walk_surfaces_open(const fxl_scene_image *image, const fxl_painter *p
         status = fxl_attach_surfaces(renderer, &own->surfaces, &own->set, painter);
     }
     if (status == FXL_OK && image->light.base != NULL) {
-        own->lit.dark = image->dark;
         status = fxl_attach_lit(renderer, &own->lit);
     }
     return status;

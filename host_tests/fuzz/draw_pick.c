@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "draw/submit.h"
 #include "draw.h"
 #include "record.h"
 
@@ -59,7 +60,9 @@ void draw_all_picks(fxl_renderer *renderer, const void *pixels)
         DEMAND(picked.instance < scene->instance_count);
         DEMAND(picked.face < scene->models[scene->instances[picked.instance].model].face_count);
         if (pixels != NULL && renderer->target->pixel_bits == 16) {
-            DEMAND(((const uint16_t *)pixels)[place] == renderer->palette[picked.colour]);
+            /* Of a lit face a part is left. */
+            DEMAND(fxl_renderer_shader(renderer, FXL_SHADER_LIGHT) != NULL ||
+                   ((const uint16_t *)pixels)[place] == renderer->palette[picked.colour]);
         } else if (pixels != NULL) {
             DEMAND(((const uint8_t *)pixels)[place] == picked.colour);
         }

@@ -210,7 +210,7 @@ void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
     uint16_t *palette = block(256);
     make_set(&made, from, in);
     choose(renderer, palette);
-    parts->lit.dark = (uint16_t)fuzz_bits(in, 2);
+    parts->light.settings.dark = (uint16_t)fuzz_bits(in, 2);
     draw_attach(renderer, parts, &made.set, FXL_SURFACES_OF(fxl_rgb565), fuzz_below(in, 4));
     misuse(renderer, &made, palette);
     draw_twice(renderer, in);

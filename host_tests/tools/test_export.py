@@ -114,7 +114,7 @@ int main(int argc, char **argv)
     fxl_light_settings_of(&image.light, &light);
     compare("ramp", OF(_ramp), light.ramp, sizeof OF(_ramp));
     light.ramp = OF(_ramp);
-    compare("light", &OF(_light), &light, offsetof(fxl_light_settings, levels) + sizeof light.levels);
+    compare("light", &OF(_light), &light, offsetof(fxl_light_settings, dark) + sizeof light.dark);
 #else
     if (image.light.base != NULL) { return 11; }
 #endif

@@ -36,6 +36,7 @@ static const fxl_direction normals[] = {{0, 0, -FXL_Q2_30_ONE}, {0, 0, FXL_Q2_30
 const fxl_pose walls_eye = {{Q16(0.3), Q16(0.2), 0}, 1 << 26, 0, 1 << 27};
 
 static FXL_ALIGN_8 uint8_t memory[3000];
+static FXL_ALIGN_8 uint8_t depth[FXL_DEPTH_BYTES(WIDTH, 8, 32)];
 
 void walls_make_texture(uint8_t format)
 {
@@ -84,7 +85,6 @@ void walls_make(void)
                                   .surface_count = 2,
                                   .face_count = 2,
                                   .normal_count = 2};
-    walls.lit.dark = 0;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&walls.scene, NULL));
     walls_start(&fxl_palette);
 }
@@ -94,6 +94,8 @@ void walls_start(const fxl_target *target)
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, target);
     config.background = BACKGROUND;
     config.palette = target->pixel_bits == 16 ? walls.palette : NULL;
+    config.depth = target->depth_bits != 0 ? depth : NULL;
+    config.depth_size = target->depth_bits != 0 ? sizeof depth : 0;
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_renderer_init(&walls.renderer, &walls.scene, &config, memory, sizeof memory));
 }
@@ -103,6 +105,13 @@ void walls_begin(void)
     walls_start(&fxl_rgb565);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(&walls.renderer, &walls.surfaces, &walls.set,
                                                   FXL_SURFACES_OF(fxl_rgb565)));
+}
+
+void walls_hide_others(uint16_t colour)
+{
+    walls.surface[0] = (fxl_surface){.opacity = 16};
+    walls.face_map[0] = walls.face_map[2] = 1;
+    walls.palette[20] = walls.palette[22] = colour;
 }
 
 void walls_light(const fxl_light_settings *settings)

@@ -45,6 +45,9 @@ void walls_make_texture(uint8_t format);
 /* Frames of 16 bits a pixel, with the surfaces. */
 void walls_begin(void);
 
+/* The other walls in one colour, without light. */
+void walls_hide_others(uint16_t colour);
+
 /* Attaches a light, which surfaces take at their corners. */
 void walls_light(const fxl_light_settings *settings);
 

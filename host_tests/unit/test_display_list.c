@@ -22,7 +22,7 @@ static sample make_sample(uint32_t number, uint32_t round)
     uint32_t bits = (number + 1) * 2654435761u ^ round * 40503u;
     made.polygon.colour = (uint8_t)bits;
     made.polygon.kind = (uint8_t)(bits >> 16);
-    made.polygon.reserved = 0;
+    made.polygon.shade = (uint8_t)(bits >> 24);
     made.polygon.count = (uint8_t)(3 + (bits >> 8) % (FXL_POLYGON_CAPACITY - 2));
     for (uint32_t i = 0; i < made.polygon.count; i++) {
         int32_t spread = (int32_t)(bits * (2 * i + 1));
@@ -68,6 +68,7 @@ static void expect_record(const sample *want, const fxl_display_list_record *got
     TEST_ASSERT_EQUAL(want->polygon.colour, got->colour);
     TEST_ASSERT_EQUAL(want->polygon.count, got->count);
     TEST_ASSERT_EQUAL(want->polygon.kind, got->kind);
+    TEST_ASSERT_EQUAL(want->polygon.shade, got->shade);
     TEST_ASSERT_EQUAL_MEMORY(want->polygon.points, got->points,
                              want->polygon.count * sizeof want->polygon.points[0]);
 }
@@ -86,7 +87,7 @@ static bool share_a_row(fxl_rows a, fxl_rows b)
 static void expect_contents(const fxl_display_list *list, uint32_t count, uint32_t round,
                             fxl_rows asked)
 {
-    fxl_display_list_record record = {{1, 2}, 3, 4, FXL_POLYGON_FLAT, NULL};
+    fxl_display_list_record record = {{1, 2}, 3, 4, FXL_POLYGON_FLAT, 0, NULL};
     uint32_t place = 0;
     for (uint32_t number = 0; number < count; number++) {
         sample want = make_sample(number, round);

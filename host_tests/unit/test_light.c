@@ -214,6 +214,7 @@ void test_light_follows_turns(void)
         }
         of.fog_near = of.fog_far = 0;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
+        const fxl_traversal traversal = {.renderer = &renderer, .workspace = &renderer.workspace};
         for (uint32_t number = 0; number < 6; number++) {
             const exact_vector n = normal_of(number + 1),
                                at = exact_point(&instance->centre, 1.0 / 65536);
@@ -225,7 +226,7 @@ void test_light_follows_turns(void)
                                          exact_dot(rows[2], n)};
             const exact_vector middle = {at.x + scale * normal.x, at.y + scale * normal.y,
                                          at.z + scale * normal.z};
-            const uint8_t found = renderer.shader->code->colour(renderer.shader, &renderer,
+            const uint8_t found = renderer.shader->code->colour(renderer.shader, &traversal,
                                                                 instance, &tiny->faces[number], 1);
             expect_level(&of, exact_brightness(&of, &renderer.frame.view.camera, middle, normal),
                          (found - 1u) / 20u);

@@ -194,7 +194,7 @@ void test_the_target_that_an_image_asks_for(void)
         if (is_known) {
             TEST_ASSERT_EQUAL_UINT8(wanted & 4 ? 16 : 8, opened.pixel_bits);
             TEST_ASSERT_EQUAL((wanted & 8) != 0, opened.by_distance);
-            TEST_ASSERT_EQUAL_HEX16(0x1234, opened.dark);
+            TEST_ASSERT_EQUAL_HEX16(0x1234, opened.light.dark);
         }
     }
 }

@@ -139,8 +139,8 @@ fxl_status fxl_check_combination(fxl_renderer *renderer)
         const bool is_lit = lit != NULL && light != NULL;
         surfaces->light = is_lit ? (const fxl_light *)(const void *)light : NULL;
         surfaces->light_code = is_lit ? lit->code : NULL;
-        surfaces->dark = is_lit ? lit->dark : 0;
     }
+    renderer->dark = light != NULL ? ((const fxl_light *)(const void *)light)->settings.dark : 0;
     renderer->near_first =
         renderer->target->near_first && !(renderer->target->depth_bits != 0 && are_blended(surfaces));
     renderer->check = NULL;

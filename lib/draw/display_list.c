@@ -5,7 +5,7 @@
 #include "display_list.h"
 
 /* A record: first row and, above it, end row, 16 bits each; a word that is the polygon's first:
- * colour, count, kind and reserved; then x and y of each point, read where they lie. */
+ * colour, count, kind and shade; then x and y of each point, read where they lie. */
 FXL_STATIC_ASSERT(sizeof(fxl_screen_point) == 2 * sizeof(uint32_t), "two words a point");
 FXL_STATIC_ASSERT(offsetof(fxl_screen_polygon, points) == sizeof(uint32_t),
                   "a word before the points");
@@ -33,13 +33,14 @@ bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t
     while (*place < list->used) {
         const uint32_t *from = list->words + *place;
         fxl_rows reached = {(uint16_t)from[0], (uint16_t)(from[0] >> 16)};
-        const uint8_t *head = (const uint8_t *)(from + 1); /* colour, count, kind */
+        const uint8_t *head = (const uint8_t *)(from + 1); /* colour, count, kind, shade */
         *place += FXL_DISPLAY_LIST_WORDS((uint32_t)head[1]);
         if (fxl_rows_meet(reached, rows)) {
             record->rows = reached;
             record->colour = head[0];
             record->count = head[1];
             record->kind = head[2];
+            record->shade = head[3];
             record->points = (const fxl_screen_point *)(const void *)(from + 2);
             return true;
         }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The light of a renderer: a shader that gives a face the colour of its level. */
+/* The light of a renderer: a shader that gives a face the colour of its level, or in RGB565 a shade. */
 #include "renderer.h"
 #include "submit.h"
 #include "../math/arith.h"
@@ -52,21 +52,43 @@ static void place_face(const fxl_scene *scene, const fxl_instance *instance, con
     place->middle.z = 2 * centre->z + box.z;
 }
 
-static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
-                      const fxl_instance *instance, const fxl_face *face, uint8_t full)
+static inline fxl_q2_30 brightness_of(const fxl_light_settings *settings,
+                                      const fxl_renderer *renderer, const fxl_instance *instance,
+                                      const fxl_face *face)
 {
-    const fxl_light_settings *settings = &((const fxl_light *)(const void *)shader)->settings;
     fxl_lit_place place;
     place_face(renderer->scene, instance, face, &place);
-    const fxl_q2_30 brightness =
-        fxl_light_brightness(settings, &renderer->frame.view.camera, &place);
+    return fxl_light_brightness(settings, &renderer->frame.view.camera, &place);
+}
+
+static const fxl_light_settings *settings_of(const fxl_shader *shader)
+{
+    return &((const fxl_light *)(const void *)shader)->settings;
+}
+
+/* In a palette: the entry of the ramp. */
+static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
+                      const fxl_instance *instance, const fxl_face *face, uint8_t full)
+{
+    const fxl_light_settings *settings = settings_of(shader);
+    const fxl_q2_30 brightness = brightness_of(settings, traversal->renderer, instance, face);
     return settings->ramp[256u * fxl_light_level(brightness, settings->levels) + full];
+}
+
+/* In RGB565: the same colour, of which a part is left. */
+static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
+                     const fxl_instance *instance, const fxl_face *face, uint8_t full)
+{
+    traversal->workspace->screen.shade = fxl_light_shade(
+        brightness_of(settings_of(shader), traversal->renderer, instance, face));
+    return full;
 }
 
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings)
 {
-    static const fxl_shader_code code = {reaches, fxl_submit_coloured_face, NULL, colour, false};
+    static const fxl_shader_code of_palette = {reaches, fxl_submit_coloured_face, NULL, colour, false};
+    static const fxl_shader_code of_565 = {reaches, fxl_submit_coloured_face, NULL, shade, false};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
     }
@@ -85,7 +107,9 @@ fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
         return fxl_refuse(&renderer->workspace, status);
     }
     light->settings = *settings;
-    light->shader.code = &code;
+    /* A renderer with an attachment keeps its target's pixels. */
+    light->shader.code =
+        renderer->target != NULL && renderer->target->pixel_bits == 16 ? &of_565 : &of_palette;
     fxl_renderer_attach(renderer, FXL_SHADER_LIGHT, &light->shader);
     return FXL_OK;
 }

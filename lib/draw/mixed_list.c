@@ -14,6 +14,7 @@ bool fxl_mixed_draw_list(const fxl_traversal *traversal)
     uint32_t place = 0;
     while (fxl_display_list_next(&renderer->frame.display_list, wanted, &place, &record)) {
         if (record.kind == FXL_POLYGON_FLAT) {
+            traversal->workspace->screen.shade = record.shade;
             if (!renderer->target->flat(traversal->workspace, record.points, record.count,
                                         record.colour, band)) {
                 return false;

@@ -11,9 +11,12 @@
 typedef uint8_t fxl_pixel;
 typedef uint32_t fxl_filling; /* the colour in each byte */
 
-static inline fxl_filling fxl_filling_of(const fxl_band *band, uint8_t colour)
+static inline fxl_filling fxl_filling_of(const fxl_band *band, uint8_t colour, uint8_t shade,
+                                         uint16_t dark)
 {
     (void)band;
+    (void)shade;
+    (void)dark;
     return colour * 0x01010101u;
 }
 
@@ -36,9 +39,11 @@ static inline fxl_status fxl_check_band(const fxl_band *band)
 typedef uint16_t fxl_pixel;
 typedef uint16_t fxl_filling;
 
-static inline fxl_filling fxl_filling_of(const fxl_band *band, uint8_t colour)
+static inline fxl_filling fxl_filling_of(const fxl_band *band, uint8_t colour, uint8_t shade,
+                                         uint16_t dark)
 {
-    return band->palette[colour];
+    const uint16_t full = band->palette[colour];
+    return shade == 0 ? full : fxl_mix_565(full, dark, 256u - shade);
 }
 
 static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling filling)

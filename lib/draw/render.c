@@ -39,6 +39,7 @@ static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool
 {
     workspace->frame_number = view->frame;
     workspace->rest_counted = counted;
+    workspace->screen.shade = 0; /* a light may have been detached */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
 }
 
@@ -292,6 +293,7 @@ static inline bool draw_display_list(const fxl_traversal *traversal)
     while (
         fxl_display_list_next(&traversal->renderer->frame.display_list, wanted, &place, &record)) {
         FXL_ASSERT(record.kind == FXL_POLYGON_FLAT);
+        traversal->workspace->screen.shade = record.shade;
         if (!target->flat(traversal->workspace, record.points, record.count, record.colour, band)) {
             return false;
         }

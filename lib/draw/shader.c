@@ -28,7 +28,7 @@ bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *
     const fxl_instance *instance = model_view->instance;
     fxl_face coloured = *face;
     coloured.material =
-        shader->code->colour(shader, traversal->renderer, instance, face, face->material);
+        shader->code->colour(shader, traversal, instance, face, face->material);
     const fxl_shader *next =
         fxl_shader_reaching(shader->next, traversal->renderer->scene, instance);
     return next != NULL ? next->code->face(model_view, &coloured, traversal, next)

@@ -189,8 +189,9 @@ typedef struct fxl_shader_code {
      * to fxl_submit_piece. False where that answers false. Null: it colours. */
     bool (*split)(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count);
-    /* The colour of a face of the model that would have `colour`. Null: it splits. */
-    uint8_t (*colour)(const fxl_shader *shader, const fxl_renderer *renderer,
+    /* The colour of a face of the model that would have `colour`. It may set the shade of
+     * traversal->workspace->screen, which every polygon of the face has then. Null: it splits. */
+    uint8_t (*colour)(const fxl_shader *shader, const fxl_traversal *traversal,
                       const fxl_instance *instance, const fxl_face *face, uint8_t colour);
     /* Whether it takes a face of a turned instance only as a polygon of the world, whose points are
      * rounded. */

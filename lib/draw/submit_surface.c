@@ -56,6 +56,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     }
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
+    polygon->shade = 0;
     polygon->has_depth = false;
     polygon->is_in_beam = false;
 }

@@ -9,21 +9,23 @@
 #include "../paint/texture_level.h"
 
 /* A record: what every record begins with, whose count is that of all pairs of words after it and
- * whose reserved byte is that of the points; the points; the first two words below; with a surface
+ * whose shade is that of the points; the points; the first two words below; with a surface
  * two more, its weight and its attributes; with a depth its unit and its gradient. */
-#define FIRST_WORDS    2u /* surface, count and level; shifts */
+#define FIRST_WORDS    2u /* surface, level and shade; shifts and count */
 #define SURFACE_WORDS  2u /* weight_min */
 #define UNIT_WORDS     2u /* the depth's unit, and 0 */
 #define GRADIENT_WORDS 6u
 
 /* What stands above the surface in the first word. */
-#define COUNT_AT  16
-#define LEVEL_AT  20
+#define IN_BEAM   0x10000u
 #define HAS_DEPTH 0x80000u
-#define IN_BEAM   0x1000000u
+#define LEVEL_AT  20
+#define SHADE_AT  24
 
 FXL_STATIC_ASSERT(sizeof(fxl_gradient) == GRADIENT_WORDS * sizeof(uint32_t), "no padding");
-FXL_STATIC_ASSERT(FXL_ATTRIBUTES < 8 && FXL_TEXTURE_LOG_MAX < 16, "bits of the first word");
+FXL_STATIC_ASSERT(FXL_TEXTURE_LOG_MAX < 16, "bits of the first word");
+FXL_STATIC_ASSERT(offsetof(fxl_gradients, count) == offsetof(fxl_gradients, shifts) + 3,
+                  "the second word");
 FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY + (FIRST_WORDS + SURFACE_WORDS + UNIT_WORDS +
                                           GRADIENT_WORDS * (2 + FXL_ATTRIBUTES)) /
                                              2 <=
@@ -70,8 +72,8 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
         screen->count};
     to = put(to + 1, head, 1);
     to = put(to, screen->points, 2u * screen->count);
-    *to++ = polygon->surface | (uint32_t)gradients->count << COUNT_AT |
-            (uint32_t)polygon->level << LEVEL_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
+    *to++ = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
+            (uint32_t)polygon->shade << SHADE_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
             (polygon->is_in_beam ? IN_BEAM : 0);
     to = put(to, gradients->shifts, 1);
     if (polygon->surface != FXL_NO_SURFACE) {
@@ -100,7 +102,7 @@ uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
     polygon->level = (uint8_t)(first >> LEVEL_AT & 15u);
     polygon->has_depth = (first & HAS_DEPTH) != 0;
     polygon->is_in_beam = (first & IN_BEAM) != 0;
-    gradients->count = (uint8_t)(first >> COUNT_AT & 7u);
+    polygon->shade = (uint8_t)(first >> SHADE_AT);
     from = get(from, gradients->shifts, 1);
     if (polygon->surface != FXL_NO_SURFACE) {
         from = get(from, gradients->weight_min, SURFACE_WORDS);

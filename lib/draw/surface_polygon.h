@@ -24,6 +24,7 @@ typedef struct {
     uint16_t surface;        /* a number; FXL_NO_SURFACE: the face's own colour */
     uint8_t level;           /* of its texture; u and v are in texels of that level */
     uint8_t colour;          /* of the face */
+    uint8_t shade;           /* of a face without a surface: as of fxl_screen_polygon */
     bool has_depth;
     bool is_in_beam; /* it is a lit piece */
 } fxl_surface_polygon;

@@ -34,7 +34,7 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
     const uint32_t levels = paint->levels_less_1;
     of->palette = band->palette;
     of->part_of_level = paint->ramp != NULL ? (65536u + levels / 2) / levels : 0;
-    of->dark = surfaces->dark;
+    of->dark = paint->ramp != NULL ? surfaces->light->settings.dark : 0;
     of->key = surface->texture != 0 ? surfaces->set->textures[surface->texture - 1].key_565 : 0;
     of->sixteenths = (uint8_t)((surface->flags & FXL_SURFACE_BLEND) == 0 ? 0
                                : surface->sixteenths == 0              ? 8

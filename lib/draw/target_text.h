@@ -100,12 +100,12 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
 
 static void paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
                        const fxl_screen_point *points, uint32_t count, uint8_t colour,
-                       const fxl_band *band)
+                       uint8_t shade, const fxl_band *band)
 {
     flat_painting of;
     fxl_depth_begin(&of.depth, workspace->target_memory, plane, band);
     if (of.depth.head->pass != FXL_DEPTH_BLENDED) {
-        of.filling = fxl_filling_of(band, colour);
+        of.filling = fxl_filling_of(band, colour, shade, workspace->dark);
         paint_rows(points, count, band, &workspace->work.scan, paint_row, &of);
     }
 }
@@ -116,7 +116,7 @@ static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint3
                  uint8_t colour, const fxl_band *band)
 {
     static const fxl_depth_plane infinity = {{0, 0, 0}, 0};
-    paint_flat(workspace, &infinity, points, count, colour, band);
+    paint_flat(workspace, &infinity, points, count, colour, workspace->screen.shade, band);
     return true;
 }
 
@@ -125,7 +125,8 @@ static void flat_with_depth(fxl_workspace *workspace, const fxl_display_list_rec
 {
     fxl_surface_polygon polygon;
     const uint32_t count = fxl_surface_polygon_read(record, &polygon);
-    paint_flat(workspace, &polygon.depth, record->points, count, polygon.colour, band);
+    paint_flat(workspace, &polygon.depth, record->points, count, polygon.colour, polygon.shade,
+               band);
 }
 
 /* --- faces and pieces ----------------------------------------------------------------------- */
@@ -143,6 +144,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     }
     polygon->level = 0;
     polygon->colour = face->material;
+    polygon->shade = FXL_TARGET_PIXEL_BITS == 16 ? traversal->workspace->screen.shade : 0;
     polygon->is_in_beam = false;
     polygon->has_depth = true;
     fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
@@ -154,7 +156,7 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
               const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
     (void)what;
-    paint_flat(workspace, &polygon->depth, points, count, polygon->colour, band);
+    paint_flat(workspace, &polygon->depth, points, count, polygon->colour, polygon->shade, band);
 }
 
 static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
@@ -222,6 +224,9 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }
+#if FXL_TARGET_PIXEL_BITS == 16
+    workspace->dark = renderer->dark;
+#endif
     fxl_depth_draw_parts(renderer, workspace, band, FXL_TARGET_DEPTH_BITS / 8,
                          FXL_TARGET_PIXEL_BITS / 8);
     return FXL_OK;
@@ -239,7 +244,8 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
 static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                  uint8_t colour, const fxl_band *band)
 {
-    fxl_filling filling = fxl_filling_of(band, colour);
+    fxl_filling filling =
+        fxl_filling_of(band, colour, workspace->screen.shade, workspace->dark);
     paint_rows(points, count, band, &workspace->work.scan, paint_row, &filling);
     return true;
 }
@@ -251,6 +257,7 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
     if (status != FXL_OK) {
         return fxl_refuse(workspace, status);
     }
+    workspace->dark = renderer->dark;
     (void)fxl_draw_band(renderer, workspace, band);
     return FXL_OK;
 }

@@ -344,12 +344,12 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
     return instance->recolour != 0;
 }
 
-static uint8_t colour(const fxl_shader *shader, const fxl_renderer *renderer,
+static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
                       const fxl_instance *instance, const fxl_face *face, uint8_t of_model)
 {
     const fxl_world *world = ((const fxl_world_colours *)(const void *)shader)->world;
     const uint32_t table = instance->recolour - 1u;
-    (void)renderer;
+    (void)traversal;
     (void)face;
     FXL_ASSERT(instance->recolour <= world->memory.colour_count);
     return world->memory.colours[256u * table + of_model];

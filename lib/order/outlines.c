@@ -61,6 +61,9 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
 {
     const fxl_outlines *outlines = (const fxl_outlines *)workspace->target_memory;
     const fxl_outline_style *style = &outlines->style;
+    if (!style->keeps_colours) {
+        workspace->screen.shade = 0;
+    }
     (void)outlines->extras.outlined->flat(workspace, points, count,
                                           style->keeps_colours ? colour : style->fill, band);
     draw_edges(workspace, points, count, band);

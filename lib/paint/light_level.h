@@ -23,4 +23,13 @@ static inline uint32_t fxl_light_level(fxl_q2_30 brightness, uint32_t levels)
     return (uint32_t)(((uint64_t)(uint32_t)brightness * (levels - 1) + (1u << 29)) >> 30);
 }
 
+/* How many of 256 parts light takes of a colour: 256 less 256 times a brightness, rounded to
+ * nearest. No light is 255: the one part that is left changes no channel, which has at most 63
+ * steps. Error of the part: half of 1/256, and FXL_LIGHT_ERROR_MAX of the brightness. */
+static inline uint8_t fxl_light_shade(fxl_q2_30 brightness)
+{
+    const uint32_t part = ((uint32_t)brightness + (1u << 21)) >> 22;
+    return (uint8_t)(part == 0 ? 255u : 256u - part);
+}
+
 #endif

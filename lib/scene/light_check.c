@@ -60,4 +60,5 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
     settings->fog_far = base->fog_far;
     settings->ramp = light->ramp;
     settings->levels = light->levels;
+    settings->dark = light->dark;
 }

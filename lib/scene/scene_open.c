@@ -45,7 +45,6 @@ static fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *
     opened->depth_bits = (uint8_t)(16 * (head->target % 4));
     opened->pixel_bits = head->target & 4 ? 16 : 8;
     opened->by_distance = (head->target & 8) != 0;
-    opened->dark = head->dark;
     opened->start.pose = head->start;
     opened->start.speed = 0;
     opened->start.clamped = 0;
@@ -163,6 +162,7 @@ static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
     opened->light.point_count = count_of(head, SECTION_POINT_LIGHTS);
     opened->light.ramp = (const uint8_t *)first_of(head, SECTION_RAMP);
     opened->light.levels = count_of(head, SECTION_RAMP);
+    opened->light.dark = head->dark;
     opened->billboards.billboards = (const fxl_scene_billboard *)first_of(head, SECTION_BILLBOARDS);
     opened->billboards.count = count_of(head, SECTION_BILLBOARDS);
     opened->billboards.model_map = (const uint16_t *)first_of(head, SECTION_BILLBOARD_MAP);

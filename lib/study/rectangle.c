@@ -75,7 +75,7 @@ static inline fxl_clip_result by_border(const void *with, int border, const void
         left->colour = in->colour;
         left->count = (uint8_t)by.cut.count;
         left->kind = in->kind;
-        left->reserved = in->reserved;
+        left->shade = in->shade;
     }
     return result;
 }

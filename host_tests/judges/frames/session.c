@@ -95,7 +95,6 @@ static fxl_status light_all(session *run, const fxl_light_settings *settings)
 {
     fxl_renderer *renderer = &run->renderer;
     const fxl_status status = fxl_attach_light(renderer, &run->light, settings);
-    run->lit.dark = run->image.dark;
     return status == FXL_OK ? fxl_attach_lit(renderer, &run->lit) : status;
 }
 
@@ -222,6 +221,7 @@ fxl_status session_light(session *run, const named_light *light)
     settings.fog_far = light->fog_far;
     settings.levels = (uint32_t)light->levels;
     settings.ramp = run->ramp;
+    settings.dark = FXL_RGB565(light->dark[0], light->dark[1], light->dark[2]);
     fxl_status status =
         fxl_light_make_ramp(run->image.palette, light->dark, settings.levels, run->ramp);
     return status == FXL_OK ? light_all(run, &settings) : status;

@@ -117,7 +117,10 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
     ref_place place;
     *found = (judge_showing){.part = {1, 1}};
     if (!look->surface) {
+        const double brightness = 1 - drawn->shade;
         found->colours[drawn->polygon.colour] = true;
+        found->part[0] = ref_rgb565_flat_part(fmax(brightness - REF_BRIGHTNESS_BOUND, 0));
+        found->part[1] = ref_rgb565_flat_part(fmin(brightness + REF_BRIGHTNESS_BOUND, 1));
     } else if (!ref_stipple_draws(look->surface->opacity, question->x, question->y) ||
                !ref_surface_place(look, lens, question->x + 0.5, question->y + 0.5, &place)) {
         found->clear = true;

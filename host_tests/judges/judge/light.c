@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge/light.h"
 
+#include "reference/rgb565.h"
+
 static double q16(int32_t value)
 {
     return value / 65536.0;
@@ -28,5 +30,7 @@ void judge_light(ref_scene_image *image, const named_light *named, ref_light *li
                                              q30(named->points[i].strength)};
     }
     ref_light_make_ramp(light, image->palette, named->dark);
+    const int dark[REF_CHANNELS] = {named->dark[0] / 8, named->dark[1] / 4, named->dark[2] / 8};
+    image->dark = ref_colour_of(dark);
     image->scene.light = light;
 }

@@ -11,6 +11,7 @@
 typedef struct {
     ref_screen_polygon
         polygon; /* no points: the reference renderer leaves it out; but see in_doubt */
+    double shade; /* RGB565: 1 less the brightness of a flat face; 0 with a surface */
     ref_rows rows;
     uint32_t instance, face; /* numbers in the scene and in the model */
     ref_surface_view look;   /* of the face */

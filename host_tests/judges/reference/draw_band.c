@@ -36,8 +36,12 @@ static bool is_plain(const ref_renderer *renderer, const ref_drawn *drawn)
 
 static uint16_t plain_colour(const ref_renderer *renderer, const ref_drawn *drawn)
 {
-    return renderer->draws_names ? ref_face_name(drawn->instance, drawn->face)
-                                 : ref_pixel_of(renderer, drawn->polygon.colour);
+    if (renderer->draws_names) {
+        return ref_face_name(drawn->instance, drawn->face);
+    }
+    const uint16_t full = ref_pixel_of(renderer, drawn->polygon.colour);
+    return renderer->rgb565 ? ref_rgb565_shown(renderer->rgb565, full, ref_rgb565_flat_part(1 - drawn->shade))
+                            : full;
 }
 
 /* Notes that a polygon changes pixels first <= x < end of a row. */

@@ -120,7 +120,7 @@ double ref_light_brightness(const ref_light *light, const ref_camera *camera, re
     return sum;
 }
 
-uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
+double ref_light_of_face(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
                          const ref_instance *instance, const ref_face *face)
 {
     const ref_turn *turn = ref_turn_of(scene, instance);
@@ -129,8 +129,13 @@ uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const
         ref_turn_normal(turn, face->normal, turned);
     }
     const ref_point normal = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
+    return ref_light_brightness(light, camera, middle_of(scene, instance, face), normal);
+}
+
+uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
+                         const ref_instance *instance, const ref_face *face)
+{
     const double exact =
-        ref_light_brightness(light, camera, middle_of(scene, instance, face), normal) *
-        (light->levels - 1);
+        ref_light_of_face(light, camera, scene, instance, face) * (light->levels - 1);
     return light->ramp[(int)floor(exact + 0.5)][face->material];
 }

@@ -40,6 +40,10 @@ void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points
 double ref_light_brightness(const ref_light *light, const ref_camera *camera, ref_point place,
                             ref_point normal);
 
+/* The brightness of a face, at the middle of its bounding box. */
+double ref_light_of_face(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
+                         const ref_instance *instance, const ref_face *face);
+
 /* The colour of a face in the light. */
 uint8_t ref_light_colour(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
                          const ref_instance *instance, const ref_face *face);

@@ -126,6 +126,16 @@ static bool shows_surface(const ref_renderer *renderer, const ref_instance *inst
            scene->surfaces->face_map[scene->models[instance->model].first_face + face] != 0;
 }
 
+/* 1 less the brightness of a flat face, in RGB565. */
+static double shade_of(const ref_renderer *renderer, const ref_instance *instance,
+                       const ref_face *face)
+{
+    const ref_light *light = renderer->scene->light;
+    return light && renderer->rgb565
+               ? 1 - ref_light_of_face(light, &renderer->camera, renderer->scene, instance, face)
+               : 0;
+}
+
 static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uint32_t instance,
                            uint32_t face, bool is_in_beam, ref_counters *counters)
 {
@@ -140,18 +150,18 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
     if (drawn.polygon.count == 0 && drawn.most.count == 0) {
         return true;
     }
-    if (shows_surface(renderer, &renderer->scene->instances[instance], face)) {
+    const ref_instance *of = &renderer->scene->instances[instance];
+    const ref_face *shown = &renderer->scene->faces[renderer->scene->models[of->model].first_face + face];
+    if (!shows_surface(renderer, of, face)) {
+        drawn.shade = shade_of(renderer, of, shown);
+    } else {
         ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
-                         &renderer->scene->instances[instance], face, &drawn.look);
+                         of, face, &drawn.look);
         drawn.look.rgb565 = renderer->rgb565;
         drawn.look.in_beam = is_in_beam ? renderer->scene->lit : NULL;
     }
     if (renderer->depth_bits != 0) {
-        const ref_scene *scene = renderer->scene;
-        const ref_instance *of = &scene->instances[instance];
-        ref_depth_plane_find(scene, &renderer->camera, of,
-                             &scene->faces[scene->models[of->model].first_face + face],
-                             &drawn.depth);
+        ref_depth_plane_find(renderer->scene, &renderer->camera, of, shown, &drawn.depth);
     }
     drawn.rows = ref_scan_rows(&drawn.polygon, renderer->lens.height);
     return ref_display_list_append(&renderer->display_list, &drawn);
@@ -182,8 +192,9 @@ uint8_t ref_face_colour(const ref_renderer *renderer, const ref_instance *instan
                         const ref_face *face)
 {
     const ref_scene *scene = renderer->scene;
-    return scene->light ? ref_light_colour(scene->light, &renderer->camera, scene, instance, face)
-                        : face->material;
+    return scene->light && !renderer->rgb565
+               ? ref_light_colour(scene->light, &renderer->camera, scene, instance, face)
+               : face->material;
 }
 
 static bool is_lit_by_beams(const ref_scene *scene, const ref_instance *instance)

@@ -47,8 +47,22 @@ double ref_rgb565_part_bound(const ref_light *light)
     return (0.5 + 0.125 + 1.0 / (light->levels - 1)) / 256;
 }
 
+double ref_rgb565_flat_part(double brightness)
+{
+    return floor(256 * brightness + 0.5) / 256;
+}
+
 double ref_rgb565_lit(const ref_rgb565 *of, uint16_t colour, int channel, double part)
 {
     const int lit = ref_channel(colour, channel), dark = ref_channel(of->dark, channel);
     return dark + (lit - dark) * part;
+}
+
+uint16_t ref_rgb565_shown(const ref_rgb565 *of, uint16_t colour, double part)
+{
+    int values[REF_CHANNELS];
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        values[i] = (int)floor(ref_rgb565_lit(of, colour, i, part) + 0.5);
+    }
+    return ref_colour_of(values);
 }

@@ -30,7 +30,16 @@ double ref_rgb565_part(const ref_light *light, double level);
 /* How far the library's part may be off (docs/extras/rgb565.md, section 2.1). */
 double ref_rgb565_part_bound(const ref_light *light);
 
+/* The part that is left of a flat face's colour at a brightness (docs/extras/rgb565.md, section 2.1). */
+double ref_rgb565_flat_part(double brightness);
+
+/* How far the library's brightness may be off (docs/extras/light.md, section 2.5). */
+#define REF_BRIGHTNESS_BOUND 0x1.Ap-26
+
 /* A channel of a colour of which a part is left, before it is rounded. */
 double ref_rgb565_lit(const ref_rgb565 *of, uint16_t colour, int channel, double part);
+
+/* A colour of which a part is left. */
+uint16_t ref_rgb565_shown(const ref_rgb565 *of, uint16_t colour, double part);
 
 #endif

@@ -327,13 +327,11 @@ static uint16_t colour_565(const ref_surface_view *view, const ref_place *place,
     const uint16_t colour = view->rgb565->palette[ref_surface_entry(view, (uint8_t)texel)];
     const double part =
         view->light ? ref_rgb565_part(view->light, place->values[REF_BRIGHTNESS]) : 1;
+    const uint16_t lit = ref_rgb565_shown(view->rgb565, colour, part);
+    const int own = view->surface->blends ? view->surface->sixteenths : 16;
     int channels[REF_CHANNELS];
     for (int i = 0; i < REF_CHANNELS; i++) {
-        channels[i] = (int)floor(ref_rgb565_lit(view->rgb565, colour, i, part) + 0.5);
-        if (view->surface->blends) {
-            const int own = view->surface->sixteenths;
-            channels[i] = (own * channels[i] + (16 - own) * ref_channel(beneath, i)) / 16;
-        }
+        channels[i] = (own * ref_channel(lit, i) + (16 - own) * ref_channel(beneath, i)) / 16;
     }
     return ref_colour_of(channels);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Light and fog at run time: each flat face gets one level of a ramp of its colour.
+/* Light and fog at run time: each flat face gets one level of a ramp of its colour, in RGB565 a part of it.
  * docs/extras/light.md. The settings, and their check, are in fixel/scene.h: an image may have a
  * light. */
 #ifndef FXL_LIGHT_H

@@ -87,6 +87,7 @@ typedef struct fxl_workspace {
     fxl_screen_polygon screen;
     bool face_rows_known; /* face_list has the rows that the faces reach */
     bool rest_counted;    /* faces that are not in the display list have been counted */
+    uint16_t dark;        /* the renderer's, while an RGB565 band is drawn */
     union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
         fxl_sort_work sort;
         fxl_clipper_work clip;
@@ -128,6 +129,7 @@ struct fxl_renderer {
     /* Looks whether all that is attached goes together, before a frame begins. Null: it has. */
     fxl_status (*check)(fxl_renderer *renderer);
     bool near_first; /* faces are submitted near to far, the reverse of the order of drawing */
+    uint16_t dark;   /* RGB565: what light leaves at least */
     fxl_frame frame;
     fxl_workspace workspace;
 };

@@ -244,6 +244,7 @@ typedef struct {
     const uint8_t *ramp;          /* ramp[256 * level + c]: the colour c at a level, from dark or
                                      hidden by fog (0) to full (levels - 1) */
     uint32_t levels;              /* FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX */
+    uint16_t dark; /* RGB565 frames, which take no colour of the ramp: what no light leaves */
 } fxl_light_settings;
 
 /* The light of an image, as the image has it, without its point lights. The units and ranges are
@@ -261,6 +262,7 @@ typedef struct {
     uint32_t point_count;
     const uint8_t *ramp; /* 256 bytes a level */
     uint32_t levels;
+    uint16_t dark; /* a colour of RGB565 */
 } fxl_scene_light;
 
 /* A texture as a scene image has it: fxl_texture (fixel/surfaces.h) with places instead of
@@ -348,7 +350,6 @@ typedef struct {
     uint8_t pixel_bits;     /* 8: the palette; 16: RGB565 */
     uint8_t depth_bits;     /* of a depth buffer: 0, 16 or 32 */
     bool by_distance;       /* though it has a tree */
-    uint16_t dark;          /* what light leaves in RGB565 frames */
     const uint8_t *palette; /* 256 x red, green, blue */
     fxl_player start;       /* where the path begins */
     fxl_motion_limits motion_limits;

@@ -128,7 +128,6 @@ typedef struct {
     const struct fxl_surface_light_code *light_code;
     const fxl_painter *painter;
     const fxl_shader *beams; /* null: there are none */
-    uint16_t dark; /* of frames of 16 bits a pixel: what the lowest level of light leaves */
 } fxl_surfaces;
 
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
@@ -178,7 +177,6 @@ fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
 typedef struct {
     fxl_shader shader;
     const struct fxl_surface_light_code *code;
-    uint16_t dark; /* RGB565: what the lowest level of light leaves. The caller sets it before */
 } fxl_lit_surfaces;
 
 /* Has surfaces that are FXL_SURFACE_LIT take the light that fxl_attach_light attaches, at their

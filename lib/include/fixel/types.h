@@ -312,7 +312,7 @@ typedef struct {
     uint8_t colour;
     uint8_t count;
     uint8_t kind;     /* how it is filled: FXL_POLYGON_FLAT and so on */
-    uint8_t reserved; /* 0 */
+    uint8_t shade;    /* RGB565: 256ths that light takes of the colour; else 0 */
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
 

@@ -178,12 +178,12 @@ def _light(scene, name):
         return []
     points = [braces(braces(*place), reach, strength) for *place, reach, strength in light.points]
     entries = [f"{light.ambient}, {light.strength}, {braces(*light.direction)}", braces(*points or ["{{0, 0, 0}, 0, 0}"]),
-               ", ".join(map(str, [len(points), *light.fog, f"{name}_ramp", len(light.ramp)]))]
+               ", ".join(map(str, [len(points), *light.fog, f"{name}_ramp", len(light.ramp), f"0x{scene.dark:04X}"]))]
     return [table("uint8_t", f"{name}_ramp", [str(entry) for level in light.ramp for entry in level],
                   "For each level from dark to full, 256 entries: the colour of each colour."),
             record("fxl_light_settings", f"{name}_light", entries,
                    "For fxl_attach_light: ambient, strength and direction in 2.30; point lights; their "
-                   "count, fog's near and far in 16.16, ramp, levels.")]
+                   "count, fog's near and far in 16.16, ramp, levels, dark.")]
 
 
 def _node(node):
