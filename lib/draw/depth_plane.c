@@ -6,7 +6,6 @@
 #include "depth_plane.h"
 
 #include "../math/arith.h"
-#include "../paint/depth_ratio.h"
 
 /* Products of a row and a normal, of unit length or shorter: a sum is below 2^61. Of a row whose
  * components are at most 2^30, below 2^62. */
@@ -88,11 +87,11 @@ void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face
     }
     /* height is in units of 2^-15 of n's, near_z in units of 2^-16. */
     const int exponent = fxl_gradient_of_plane(n, view, gradient) - n.exponent;
-    const fxl_normalised near_z = fxl_normalise((uint32_t)view->lens.near_z);
-    const fxl_normalised at_height = fxl_normalise((uint64_t)height);
-    const fxl_normalised divisor =
-        fxl_normalise(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)));
-    const uint32_t factor = fxl_ratio_of(&near_z, &divisor);
+    const fxl_real near_z = fxl_real_of((uint32_t)view->lens.near_z, 0);
+    const fxl_real at_height = fxl_real_of((uint64_t)height, 0);
+    const fxl_real divisor =
+        fxl_real_of(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)), 0);
+    const uint32_t factor = fxl_mantissa_ratio(&near_z, &divisor);
     gradient->at = times(gradient->at, factor);
     gradient->along = times(gradient->along, factor);
     gradient->down = times(gradient->down, factor);

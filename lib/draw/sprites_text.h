@@ -61,7 +61,7 @@ static inline void keep(const sprite_place *place, void *cells, int32_t x)
 
 #else
 
-#include "../paint/depth_ratio.h"
+#include "../math/arith.h"
 #include "../paint/depth_row.h"
 
 /* Where a billboard is painted, and how far away it is. */
@@ -77,9 +77,9 @@ typedef struct {
  * ratio of the mantissas times 2^(30 + the difference of the exponents). */
 static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
 {
-    const fxl_normalised near_z = fxl_normalise((uint32_t)lens->near_z);
-    const fxl_normalised divisor = fxl_normalise((uint64_t)distance);
-    plane->gradient.at = fxl_ratio_of(&near_z, &divisor);
+    const fxl_real near_z = fxl_real_of((uint32_t)lens->near_z, 0);
+    const fxl_real divisor = fxl_real_of((uint64_t)distance, 0);
+    plane->gradient.at = fxl_mantissa_ratio(&near_z, &divisor);
     plane->gradient.along = plane->gradient.down = 0;
     plane->one = divisor.exponent - near_z.exponent + 1;
 }

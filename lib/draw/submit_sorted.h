@@ -3,6 +3,7 @@
 #ifndef FXL_SUBMIT_SORTED_H
 #define FXL_SUBMIT_SORTED_H
 
+#include "../view/order.h"
 #include "display_list.h"
 #include "submit.h"
 
@@ -36,6 +37,44 @@ static inline fxl_rows fxl_measure_face(const fxl_traversal *traversal,
 /* fxl_list_model: sorts the faces of the instance that is next, unless they are. */
 typedef void fxl_face_orderer(const fxl_traversal *traversal, const fxl_model_view *model_view,
                               const fxl_model *model);
+
+/* Finds the faces of a model with clusters that are to be sorted: writes them to the workspace's
+ * face_list, and sets front_count and sorted_count. */
+typedef void fxl_cluster_finder(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                                const fxl_model *model);
+
+/* Writes the faces of a model that face the eye. Returns how many. */
+typedef uint32_t fxl_front_finder(const fxl_scene *scene, const fxl_model *model,
+                                  const fxl_model_view *model_view, fxl_draw_entry *entries);
+
+/* An orderer of faces. What finds them is constant where this is called. */
+static inline void fxl_list_found_faces(const fxl_traversal *traversal,
+                                        const fxl_model_view *model_view, const fxl_model *model,
+                                        fxl_cluster_finder *find_clusters,
+                                        fxl_front_finder *find_front)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    if (workspace->sorted_instance == traversal->resume->instances) {
+        return;
+    }
+    workspace->sorted_instance = traversal->resume->instances;
+    if (model->first_cluster != 0) {
+        find_clusters(traversal, model_view, model);
+    } else {
+        const fxl_scene *scene = traversal->renderer->scene;
+        uint32_t count = find_front(scene, model, model_view, workspace->face_list);
+        workspace->front_count = (uint16_t)count;
+        if (fxl_drops_outside(traversal, model_view, model)) {
+            count = fxl_drop_outside(model_view, &scene->faces[model->first_face],
+                                     workspace->face_list, count);
+        }
+        workspace->sorted_count = (uint16_t)count;
+    }
+    if (!FXL_IS_SMALL) {
+        workspace->face_rows_known = false;
+    }
+    fxl_sort_faces(workspace->face_list, workspace->sorted_count, &workspace->work.sort);
+}
 
 /* The faces that face the eye, in their order; then the others are counted. by_rows is constant
  * where this is called: if the way is to measure, keep which rows each face reaches; if that is

@@ -250,43 +250,28 @@ static bool is_never_turned_away(const fxl_cluster *cluster, const fxl_point *ey
     return false;
 }
 
-/* The faces that are to be sorted, of a model without clusters. */
-static void find_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
-                       const fxl_model *model)
+static void find_clusters(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                          const fxl_model *model)
 {
-    fxl_workspace *workspace = traversal->workspace;
-    const fxl_scene *scene = traversal->renderer->scene;
-    uint32_t count =
-        find_front(scene, model, 0, model->face_count, model_view, NULL, workspace->face_list);
-    workspace->front_count = (uint16_t)count;
-    if (fxl_drops_outside(traversal, model_view, model)) {
-        count = fxl_drop_outside(model_view, &scene->faces[model->first_face], workspace->face_list,
-                                 count);
-    }
-    workspace->sorted_count = (uint16_t)count;
+    const fxl_turned_view *turned = (const fxl_turned_view *)model_view;
+    const fxl_cluster_code *code = traversal->renderer->scene->cluster_code;
+    const fxl_cluster_tests tests = {
+        cluster_planes, turned->eye_shift == 0 ? code->is_turned_away : is_never_turned_away,
+        find_front};
+    code->find_faces_by(traversal, model_view, model, &tests);
+}
+
+static uint32_t find_all_front(const fxl_scene *scene, const fxl_model *model,
+                               const fxl_model_view *model_view, fxl_draw_entry *entries)
+{
+    return find_front(scene, model, 0, model->face_count, model_view, NULL, entries);
 }
 
 /* fxl_list_model. */
 static void order_faces(const fxl_traversal *traversal, const fxl_model_view *model_view,
                         const fxl_model *model)
 {
-    fxl_workspace *workspace = traversal->workspace;
-    if (workspace->sorted_instance == traversal->resume->instances) {
-        return;
-    }
-    workspace->sorted_instance = traversal->resume->instances;
-    if (model->first_cluster != 0) {
-        const fxl_turned_view *turned = (const fxl_turned_view *)model_view;
-        const fxl_cluster_code *code = traversal->renderer->scene->cluster_code;
-        const fxl_cluster_tests tests = {
-            cluster_planes, turned->eye_shift == 0 ? code->is_turned_away : is_never_turned_away,
-            find_front};
-        code->find_faces_by(traversal, model_view, model, &tests);
-    } else {
-        find_faces(traversal, model_view, model);
-    }
-    workspace->face_rows_known = false;
-    fxl_sort_faces(workspace->face_list, workspace->sorted_count, &workspace->work.sort);
+    fxl_list_found_faces(traversal, model_view, model, find_clusters, find_all_front);
 }
 
 /* What takes the faces of an instance before they are clipped. */

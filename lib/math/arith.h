@@ -88,6 +88,28 @@ static inline unsigned fxl_bit_length(uint64_t value)
     return low == 0 ? 0u : 32u - fxl_leading_zeros(low);
 }
 
+/* A number mantissa * 2^exponent, above 0. */
+typedef struct {
+    uint32_t mantissa; /* 2^31 to 2^32 - 1 */
+    int exponent;
+} fxl_real;
+
+/* number * 2^exponent, rounded down by less than 2^-31 of it. Requires number > 0. */
+static inline fxl_real fxl_real_of(uint64_t number, int exponent)
+{
+    const int drop = (int)fxl_bit_length(number) - 32;
+    const fxl_real result = {(uint32_t)(drop > 0 ? number >> drop : number << -drop),
+                             exponent + drop};
+    return result;
+}
+
+/* The ratio of the mantissas, times 2^31 and rounded down: from 2^30 to 2^32 - 2. */
+static inline uint32_t fxl_mantissa_ratio(const fxl_real *part, const fxl_real *whole)
+{
+    uint32_t remainder;
+    return fxl_divide_u64((uint64_t)(part->mantissa >> 1) << 32, whole->mantissa, &remainder);
+}
+
 static inline uint64_t fxl_magnitude(int64_t value)
 {
     return value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value;

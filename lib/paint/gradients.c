@@ -123,23 +123,17 @@ int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gra
 
 /* --- segments ------------------------------------------------------------------------------- */
 
-/* A bound mantissa * 2^exponent. The mantissa is from 2^31 to 2^32 - 1. */
-typedef struct {
-    uint32_t mantissa;
-    int exponent;
-} block_bound;
-
 /* At least number * 2^exponent, and at most 2^-30 of it more. Requires 0 < number < 2^63. */
-static block_bound bound_of(uint64_t number, int exponent)
+static fxl_real bound_of(uint64_t number, int exponent)
 {
     const int drop = (int)fxl_bit_length(number) - 32;
     const uint64_t mantissa = drop <= 0 ? number << -drop : (number >> drop) + 1;
     const int carry = (int)(mantissa >> 32);
-    const block_bound bound = {(uint32_t)(mantissa >> carry), exponent + drop + carry};
+    const fxl_real bound = {(uint32_t)(mantissa >> carry), exponent + drop + carry};
     return bound;
 }
 
-static bool is_above(const block_bound *a, const block_bound *b)
+static bool is_above(const fxl_real *a, const fxl_real *b)
 {
     return a->exponent != b->exponent ? a->exponent > b->exponent : a->mantissa > b->mantissa;
 }
@@ -147,8 +141,8 @@ static bool is_above(const block_bound *a, const block_bound *b)
 /* Of an attribute u, |u' w - w' u| 2^shift, where ' is the change a pixel along the row: it is
  * linear in the row and the same along it. The slopes are cut to 31 bits; so products are below
  * 2^61. What is cut off the four factors changes the difference by less than 2^33. */
-static block_bound twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w,
-                            const fxl_lens *lens)
+static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w,
+                         const fxl_lens *lens)
 {
     const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
     const unsigned drop = bits > 31 ? bits - 31 : 0;
@@ -199,9 +193,9 @@ static int third(int number)
  * which has to be at most 2^15: so w0^3 has to be at least 2^(8 - 17) twist |w'|. And
  * |u1 - u0| = n twist / (w0 w1) has to be at most 2^29, so that an end outside of the face does not
  * overflow: w0^2 at least 2^(4 - 29) twist, of which the root's bound is a power of two. */
-static uint32_t least_weight(const block_bound *twist, const fxl_gradient *weight)
+static uint32_t least_weight(const fxl_real *twist, const fxl_gradient *weight)
 {
-    const block_bound slope = bound_of(fxl_magnitude(weight->along) + 1, -32);
+    const fxl_real slope = bound_of(fxl_magnitude(weight->along) + 1, -32);
     /* From 2^62 to 2^64. A number of 26 to 30 bits is left for the root. */
     const uint64_t bend = fxl_multiply_u32(twist->mantissa, slope.mantissa);
     const int bend_exponent = twist->exponent + slope.exponent + 8 - 17 + 36;
@@ -242,7 +236,7 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         }
     }
     const int weight_exponent = fxl_gradient_of_plane(vectors[0], view, &gradients->weight);
-    block_bound twist = {0, INT16_MIN};
+    fxl_real twist = {0, INT16_MIN};
     gradients->count = (uint8_t)face->count;
     for (uint32_t i = 0; i < face->count; i++) {
         const int32_t *values = face->values[i];
@@ -252,7 +246,7 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         gradients->shifts[i] = 0;
         if (!is_zero(attribute)) {
             gradients->shifts[i] = (int8_t)(exponent - weight_exponent);
-            const block_bound own =
+            const fxl_real own =
                 twist_of(attribute, gradients->shifts[i], &gradients->weight, &view->lens);
             twist = is_above(&own, &twist) ? own : twist;
         }

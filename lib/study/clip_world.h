@@ -4,6 +4,7 @@
 #ifndef FXL_CLIP_WORLD_H
 #define FXL_CLIP_WORLD_H
 
+#include "../view/outcode.h"
 #include "fixel/records.h"
 
 #ifdef __cplusplus
@@ -32,14 +33,10 @@ fxl_clip_result fxl_clip_world_to_plane(const fxl_polygon *in, const fxl_plane *
 fxl_clip_result fxl_clip_world_to_frustum(const fxl_polygon *in, const fxl_frustum *frustum,
                                           fxl_clip_world_work *work, const fxl_polygon **result);
 
-/* The four sides, without near and far. Together they keep what is behind the eye out, too. */
-#define FXL_PLANES_SIDES \
-    (1u << FXL_PLANE_LEFT | 1u << FXL_PLANE_RIGHT | 1u << FXL_PLANE_BOTTOM | 1u << FXL_PLANE_TOP)
-
 /* Clips a polygon to some of the six planes: those whose bit, 1 << FXL_PLANE_..., is set. With
- * FXL_PLANES_SIDES the frustum has neither near nor far: a polygon through the eye keeps a vertex
- * there, and fxl_project_point refuses that vertex. In all else this is
- * fxl_clip_world_to_frustum. Source: A4. */
+ * FXL_PLANES_SIDES the frustum has neither near nor far; together the sides keep what is behind the
+ * eye out, too. A polygon through the eye keeps a vertex there, and fxl_project_point refuses that
+ * vertex. In all else this is fxl_clip_world_to_frustum. Source: A4. */
 fxl_clip_result fxl_clip_world_to_planes(const fxl_polygon *in, const fxl_frustum *frustum,
                                          fxl_planes planes, fxl_clip_world_work *work,
                                          const fxl_polygon **result);

@@ -10,8 +10,6 @@
 #include "../view/view.h"
 #include "clip_common.h"
 
-#define DEPTHS (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)
-
 static fxl_fan_workspace *workspace_of(const fxl_model_view *model_view)
 {
     return (fxl_fan_workspace *)model_view->clipper_workspace;
@@ -78,7 +76,7 @@ static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *
         fetch_corner(model_view, workspace->face, workspace->corner++)};
     const fxl_cached_vertex last = *corners[2];
     corners[2] = &last;
-    unsigned all = DEPTHS; /* the face was tested against the sides: they are inset */
+    unsigned all = FXL_PLANES_DEPTH; /* the face was tested against the sides: they are inset */
     bool whole = true;
     for (int i = 0; i < 3; i++) {
         all &= corners[i]->clip_flags;
@@ -126,7 +124,7 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     unsigned any = 0, all = FXL_PLANES_ALL;
     (void)work;
     if (workspace->frame != view->frame) {
-        fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), DEPTHS,
+        fxl_volume_from_sides(&view->view_frustum, fxl_view_drawn_focal(view), FXL_PLANES_DEPTH,
                               &workspace->volume);
         workspace->frame = view->frame;
     }

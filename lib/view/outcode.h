@@ -12,6 +12,12 @@
 extern "C" {
 #endif
 
+/* Near and far, and the sides of the screen: sets of planes, as fxl_planes is one. */
+#define FXL_PLANES_DEPTH   (1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR)
+#define FXL_PLANES_ACROSS  (1u << FXL_PLANE_LEFT | 1u << FXL_PLANE_RIGHT)
+#define FXL_PLANES_UPRIGHT (1u << FXL_PLANE_BOTTOM | 1u << FXL_PLANE_TOP)
+#define FXL_PLANES_SIDES   (FXL_PLANES_ACROSS | FXL_PLANES_UPRIGHT)
+
 /* Those of the given planes that the point lies outside of.
  * Requires |x|, |y|, |z| < 2^61 units.
  * Exact: the bit of a given plane n is set if fxl_view_distance of plane n is negative.
@@ -60,12 +66,12 @@ static inline fxl_planes fxl_outside(const fxl_view_frustum *frustum, fxl_planes
 {
     unsigned outside = 0;
     int32_t inset = (int32_t)(frustum->inset >> 34);
-    if (planes & (1u << FXL_PLANE_LEFT | 1u << FXL_PLANE_RIGHT)) {
+    if (planes & FXL_PLANES_ACROSS) {
         outside |=
             fxl_pair_outside(frustum, FXL_PLANE_LEFT, fxl_upper_term(frustum->x_side, point->x),
                              fxl_upper_term(frustum->x_depth, point->z) - inset, point);
     }
-    if (planes & (1u << FXL_PLANE_BOTTOM | 1u << FXL_PLANE_TOP)) {
+    if (planes & FXL_PLANES_UPRIGHT) {
         outside |=
             fxl_pair_outside(frustum, FXL_PLANE_BOTTOM, fxl_upper_term(frustum->y_side, point->y),
                              fxl_upper_term(frustum->y_depth, point->z) - inset, point);
