@@ -290,7 +290,7 @@ predict: ## predict flash, RAM, stack and instructions a frame before anything i
 	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD_CHOSEN)) --list-most $(call LIST_MOST_OF,$(BOARD_CHOSEN)) $(addprefix --without ,$(call LEFT_OUT_OF,$(BOARD_CHOSEN)))
 
 COSTED_BOARDS := $(foreach board,$(COSTS_BOARDS),$(or $(call ONE_OF,$(board),$(BOARDS)),$(error COSTS_BOARDS: there is no board "$(board)"; the boards are: $(BOARDS))))
-costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=]
+costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=, FRAMES=30 of each scene at most]
 	@tools/setup.sh report
 	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTED_BOARDS),$(BOARD_WALK.$(board)))
 	@$(FIXEL) costs --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
