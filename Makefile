@@ -293,7 +293,7 @@ COSTED_BOARDS := $(foreach board,$(COSTS_BOARDS),$(or $(call ONE_OF,$(board),$(B
 costs: ## renew bench/costs.json, from which make predict predicts [COSTS_CORES= of the bench's cores, COSTS_BOARDS=, FRAMES=30 of each scene at most]
 	@tools/setup.sh report
 	@$(MAKE) $(BUILD)/host/predict $(BENCH_COUNTER) $(COSTS_PROGRAMS) $(foreach board,$(COSTED_BOARDS),$(BOARD_WALK.$(board)))
-	@$(FIXEL) costs --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
+	@$(TOOL) costs --cores $(COSTED_CORES) --sizes $(COSTS_SETTINGS) --boards $(COSTED_BOARDS) --build $(BUILD)
 
 # BOARD= on the command line: what runs on that board and nothing else.
 TEST_BOARD := $(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN))
