@@ -16,7 +16,7 @@ from fixel.image import fields, image
 from fixel.base.errors import ToolError
 
 SEED, MUTANTS = 13, 600     # mutants of each image
-SCENES = (("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
+SCENES = (("host_tests/fuzz/scenes/beam_surfaces", "all"), ("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
           ("scenes/knot", "none"), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None),
           ("host_tests/fuzz/scenes/turns", None), ("host_tests/fuzz/scenes/turns", "0"),
           ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None),
