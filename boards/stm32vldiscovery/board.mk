@@ -29,7 +29,7 @@ BOARD_DRIVER_ROWS := 0
 BOARD_OWN_FLAGS := -Os
 
 # A BSP tree would take 4 KiB of flash more than the program has, and of stack more than there is. Surfaces take
-# 16 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 16 KiB less (memory.ld). Billboards
+# 18 KiB of flash: the program of VISIBILITY=surfaces has them, and scenes have 18 KiB less (memory.ld). Billboards
 # would take 4 KiB, RGB565 more.
 BOARD_SETTINGS := BOARD_SYSTICK_HZ=24000000u WALK_WITHOUT_BSP WALK_WITHOUT_SURFACES WALK_WITHOUT_BILLBOARDS WALK_WITHOUT_DEPTH WALK_WITHOUT_RGB565
 

@@ -99,7 +99,10 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     lay_out(of, pieces->traversal, &lit);
     if (!fxl_lit_split(made, of->beams, of->beam_count, &face->normal, points, count)) {
         pieces->outcome |= REFUSED;
-        return emit(of, pieces, face, points, count, false);
+        for (uint32_t i = 0; i < count; i++) {
+            lit.outline[i] = points[i]; /* the clipper works where points may be */
+        }
+        return emit(of, pieces, face, lit.outline, count, false);
     }
     const bool reverse = pieces->traversal->renderer->near_first;
     for (uint32_t i = 0; i < made->piece_count; i++) {

@@ -72,7 +72,7 @@ bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *fac
 {
     const fxl_point *eye = &model_view->view->camera.position;
     const uint16_t *corners = model_view->indices + face->first_index;
-    fxl_point points[FXL_FACE_VERTICES_MAX];
+    fxl_point *points = traversal->workspace->work.points;
     fxl_pieces pieces;
     for (uint32_t i = 0; i < face->count; i++) {
         /* A vertex of the world again: within FXL_COORDINATE_MAX. */

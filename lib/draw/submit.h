@@ -240,7 +240,8 @@ bool fxl_submit_piece_by(fxl_pieces *pieces, const fxl_shader *shader, const fxl
 bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_face *face,
                             const fxl_point *points, uint32_t count, uint8_t colour);
 
-/* fxl_shader_code.face: the face's polygon of the world, split, counted once. */
+/* fxl_shader_code.face, of beams, or of a shader that has beams split its faces: the face's polygon of the
+ * world, split, counted once. */
 bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
                            const fxl_traversal *traversal, const fxl_shader *shader);
 

@@ -43,22 +43,21 @@ fxl_emit_polygon(const fxl_traversal *traversal, const fxl_surface_polygon *poly
 }
 
 /* All polygons of a face: fxl_submit_polygons. Once one of them is left, it is found what they
- * have. */
+ * have, unless *polygon has it already. */
 static inline __attribute__((always_inline)) fxl_outcome
 fxl_submit_found_polygons(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *traversal, fxl_polygon_finder *find,
-                          fxl_polygon_painter *paint, const void *what)
+                          fxl_polygon_painter *paint, const void *what,
+                          fxl_surface_polygon *polygon, bool found)
 {
-    fxl_surface_polygon polygon;
-    bool found = false;
     fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
         if (!found) {
-            find(what, model_view, face, traversal, &polygon);
+            find(what, model_view, face, traversal, polygon);
             found = true;
         }
-        outcome |= fxl_emit_polygon(traversal, &polygon, paint, what);
+        outcome |= fxl_emit_polygon(traversal, polygon, paint, what);
         if (traversal->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;
         }

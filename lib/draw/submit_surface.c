@@ -61,11 +61,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     polygon->is_in_beam = false;
 }
 
-void fxl_surface_put_in_beam(fxl_surface_polygon *polygon)
+/* Of a lit piece: where it has a texture and no light, its light is the one level of a ramp. */
+static void put_in_beam(fxl_gradients *gradients)
 {
     static const fxl_gradient none = {0, 0, 0};
-    fxl_gradients *gradients = &polygon->gradients;
-    polygon->is_in_beam = true;
     if (gradients->count == FXL_SEGMENT_LIGHT) {
         gradients->attributes[FXL_SEGMENT_LIGHT] = none;
         gradients->shifts[FXL_SEGMENT_LIGHT] = 0;
@@ -89,22 +88,30 @@ const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_sce
     return beams != NULL && beams->code->reaches(beams, scene, instance) ? beams : NULL;
 }
 
-/* A piece of a mapped face, which no beam splits further; fxl_piece_taker. */
-static bool submit_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count,
-                         bool is_in_beam)
+/* A piece of a mapped face, which no beam splits further. */
+static bool submit_piece(fxl_pieces *pieces, const fxl_mapped_surface *of, const fxl_point *points,
+                         uint32_t count)
 {
     const fxl_traversal *traversal = pieces->traversal;
-    const fxl_surfaces *surfaces = (const fxl_surfaces *)pieces->taker;
-    const fxl_surface_set *set = surfaces->set;
-    const uint32_t number = set->face_map[pieces->face - traversal->renderer->scene->faces];
-    const fxl_mapped_surface of = {surfaces, &set->faces[number - 1], pieces, is_in_beam};
     const fxl_face piece = {.count = (uint8_t)count, .material = pieces->face->material};
     fxl_model_view model_view;
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = pieces->planes;
-    pieces->outcome |= surfaces->painter->submit_piece(&of, &model_view, &piece, traversal);
+    pieces->outcome |= of->surfaces->painter->submit_piece(of, &model_view, &piece, traversal);
     return pieces->outcome < FXL_OUTCOME_FULL;
+}
+
+/* fxl_piece_taker. */
+static bool take_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, bool is_lit)
+{
+    const fxl_mapped_surface *of = (const fxl_mapped_surface *)pieces->taker;
+    of->polygon->gradients.count = of->attributes;
+    of->polygon->is_in_beam = is_lit;
+    if (is_lit) {
+        put_in_beam(&of->polygon->gradients);
+    }
+    return submit_piece(pieces, of, points, count);
 }
 
 /* Beams split the face, or the piece of it, and give the pieces back. */
@@ -113,15 +120,22 @@ bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_
 {
     const fxl_renderer *renderer = pieces->traversal->renderer;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    if (fxl_surfaces_mapped(surfaces, pieces->face, renderer, surfaces->painter->target) == NULL) {
+    fxl_surface_polygon polygon;
+    fxl_mapped_surface of = {
+        surfaces, fxl_surfaces_mapped(surfaces, pieces->face, renderer, surfaces->painter->target),
+        pieces, &polygon, false, 0};
+    if (of.mapped == NULL) {
         return fxl_submit_piece_by(pieces, shader->next, face, points);
     }
     const fxl_shader *beams = fxl_surfaces_beams(surfaces, renderer->scene, pieces->instance);
-    pieces->taker = surfaces;
     if (beams == NULL) {
-        return submit_piece(pieces, points, count, false);
+        return submit_piece(pieces, &of, points, count);
     }
-    pieces->take = submit_piece;
+    surfaces->painter->find(&of);
+    of.is_found = true;
+    of.attributes = polygon.gradients.count;
+    pieces->take = take_piece;
+    pieces->taker = &of;
     const bool fitted = beams->code->split(beams, pieces, face, points, count);
     pieces->take = NULL;
     return fitted;

@@ -33,8 +33,11 @@ typedef struct {
 typedef struct {
     const fxl_surfaces *surfaces;
     const fxl_mapped_face *mapped;
-    const fxl_pieces *pieces; /* where a piece of the face is drawn */
-    bool is_in_beam;          /* the piece is lit */
+    /* Where a piece of the face is drawn: */
+    const fxl_pieces *pieces;
+    fxl_surface_polygon *polygon; /* what all pieces of the face have beside their outlines */
+    bool is_found;                /* what that is */
+    uint8_t attributes;           /* of its gradients, but for that of a beam */
 } fxl_mapped_surface;
 
 /* What draws the faces that have surfaces into a target: a constant record for each target. */
@@ -48,6 +51,8 @@ struct fxl_painter {
     /* Submits a piece of a mapped face; model_view: of the piece's points. */
     fxl_outcome (*submit_piece)(const fxl_mapped_surface *of, const fxl_model_view *model_view,
                                 const fxl_face *piece, const fxl_traversal *traversal);
+    /* Finds what all pieces of a face have. */
+    void (*find)(const fxl_mapped_surface *of);
 };
 
 /* fxl_target.draw_list. */
@@ -101,9 +106,6 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_surface_polygon *polygon);
-
-/* Makes it a lit piece. Where it has a texture and no light, its light is the one level of a ramp. */
-void fxl_surface_put_in_beam(fxl_surface_polygon *polygon);
 
 /* The beams of a renderer with surfaces, if they reach an instance; or null. */
 const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_scene *scene,

@@ -225,28 +225,51 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
                   band);
 }
 
-/* The same for a piece of a face: its texels, light and depth are those of the whole face. Whether a beam
- * lights it is its own. */
-static void find_whole(const void *what, const fxl_model_view *model_view, const fxl_face *face,
-                       const fxl_traversal *traversal, fxl_surface_polygon *polygon)
+/* The same for a piece of a face: its texels, light and depth are those of the whole face. Not inline:
+ * the view of the whole face would stay on the stack while the piece is painted. */
+static __attribute__((noinline)) void find_whole(const void *what, const fxl_model_view *model_view,
+                                                 const fxl_face *face,
+                                                 const fxl_traversal *traversal,
+                                                 fxl_surface_polygon *polygon)
 {
-    const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
-    const fxl_pieces *pieces = of->pieces;
+    const fxl_pieces *pieces = ((const fxl_mapped_surface *)what)->pieces;
     FXL_ALIGN_8 fxl_turned_view view;
     (void)model_view;
     (void)face;
     find(what, fxl_surfaces_view(traversal, pieces->instance, &view), pieces->face, traversal,
          polygon);
-    if (of->is_in_beam) {
-        fxl_surface_put_in_beam(polygon);
-    }
 }
 
 /* fxl_painter.submit_piece. */
 static fxl_outcome submit_piece(const fxl_mapped_surface *of, const fxl_model_view *model_view,
                                 const fxl_face *piece, const fxl_traversal *traversal)
 {
-    return fxl_submit_found_polygons(model_view, piece, traversal, find_whole, paint_polygon, of);
+    return fxl_submit_found_polygons(model_view, piece, traversal, find_whole, paint_polygon, of,
+                                     of->polygon, of->is_found);
+}
+
+/* fxl_painter.find. */
+static void find_of_whole(const fxl_mapped_surface *of)
+{
+    find_whole(of, NULL, NULL, of->pieces->traversal, of->polygon);
+}
+
+/* A mapped face that no beam reaches. Not inline: what its polygons have would stay on the stack while a face
+ * is split. */
+static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_view,
+                                                    const fxl_face *face,
+                                                    const fxl_traversal *traversal,
+                                                    const fxl_surfaces *surfaces)
+{
+    const fxl_mapped_face *mapped =
+        fxl_surfaces_mapped(surfaces, face, traversal->renderer, &FXL_TARGET);
+    const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false, 0};
+    const uint32_t used = traversal->renderer->frame.display_list.used;
+    fxl_surface_polygon polygon;
+    return fxl_count_outcome(
+        traversal,
+        fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, &of, &polygon, false),
+        used);
 }
 
 /* fxl_shader_code.face. */
@@ -254,18 +277,14 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_mapped_surface of = {
-        surfaces, fxl_surfaces_mapped(surfaces, face, traversal->renderer, &FXL_TARGET), NULL, false};
-    if (of.mapped == NULL) {
+    const fxl_renderer *renderer = traversal->renderer;
+    if (fxl_surfaces_mapped(surfaces, face, renderer, &FXL_TARGET) == NULL) {
         return fxl_surfaces_pass_on(model_view, face, traversal, shader);
     }
-    if (fxl_surfaces_beams(surfaces, traversal->renderer->scene, model_view->instance) != NULL) {
+    if (fxl_surfaces_beams(surfaces, renderer->scene, model_view->instance) != NULL) {
         return fxl_submit_split_face(model_view, face, traversal, shader);
     }
-    const uint32_t used = traversal->renderer->frame.display_list.used;
-    return fxl_count_outcome(
-        traversal, fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, &of),
-        used);
+    return submit_mapped(model_view, face, traversal, surfaces);
 }
 
 static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
@@ -278,6 +297,6 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
 
 static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, false};
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw, submit_piece};
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw, submit_piece, find_of_whole};
 
 #endif

@@ -162,7 +162,9 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
 static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
                                    const fxl_traversal *traversal)
 {
-    return fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, NULL);
+    fxl_surface_polygon polygon;
+    return fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, NULL, &polygon,
+                                     false);
 }
 
 /* Whether the renderer draws into this target. A pick looks for a face in one of its own. */

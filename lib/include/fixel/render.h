@@ -92,6 +92,7 @@ typedef struct fxl_workspace {
         fxl_sort_work sort;
         fxl_clipper_work clip;
         fxl_scan scan;
+        fxl_point points[FXL_FACE_VERTICES_MAX]; /* of a face, until beams have copied them */
     } work;
 } fxl_workspace;
 
