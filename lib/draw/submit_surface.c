@@ -72,7 +72,7 @@ static void put_in_beam(fxl_gradients *gradients)
     }
 }
 
-bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
+static bool pass_on(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_shader *next =
@@ -81,11 +81,40 @@ bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face
                         : fxl_submit_shaded_face(model_view, face, traversal);
 }
 
-const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_scene *scene,
-                                     const fxl_instance *instance)
+/* The beams of a renderer with surfaces, if they reach an instance; or null. */
+static const fxl_shader *beams_of(const fxl_surfaces *surfaces, const fxl_scene *scene,
+                                  const fxl_instance *instance)
 {
     const fxl_shader *beams = surfaces->beams;
     return beams != NULL && beams->code->reaches(beams, scene, instance) ? beams : NULL;
+}
+
+/* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's, draw
+ * faces in their own colours. */
+static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_face *face,
+                                        const fxl_renderer *renderer)
+{
+    const fxl_surface_set *set = surfaces->set;
+    const uint32_t number = set->face_map[face - renderer->scene->faces];
+    return number == 0 || fxl_painted_target(renderer) != surfaces->painter->target
+               ? NULL
+               : &set->faces[number - 1];
+}
+
+const fxl_mapped_face *fxl_surfaces_take(const fxl_surfaces *surfaces,
+                                         const fxl_model_view *model_view, const fxl_face *face,
+                                         const fxl_traversal *traversal, bool *fitted)
+{
+    const fxl_mapped_face *mapped = mapped_of(surfaces, face, traversal->renderer);
+    if (mapped == NULL) {
+        *fitted = pass_on(model_view, face, traversal, &surfaces->shader);
+        return NULL;
+    }
+    if (beams_of(surfaces, traversal->renderer->scene, model_view->instance) != NULL) {
+        *fitted = fxl_submit_split_face(model_view, face, traversal, &surfaces->shader);
+        return NULL;
+    }
+    return mapped;
 }
 
 /* A piece of a mapped face, which no beam splits further. */
@@ -122,16 +151,15 @@ bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
     fxl_surface_polygon polygon;
     fxl_mapped_surface of = {
-        surfaces, fxl_surfaces_mapped(surfaces, pieces->face, renderer, surfaces->painter->target),
-        pieces, &polygon, false, 0};
+        surfaces, mapped_of(surfaces, pieces->face, renderer), pieces, &polygon, false, 0};
     if (of.mapped == NULL) {
         return fxl_submit_piece_by(pieces, shader->next, face, points);
     }
-    const fxl_shader *beams = fxl_surfaces_beams(surfaces, renderer->scene, pieces->instance);
+    const fxl_shader *beams = beams_of(surfaces, renderer->scene, pieces->instance);
     if (beams == NULL) {
         return submit_piece(pieces, &of, points, count);
     }
-    surfaces->painter->find(&of);
+    surfaces->painter->find(&of, NULL, NULL, pieces->traversal, &polygon);
     of.is_found = true;
     of.attributes = polygon.gradients.count;
     pieces->take = take_piece;

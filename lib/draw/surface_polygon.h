@@ -51,8 +51,9 @@ struct fxl_painter {
     /* Submits a piece of a mapped face; model_view: of the piece's points. */
     fxl_outcome (*submit_piece)(const fxl_mapped_surface *of, const fxl_model_view *model_view,
                                 const fxl_face *piece, const fxl_traversal *traversal);
-    /* Finds what all pieces of a face have. */
-    void (*find)(const fxl_mapped_surface *of);
+    /* fxl_polygon_finder of pieces: finds what all pieces of a face have. */
+    void (*find)(const void *what, const fxl_model_view *model_view, const fxl_face *face,
+                 const fxl_traversal *traversal, fxl_surface_polygon *polygon);
 };
 
 /* fxl_target.draw_list. */
@@ -107,34 +108,20 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_surface_polygon *polygon);
 
-/* The beams of a renderer with surfaces, if they reach an instance; or null. */
-const fxl_shader *fxl_surfaces_beams(const fxl_surfaces *surfaces, const fxl_scene *scene,
-                                     const fxl_instance *instance);
-
 /* The view of an instance, turned or not, in which the corners of a whole face are found where
  * pieces of it are drawn. view: room for it. */
 const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
                                         const fxl_instance *instance, fxl_turned_view *view);
 
-/* A face that has no surface, to the next shader. */
-bool fxl_surfaces_pass_on(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *traversal, const fxl_shader *shader);
-
 /* fxl_shader_code.split of all painters. */
 bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                         const fxl_point *points, uint32_t count);
 
-/* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's, draw
- * faces in their own colours. */
-static inline const fxl_mapped_face *fxl_surfaces_mapped(const fxl_surfaces *surfaces,
-                                                         const fxl_face *face,
-                                                         const fxl_renderer *renderer,
-                                                         const fxl_target *target)
-{
-    const fxl_surface_set *set = surfaces->set;
-    const uint32_t number = set->face_map[face - renderer->scene->faces];
-    return number == 0 || fxl_painted_target(renderer) != target ? NULL : &set->faces[number - 1];
-}
+/* The mapped face of a face that is to be submitted whole. Null: the face has been submitted, in pieces of
+ * beams, or by the next shader, and *fitted is whether there was room. */
+const fxl_mapped_face *fxl_surfaces_take(const fxl_surfaces *surfaces,
+                                         const fxl_model_view *model_view, const fxl_face *face,
+                                         const fxl_traversal *traversal, bool *fitted);
 
 /* fxl_shader_code.reaches of all painters. */
 bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,

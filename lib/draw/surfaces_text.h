@@ -248,27 +248,18 @@ static fxl_outcome submit_piece(const fxl_mapped_surface *of, const fxl_model_vi
                                      of->polygon, of->is_found);
 }
 
-/* fxl_painter.find. */
-static void find_of_whole(const fxl_mapped_surface *of)
-{
-    find_whole(of, NULL, NULL, of->pieces->traversal, of->polygon);
-}
-
 /* A mapped face that no beam reaches. Not inline: what its polygons have would stay on the stack while a face
  * is split. */
 static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_view,
                                                     const fxl_face *face,
                                                     const fxl_traversal *traversal,
-                                                    const fxl_surfaces *surfaces)
+                                                    const fxl_mapped_surface *of)
 {
-    const fxl_mapped_face *mapped =
-        fxl_surfaces_mapped(surfaces, face, traversal->renderer, &FXL_TARGET);
-    const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false, 0};
     const uint32_t used = traversal->renderer->frame.display_list.used;
     fxl_surface_polygon polygon;
     return fxl_count_outcome(
         traversal,
-        fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, &of, &polygon, false),
+        fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, of, &polygon, false),
         used);
 }
 
@@ -276,15 +267,11 @@ static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_
 static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
+    bool fitted;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_renderer *renderer = traversal->renderer;
-    if (fxl_surfaces_mapped(surfaces, face, renderer, &FXL_TARGET) == NULL) {
-        return fxl_surfaces_pass_on(model_view, face, traversal, shader);
-    }
-    if (fxl_surfaces_beams(surfaces, renderer->scene, model_view->instance) != NULL) {
-        return fxl_submit_split_face(model_view, face, traversal, shader);
-    }
-    return submit_mapped(model_view, face, traversal, surfaces);
+    const fxl_mapped_surface of = {
+        surfaces, fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted), NULL, NULL, false, 0};
+    return of.mapped == NULL ? fitted : submit_mapped(model_view, face, traversal, &of);
 }
 
 static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
@@ -297,6 +284,6 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
 
 static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, false};
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw, submit_piece, find_of_whole};
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw, submit_piece, find_whole};
 
 #endif
