@@ -76,6 +76,18 @@ def test_billboards_surfaces_and_depth_do_not_link_each_other(build, tmp_path, c
     assert not [name for name in names if name.startswith(other)]
 
 
+@pytest.mark.parametrize("explains", [False, True])
+def test_sentences_are_linked_only_where_they_are_asked_for(build, tmp_path, explains):
+    source, program = tmp_path / "draw.c", tmp_path / "draw"
+    call = "fxl_renderer_init(NULL, &scene, NULL, NULL, 0) + fxl_render(NULL, NULL, NULL, 0)"
+    more = " + (fxl_renderer_explain(NULL, &scene, NULL, NULL, 0) != NULL)" if explains else ""
+    source.write_text("#include <stddef.h>\n" + PROGRAM.replace("NAME", call + more), encoding="utf-8")
+    subprocess.run(["gcc", "-std=c11", "-I", build.parent / "lib" / "include", source, build / "host" / "libfixel.a", "-o",
+                    program], check=True)
+    names = subprocess.run(["nm", program], check=True, text=True, capture_output=True).stdout.split()
+    assert ("fxl_renderer_explain" in names) == explains and (b"config->fov must" in program.read_bytes()) == explains
+
+
 def test_an_int_of_16_bits_is_refused(build, tmp_path):
     """There is no such compiler here: int stands for short, once the system's headers are read."""
     source = tmp_path / "short.c"

@@ -195,6 +195,16 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
  * and never null. */
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 
+/* What was wrong with a call that was refused: an English sentence that names the argument and its
+ * range. Null: no argument is wrong. The arguments are those of fxl_renderer_init, of fxl_render and
+ * of fxl_frame_draw; none is changed, and the sentence is constant. A program that does not call
+ * these functions does not link them. Requires that the call was the last one with this renderer. */
+const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *scene,
+                                 const fxl_config *config, const void *memory, size_t memory_size);
+const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye,
+                               const void *pixels, uint16_t stride);
+const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band);
+
 /* --- the second level -------------------------------------------------------------------- */
 
 /* The same with a lens made by its function and tables of the caller's own. Zeroes the counters.

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: MIT */
+/* The sentences about refused calls: each mistake that a first program makes gets one that names the
+ * argument and its range, and no call that succeeds gets one. */
+#include <string.h>
+
+#include "tiny.h"
+#include "unit.h"
+
+enum {
+    WIDTH = 48,
+    HEIGHT = 32,
+    LARGE = 4096
+};
+
+static uint64_t block[LARGE / 8], cells[2 * WIDTH * HEIGHT / 8];
+static uint16_t pixels[WIDTH * HEIGHT + 1], palette[257];
+static fxl_renderer renderer;
+static fxl_scene scene;
+static fxl_config config;
+static fxl_pose eye;
+static fxl_band band;
+
+void setUp(void)
+{
+    tiny_scene *made = tiny_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
+    scene = made->scene;
+    memset(&renderer, 0, sizeof renderer);
+    config = fxl_config_default(WIDTH, HEIGHT);
+    eye = (fxl_pose){.position = {0, 0, FXL_UNITS(-6)}};
+    band = (fxl_band){
+        .pixels = (uint8_t *)pixels, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
+}
+
+void tearDown(void)
+{
+}
+
+static void expect_words(const char *said, const char *argument, const char *range)
+{
+    TEST_ASSERT_NOT_NULL(said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, argument), said);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said, range), said);
+}
+
+/* --- fxl_renderer_init ---------------------------------------------------------------------- */
+
+static void refuse_init(fxl_renderer *of, const fxl_scene *shown, const fxl_config *chosen,
+                        void *memory, size_t size, const char *argument, const char *range)
+{
+    TEST_ASSERT_NOT_EQUAL(FXL_OK, fxl_renderer_init(of, shown, chosen, memory, size));
+    expect_words(fxl_renderer_explain(of, shown, chosen, memory, size), argument, range);
+}
+
+/* With the configuration as the test has changed it, which is then as before. */
+static void refuse_config(const char *argument, const char *range)
+{
+    refuse_init(&renderer, &scene, &config, block, sizeof block, argument, range);
+    config = fxl_config_default(WIDTH, HEIGHT);
+}
+
+void test_arguments_of_fxl_renderer_init(void)
+{
+    fxl_scene unchecked = scene;
+    unchecked.draw_list_needed = 0;
+    refuse_init(NULL, &scene, &config, block, LARGE, "renderer", "not be null");
+    refuse_init(&renderer, NULL, &config, block, LARGE, "scene", "not be null");
+    refuse_init(&renderer, &scene, NULL, block, LARGE, "config", "fxl_config_default");
+    refuse_init(&renderer, &scene, &config, NULL, LARGE, "memory", "not be null");
+    refuse_init(&renderer, &scene, &config, (uint8_t *)block + 4, LARGE - 8, "memory", "8 bytes");
+    refuse_init(&renderer, &unchecked, &config, block, LARGE, "scene", "fxl_scene_check");
+    refuse_init(&renderer, &scene, &config, block, 8, "memory_size", "draw_list_needed");
+}
+
+void test_the_lens_of_a_configuration(void)
+{
+    config.width = 0;
+    refuse_config("width", "1..1024");
+    config.height = 1025;
+    refuse_config("height", "1..1024");
+    config.fov = 60;
+    refuse_config("fov", "FXL_DEGREES(10)..FXL_DEGREES(150)");
+    config.fov = FXL_DEGREES(170);
+    refuse_config("fov", "FXL_DEGREES(10)..FXL_DEGREES(150)");
+    config.near_z = 1;
+    refuse_config("near_z", "FXL_RATIO(1, 256)");
+    config.far_z = -1;
+    refuse_config("far_z", "FXL_UNITS(32767)");
+    config.inset = FXL_UNITS(2);
+    refuse_config("inset", "0..FXL_UNITS(1)");
+    config.far_z = config.near_z;
+    refuse_config("far_z", "near_z");
+}
+
+void test_the_target_and_the_order_of_a_configuration(void)
+{
+    config.target = NULL;
+    refuse_config("target", "not be null");
+    config.target = &fxl_rgb565;
+    refuse_config("palette", "256 colours");
+    config.target = &fxl_rgb565;
+    config.palette = (const uint16_t *)(const void *)((const uint8_t *)palette + 1);
+    refuse_config("palette", "even address");
+    config.target = &fxl_palette_depth_16;
+    refuse_config("depth", "8 bytes");
+    config.target = &fxl_palette_depth_16;
+    config.depth = cells;
+    config.depth_size = 8;
+    refuse_config("depth_size", "FXL_DEPTH_BYTES");
+}
+
+/* --- fxl_render and fxl_frame_draw ---------------------------------------------------------- */
+
+static void begin(const fxl_target *target)
+{
+    config.target = target;
+    config.palette = target->pixel_bits == 16 ? palette : NULL;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_renderer_init(&renderer, &scene, &config, block, sizeof block));
+    TEST_ASSERT_NULL(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block));
+}
+
+static void refuse_render(const fxl_pose *from, void *to, uint16_t stride, const char *argument,
+                          const char *range)
+{
+    TEST_ASSERT_NOT_EQUAL(FXL_OK, fxl_render(&renderer, from, to, stride));
+    expect_words(fxl_render_explain(&renderer, from, to, stride), argument, range);
+}
+
+void test_arguments_of_fxl_render(void)
+{
+    refuse_render(&eye, pixels, WIDTH, "renderer", "fxl_renderer_init");
+    expect_words(fxl_render_explain(NULL, &eye, pixels, WIDTH), "renderer", "not be null");
+    begin(&fxl_palette);
+    refuse_render(NULL, pixels, WIDTH, "eye", "not be null");
+    refuse_render(&eye, NULL, WIDTH, "pixels", "rows");
+    refuse_render(&eye, pixels, WIDTH - 1, "stride", "config.width");
+    eye.position.y = FXL_UNITS(8191) + 1;
+    refuse_render(&eye, pixels, WIDTH, "eye->position", "8191");
+    eye.position.y = 0;
+    scene.instance_count = renderer.instance_capacity + 1;
+    refuse_render(&eye, pixels, WIDTH, "instance_count", "instance_capacity");
+    setUp();
+    begin(&fxl_rgb565);
+    refuse_render(&eye, (uint8_t *)pixels + 1, WIDTH, "pixels", "even address");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
+    TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH));
+}
+
+void test_two_things_that_do_not_go_together(void)
+{
+    static fxl_outlines outlines;
+    const fxl_outline_style style = {.line = 1};
+    config.depth = cells;
+    config.depth_size = sizeof cells;
+    begin(&fxl_palette_depth_16);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
+    TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_render(&renderer, &eye, pixels, WIDTH));
+    expect_words(fxl_render_explain(&renderer, &eye, pixels, WIDTH), "renderer",
+                 "fxl_renderer_conflict");
+}
+
+/* With the band as the test has changed it, which is then as before. */
+static void refuse_band(const char *argument, const char *range)
+{
+    const fxl_band as_changed = band;
+    TEST_ASSERT_NOT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &as_changed));
+    expect_words(fxl_frame_explain(&renderer, &as_changed), argument, range);
+    band = (fxl_band){.pixels = (uint8_t *)pixels,
+                      .width = WIDTH,
+                      .stride = WIDTH,
+                      .rows = HEIGHT,
+                      .palette = renderer.palette};
+}
+
+void test_arguments_of_fxl_frame_draw(void)
+{
+    begin(&fxl_palette);
+    refuse_band("frame", "fxl_frame_begin");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    band.pixels = NULL;
+    refuse_band("band->pixels", "not be null");
+    band.width = WIDTH / 2;
+    refuse_band("band->width", "config.width");
+    band.stride = WIDTH - 1;
+    refuse_band("band->stride", "pixels of a row");
+    band.rows = 0;
+    refuse_band("band->rows", "at least 1");
+    band.first_row = 1;
+    refuse_band("band->first_row + band->rows", "config.height");
+    band.first_column = 40;
+    band.columns = 9;
+    refuse_band("band->columns", "config.width");
+    band.palette = palette;
+    refuse_band("band->palette", "null");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
+    TEST_ASSERT_NULL(fxl_frame_explain(&renderer, &band));
+    begin(&fxl_rgb565);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
+    band.palette = NULL;
+    refuse_band("band->palette", "config.palette");
+    band.pixels += 1;
+    refuse_band("pixels", "even address");
+}
+
+/* A call is refused if and only if there is a sentence. */
+void test_random_arguments(void)
+{
+    static const fxl_q16_16 lengths[] = {-1, 0, 255, 256, 65536, 65537, 32767 * 65536, INT32_MAX};
+    static const uint16_t extents[] = {0, 1, WIDTH, 1024, 1025, UINT16_MAX};
+    static const fxl_target *const targets[] = {&fxl_palette, &fxl_rgb565, &fxl_palette_depth_16,
+                                                &fxl_rgb565_depth_32, NULL};
+    uint32_t sound = 0;
+    for (uint32_t i = 0; i < UNIT_REPEAT; i++) {
+        config.width = extents[unit_between(0, 5)];
+        config.height = extents[unit_between(0, 5)];
+        config.fov = unit_between(0, 3) ? FXL_DEGREES(70) : unit_random();
+        config.near_z = lengths[unit_between(0, 7)];
+        config.far_z = lengths[unit_between(2, 7)];
+        config.inset = lengths[unit_between(0, 5)];
+        config.target = targets[unit_between(0, 4)];
+        config.palette = unit_between(0, 3) ? palette : NULL;
+        config.depth = unit_between(0, 3) ? cells : NULL;
+        config.depth_size = (uint32_t)unit_between(0, (int32_t)sizeof cells);
+        const size_t size = (size_t)unit_between(0, LARGE);
+        const fxl_status status = fxl_renderer_init(&renderer, &scene, &config, block, size);
+        const char *said = fxl_renderer_explain(&renderer, &scene, &config, block, size);
+        TEST_ASSERT_EQUAL_MESSAGE(status == FXL_OK, said == NULL, said != NULL ? said : "nothing");
+        sound += status == FXL_OK;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, sound);
+}
