@@ -1,5 +1,4 @@
-/* A crate of planks that turns by a lamp: 50 lines. show is yours: it takes a frame of 320 x 240
- * entries of palette. */
+/* A crate of planks that turns by a lamp: 51 lines. show is yours: it takes a frame of 320 x 240 entries of palette. */
 #include <fixel.h>
 #include <fixel/orientation.h>
 #include <fixel/surfaces.h>
@@ -8,12 +7,10 @@ int show(const uint8_t *pixels); /* 0: another frame, please */
 static uint8_t pixels[240][320], planks[32][32], ramp[FXL_LIGHT_RAMP_BYTES(16)];
 static uint8_t palette[256][3]; /* 16 browns, each in 16 shades: shade s of brown c is 16 c + s */
 static const uint8_t brown[3] = {240, 176, 104};
-static const fxl_texture texture = {
-    .texels = planks[0], .log_width = 5, .log_height = 5, .levels = 1};
+static const fxl_texture texture = {.texels = planks[0], .log_width = 5, .log_height = 5, .levels = 1};
 static const fxl_surface wood = {.texture = 1, .flags = FXL_SURFACE_LIT, .opacity = 16};
 static const uint16_t face_map[6] = {1, 2, 3, 4, 5, 6};
-static fxl_mapped_face faces[6] = {
-    {.texels = {{0, 0}, {FXL_UNITS(32), 0}, {FXL_UNITS(32), FXL_UNITS(32)}}}};
+static fxl_mapped_face faces[6];
 static fxl_direction normals[6]; /* of each face one, at all of its corners */
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
@@ -23,50 +20,32 @@ static uint64_t memory[CUBE_MEMORY];
 int main(void)
 {
     const fxl_surface_set set = {&texture, &wood, faces, face_map, normals, 1, 1, 6, 6, NULL, 0, 0};
-    const fxl_light_settings lamp = {
-        .ambient = FXL_Q2_30_ONE / 4,
-        .point_count = 1,
-        .ramp = ramp,
-        .levels = 16,
+    const fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 4, .point_count = 1, .ramp = ramp, .levels = 16,
         .points = {{{FXL_UNITS(-2), FXL_UNITS(3), FXL_UNITS(-4)}, FXL_UNITS(9), FXL_Q2_30_ONE}}};
     const fxl_config config = fxl_config_default(320, 240);
     const fxl_pose eye = {.position = {0, FXL_UNITS(2), FXL_UNITS(-5)}, .pitch = FXL_DEGREES(-20)};
     const fxl_point axis = {1, 2, 0}; /* of any length */
-    fxl_placement turn = FXL_PLACEMENT_NONE;
-    fxl_scene scene = cube_scene; /* the tables stay in flash; this record points at a turn */
-    scene.placements = &turn;
+    fxl_placement placement = FXL_PLACEMENT_NONE;
+    fxl_scene scene = cube_scene; /* the tables stay in flash; this record points at a placement */
+    scene.placements = &placement;
     scene.placement_code = &fxl_turned_instances;
-    for (int i = 0; i < 768; i++) {
-        palette[i / 3][i % 3] = (uint8_t)(brown[i % 3] * (i / 48 + 8) / 23 * (i / 3 % 16) / 15);
-    }
-    for (int i = 0; i < 4096; i++) {
-        ramp[i] = (uint8_t)(i % 16 * 16 + i / 256);
-    }
+    for (int i = 0; i < 768; i++) { palette[i / 3][i % 3] = (uint8_t)(brown[i % 3] * (i / 48 + 8) / 23 * (i / 3 % 16) / 15); }
+    for (int i = 0; i < 4096; i++) { ramp[i] = (uint8_t)(i % 16 * 16 + i / 256); }
     for (int i = 0; i < 1024; i++) { /* a frame about planks with grain */
         const int x = i % 32, y = i / 32, rim = x < 4 || y < 4 || x > 27 || y > 27;
-        planks[y][x] = (uint8_t)(rim          ? 12 + (x + y) % 3
-                                 : y % 8 == 3 ? 1
-                                              : 6 + (x * 5 + y * 23) % 7 % 4);
+        planks[y][x] = (uint8_t)(rim ? 12 + (x + y) % 3 : y % 8 == 3 ? 1 : 6 + (x * 5 + y * 23) % 7 % 4);
     }
     for (uint16_t i = 0; i < 6; i++) {
+        const uint16_t *corners = &scene.indices[scene.faces[i].first_index];
+        faces[i] = (fxl_mapped_face){.vertices = {corners[0], corners[1], corners[2]}, .normals = {i, i, i},
+            .texels = {{0, 0}, {FXL_UNITS(32), 0}, {FXL_UNITS(32), FXL_UNITS(32)}}};
         normals[i] = scene.faces[i].normal;
-        faces[i] = faces[0];
-        for (uint32_t k = 0; k < 3; k++) {
-            faces[i].vertices[k] = scene.indices[scene.faces[i].first_index + k];
-            faces[i].normals[k] = i;
-        }
     }
-    if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) ||
-        fxl_attach_lit(&renderer, &lit) ||
-        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)) ||
-        fxl_attach_light(&renderer, &light, &lamp)) {
-        return 1;
-    }
+    if (fxl_renderer_init(&renderer, &scene, &config, memory, sizeof memory) || fxl_attach_lit(&renderer, &lit) ||
+        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)) || fxl_attach_light(&renderer, &light, &lamp)) { return 1; }
     for (uint32_t frame = 0; show(pixels[0]) == 0; frame++) {
-        if (fxl_orientation_from_axis(&axis, frame * FXL_DEGREES(3), &turn.orientation) ||
-            fxl_render(&renderer, &eye, pixels[0], 320)) {
-            return 1;
-        }
+        if (fxl_orientation_from_axis(&axis, frame * FXL_DEGREES(3), &placement.orientation) ||
+            fxl_render(&renderer, &eye, pixels[0], 320)) { return 1; }
     }
     return 0;
 }
