@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "divisions.h"
 
-#include "math/divide_wide.h"
+#include "math/arith.h"
 #include "equality.h"
 #include "sides.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Divisions and the square root by what they promise, up to the ends of their ranges. */
 #include "../../lib/math/arith.h"
-#include "../../lib/math/divide_wide.h"
 #include "../../lib/math/unit_vector.h"
 #include "unit.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
-#include "math/divide_wide.h"
+#include "math/arith.h"
 #include "math/unit_vector.h"
 #include "raster/edge_divide.h"
 #include "unit.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_intersect_edge for Armv7-M and Armv8-M Mainline. The arithmetic, with its bounds, is that of
- * lib/clip/intersection.c and of fxl_fraction in lib/math/divide_wide.c. An edge
+ * lib/clip/intersection.c and of fxl_fraction in lib/math/arith.c. An edge
  * takes 130 to 150 instructions here, and 190 as the compiler has it. */
 #include "../math/family.h"
 

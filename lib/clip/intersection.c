@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
-#include "../math/divide_wide.h"
 #include "../math/family.h"
 #include "fixel/line.h"
 #include "intersection.h"

@@ -5,7 +5,7 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
-#include "../paint/paint_texels.h"
+#include "../paint/segments.h"
 #include "fixel/render.h"
 
 #if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M

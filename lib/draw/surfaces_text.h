@@ -110,7 +110,7 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 
 #else
 
-#include "depth_plane.h"
+#include "depth.h"
 #include "../paint/depth_row.h"
 
 #define SCRATCH 16 /* pixels */

@@ -64,9 +64,8 @@ static inline __attribute__((always_inline)) void paint_rows(const fxl_screen_po
 
 #if FXL_TARGET_DEPTH_BITS != 0
 
-#include "depth_draw.h"
+#include "depth.h"
 #include "../paint/depth_row.h"
-#include "depth_plane.h"
 #include "submit_polygons.h"
 
 /* A polygon of one colour, and its depth. */
@@ -246,8 +245,7 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
 static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                  uint8_t colour, const fxl_band *band)
 {
-    fxl_filling filling =
-        fxl_filling_of(band, colour, workspace->screen.shade, workspace->dark);
+    fxl_filling filling = fxl_filling_of(band, colour, workspace->screen.shade, workspace->dark);
     paint_rows(points, count, band, &workspace->work.scan, paint_row, &filling);
     return true;
 }

@@ -4,7 +4,6 @@
 
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "../math/sine.h"
 #include "fixel/orientation.h"
 
 /* What the keys say of a frame. */

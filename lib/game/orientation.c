@@ -1,10 +1,117 @@
 /* SPDX-License-Identifier: MIT */
 /* Orientations from angles and from products. */
 #include "../math/arith.h"
-#include "../math/sine.h"
+#include "../math/unit_vector.h"
 #include "fixel/camera.h"
 #include "fixel/orientation.h"
-#include "orthonormal.h"
+
+/* --- the nearest rotation -------------------------------------------------------------------- */
+
+/* Three rows in units of 2^-60. */
+typedef struct {
+    int64_t rows[3][3];
+} wide_matrix;
+
+/* One step of Newton's method for the polar factor: with E = I - C C', the rotation nearest to C is
+ * C + E C / 2 up to 3/8 |E|^2, which is below 2^-45 for |E| <= 2^-22. */
+
+/* A row as 2.30 and the rest, |rest| <= 2^29 units of 2^-60. */
+typedef struct {
+    int32_t head[3], tail[3];
+} split_row;
+
+static void split(const int64_t row[3], split_row *parts)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        parts->head[i] = (int32_t)fxl_round_shift(row[i], 30);
+        parts->tail[i] = (int32_t)(row[i] - (int64_t)parts->head[i] * FXL_Q2_30_ONE);
+    }
+}
+
+/* a . b in units of 2^-60, without the product of the rests, which is below one unit. The product
+ * of the heads is at most 2^60 (1 + 2^-22). A head times a rest is below 2^60, and a sum of six
+ * below 2^63. Error: 2 units. */
+static int64_t product(const split_row *a, const split_row *b)
+{
+    int64_t heads = 0, rests = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        heads += fxl_multiply_s32(a->head[i], b->head[i]);
+        rests +=
+            fxl_multiply_s32(a->head[i], b->tail[i]) + fxl_multiply_s32(a->tail[i], b->head[i]);
+    }
+    return heads + fxl_round_shift(rests, 30);
+}
+
+/* Writes the rotation that is nearest to a matrix. Requires a matrix C for which no eigenvalue of
+ * C C' - I is above 2^-22 in magnitude.
+ * Error: at most 0.501 unit of 2^-30 an entry. So a row is at most
+ * sqrt(3) * 0.501 = 0.87 unit off unit length, and two rows are 1.74 units off a right angle. */
+static void orthonormalise(const wide_matrix *matrix, fxl_orientation *orientation)
+{
+    split_row rows[3];
+    int32_t lack[3][3]; /* E in units of 2^-46: at most 2^24. Rounding costs 2^-47 */
+    fxl_direction *const out[3] = {&orientation->x, &orientation->y, &orientation->z};
+    for (uint32_t i = 0; i < 3; i++) {
+        split(matrix->rows[i], &rows[i]);
+        for (uint32_t j = 0; j <= i; j++) {
+            const int64_t one = i == j ? (int64_t)1 << 60 : 0;
+            const int64_t error = one - product(&rows[i], &rows[j]);
+            FXL_ASSERT(fxl_within(error, (int64_t)1 << 38));
+            lack[i][j] = lack[j][i] = (int32_t)fxl_round_shift(error, 14);
+        }
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        int32_t entries[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            int64_t sum = 0; /* E C in units of 2^-76: three products below 2^55 */
+            for (uint32_t j = 0; j < 3; j++) {
+                sum += fxl_multiply_s32(lack[i][j], rows[j].head[k]);
+            }
+            const int64_t half = fxl_round_shift(sum, 17);
+            /* In units of 2^-60. The only rounding that counts is this one. */
+            entries[k] = (int32_t)fxl_round_shift(matrix->rows[i][k] + half, 30);
+        }
+        out[i]->x = entries[0];
+        out[i]->y = entries[1];
+        out[i]->z = entries[2];
+    }
+}
+
+/* Shifted so that the largest component has 31 bits. Rounding a longer one may make it 2^31. */
+static uint32_t in_31_bits(uint64_t magnitude, int shift)
+{
+    return (uint32_t)(shift > 0 ? (uint64_t)fxl_round_shift((int64_t)magnitude, (unsigned)shift)
+                                : magnitude << -shift);
+}
+
+/* unit = vector / |vector| in units of 2^-31. Takes components below 2^62. Returns false for a
+ * vector of length 0, and leaves unit untouched.
+ * Error: at most 1 unit of 2^-31 an entry if every component is below 2^31, else 2.5. */
+static bool unit_length(const int64_t vector[3], int64_t unit[3])
+{
+    const uint64_t magnitudes[3] = {fxl_magnitude(vector[0]), fxl_magnitude(vector[1]),
+                                    fxl_magnitude(vector[2])};
+    const unsigned bits = fxl_bit_length(magnitudes[0] | magnitudes[1] | magnitudes[2]);
+    uint32_t parts[3];
+    uint64_t square = 0; /* at most 3 * 2^62, which the square root takes */
+    if (bits == 0) {
+        return false;
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        parts[i] = in_31_bits(magnitudes[i], (int)bits - 31);
+        square += fxl_multiply_u32(parts[i], parts[i]);
+    }
+    const uint32_t length = fxl_square_root(square); /* 2^30 at least, and no part is longer */
+    for (uint32_t i = 0; i < 3; i++) {
+        uint32_t tail;
+        const uint64_t dividend = ((uint64_t)parts[i] << 31) + (length >> 1);
+        const int64_t part = fxl_divide_u64(dividend, length, &tail);
+        unit[i] = vector[i] < 0 ? -part : part;
+    }
+    return true;
+}
+
+/* --- orientations ---------------------------------------------------------------------------- */
 
 static int64_t widened(fxl_q2_30 entry)
 {
@@ -26,11 +133,11 @@ fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle
     FXL_ASSERT(status == FXL_OK);
     (void)status;
     const fxl_axes *axes = &camera.axes;
-    const fxl_wide_matrix matrix = {
+    const wide_matrix matrix = {
         {{widened(axes->right.x), widened(axes->up.x), widened(axes->forward.x)},
          {widened(axes->right.y), widened(axes->up.y), widened(axes->forward.y)},
          {widened(axes->right.z), widened(axes->up.z), widened(axes->forward.z)}}};
-    fxl_orthonormalise(&matrix, orientation);
+    orthonormalise(&matrix, orientation);
     return FXL_OK;
 }
 
@@ -65,11 +172,11 @@ fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientat
     if (!is_rotation(a) || !is_rotation(b)) {
         return FXL_E_PLACEMENT;
     }
-    fxl_wide_matrix matrix;
+    wide_matrix matrix;
     multiply_row(&a->x, b, matrix.rows[0]);
     multiply_row(&a->y, b, matrix.rows[1]);
     multiply_row(&a->z, b, matrix.rows[2]);
-    fxl_orthonormalise(&matrix, product);
+    orthonormalise(&matrix, product);
     return FXL_OK;
 }
 
@@ -175,13 +282,13 @@ fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
         return FXL_E_ARGUMENT;
     }
     int64_t vector[3], a[3], t[3];
-    if (!widen(axis, vector) || !fxl_unit_length(vector, a)) {
+    if (!widen(axis, vector) || !unit_length(vector, a)) {
         return FXL_E_RANGE;
     }
     const int64_t cosine = fxl_cos_q31(angle), sine = fxl_sin_q31(angle);
     /* (1 - cos) / 2 in units of 2^-31; the half unit that is cut off is within the bound. */
     const int64_t half = (((int64_t)1 << 31) - cosine) >> 1;
-    fxl_wide_matrix matrix;
+    wide_matrix matrix;
     for (uint32_t i = 0; i < 3; i++) {
         t[i] = fxl_round_shift(fxl_multiply_s64(half, a[i]), 31);
     }
@@ -194,7 +301,7 @@ fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
         matrix.rows[i][j] = both - across;
         matrix.rows[j][i] = both + across;
     }
-    fxl_orthonormalise(&matrix, orientation);
+    orthonormalise(&matrix, orientation);
     return FXL_OK;
 }
 
@@ -207,20 +314,20 @@ fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *
         return FXL_E_ARGUMENT;
     }
     int64_t ahead[3], above[3], across[3], forward[3], right[3], upward[3];
-    if (!widen(direction, ahead) || !widen(up, above) || !fxl_unit_length(ahead, forward)) {
+    if (!widen(direction, ahead) || !widen(up, above) || !unit_length(ahead, forward)) {
         return FXL_E_RANGE;
     }
     cross(above, ahead, across);
-    if (!fxl_unit_length(across, right)) {
+    if (!unit_length(across, right)) {
         return FXL_E_RANGE;
     }
     cross(forward, right, upward); /* in units of 2^-62 */
-    fxl_wide_matrix matrix;
+    wide_matrix matrix;
     for (uint32_t i = 0; i < 3; i++) {
         matrix.rows[i][0] = right[i] * ((int64_t)1 << 29);
         matrix.rows[i][1] = upward[i] >> 2;
         matrix.rows[i][2] = forward[i] * ((int64_t)1 << 29);
     }
-    fxl_orthonormalise(&matrix, orientation);
+    orthonormalise(&matrix, orientation);
     return FXL_OK;
 }

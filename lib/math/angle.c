@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 
 #include "arith.h"
-#include "sine.h"
 
 /* Numbers below are unsigned fractions with 64 bits after the binary point, unless their names say
  * otherwise. fxl_multiply_high multiplies two of them; its error is less than one unit. Besides the

@@ -4,9 +4,38 @@
 #ifndef FXL_ARITH_H
 #define FXL_ARITH_H
 
+#include <stdint.h>
+
 #include "core.h"
-#include "divide_wide.h"
 #include "fixel/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* floor(numerator / denominator); *rest becomes the remainder. Requires a quotient below
+ * 2^32, that is, numerator / 2^32 < denominator. */
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *remainder);
+
+/* floor(2^64 part / whole). Requires part < whole < 2^63. */
+uint64_t fxl_fraction(uint64_t part, uint64_t whole);
+
+/* factor * side / depth, rounded to the nearest unit of factor. Returns false if its
+ * magnitude is above limit: quotient untouched.
+ * Requires 0 < factor < 2^29, |side| < 2^61, 0 < depth < 2^61, 0 < limit < 2^29.
+ * Error: 0.5 + 2^-30 unit + 2^-31 of the quotient. */
+bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t limit,
+               int32_t *quotient);
+
+/* Sine and cosine in units of 2^-31, so 1 is 2^31: more bits than 2.30, as sums of products need
+ * them.
+ * Error: at most 0.52 unit of 2^-31. */
+int64_t fxl_sin_q31(fxl_angle angle);
+int64_t fxl_cos_q31(fxl_angle angle);
+
+#ifdef __cplusplus
+}
+#endif
 
 /* An assertion, for bugs of the library itself. A test build aborts on it, a proof takes
  * it as a goal, and a build without FXL_ASSERT_HOOK omits it. */

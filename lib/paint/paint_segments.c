@@ -3,7 +3,6 @@
 
 #include "../math/family.h"
 #include "attribute.h"
-#include "paint_texels.h"
 
 #if !FXL_KERNELS_ARMV7M
 

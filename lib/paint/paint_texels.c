@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "paint_texels.h"
+#include "segments.h"
 
 #include "../math/family.h"
 

@@ -109,6 +109,19 @@ static inline bool fxl_segments_take(const fxl_segment_face *face, const fxl_pai
 void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                         int32_t x1);
 
+/* --- the texels of a part of a segment: what fxl_paint_segments calls, where it is in C ---------
+ */
+
+/* At a run's first pixel, and the steps a pixel. */
+typedef struct {
+    uint32_t position, step;
+    uint32_t light, light_step; /* 1/256 level */
+} fxl_texel_run;
+
+/* Paints count pixels. Requires 1 <= count <= 16. */
+void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, uint8_t *pixels,
+                      uint32_t count);
+
 #ifdef __cplusplus
 }
 #endif

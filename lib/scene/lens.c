@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Lenses whose centre is not the middle of the screen. */
 #include "../math/arith.h"
-#include "../math/sine.h"
 #include "lens.h"
 
 FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested at once");

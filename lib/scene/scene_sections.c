@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sections of a scene image: where they lie, and which there are (docs/formats.md, section 1.2).
+/* The sections of a scene image: where they lie, and which there are (docs/formats.md,
+ * section 1.2).
  */
 #include "scene_sections.h"
 
@@ -73,10 +74,11 @@ static bool is_padded(const fxl_image_header *head, uint32_t end, uint32_t round
     return true;
 }
 
-/* The section's place and length, after which *next is that of the one behind it. A count of at most
- * 2^24 times the size of an entry, at most 256 bytes, is below 2^33. The image's size and each place
- * are multiples of four, so that an end that lies within the image also does so rounded. */
-static fxl_status check_place(const fxl_image_header *head, const fxl_image_section *one, place *next)
+/* The section's place and length, after which *next is that of the one behind it. A count of at
+ * most 2^24 times the size of an entry, at most 256 bytes, is below 2^33. The image's size and each
+ * place are multiples of four, so that an end that lies within the image also does so rounded. */
+static fxl_status check_place(const fxl_image_header *head, const fxl_image_section *one,
+                              place *next)
 {
     const bool is_known = one->kind < SECTION_KINDS;
     uint64_t bytes = 0;
@@ -234,4 +236,23 @@ fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
         status = check_presence(head, fault);
     }
     return status == FXL_OK ? check_counts(head, fault) : status;
+}
+
+/* The remainders of the 16 values of four bits, for the reflected polynomial 0xEDB88320. The table
+ * takes 64 bytes instead of the usual 1,024, at half the speed. */
+static const uint32_t remainders[16] = {
+    0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,
+    0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
+    0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
+};
+
+uint32_t fxl_crc32(const uint8_t *bytes, size_t count)
+{
+    uint32_t crc = 0xFFFFFFFFu;
+    for (size_t i = 0; i < count; i++) {
+        crc ^= bytes[i];
+        crc = (crc >> 4) ^ remainders[crc & 15u];
+        crc = (crc >> 4) ^ remainders[crc & 15u];
+    }
+    return ~crc;
 }

@@ -4,7 +4,6 @@
 #include "normalised.h"
 
 #include "../math/arith.h"
-#include "../math/divide_wide.h"
 #include "clip_polygon.h"
 
 /* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. part is

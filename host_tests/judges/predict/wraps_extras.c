@@ -2,8 +2,7 @@
 /* Counts of what a scene may ask for: a depth buffer, billboards, beams of light; and of turned
  * faces that are placed in the world for those and for light. */
 #include "clip/split.h"
-#include "draw/depth_draw.h"
-#include "draw/depth_plane.h"
+#include "draw/depth.h"
 #include "draw/submit.h"
 #include "math/plane.h"
 #include "paint/billboard_paint.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The depth of a face on the screen. Internal. */
-#ifndef FXL_DEPTH_PLANE_H
-#define FXL_DEPTH_PLANE_H
+/* The depth of a face on the screen, and bands with a depth buffer, in parts. Internal. */
+#ifndef FXL_DRAW_DEPTH_H
+#define FXL_DRAW_DEPTH_H
 
 #include "surface_polygon.h"
 
@@ -15,6 +15,12 @@ extern "C" {
  * 2^-27. */
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *traversal, fxl_depth_plane *plane);
+
+/* fxl_target.draw_band: as many rows at a time as the workspace has cells for. Far to near
+ * each part is drawn in two passes: what is opaque, then what is blended. A cell and a pixel have
+ * so many bytes. */
+void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
+                          const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes);
 
 #ifdef __cplusplus
 }
