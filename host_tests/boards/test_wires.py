@@ -40,6 +40,11 @@ def test_a_board_of_16_kib_sends_row_by_row(tmp_path):
     assert json.loads((tmp_path / "out" / "summary.json").read_text())["wires_frames_equal"] == 3
 
 
+@pytest.mark.parametrize("board", ["lm3s6965evb", "microbit", "netduino2", "netduinoplus2"])
+def test_boards_of_little_flash_have_room_for_a_driver(board):
+    made(f"build/boards/{board}/walk-on-ili9341.elf", f"BOARD={board}", "DRIVER=ili9341")
+
+
 def test_frames_that_are_larger_than_the_glass_are_refused_before_anything_is_drawn(tmp_path):
     done = run_driver(tmp_path / "out", "ssd1306", "129x64")
     assert_one_sentence(done, "frames of 129x64 do not fit the 128x64 of DRIVER=ssd1306", "SCREEN=128x64")
