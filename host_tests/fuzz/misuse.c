@@ -207,6 +207,7 @@ void fuzz_misuse(fuzz_input *in)
     misuse_scene();
     misuse_setters(&renderer);
     misuse_wire(&empty, &lens, &band);
+    fuzz_explained(&empty);
     DEMAND(fxl_camera_from_pose(NULL, &camera) == FXL_E_ARGUMENT);
     DEMAND(fxl_camera_from_pose(&pose, NULL) == FXL_E_ARGUMENT);
     DEMAND(fxl_player_step(NULL, 0, &motion_limits, NULL) == FXL_E_ARGUMENT);

@@ -26,6 +26,9 @@ void fuzz_geometry(fuzz_input *in);
 void fuzz_world(fuzz_input *in);
 void fuzz_surfaces(fuzz_input *in);
 
+/* What the library says of refused calls with a scene of no objects, whatever the input. */
+void fuzz_explained(const fxl_scene *scene);
+
 /* Lights a renderer, or not: settings of any kind. */
 void fuzz_set_light(fxl_renderer *renderer, fxl_light *light, fuzz_input *in);
 
