@@ -33,7 +33,7 @@ fxl_status act_open(fxl_scene_image *image, void *memory, const fxl_scene **scen
     copies.instances = memory;
     copies.instance_capacity = of->instance_count;
     copies.placements = (fxl_placement *)(void *)(copies.instances + of->instance_count);
-    copies.turn_capacity = of->instance_count - of->first_turned;
+    copies.placement_capacity = of->instance_count - of->first_turned;
     return fxl_motion_begin(&motion, &image->motion, of, &copies);
 }
 

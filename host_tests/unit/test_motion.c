@@ -341,7 +341,7 @@ void test_what_cannot_be_played_is_refused(void)
     room.instance_capacity -= 1;
     refuse(FXL_E_CAPACITY, &set, &scene, &room);
     room = memory;
-    room.turn_capacity -= 1;
+    room.placement_capacity -= 1;
     refuse(FXL_E_CAPACITY, &set, &scene, &room);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_begin(&player, &set, &scene, &memory));
 }

@@ -117,7 +117,7 @@ static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *p
         return "renderer has two things that do not go together: fxl_renderer_conflict names them";
     }
     if (scene->placements != NULL && scene->placement_code == NULL) {
-        return "scene has turns, so its placement_code must not be null";
+        return "scene has placements, so its placement_code must not be null";
     }
     if (scene->instance_count > renderer->instance_capacity) {
         return "scene->instance_count must be at most renderer->instance_capacity";
@@ -129,7 +129,7 @@ static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *p
         return "eye->position must be within FXL_UNITS(-8191)..FXL_UNITS(8191)";
     }
     return scene->placements != NULL
-               ? "a turn of the scene must have a scale of 1/256..256 and a rotation, and its "
+               ? "a placement of the scene must have a scale of 1/256..256 and a rotation, and its "
                  "instance must lie within 8191 world units"
                : NULL;
 }

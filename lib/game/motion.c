@@ -176,7 +176,7 @@ fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set
     if (set->motion_count > turned) {
         return FXL_E_COUNT;
     }
-    if (memory->instance_capacity < scene->instance_count || memory->turn_capacity < turned) {
+    if (memory->instance_capacity < scene->instance_count || memory->placement_capacity < turned) {
         return FXL_E_CAPACITY;
     }
     memcpy(memory->instances, scene->instances, scene->instance_count * sizeof(fxl_instance));

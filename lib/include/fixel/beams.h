@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Light beams: convex parts of the world in which faces are drawn lit. If a face is turned to the light,
- * the part of it within a beam is drawn in the lit variant of its colour, and the rest in its own colour.
- * Nothing casts a shadow within a beam. Beams, and the functions that make one, are in fixel/scene.h: a
- * scene may have some. Source: "Realtime 3D Clipping" (C6). */
+/* Light beams: convex parts of the world in which faces are drawn lit. If a face is turned to the
+ * light, the part of it within a beam is drawn in the lit variant of its colour, and the rest in
+ * its own colour. Nothing casts a shadow within a beam. Beams, and the functions that make one, are
+ * in fixel/scene.h: a scene may have some. Source: "Realtime 3D Clipping" (C6). */
 #ifndef FXL_BEAMS_H
 #define FXL_BEAMS_H
 
@@ -13,23 +13,24 @@ extern "C" {
 #endif
 
 /* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
- * needs 1,296, 1,384 or 1,600 on a 32-bit core. Another workspace (fxl_workspace_init) needs 40 less
- * for it. Returns 0 where fxl_beams_fit does not allow the beams, or beams is null. Requires checked
- * beams. */
+ * needs 1,296, 1,384 or 1,600 on a 32-bit core. Another workspace (fxl_workspace_init) needs 40
+ * less for it. Returns 0 where fxl_beams_fit does not allow the beams, or beams is null. Requires
+ * checked beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
-/* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use. */
+/* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use.
+ * */
 typedef struct {
     const fxl_beam *beams;
     uint32_t count;     /* 1..FXL_BEAMS_MAX */
     const uint8_t *lit; /* lit[c]: the lit variant of colour c, also of a texel */
 } fxl_beam_set;
 
-/* Attaches the beams of a set to a renderer, in any sequence with what else is attached, or, where set
- * is null, detaches them: then memory and size are ignored. memory has at least
- * fxl_beam_light_workspace_size bytes, aligned to 8. The renderer keeps pointers to memory and to the
- * set's tables. The caller must begin a frame anew: fxl_frame_begin refuses beams beside textures of the format
- * FXL_TEXTURE_565, whose texels `lit` does not know.
+/* Attaches the beams of a set to a renderer, in any sequence with what else is attached, or, where
+ * set is null, detaches them: then memory and size are ignored. memory has at least
+ * fxl_beam_light_workspace_size bytes, aligned to 8. The renderer keeps pointers to memory and to
+ * the set's tables. The caller must begin a frame anew: fxl_frame_begin refuses beams beside
+ * textures of the format FXL_TEXTURE_565, whose texels `lit` does not know.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes.
  * FXL_E_ORDER: the renderer was never initialised.

@@ -66,9 +66,9 @@ typedef struct {
  * normals in the world, each rounded once, are the faces. A sphere test, which is exact, passes
  * over instances that the segment does not come near. Error: half a unit of 2^-31 in `fraction`;
  * 0.75 units of 1/65536 in each coordinate of `point`. With no hit, *hit has `to`, a fraction of 1,
- * FXL_HIT_NONE and face 0. All turns are checked in each call.
+ * FXL_HIT_NONE and face 0. All placements are checked in each call.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the scene was not checked, or has turns without a placement_code.
+ * FXL_E_ORDER: the scene was not checked, or has placements without a placement_code.
  * FXL_E_PLACEMENT: the orientation of an instance is no rotation.
  * FXL_E_RANGE: a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale or the
  * place of a turned instance.
@@ -99,9 +99,10 @@ typedef struct {
  * scale s up to 4 s + 132 units more. If the sphere is not free at the start, it may stay there
  * (`blocked`). A coordinate beyond FXL_COORDINATE_MAX is clamped to it. It reads every face of each
  * instance whose sphere it reaches, a few times for each step. The faces of an instance that is
- * turned are those of fxl_cast_segment; all turns are checked in each call. *slide may be null.
+ * turned are those of fxl_cast_segment; all placements are checked in each call. *slide may be
+ * null.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: the scene was not checked, or has turns without a placement_code.
+ * FXL_E_ORDER: the scene was not checked, or has placements without a placement_code.
  * FXL_E_PLACEMENT: the orientation of an instance is no rotation.
  * FXL_E_RANGE: the centre, or the radius; a component of `move` outside of FXL_COORDINATE_MAX; a
  * move of more than FXL_SLIDE_STEPS_MAX steps; the scale or the place of a turned instance.

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Light and fog at run time: each flat face gets one level of a ramp of its colour, in RGB565 a part of it.
- * docs/extras/light.md. The settings, and their check, are in fixel/scene.h: an image may have a
- * light. */
+/* Light and fog at run time: each flat face gets one level of a ramp of its colour, in RGB565 a
+ * part of it. docs/extras/light.md. The settings, and their check, are in fixel/scene.h: an image
+ * may have a light. */
 #ifndef FXL_LIGHT_H
 #define FXL_LIGHT_H
 
@@ -26,10 +26,10 @@ typedef struct {
 } fxl_light;
 
 /* Attaches a light to a renderer, in any sequence with what else is attached, or, where settings is
- * null, detaches it. The settings are copied into *light, to which the renderer keeps a pointer, and the
- * pointer to the ramp; each renderer has a record of its own. A frame must begin anew, so call it
- * between frames for light that changes. Faces are lit after fxl_world_recolour and before beams: a
- * beam's lit colours are those of the colours that the ramp gives.
+ * null, detaches it. The settings are copied into *light, to which the renderer keeps a pointer,
+ * and the pointer to the ramp; each renderer has a record of its own. A frame must begin anew, so
+ * call it between frames for light that changes. Faces are lit after fxl_world_recolour and before
+ * beams: a beam's lit colours are those of the colours that the ramp gives.
  * FXL_E_ARGUMENT: renderer is null; or light or ramp, if there are settings.
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_COUNT: point_count or levels is out of range.

@@ -47,17 +47,17 @@ fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *
 fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
                                     fxl_orientation *product);
 
-/* An instance that is attached to a parent, as a wheel to a car. The centre and the turn of the
- * child are stated in the parent's model space: its centre in units of the parent's model, each
- * coordinate below 2^30 in magnitude. Writes the child's centre and turn in the world:
+/* An instance that is attached to a parent, as a wheel to a car. The centre and the placement of
+ * the child are stated in the parent's model space: its centre in units of the parent's model, each
+ * coordinate below 2^30 in magnitude. Writes the child's centre and placement in the world:
  *   centre      = parent's centre + parent's scale * (parent's orientation . child's centre)
  *   orientation = parent's orientation . child's orientation
  *   scale       = parent's scale * child's scale
  * A child may be the parent of another. docs/extras/orientation.md states the error by depth.
  * FXL_E_RANGE: an input or an output is out of range.
  * FXL_E_PLACEMENT: an input or an output is out of range.
- * The parent's centre and turn, and those that would be written, must be such as
- * fxl_placement_check takes with a radius of 0, and so must the child's turn.
+ * The parent's centre and placement, and those that would be written, must be such as
+ * fxl_placement_check takes with a radius of 0, and so must the child's placement.
  * Error: of the centre and of the scale half a unit of 1/65536, of the orientation that of
  * fxl_orientation_multiply. */
 fxl_status fxl_placement_attach(const fxl_point *parent_centre, const fxl_placement *parent,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Pixels as a display takes them: converts rows of palette indices or of RGB565 to 16 or 8 bits of
- * colour, to 16 greys, or to black and white with an ordered dither. docs/extras/pixels.md defines the
- * formats bit for bit. */
+ * colour, to 16 greys, or to black and white with an ordered dither. docs/extras/pixels.md defines
+ * the formats bit for bit. */
 #ifndef FXL_PIXELS_H
 #define FXL_PIXELS_H
 
@@ -51,21 +51,23 @@ fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
 size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t rows);
 
 /* Converts a band, of palette indices or of RGB565 (band->palette is not null; its colours stay,
- * and the prepared palette is not read), into `size` bytes at `out`, aligned to 4: row after row, without a gap. Bits of a
- * last byte that no pixel has are 0. The dither counts columns from the left of the frame and rows
- * from its top, so the result does not depend on how a frame is cut into bands.
+ * and the prepared palette is not read), into `size` bytes at `out`, aligned to 4: row after row,
+ * without a gap. Bits of a last byte that no pixel has are 0. The dither counts columns from the
+ * left of the frame and rows from its top, so the result does not depend on how a frame is cut into
+ * bands.
  * FXL_E_ARGUMENT: a null pointer, a band without rows or columns.
  * FXL_E_ORDER: fxl_pixels_init did not prepare the pixels: they are all zeros.
  * FXL_E_ALIGNMENT: out is not aligned, or a band of RGB565 is at an odd address.
- * FXL_E_RANGE: columns beyond the width or the stride; with pages, a first row that is no multiple of 8.
+ * FXL_E_RANGE: columns beyond the width or the stride; with pages, a first row that is no multiple
+ * of 8.
  * FXL_E_CAPACITY: size is less than fxl_pixels_size.
  * With each of these statuses: *out untouched. */
 fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, void *out,
                               size_t size);
 
-/* Swaps the two bytes of every pixel of a band of RGB565 where it lies: so displays on SPI take it, the
- * byte with red first, from a little-endian core. fxl_pixels_convert copies it so. The band is for
- * sending then, not for drawing on. Requires pixels at an even address. */
+/* Swaps the two bytes of every pixel of a band of RGB565 where it lies: so displays on SPI take it,
+ * the byte with red first, from a little-endian core. fxl_pixels_convert copies it so. The band is
+ * for sending then, not for drawing on. Requires pixels at an even address. */
 void fxl_swap_rgb565(const fxl_band *band);
 
 /* --- the parts, for a format of your own ------------------------------------------------------ */

@@ -108,8 +108,8 @@ fxl_status fxl_pump_send(fxl_pump *pump);
  * rows as its bands have. Their pixels may change as soon as it returns. It neither needs a frame
  * nor changes which band is next; without a format that band's pixels are lost.
  * FXL_E_ARGUMENT: a null pointer, no rows.
- * FXL_E_RANGE: another width, some of the columns alone, too many rows, rows beyond the frame, the ranges of
- * fxl_pixels_convert.
+ * FXL_E_RANGE: another width, some of the columns alone, too many rows, rows beyond the frame, the
+ * ranges of fxl_pixels_convert.
  * FXL_E_COMBINATION: a pump without a format, whose bands are RGB565 and the rows palette indices,
  * or the other way round.
  * FXL_E_ALIGNMENT: that of fxl_pixels_convert.

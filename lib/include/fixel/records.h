@@ -79,7 +79,7 @@ typedef struct {
 typedef struct {
     uint32_t tag;        /* the instance, in the cache's count, and the vertex; 0: no vertex */
     uint32_t clip_flags; /* its outcode and FXL_VERTEX_UNPROJECTED; if both are 0, its first pixel
-                            centre (lib/clip/vertex_flags.h) */
+                            centre (lib/clip/clip_by_view.h) */
     fxl_screen_point screen;
     fxl_view_point position;
 } fxl_cached_vertex;

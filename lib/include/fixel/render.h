@@ -196,9 +196,10 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
 
 /* What was wrong with a call that was refused: an English sentence that names the argument and its
- * range. Null: no argument is wrong. The arguments are those of fxl_renderer_init, of fxl_render and
- * of fxl_frame_draw; none is changed, and the sentence is constant. A program that does not call
- * these functions does not link them. Requires that the call was the last one with this renderer. */
+ * range. Null: no argument is wrong. The arguments are those of fxl_renderer_init, of fxl_render
+ * and of fxl_frame_draw; none is changed, and the sentence is constant. A program that does not
+ * call these functions does not link them. Requires that the call was the last one with this
+ * renderer. */
 const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *scene,
                                  const fxl_config *config, const void *memory, size_t memory_size);
 const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye,
@@ -213,10 +214,10 @@ const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band
  * one every band traverses the scene, which is best where a frame is one band. The pixels are the
  * same.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: order or display list is not aligned to 4 bytes, or cache to 8.
+ * FXL_E_ALIGNMENT: draw_list or display_list is not aligned to 4 bytes, or cache to 8.
  * FXL_E_RANGE: a lens that is not valid.
  * FXL_E_ORDER: the scene was not checked: its draw_list_needed is 0.
- * FXL_E_CAPACITY: order; or an instance_count that was raised after the check.
+ * FXL_E_CAPACITY: draw_list_capacity; or an instance_count that was raised after the check.
  * With each of these statuses: renderer untouched. */
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
@@ -259,20 +260,20 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
  * clipped, projected and appended to the display list, as far as that has room. Zeroes the
  * counters except refused_calls, and counts the faces that it came to. Then draw the frame
  * whole or in bands. scene->instance_count may change between the last band of a frame, or
- * fxl_frame_release_scene, and fxl_frame_begin, as far as the order has room; so may the turns, and
- * the centres of instances that have one. They are checked in constant time each: the scales and
- * centres of all, and the orientations of the instances in sight. fxl_scene_check checks all
- * orientations. Requires that turns do not lose their placement_code, and that a scene gets no
- * turns without one.
+ * fxl_frame_release_scene, and fxl_frame_begin, as far as draw_list has room; so may the
+ * placements, and the centres of instances that have one. They are checked in constant time each:
+ * the scales and centres of all, and the orientations of the instances in sight. fxl_scene_check
+ * checks all orientations. Requires that a scene with placements keeps its placement_code, and that
+ * a scene gets no placements without one.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ORDER: no clipper, no target, or turns without a placement_code.
- * FXL_E_RANGE: pose, or an instance's turn.
+ * FXL_E_ORDER: no clipper, no target, or placements without a placement_code.
+ * FXL_E_RANGE: pose, or an instance's placement.
  * FXL_E_PLACEMENT: the orientation of an instance in sight is no rotation.
- * FXL_E_CAPACITY: scene->instance_count has grown beyond the order's room.
+ * FXL_E_CAPACITY: scene->instance_count has grown beyond draw_list's room.
  * With each of these statuses: counted in refused_calls.
- * A refused call leaves the frame before current if the scene has no turns. If it has turns, the
- * frame before ends as by fxl_frame_end, because drawing would read turns and centres that are not
- * checked. */
+ * A refused call leaves the frame before current if the scene has no placements. If it has
+ * placements, the frame before ends as by fxl_frame_end, because drawing would read placements and
+ * centres that are not checked. */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws.
@@ -294,10 +295,10 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 
 /* Releases the scene before the frame is drawn: from here on fxl_frame_draw reads the display list
  * and nothing of the scene, whatever core draws and whatever is attached. The scene's
- * instances and turns may then change, and a world (fixel/world.h) may. So one core draws a frame
- * while another core changes the scene and begins the next frame in a second renderer. Textures,
- * sprites, palettes and ramps are still read, and must stay. fxl_pick_face answers FXL_E_ORDER
- * until the next frame begins. Call it while no core draws a band of the frame. A second call
+ * instances and placements may then change, and a world (fixel/world.h) may. So one core draws a
+ * frame while another core changes the scene and begins the next frame in a second renderer.
+ * Textures, sprites, palettes and ramps are still read, and must stay. Until the next frame begins,
+ * fxl_pick_face answers FXL_E_ORDER. Call it while no core draws a band of the frame. A second call
  * changes nothing.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun.

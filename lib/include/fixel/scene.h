@@ -127,8 +127,8 @@ typedef struct {
 typedef struct fxl_cluster_code fxl_cluster_code;
 extern const fxl_cluster_code fxl_clusters;
 
-/* The code that draws instances that turn and scale. A scene with turns names it, so that a program
- * whose scenes have none does not link it. */
+/* The code that draws instances that turn and scale. A scene with placements names it, so that a
+ * program whose scenes have none does not link it. */
 typedef struct fxl_placement_code fxl_placement_code;
 extern const fxl_placement_code fxl_turned_instances;
 
@@ -217,7 +217,7 @@ typedef struct {
     uint8_t reserved; /* 0 */
 } fxl_motion;
 
-/* The motions of a scene: of its last motion_count instances. All of them have turns. */
+/* The motions of a scene: of its last motion_count instances. All of them have placements. */
 typedef struct {
     const fxl_motion *motions; /* null: nothing moves */
     uint32_t motion_count;
@@ -321,7 +321,7 @@ typedef struct {
     const fxl_model *models;
     const fxl_instance *instances;
     uint32_t vertex_count, index_count, face_count, model_count, instance_count;
-    uint32_t draw_list_needed; /* entries that the order of a renderer needs; set by the checks */
+    uint32_t draw_list_needed; /* entries that a renderer's draw_list needs; set by the checks */
     const fxl_face_bounds *face_bounds; /* a record a face, sorted models in turn; or null */
     uint32_t face_bounds_count;
     const fxl_bsp_node *bsp_nodes; /* a tree over the faces of one instance; or null */
@@ -335,8 +335,8 @@ typedef struct {
     const fxl_cluster_code *cluster_code; /* &fxl_clusters, set by the checks; null: no clusters */
     const fxl_placement
         *placements;       /* of each instance from first_turned on; null: no instance is turned */
-    uint32_t first_turned; /* where there are turns: the first instance that has one */
-    const fxl_placement_code *placement_code; /* where there are turns: &fxl_turned_instances */
+    uint32_t first_turned; /* where there are placements: the first instance that has one */
+    const fxl_placement_code *placement_code; /* where there are placements: &fxl_turned_instances */
     uint32_t instance_capacity; /* of a world (fixel/world.h): the most that instance_count becomes;
                                    else 0 */
 } fxl_scene;
@@ -394,7 +394,7 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
  * fxl_scene_check. On FXL_OK scene->cluster_code is set too, and scene->placement_code where there
- * are turns.
+ * are placements.
  * FXL_E_CLUSTER: a cluster is not as it must be.
  * FXL_E_BSP: the tree is not as it must be.
  * The statuses of fxl_scene_check and fxl_beam_check. */
@@ -448,8 +448,8 @@ void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *set
 fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                           fxl_scene_fault *fault);
 
-/* Whether an instance at a centre, whose model has a radius, may be turned so. Its time does not
- * depend on the model.
+/* Whether an instance at a centre, whose model has a radius, may have this placement. Its time does
+ * not depend on the model.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: a scale outside FXL_SCALE_MIN..FXL_SCALE_MAX; a radius outside 0..FXL_RADIUS_MAX;
  * or a coordinate of the centre beyond FXL_COORDINATE_MAX less fxl_placement_radius.

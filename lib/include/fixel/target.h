@@ -18,7 +18,7 @@ struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
 
 /* What a target has beside that flat faces do not need. */
 typedef struct fxl_target_extras {
-    /* With a depth buffer: fxl_renderer.draw_list of a renderer that draws into it. */
+    /* With a depth buffer: fxl_renderer.draw_display_list of a renderer that draws into it. */
     bool (*draw_display_list)(const struct fxl_traversal *traversal);
     /* With a depth buffer: draws a record of the display list that has a depth and no surface. */
     void (*flat)(struct fxl_workspace *workspace, const struct fxl_display_list_record *record,

@@ -45,12 +45,12 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
 
 /* Begins a frame.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_RANGE: pose, or an instance's turn.
+ * FXL_E_RANGE: pose, or an instance's placement.
  * FXL_E_PLACEMENT: an orientation is no rotation.
- * FXL_E_ORDER: no scene, or turns without a placement_code.
- * The frame begun before stays current if the scene has no turns. If it has turns, that frame
- * ends: drawing would read turns that are not checked, so fxl_wire_draw answers FXL_E_ORDER until
- * a frame begins. */
+ * FXL_E_ORDER: no scene, or placements without a placement_code.
+ * The frame begun before stays current if the scene has no placements. If it has placements, that
+ * frame ends: drawing would read placements that are not checked, so
+ * fxl_wire_draw answers FXL_E_ORDER until a frame begins. */
 fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 
 /* Draws the frame's lines over a band that the caller has cleared: of palette indices, or of RGB565

@@ -33,8 +33,8 @@ typedef struct {
     fxl_instance *instances;   /* capacity + turned_capacity */
     fxl_world_slot *slots;     /* as many */
     fxl_placement *placements; /* turned_capacity; may be null where that is 0 */
-    uint32_t capacity;         /* instances without a turn, hidden ones included */
-    uint32_t turned_capacity;  /* instances with a turn, hidden ones included; both together are
+    uint32_t capacity;         /* instances without a placement, hidden ones included */
+    uint32_t turned_capacity;  /* instances with a placement, hidden ones included; both are
                                   1..FXL_SCENE_INSTANCES_MAX */
     /* Tables of 256 colours that fxl_world_recolour chooses from: by table n, colours[256 * n + c]
      * is drawn in place of colour c. May be null where colour_count is 0. */
@@ -49,7 +49,7 @@ typedef struct {
 typedef struct {
     fxl_scene scene; /* what a renderer draws: the models of the scene, the instances shown */
     fxl_world_memory memory;
-    uint32_t counts[4];     /* hidden and shown, then shown and hidden with a turn */
+    uint32_t counts[4];     /* hidden and shown, then shown and hidden with a placement */
     uint32_t free_slot;     /* the first free slot; the number of slots: there is none */
     uint32_t bsp_slot;      /* of the instance of the BSP tree, where the scene has one */
     uint32_t refused_calls; /* calls that changed nothing and answered an error */
@@ -69,12 +69,12 @@ typedef struct {
  * renderer that drew this world before must be initialised and attached again.
  * The scene may be the scene of another world: the instances that are shown there, in the colours
  * that they have there, are then in both worlds.
- * Requires that the scene's instances and turns do not lie in the memory.
+ * Requires that the scene's instances and placements do not lie in the memory.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: instances, slots or turns are not aligned to 4 bytes.
+ * FXL_E_ALIGNMENT: instances, slots or placements are not aligned to 4 bytes.
  * FXL_E_ORDER: the scene was not checked.
  * FXL_E_COUNT: a capacity or colour_count is out of range.
- * FXL_E_CAPACITY: the scene has more instances, or more with a turn.
+ * FXL_E_CAPACITY: the scene has more instances, or more with a placement.
  * FXL_E_INDEX: an instance is in the colours of a table beyond colour_count.
  * With each of these statuses: nothing is changed. */
 fxl_status fxl_world_init(fxl_world *world, const fxl_scene *scene, const fxl_world_memory *memory);
@@ -113,20 +113,20 @@ fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
  * Their time does not depend on the number of instances.
  *
  * An instance must lie within the world: with r its model's radius, times its scale where it has a
- * turn, rounded up to 1/65536 and enlarged by FXL_PLACEMENT_SLACK, |c| + r <= FXL_COORDINATE_MAX
- * holds for each coordinate c of its centre. The scene's own instances may reach beyond that; they
- * are tested where they are moved, turned or given another model. Where the scene has a BSP tree,
- * its instance may be recoloured and nothing else, and no other instance may have its model, or a
- * sorted model in its layer.
+ * placement, rounded up to 1/65536 and enlarged by FXL_PLACEMENT_SLACK, |c| + r <=
+ * FXL_COORDINATE_MAX holds for each coordinate c of its centre. The scene's own instances may reach
+ * beyond that; they are tested where they are moved, turned or given another model. Where the scene
+ * has a BSP tree, its instance may be recoloured and nothing else, and no other instance may have
+ * its model, or a sorted model in its layer.
  * FXL_E_RANGE: an instance would not lie within the world.
  * FXL_E_BSP: what the tree does not allow. */
 
-/* Adds an instance that is shown, and writes its handle. placement null: it has no turn. The field
- * recolour must be 0.
+/* Adds an instance that is shown, and writes its handle. placement null: it has no placement. The
+ * field recolour must be 0.
  * FXL_E_CAPACITY: there are as many as the memory has room for.
  * FXL_E_INDEX: there is no such model.
  * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
- * FXL_E_RANGE: the place, or a turn's scale.
+ * FXL_E_RANGE: the place, or a placement's scale.
  * FXL_E_PLACEMENT: its orientation is no rotation.
  * FXL_E_BSP: what the tree does not allow. */
 fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance,
@@ -186,8 +186,8 @@ fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance);
  * world is null. */
 const fxl_instance *fxl_world_instance(const fxl_world *world, fxl_handle handle);
 
-/* Its turn, valid until the next change; null: it has none, the handle is stale, or world is null.
- */
+/* Its placement, valid until the next change; null: it has none, the handle is stale, or world is
+ * null. */
 const fxl_placement *fxl_world_placement(const fxl_world *world, fxl_handle handle);
 
 /* Whether it is shown. False if the handle is stale, or world is null. */
