@@ -86,7 +86,7 @@ void test_a_root_is_the_nearest(void)
 }
 
 /* Of numbers of all lengths. Double's own error is far below the unit by which both bounds are
- * wider than those of divide_wide.h. */
+ * wider than those of math/arith.h. */
 void test_a_ratio_keeps_its_bounds(void)
 {
     uint32_t found = 0, refused = 0;

@@ -64,7 +64,7 @@ static inline fxl_submit_mode mode_of(const fxl_renderer *renderer, const fxl_ba
                                                                    : FXL_SUBMIT_ANY;
 }
 
-/* look for a scene without turns. */
+/* find_visible for a scene without placements. */
 static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     fxl_frame *frame = &renderer->frame;

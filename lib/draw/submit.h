@@ -9,7 +9,7 @@
 
 /* What becomes of a face of which the clipper gives one polygon at most. */
 typedef enum {
-    FXL_SUBMIT_ANY,     /* nothing is known: the clipper may give several, any backend draws */
+    FXL_SUBMIT_ANY,     /* nothing is known: the clipper may give several, any target draws */
     FXL_SUBMIT_MEASURE, /* the same; it is only asked which rows it reaches */
     FXL_SUBMIT_APPEND,  /* it is appended to the display list */
     FXL_SUBMIT_DRAW     /* it is drawn at once, over what is there */
@@ -33,7 +33,7 @@ struct fxl_traversal {
 
 /* transform -> clip -> project -> display list or band, for a face that faces the eye; by
  * model_view->shader before, where there is one. Counts it in everything but `in`. False where
- * there is no room, in the list or in the backend's workspace: the face is then not counted, and
+ * there is no room, in the list or in the target's workspace: the face is then not counted, and
  * the list is as it was. */
 bool fxl_submit_face(const fxl_model_view *model_view, const fxl_face *face,
                      const fxl_traversal *traversal);
@@ -78,7 +78,7 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_
                                       fxl_model_view *model_view);
 
 /* The display list, then the rest of the scene, into a band of a frame. False where the
- * backend's workspace is full: what was counted must then be forgotten. */
+ * target's workspace is full: what was counted must then be forgotten. */
 bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
 
 /* fxl_frame_draw_with for a band of this screen, whose pixels are those from column 0 on. */

@@ -22,7 +22,7 @@ static inline fxl_rows fxl_rows_of_band(const fxl_band *band)
 }
 
 /* Submits a face, adds the rows that it reaches to *traversal->reached, and returns them. Requires
- * the way FXL_SUBMIT_MEASURE, which always has room. */
+ * the mode FXL_SUBMIT_MEASURE, which always has room. */
 static inline fxl_rows fxl_measure_face(const fxl_traversal *traversal,
                                         const fxl_model_view *model_view, const fxl_face *face)
 {
@@ -77,8 +77,8 @@ static inline void fxl_list_found_faces(const fxl_traversal *traversal,
 }
 
 /* The faces that face the eye, in their order; then the others are counted. by_rows is constant
- * where this is called: if the way is to measure, keep which rows each face reaches; if that is
- * known and a band is drawn, pass over the faces that do not reach it. */
+ * where this is called: if the mode is FXL_SUBMIT_MEASURE, keep which rows each face reaches; if
+ * that is known and a band is drawn, pass over the faces that do not reach it. */
 static inline bool fxl_submit_sorted(const fxl_traversal *traversal,
                                      const fxl_model_view *model_view, const fxl_model *model,
                                      fxl_face_orderer *order_faces, bool by_rows)

@@ -56,7 +56,7 @@ struct fxl_painter {
                  const fxl_traversal *traversal, fxl_surface_polygon *polygon);
 };
 
-/* fxl_target.draw_list. */
+/* fxl_target_extras.draw_display_list. */
 bool fxl_mixed_draw_list(const fxl_traversal *traversal);
 
 /* A corner of a face in the view, by the matrix of its instance. A clipper by clip flags keeps the

@@ -75,7 +75,7 @@ fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *rend
     if (memory_size < least) {
         return FXL_E_CAPACITY;
     }
-    /* What is over: first vertices that faces share, the rest for the backend. */
+    /* What is over: first vertices that faces share, the remainder for the target. */
     const size_t over = of.raster != 0 ? (memory_size - least) / 4 : memory_size - least;
     const uint32_t entries = fxl_cache_entries(renderer->scene, over);
     uint8_t *at = (uint8_t *)memory + of.scratch;

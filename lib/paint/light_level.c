@@ -116,9 +116,7 @@ fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_cam
     return (fxl_q2_30)sum;
 }
 
-/* The ramp of a palette. A file of its own: a program that has its ramp in flash does not link it.
- */
-
+/* The ramp of a palette. A program that has its ramp in flash does not call it. */
 fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
                                uint8_t *ramp)
 {

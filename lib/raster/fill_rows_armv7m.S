@@ -20,7 +20,7 @@
     .type fxl_fill_rows, %function
     .thumb_func
 
-/* Fills rows with the registers above and the frame of draw_frame.h, and continues at
+/* Fills rows with the registers above and the frame of draw_frame_armv7m.h, and continues at
  * fxl_draw_rows_below. There r4-r11 are those of the row below. It keeps none of the other
  * registers. */
 fxl_fill_rows:

@@ -18,9 +18,9 @@ struct fxl_placement_code {
     /* Whether all instances from first_turned on may be turned as they are: fxl_placement_check. On
      * failure *number is the instance. */
     fxl_status (*check)(const fxl_scene *scene, uint32_t *number);
-    /* fxl_begin's part from the camera to the order of the instances. *culled: the faces of those
-     * out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_PLACEMENT, FXL_E_CAPACITY (the order): the
-     * frame before has ended. */
+    /* fxl_frame_begin's part from the camera to the order of the instances. *culled: the faces of
+     * those out of sight. FXL_E_ARGUMENT, FXL_E_RANGE, FXL_E_PLACEMENT, FXL_E_CAPACITY (the order):
+     * the frame before has ended. */
     fxl_status (*find_visible)(struct fxl_renderer *renderer, const fxl_pose *pose,
                                uint32_t *culled);
     /* fxl_placement_radius of a turned instance. */

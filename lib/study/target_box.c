@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The raster backend that tests every pixel of a polygon's bounding box, for clippers that leave
+/* The target that tests every pixel of a polygon's bounding box, for clippers that leave
  * the sides of the screen to the scan. */
 #include "../draw/submit.h"
 #include "../raster/fill.h"

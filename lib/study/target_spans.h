@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the raster backends with a span buffer share. Internal. */
+/* What the targets with a span buffer share. Internal. */
 #ifndef FXL_TARGET_SPANS_H
 #define FXL_TARGET_SPANS_H
 

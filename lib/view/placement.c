@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers of a turned instance. Rows and columns of a checked orientation are at most
- * 1 + 11 2^-28 long (turn_check.c), so a product of one with differences below 2^30 is below 2^61,
- * as with a unit vector (fxl_dot). Their entries exceed 2^30 by less than 2^6, which
+ * 1 + 11 2^-28 long (lib/scene/placement_check.c), so a product of one with differences below 2^30
+ * is below 2^61, as with a unit vector (fxl_dot). Their entries exceed 2^30 by less than 2^6, which
  * fxl_multiply_s31 allows for both factors: where the upper half of a factor is 2^14 or more, its
  * lower half is below 2^6, and where it is -2^14 - 1, the middle products add up to more than
  * -2^31. */
