@@ -2,8 +2,8 @@
 /* Board contract: the destination of finished pixels. One display, one frame at a time.
  *
  * Ownership of the pixels: the caller lends the buffer to display_flush for the length of the
- * call. When the call returns, the caller may draw over it at once. A driver that sends in the
- * background copies the pixels first, or waits: see panel.h, which a display driver implements. */
+ * call. When the call returns, the caller may draw over it at once. A panel that sends in the
+ * background copies the pixels first, or waits: see panel.h. */
 #ifndef BOARD_DISPLAY_H
 #define BOARD_DISPLAY_H
 

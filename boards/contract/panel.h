@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The interface that a display driver implements. A board lists its panels; parts/display.c
- * presents them to a program as one display.
+/* The interface that a panel implements: it joins a display to a board. A board lists its panels;
+ * parts/display.c presents them to a program as one display.
  *
  * Ownership of the pixels: a panel has them for the length of flush. Until flush returns nobody
  * else changes them, and the panel may read them in any way, also by DMA. Afterwards the caller
