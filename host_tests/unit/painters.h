@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Raster backends of tests. One of each kind at a time. */
+/* Targets of tests. One of each kind at a time. */
 #ifndef PAINTERS_H
 #define PAINTERS_H
 

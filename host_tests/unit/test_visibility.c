@@ -277,7 +277,7 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uin
     return band->rows <= rows_at_most;
 }
 
-/* A backend without room halves what is left of the band's part until there is room, the upper half
+/* A target without room halves what is left of the band's part until there is room, the upper half
  * the larger. Each halving is counted. */
 void test_how_a_band_is_halved(void)
 {

@@ -136,7 +136,7 @@ void test_bands_in_two_workspaces_are_the_frame(void)
     }
 }
 
-/* A clipper and a raster backend with workspaces of their own. */
+/* A clipper and a target with workspaces of their own. */
 void test_a_second_workspace_has_memory_of_its_own(void)
 {
     static const fxl_clipper counting = {.clip = fxl_clip_by_view,
