@@ -18,9 +18,11 @@ def recipe(name):
 
 def test_whoever_asks_for_pixel_centres_or_dividends_is_named():
     """The files that obey the fill rule, as DESIGN.md says."""
-    asks = re.compile(r'^#include "(?:[\w./]*/)?(?:pixel_centre|edge_dividend)\.h"', re.MULTILINE)
+    asks = re.compile(r'^#include "(?:[\w./]*/)?(pixel_centre|edge|edge_divide)\.h"', re.MULTILINE)
     named = recipe("The fill rule")
-    users = [file for file in (CHECKOUT / "lib").rglob("*.[ch]") if asks.search(file.read_text(encoding="utf-8"))]
+    asked = {file: asks.findall(file.read_text(encoding="utf-8")) for file in (CHECKOUT / "lib").rglob("*.[ch]")}
+    users = [file for file, headers in asked.items() if headers]
+    assert {header for headers in asked.values() for header in headers} == {"pixel_centre", "edge", "edge_divide"}
     assert len(users) > 6
     assert not [file.name for file in users if f"`{file.name}`" not in named and f"/{file.name}`" not in named]
 

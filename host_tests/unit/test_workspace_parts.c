@@ -63,16 +63,16 @@ static uint32_t forty_bytes(const fxl_lens *lens)
 /* The order's memory is rounded up to a multiple of 8, and is zeroed. */
 void test_an_order_and_a_target_with_memory(void)
 {
-    static fxl_target backend;
+    static fxl_target target;
     static choice both;
-    backend = fxl_palette;
-    backend.memory_size = forty_bytes;
+    target = fxl_palette;
+    target.memory_size = forty_bytes;
     both = choice_sorted;
     static fxl_order eleven;
     eleven = fxl_by_distance;
     eleven.memory_size = eleven_bytes;
     both.order = &eleven;
-    both.target = &backend;
+    both.target = &target;
     start();
     memset(rooms[0], 0x5A, ROOM);
     for (uint32_t size = 0; size < 56; size++) {
@@ -98,12 +98,12 @@ void test_the_parts_of_a_workspace_follow_each_other(void)
 {
     static const fxl_clipper one = {.clip = fxl_clip_by_view, .workspace_size = 1};
     static const fxl_clipper nine = {.clip = fxl_clip_by_view, .workspace_size = 9};
-    static fxl_target backend;
+    static fxl_target target;
     static choice method;
-    backend = fxl_palette;
-    backend.memory_size = forty_bytes;
+    target = fxl_palette;
+    target.memory_size = forty_bytes;
     method = choice_sorted;
-    method.target = &backend;
+    method.target = &target;
     start();
     const size_t faces = fxl_workspace_size(&renderer), vertices = 2 * sizeof(fxl_cached_vertex);
     memset(rooms[0], 0x5A, ROOM);

@@ -28,7 +28,7 @@ static int fail(const char *what, const char *why)
     return 2;
 }
 
-/* Bytes for the raster backend: what was chosen, or what it wants at the least. */
+/* Bytes for the target: what was chosen, or what it wants at the least. */
 static uint32_t raster_bytes(const fxl_lens *lens)
 {
     const fxl_target *target = combination_chosen.target;
