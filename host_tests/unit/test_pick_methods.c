@@ -334,7 +334,7 @@ void test_what_is_blended_is_picked_before_what_it_covers(void)
 }
 
 /* --- trees and billboards -----------------------------------------------------------------------
- * */
+ */
 
 /* What a tree cuts, and the tree's own faces; whole, and with a list of any size. */
 void test_by_a_tree_its_order_is_picked(void)

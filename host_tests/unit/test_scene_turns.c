@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Turned instances and motions in a scene image: sections of turns, of motions and of their keys.
- * */
+ */
 #include "expect_scene.h"
 
 enum {

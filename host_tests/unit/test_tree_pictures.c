@@ -170,7 +170,7 @@ void test_billboards_by_a_tree_that_the_scene_has_not(void)
 }
 
 /* --- surfaces ----------------------------------------------------------------------------------
- * */
+ */
 
 enum {
     TEXEL = 200, /* and more */

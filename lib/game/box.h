@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests a bounding box against the frustum. A box is tighter than a sphere about a long or flat
  * instance, and costs more. The renderer itself tests spheres. Source: chapter 65 (A9). Internal.
- * */
+ */
 #ifndef FXL_BOX_H
 #define FXL_BOX_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Estimates of sums of products, inline: they decide a comparison before the exact sum is
  * computed, where a family's exact products are slow. The others compute the exact sum. Internal.
- * */
+ */
 #ifndef FXL_ESTIMATE_H
 #define FXL_ESTIMATE_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a frame works out of an instance's turn. SPEC.md, section 8, defines each result. Internal.
- * */
+ */
 #ifndef FXL_PLACEMENT_H
 #define FXL_PLACEMENT_H
 

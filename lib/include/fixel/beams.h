@@ -19,7 +19,7 @@ extern "C" {
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
 /* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use.
- * */
+ */
 typedef struct {
     const fxl_beam *beams;
     uint32_t count;     /* 1..FXL_BEAMS_MAX */

@@ -44,7 +44,7 @@ typedef struct fxl_target {
     /* Sets every pixel of a band to a colour of the palette. */
     void (*fill)(const fxl_band *band, uint8_t colour);
     /* Gives a renderer the target. Null: the target needs neither memory, a palette nor a shader.
-     * */
+     */
     fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
     /* The least size of a workspace's memory for the target, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_lens *lens);
