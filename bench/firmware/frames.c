@@ -21,7 +21,7 @@
 
 static _Alignas(2) uint8_t pixels[2u * DRAW_PIXELS_MAX]; /* of RGB565 at most */
 static fxl_instance instances[MOVING_MAX];
-static fxl_placement turns[MOVING_MAX];
+static fxl_placement placements[MOVING_MAX];
 static fxl_motion_player motion;
 
 /* Fills the memory below the stack pointer. Uses a volatile pointer and no call, because a call
@@ -113,7 +113,7 @@ static int all_frames(const fxl_scene_image *image, uint32_t frames)
 /* Motions move copies of the instances, which the scene then names. */
 static bool motion_open(fxl_scene_image *image)
 {
-    const fxl_motion_memory copies = {instances, MOVING_MAX, turns, MOVING_MAX};
+    const fxl_motion_memory copies = {instances, MOVING_MAX, placements, MOVING_MAX};
     return image->motion.motion_count == 0 ||
            fxl_motion_begin(&motion, &image->motion, &image->scene, &copies) == FXL_OK;
 }

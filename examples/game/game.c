@@ -51,7 +51,7 @@ fxl_status game_begin(game *state, const fxl_scene *scene, const fxl_pose *eye)
 {
     const fxl_world_memory memory = {.instances = state->instances,
                                      .slots = state->slots,
-                                     .placements = state->turns,
+                                     .placements = state->placements,
                                      .capacity = GAME_STANDING + GAME_SHOTS,
                                      .turned_capacity = GAME_ROCKS,
                                      .placement_code = &fxl_turned_instances};
@@ -78,23 +78,24 @@ static fxl_status add_rock(game *state, game_thing *rock)
     const fxl_point from = {FXL_UNITS(dice(state, 61) - 30), FXL_UNITS(dice(state, 18) + 2),
                             FAR_AWAY};
     const fxl_instance instance = {.centre = from, .model = ROCK, .layer = 2};
-    fxl_placement turn = {FXL_ORIENTATION_NONE, FXL_RATIO(2 + dice(state, 5), 4)};
+    fxl_placement placement = {FXL_ORIENTATION_NONE, FXL_RATIO(2 + dice(state, 5), 4)};
 
     rock->speed.x = (eye->x + FXL_UNITS(dice(state, 9) - 4) - from.x) / steps;
     rock->speed.y = (eye->y + FXL_UNITS(dice(state, 3)) - from.y) / steps;
     rock->speed.z = (eye->z - from.z) / steps;
     rock->axis = (fxl_point){dice(state, 201) - 100, dice(state, 201) - 100, 50};
-    rock->radius = FXL_RATIO(3 * (turn.scale >> 14), 8);
-    return fxl_world_spawn(&state->world, &instance, &turn, &rock->handle);
+    rock->radius = FXL_RATIO(3 * (placement.scale >> 14), 8);
+    return fxl_world_spawn(&state->world, &instance, &placement, &rock->handle);
 }
 
 static fxl_status turn_rock(game *state, const game_thing *rock)
 {
-    fxl_placement turn = *fxl_world_placement(&state->world, rock->handle);
-    const fxl_status status =
-        fxl_orientation_from_axis(&rock->axis, state->frame * FXL_DEGREES(4), &turn.orientation);
+    fxl_placement placement = *fxl_world_placement(&state->world, rock->handle);
+    const fxl_status status = fxl_orientation_from_axis(&rock->axis, state->frame * FXL_DEGREES(4),
+                                                        &placement.orientation);
 
-    return status == FXL_OK ? fxl_world_set_placement(&state->world, rock->handle, &turn) : status;
+    return status == FXL_OK ? fxl_world_set_placement(&state->world, rock->handle, &placement)
+                            : status;
 }
 
 /* Where a thing is, and where its speed takes it. */

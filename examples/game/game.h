@@ -26,7 +26,7 @@ typedef struct {
     uint8_t lives, wait, hurt; /* frames until the next shot; that the frame is still red */
     fxl_instance instances[GAME_INSTANCES];
     fxl_world_slot slots[GAME_INSTANCES];
-    fxl_placement turns[GAME_ROCKS];
+    fxl_placement placements[GAME_ROCKS];
 } game;
 
 /* Begins a game over the scene of game.toml. Then a renderer is initialised with

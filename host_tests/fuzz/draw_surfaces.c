@@ -348,7 +348,7 @@ void fuzz_surfaces(fuzz_input *in)
     static made_surfaces surfaces;
     made_scene *made = make_scene(in);
     if (fuzz_below(in, 2)) {
-        add_turns(made, in);
+        add_placements(made, in);
     }
     if (fxl_scene_check_all(&made->scene, NULL) == FXL_OK) {
         make_surfaces(&surfaces, &made->scene, in);

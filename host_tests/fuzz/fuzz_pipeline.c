@@ -58,7 +58,7 @@ static void fuzz_scenes(fuzz_input *in)
 static void fuzz_turned(fuzz_input *in)
 {
     made_scene *made = make_scene(in);
-    add_turns(made, in);
+    add_placements(made, in);
     draw_made(made, in);
 }
 

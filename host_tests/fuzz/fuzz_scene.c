@@ -82,7 +82,7 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
     draw_scene(&opened->scene, lens, pose, &choice, in);
 }
 
-static void demand_turns_in_range(const fxl_scene *scene)
+static void demand_placements_in_range(const fxl_scene *scene)
 {
     for (uint32_t j = scene->first_turned; j < scene->instance_count; j++) {
         DEMAND(fxl_placement_check(&scene->placements[j - scene->first_turned],
@@ -105,8 +105,8 @@ static void record_moved(const fxl_scene *scene)
 static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *player)
 {
     static fxl_instance instances[MOVED];
-    static fxl_placement turns[MOVED];
-    const fxl_motion_memory memory = {instances, MOVED, turns, MOVED};
+    static fxl_placement placements[MOVED];
+    const fxl_motion_memory memory = {instances, MOVED, placements, MOVED};
     fxl_scene *scene = &opened->scene;
     player->set.motion_count = 0;
     if (opened->motion.motion_count == 0) {
@@ -117,7 +117,7 @@ static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *pla
     for (uint32_t i = 0; status == FXL_OK && i < 8; i++) {
         fxl_motion_play(player, i < 4 ? i : (uint32_t)fuzz_bits(in, 4));
         record_moved(scene);
-        demand_turns_in_range(scene);
+        demand_placements_in_range(scene);
     }
 }
 
@@ -126,9 +126,9 @@ static void play(fxl_scene_image *opened, fuzz_input *in, fxl_motion_player *pla
 static void play_others(const fxl_scene_image *opened, fuzz_input in)
 {
     static fxl_instance instances[MOVED];
-    static fxl_placement turns[MOVED];
+    static fxl_placement placements[MOVED];
     static fxl_motion motions[MOVED];
-    const fxl_motion_memory memory = {instances, MOVED, turns, MOVED};
+    const fxl_motion_memory memory = {instances, MOVED, placements, MOVED};
     const uint32_t count = opened->motion.motion_count;
     fxl_scene scene = opened->scene;
     fxl_motion_set set = opened->motion;
@@ -156,7 +156,7 @@ static void play_others(const fxl_scene_image *opened, fuzz_input in)
         for (uint32_t i = 0; i < 4; i++) {
             fxl_motion_play(&player, i < 2 ? i : (uint32_t)fuzz_bits(&in, 4));
             record_moved(&scene);
-            demand_turns_in_range(&scene);
+            demand_placements_in_range(&scene);
         }
     }
 }

@@ -419,7 +419,7 @@ static fxl_orientation about_axis(fuzz_input *in)
         {rows[0], rows[1], rows[2]}, {rows[3], rows[4], rows[5]}, {rows[6], rows[7], rows[8]}};
 }
 
-void add_turns(made_scene *made, fuzz_input *in)
+void add_placements(made_scene *made, fuzz_input *in)
 {
     fxl_scene *scene = &made->scene;
     const uint32_t count = scene->instance_count <= MADE_INSTANCES ? scene->instance_count : 0;
@@ -427,27 +427,27 @@ void add_turns(made_scene *made, fuzz_input *in)
         return;
     }
     const uint32_t first = fuzz_below(in, count);
-    fxl_placement turns[MADE_INSTANCES] = {0};
+    fxl_placement placements[MADE_INSTANCES] = {0};
     for (uint32_t i = first; i < count; i++) {
         const fxl_instance *instance = &made->instances[i];
-        fxl_placement *turn = &turns[i - first];
-        turn->orientation = about_axis(in);
-        turn->scale = FXL_Q16_16_ONE;
+        fxl_placement *placement = &placements[i - first];
+        placement->orientation = about_axis(in);
+        placement->scale = FXL_Q16_16_ONE;
         if (fuzz_below(in, 4) != 0) {
             const uint32_t small = (uint32_t)fuzz_bits(in, 2) + 256u;
-            turn->scale = (int32_t)(small << fuzz_below(in, 8));
+            placement->scale = (int32_t)(small << fuzz_below(in, 8));
         }
-        while (turn->scale > FXL_SCALE_MIN && instance->model < MADE_MODELS &&
-               fxl_placement_check(turn, &instance->centre, made->models[instance->model].radius) ==
-                   FXL_E_RANGE) {
-            turn->scale /= 2;
+        while (placement->scale > FXL_SCALE_MIN && instance->model < MADE_MODELS &&
+               fxl_placement_check(placement, &instance->centre,
+                                   made->models[instance->model].radius) == FXL_E_RANGE) {
+            placement->scale /= 2;
         }
     }
     if (fuzz_below(in, 16) == 7) {
-        int32_t *const number = &turns[0].orientation.x.x + fuzz_below(in, 10);
+        int32_t *const number = &placements[0].orientation.x.x + fuzz_below(in, 10);
         *number = fuzz_any(in);
     }
-    scene->placements = copy(turns, (count - first) * sizeof *turns);
+    scene->placements = copy(placements, (count - first) * sizeof *placements);
     scene->first_turned = first;
     scene->placement_code = &fxl_turned_instances;
 }

@@ -31,7 +31,7 @@ typedef struct {
 made_scene *make_scene(fuzz_input *in);
 
 /* Turns some of the instances, the last ones: about one axis, by any scale. Most are in range. */
-void add_turns(made_scene *made, fuzz_input *in);
+void add_placements(made_scene *made, fuzz_input *in);
 
 void free_scene(made_scene *made);
 

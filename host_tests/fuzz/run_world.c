@@ -11,7 +11,7 @@ enum {
     PIXELS = 1024,
     MORE = 4, /* places beyond the scene's instances */
     PLACES = MADE_INSTANCES + 2 * MORE,
-    TURNS = MADE_INSTANCES + MORE,
+    PLACEMENTS = MADE_INSTANCES + MORE,
     LIST = 256,
     STEPS = 120
 };
@@ -19,28 +19,28 @@ enum {
 typedef struct {
     fxl_world world;
     fxl_instance instances[PLACES];
-    fxl_placement turns[TURNS];
+    fxl_placement placements[PLACEMENTS];
     fxl_world_slot slots[PLACES];
     uint8_t colours[2 * 256];
     fxl_handle handles[PLACES];
 } any_world;
 
-static fxl_placement any_turn(fuzz_input *in)
+static fxl_placement any_placement(fuzz_input *in)
 {
     fxl_camera camera;
-    fxl_placement turn;
+    fxl_placement placement;
     fxl_pose pose = fuzz_pose(in);
     DEMAND(fxl_camera_from_pose(&pose, &camera) == FXL_OK);
-    turn.orientation.x = camera.axes.right;
-    turn.orientation.y = camera.axes.up;
-    turn.orientation.z = camera.axes.forward;
+    placement.orientation.x = camera.axes.right;
+    placement.orientation.y = camera.axes.up;
+    placement.orientation.z = camera.axes.forward;
     if (fuzz_below(in, 8) == 0) {
-        fxl_direction *rows = &turn.orientation.x;
+        fxl_direction *rows = &placement.orientation.x;
         fxl_direction *const row = &rows[fuzz_below(in, 3)];
         row->x = fuzz_any(in);
     }
-    turn.scale = fuzz_below(in, 4) ? fuzz_between(in, 256, 4 * 65536) : fuzz_any(in);
-    return turn;
+    placement.scale = fuzz_below(in, 4) ? fuzz_between(in, 256, 4 * 65536) : fuzz_any(in);
+    return placement;
 }
 
 static fxl_instance any_instance(fuzz_input *in)
@@ -60,8 +60,8 @@ static fxl_status change(any_world *of, fuzz_input *in)
     fxl_handle *handle = &of->handles[fuzz_below(in, PLACES)];
     const fxl_instance instance = any_instance(in);
     const uint32_t what = fuzz_below(in, 10);
-    const fxl_placement turn = any_turn(in);
-    const fxl_placement *const or_none = fuzz_below(in, 2) ? &turn : NULL;
+    const fxl_placement placement = any_placement(in);
+    const fxl_placement *const or_none = fuzz_below(in, 2) ? &placement : NULL;
     switch (what) {
     case 0:
         return fxl_world_remove(&of->world, *handle);
@@ -293,8 +293,8 @@ void fuzz_world(fuzz_input *in)
         of.handles[i] = fxl_world_handle(i);
     }
     scene.draw_list_needed = 0;
-    fxl_world_memory memory = {of.instances, of.slots,   of.turns, 1,
-                               turned,       of.colours, 2,        &fxl_turned_instances};
+    fxl_world_memory memory = {of.instances, of.slots, of.placements,        1, turned,
+                               of.colours,   2,        &fxl_turned_instances};
     DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ORDER);
     memory.instances = (fxl_instance *)((uintptr_t)of.instances + 1 + more % 3);
     DEMAND(fxl_world_init(&of.world, &scene, &memory) == FXL_E_ALIGNMENT);

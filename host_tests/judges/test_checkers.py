@@ -18,13 +18,13 @@ from fixel.base.errors import ToolError
 SEED, MUTANTS = 13, 600     # mutants of each image
 SCENES = (("host_tests/fuzz/scenes/beam_surfaces", "all"), ("scenes/tiny", None), ("scenes/cube", None), ("scenes/w2", None), ("scenes/beam", None),
           ("scenes/knot", "none"), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None),
-          ("host_tests/fuzz/scenes/turns", None), ("host_tests/fuzz/scenes/turns", "0"),
+          ("host_tests/fuzz/scenes/placements", None), ("host_tests/fuzz/scenes/placements", "0"),
           ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None),
           ("host_tests/fuzz/scenes/billboards", None))
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
                            "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
-                           "face bounds", "bsp", "cluster", "turn"]))
+                           "face bounds", "bsp", "cluster", "placement"]))
 
 
 # Of ranges of docs/formats.md: counts, coordinates, texels, parts of one; and the numbers just beyond.

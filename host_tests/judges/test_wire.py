@@ -25,7 +25,7 @@ def test_wireframes_are_the_twins(scene, least, tmp_path):
 
 
 def test_what_moves_moves(tmp_path):
-    """The eye stands still; the reference renderer has each frame's own turns."""
+    """The eye stands still; the reference renderer has each frame's own placements."""
     scene = tmp_path / "turning.toml"
     scene.write_text('[[objects]]\nsolid = "box"\nposition = [0, 0, 5]\nspin = { axis = [1, 2, 0], degrees = 7 }\n'
                      '[path]\nkeys = [{ position = [0, 0, 0], frames = 6 }, { position = [0, 0, 0] }]\n', encoding="utf-8")

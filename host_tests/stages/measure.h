@@ -19,7 +19,7 @@ stages_tally stages_fill_tally(const char *input);
 stages_tally stages_cover_tally(const char *input);
 stages_tally stages_split_tally(const char *input);
 stages_tally stages_light_tally(const char *input);
-stages_tally stages_turn_tally(const char *input);
+stages_tally stages_placement_tally(const char *input);
 
 /* Tests a sphere on both sides. Returns the result of the library. */
 uint32_t stages_measure_sphere(stages_tally *tally, const fxl_camera *camera,
@@ -83,6 +83,6 @@ void stages_measure_split(stages_tally *tally, const fxl_plane *plane, const fxl
 void stages_measure_light(stages_tally *tally, stages_random *random);
 
 /* Looks at a random vertex of a random turned instance on both sides. */
-void stages_measure_turn(stages_tally *tally, stages_random *random);
+void stages_measure_placement(stages_tally *tally, stages_random *random);
 
 #endif

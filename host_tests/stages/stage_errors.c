@@ -32,7 +32,7 @@ typedef struct {
 
 typedef struct {
     stages_tally sphere, clip, clip_world, transform, project, list, fill, cover, split, light,
-        turn;
+        placement;
 } tallies;
 
 static uint8_t pixels[RANDOM_SCREEN_MAX]; /* all 0 between two polygons */
@@ -48,10 +48,10 @@ static int fail(const char *where, const char *what)
 static tallies tallies_for(const char *input)
 {
     return (tallies){
-        stages_sphere_tally(input),    stages_clip_tally(input),    stages_clip_world_tally(input),
-        stages_transform_tally(input), stages_project_tally(input), stages_list_tally(input),
-        stages_fill_tally(input),      stages_cover_tally(input),   stages_split_tally(input),
-        stages_light_tally(input),     stages_turn_tally(input)};
+        stages_sphere_tally(input),    stages_clip_tally(input),     stages_clip_world_tally(input),
+        stages_transform_tally(input), stages_project_tally(input),  stages_list_tally(input),
+        stages_fill_tally(input),      stages_cover_tally(input),    stages_split_tally(input),
+        stages_light_tally(input),     stages_placement_tally(input)};
 }
 
 static void progress(const char *what, uint64_t done, uint64_t all)
@@ -125,8 +125,11 @@ static void take_polygon(tallies *to, const fxl_view *view, fxl_polygon *polygon
         }
     }
     listed[listed_count++ % LISTED_MAX] = screen;
-    fxl_band band = {.pixels = pixels, .width = view->lens.width, .stride = view->lens.width,
-                     .first_row = 0, .rows = view->lens.height};
+    fxl_band band = {.pixels = pixels,
+                     .width = view->lens.width,
+                     .stride = view->lens.width,
+                     .first_row = 0,
+                     .rows = view->lens.height};
     stages_measure_fill(&to->fill, &screen, &band);
 }
 
@@ -304,8 +307,8 @@ static void take_random_outline(stages_tally *fill, stages_random *random)
     uint32_t large = stages_random_below(random, 64) == 0 ? FXL_SCREEN_MAX : 48;
     uint16_t width = (uint16_t)(1 + stages_random_below(random, large));
     uint16_t height = (uint16_t)(1 + stages_random_below(random, large));
-    fxl_band band = {.pixels = pixels, .width = width, .stride = width, .first_row = 0,
-                     .rows = height};
+    fxl_band band = {
+        .pixels = pixels, .width = width, .stride = width, .first_row = 0, .rows = height};
     band.first_row = (uint16_t)stages_random_below(random, height);
     band.rows = (uint16_t)(1 + stages_random_below(random, (uint32_t)height - band.first_row));
     fxl_screen_polygon outline = stages_random_outline(random, width, height);
@@ -332,9 +335,9 @@ static void take_random(tallies *to, const options *wanted)
     stages_random lists = stages_random_start(wanted->seed, 4);
     stages_random spheres = stages_random_start(wanted->seed, 5);
     stages_random lights = stages_random_start(wanted->seed, 6);
-    stages_random turns = stages_random_start(wanted->seed, 7);
+    stages_random placements = stages_random_start(wanted->seed, 7);
     for (uint64_t i = 0; i < wanted->samples; i++) {
-        stages_measure_turn(&to->turn, &turns);
+        stages_measure_placement(&to->placement, &placements);
         stages_measure_light(&to->light, &lights);
         take_random_polygon(to, &polygons);
         take_random_points(to, &points);
@@ -351,7 +354,7 @@ static void print_tallies(const tallies *of, const char *end)
 {
     const stages_tally *all[] = {&of->sphere,  &of->clip,  &of->clip_world, &of->transform,
                                  &of->project, &of->list,  &of->fill,       &of->cover,
-                                 &of->split,   &of->light, &of->turn};
+                                 &of->split,   &of->light, &of->placement};
     const int count = (int)(sizeof all / sizeof *all);
     for (int i = 0; i < count; i++) {
         stages_print(all[i]);

@@ -46,7 +46,7 @@ def measured(tmp_path_factory):
 
 # --- turned instances ---------------------------------------------------------------
 
-def test_turns_that_turn_nothing_draw_the_same(plan, tmp_path):
+def test_placements_that_turn_nothing_draw_the_same(plan, tmp_path):
     drawn = {name: bench_run.draw(plan, "m3", "fixel", bench_plan.compile_scene(plan.workloads[name], tmp_path)[0], 3)
              for name in ("w1", "w1-still", "w1-turning")}
     assert (drawn["w1"].pixels == drawn["w1-still"].pixels).all()
@@ -58,7 +58,7 @@ def test_each_cube_turns_in_its_own_place(plan, tmp_path):
     file, turning = bench_plan.compile_scene(plan.workloads["w1-turning"], tmp_path)
     read = image.load(file)
     assert [motion.keys[0].centre for motion in read.motions] == [item.centre for item in turning.objects]
-    assert len(read.turns) == len(read.objects) == 100
+    assert len(read.placements) == len(read.objects) == 100
     assert len({(motion.steps, motion.keys[0].angles) for motion in read.motions}) == 100
 
 
@@ -318,7 +318,7 @@ def goal_result():
     ("W1, a frame, -Os -DFXL_SMALL, M3", 400_000, False),
     ("-Os -DFXL_SMALL by small3dlib -Os, the worst of five scenes, M3", 2.0, False),
     ("functions of the compiler's arithmetic that are linked, M3", 0, True),
-    ("stack, bytes, the deepest of all workloads without turns and textures, M3", 573, False),
+    ("stack, bytes, the deepest of all workloads without placements and textures, M3", 573, False),
     ("a renderer, bytes of RAM, M3", 2528, True),
 ])
 def test_goals_by_hand(goal, figure, met):

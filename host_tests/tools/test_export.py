@@ -22,11 +22,11 @@ WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wmissing-field-i
 COMPILERS = [["gcc", "-std=c11"], ["gcc", "-std=c2x"], ["clang", "-std=c11", "-Wmissing-variable-declarations"],
              ["g++", "-std=c++11", "-Wold-style-cast"], ["g++", "-std=c++17", "-Wold-style-cast"],
              ["clang++", "-std=c++11", "-Wold-style-cast"], ["clang++", "-std=c++17", "-Wmissing-variable-declarations"]]
-# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; turns and motions; light.
+# Convex and sorted models, instances, layers; a mesh; beams and lit colours; a tree; clusters; placements and motions; light.
 SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "w3": (ROOT / "scenes" / "w3.toml", None), "beam": (ROOT / "scenes" / "beam.toml", None),
           "knot": (ROOT / "scenes" / "knot.toml", "all"), "f32": (ROOT / "scenes" / "f32.toml", None),
-          "turns": (ROOT / "host_tests" / "fuzz" / "scenes" / "turns.toml", None),
+          "placements": (ROOT / "host_tests" / "fuzz" / "scenes" / "placements.toml", None),
           "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
           "sun": (ROOT / "host_tests" / "tools" / "sun.toml", None),
           "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None),
@@ -99,7 +99,7 @@ int main(int argc, char **argv)
     TABLE(bsp_nodes, bsp_node_count) TABLE(beams, beam_count) TABLE(clusters, cluster_count)
     if (scene->cluster_code != image.scene.cluster_code) { return 7; }
     if (scene->placement_code != image.scene.placement_code || scene->first_turned != image.scene.first_turned) { return 8; }
-    if (scene->placements != NULL) { compare("turns", scene->placements, image.scene.placements,
+    if (scene->placements != NULL) { compare("placements", scene->placements, image.scene.placements,
         (scene->instance_count - scene->first_turned) * sizeof *scene->placements); }
 #ifdef MOTION
     const fxl_motion_set *set = &OF(_motion);

@@ -6,10 +6,10 @@ import types
 import pytest
 
 from fixel.base.errors import ToolError
-from fixel.image import image_billboard, image_models, image_surface, image_turn
+from fixel.image import image_billboard, image_models, image_placement, image_surface
 from fixel.image.image_ranges import Ranges
 from fixel.image.image_surface import BITS_4, BITS_8
-from fixel.image.image_turn import COORDINATE_MAX, DEPTH_MAX, SCALE_MAX, SCALE_MIN, SLACK, Key, Motion
+from fixel.image.image_placement import COORDINATE_MAX, DEPTH_MAX, SCALE_MAX, SCALE_MIN, SLACK, Key, Motion
 
 ONE = 1 << 16
 
@@ -132,13 +132,13 @@ def chain(count, **last):
 def test_a_motion_reaches_to_the_end_of_the_world():
     for scale, reach in ((ONE, 100), (2 * ONE, 200), (ONE // 2, 50), (ONE + 1, 101)):
         most = COORDINATE_MAX - reach - SLACK
-        image_turn._check_chain([motion((0, -most, 0), scale)], 0, 100)
-        refuses("range", image_turn._check_chain, [motion((0, -most - 1, 0), scale)], 0, 100)
+        image_placement._check_chain([motion((0, -most, 0), scale)], 0, 100)
+        refuses("range", image_placement._check_chain, [motion((0, -most - 1, 0), scale)], 0, 100)
     # The radius of a circle counts along x and z.
     most = COORDINATE_MAX - 100 - SLACK - 7
-    image_turn._check_chain([motion((most, 0, 0), radius=7)], 0, 100)
-    refuses("range", image_turn._check_chain, [motion((most + 1, 0, 0), radius=7)], 0, 100)
-    image_turn._check_chain([motion((0, most + 7, 0), radius=7)], 0, 100)
+    image_placement._check_chain([motion((most, 0, 0), radius=7)], 0, 100)
+    refuses("range", image_placement._check_chain, [motion((most + 1, 0, 0), radius=7)], 0, 100)
+    image_placement._check_chain([motion((0, most + 7, 0), radius=7)], 0, 100)
 
 
 def test_a_child_reaches_as_far_as_its_parents_carry_it():
@@ -148,9 +148,9 @@ def test_a_child_reaches_as_far_as_its_parents_carry_it():
     for beyond in (0, 1):
         motions = [motion((COORDINATE_MAX - reach + beyond, 0, 0), 2 * ONE), motion((600, 0, 800), parent=1)]
         if beyond:
-            refuses("range", image_turn._check_chain, motions, 1, 100)
+            refuses("range", image_placement._check_chain, motions, 1, 100)
         else:
-            image_turn._check_chain(motions, 1, 100)
+            image_placement._check_chain(motions, 1, 100)
 
 
 @pytest.mark.parametrize("parents, own, status", [
@@ -159,11 +159,11 @@ def test_a_child_reaches_as_far_as_its_parents_carry_it():
 def test_the_scale_of_a_child_with_those_of_its_parents(parents, own, status):
     motions = [motion(scale=scale, parent=number) for number, scale in enumerate([*parents, own])]
     if status:
-        refuses(status, image_turn._check_chain, motions, len(parents), 0)
+        refuses(status, image_placement._check_chain, motions, len(parents), 0)
     else:
-        image_turn._check_chain(motions, len(parents), 0)
+        image_placement._check_chain(motions, len(parents), 0)
 
 
 def test_how_many_parents_a_motion_may_have():
-    image_turn._check_chain(chain(DEPTH_MAX), DEPTH_MAX, 0)
-    refuses("count", image_turn._check_chain, chain(DEPTH_MAX + 1), DEPTH_MAX + 1, 0)
+    image_placement._check_chain(chain(DEPTH_MAX), DEPTH_MAX, 0)
+    refuses("count", image_placement._check_chain, chain(DEPTH_MAX + 1), DEPTH_MAX + 1, 0)

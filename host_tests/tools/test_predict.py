@@ -191,7 +191,7 @@ def test_a_board_whose_list_has_no_room(tmp_path):
 
 def test_the_records_of_a_board():
     """What a scene has beside its faces takes as much on a board as the host's program thinks."""
-    records = {"INSTANCE": "fxl_instance", "TURN": "fxl_placement", "POINT": "fxl_point", "BEAM_LIGHT": "lighting",
+    records = {"INSTANCE": "fxl_instance", "PLACEMENT": "fxl_placement", "POINT": "fxl_point", "BEAM_LIGHT": "lighting",
                "LIT_PIECES": "fxl_lit_pieces", "LIT_PIECE": "fxl_lit_piece", "LIGHT": "fxl_light", "SURFACES": "surface_memory",
                "TEXTURE": "fxl_texture", "BILLBOARDS": "billboard_memory", "BILLBOARD": "fxl_billboard", "SPRITE": "fxl_sprite",
                "BSP_WORKSPACE": "fxl_bsp_workspace", "BSP_ITEM": "fxl_bsp_item"}

@@ -92,7 +92,7 @@ def test_what_is_clear_is_not_drawn(tmp_path):
 
 def test_an_object_with_a_billboard_moves(tmp_path):
     scene = build(tmp_path, BOARD + OBJECT + 'size = 2\nmotion = { circle = 2, degrees = 5 }\n')
-    assert len(scene.motions) == 1 and scene.turns[0].scale == 2 * ONE
+    assert len(scene.motions) == 1 and scene.placements[0].scale == 2 * ONE
 
 
 @pytest.mark.parametrize("text, says", [

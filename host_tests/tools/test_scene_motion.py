@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from conftest import CHECKOUT
-from fixel.image import image, image_turn
+from fixel.image import image, image_placement
 from fixel.scene import toml_scene
 from fixel.base.errors import ToolError
 from fixel.scene import compiler
@@ -27,26 +27,26 @@ def refused(tmp_path, text, *parts):
 
 
 def test_a_scene_without_such_keys_keeps_its_version(tmp_path):
-    assert section(image.pack(build(tmp_path, BOX)), "turns") == (0, 0)
-    assert section(image.pack(build(tmp_path, BOX + "size = 2\n")), "turns")[1] == 1
+    assert section(image.pack(build(tmp_path, BOX)), "placements") == (0, 0)
+    assert section(image.pack(build(tmp_path, BOX + "size = 2\n")), "placements")[1] == 1
 
 
 def test_what_turns_comes_last_and_what_moves_comes_after_it(tmp_path):
     scene = build(tmp_path, BOX + "spin = { yaw = 5 }\nlayer = 1\n" + BOX + "turn = 90\nlayer = 2\n" + BOX + "layer = 3\n")
     assert [item.layer for item in scene.objects] == [3, 2, 1]
-    assert (len(scene.turns), len(scene.motions)) == (2, 1)
-    assert scene.turns[0].rows == (0, 0, QUARTER, 0, QUARTER, 0, -QUARTER, 0, 0)
+    assert (len(scene.placements), len(scene.motions)) == (2, 1)
+    assert scene.placements[0].rows == (0, 0, QUARTER, 0, QUARTER, 0, -QUARTER, 0, 0)
     assert {item.model for item in scene.objects} == {0}
 
 
 def test_copies_on_a_turned_ring_share_a_model(tmp_path):
     ring = "ring = { count = 4, radius = 3, turned = true }\n"
     scene = build(tmp_path, BOX + ring)
-    assert len(scene.models) == 1 and len(scene.turns) == 4 and not scene.motions
-    assert [turn.rows[2] for turn in scene.turns] == [0, QUARTER, 0, -QUARTER]
+    assert len(scene.models) == 1 and len(scene.placements) == 4 and not scene.motions
+    assert [placement.rows[2] for placement in scene.placements] == [0, QUARTER, 0, -QUARTER]
     assert scene.objects[1].centre == (3 * ONE, 0, 5 * ONE)
     baked = build(tmp_path, BOX + "scale = [1, 2, 3]\n" + ring.replace(", turned = true", ""))
-    assert not baked.turns and len(baked.models) > 1
+    assert not baked.placements and len(baked.models) > 1
 
 
 def test_a_spin_about_an_axis_and_one_of_angles(tmp_path):
@@ -96,7 +96,7 @@ def test_a_child_is_placed_in_its_parent(tmp_path):
     assert [motion.parent for motion in scene.motions] == [0, 1]
     # The parent's right side is -z, what is before it is +x; its size is 2.
     assert scene.objects[1].centre == (6 * ONE, 0, 3 * ONE)
-    assert scene.turns[1].scale == 2 * ONE and scene.turns[1].rows == scene.turns[0].rows
+    assert scene.placements[1].scale == 2 * ONE and scene.placements[1].rows == scene.placements[0].rows
 
 
 def test_a_base_rises_with_the_size(tmp_path):
@@ -146,33 +146,33 @@ def test_as_many_keys_as_an_image_may_have(tmp_path, monkeypatch):
     text = BOX + "motion = { keys = [{ frames = 9 }, { offset = [1, 0, 0], frames = 9 }, { offset = [2, 0, 0] }] }\n"
     text += BOX + "spin = { yaw = 5 }\n" + BOX + "turn = 10\nmotion = { keys = [{ frames = 60 }, { turn = 720 }] }\n"
     keys = sum(len(motion.keys) for motion in build(tmp_path, text).motions)
-    monkeypatch.setattr(image_turn, "KEYS_MAX", keys)
+    monkeypatch.setattr(image_placement, "KEYS_MAX", keys)
     build(tmp_path, text)
-    monkeypatch.setattr(image_turn, "KEYS_MAX", keys - 1)
+    monkeypatch.setattr(image_placement, "KEYS_MAX", keys - 1)
     refused(tmp_path, text, f"more than {keys - 1} keys together")
 
 
 def test_a_tree_leaves_what_turns_alone():
-    scene, _ = compiler.compile_scene(str(CHECKOUT / "host_tests" / "fuzz" / "scenes" / "turns.toml"), layers="0")
-    assert scene.tree.object == len(scene.objects) - len(scene.turns) - 1
+    scene, _ = compiler.compile_scene(str(CHECKOUT / "host_tests" / "fuzz" / "scenes" / "placements.toml"), layers="0")
+    assert scene.tree.object == len(scene.objects) - len(scene.placements) - 1
     assert image.unpack(image.pack(scene)) == scene
 
 
 @pytest.mark.parametrize("name, turned, moving", [("spin", 64, 49), ("plaza-turned", 64, 0)])
 def test_own_scenes_have_what_they_promise(name, turned, moving):
     scene, _ = toml_scene.compile_file(str(CHECKOUT / "scenes" / f"{name}.toml"))
-    assert (len(scene.turns), len(scene.motions)) == (turned, moving)
+    assert (len(scene.placements), len(scene.motions)) == (turned, moving)
 
 
-def test_turns_of_frame_0_are_rotations():
+def test_placements_of_frame_0_are_rotations():
     """Entries are rounded once: a row is within 0.87 unit of unit length."""
     scene, _ = toml_scene.compile_file(str(Path(CHECKOUT) / "scenes" / "spin.toml"))
-    for turn in scene.turns:
+    for placement in scene.placements:
         for i in (0, 3, 6):
-            assert abs(math.sqrt(sum(c * c for c in turn.rows[i:i + 3])) - QUARTER) < 0.9
+            assert abs(math.sqrt(sum(c * c for c in placement.rows[i:i + 3])) - QUARTER) < 0.9
 
 
 def test_a_scale_that_grows_along_a_chain_is_refused(tmp_path):
     refused(tmp_path, NAMED.replace("size = 2", "size = 200") + BOX + 'parent = "base"\nsize = 2\nposition = [0, 0, 0]\n'
             .replace("position = [0, 0, 0]\n", ""), "range")
-    assert image_turn.SCALE_MAX == 256 * ONE
+    assert image_placement.SCALE_MAX == 256 * ONE

@@ -155,7 +155,7 @@ def test_copies_share_models_and_colours_part_them(tmp_path):
 
 
 def test_copies_of_all_objects_together_have_a_limit(tmp_path, monkeypatch):
-    monkeypatch.setattr(toml_object, "PLACEMENTS_MAX", 5)
+    monkeypatch.setattr(toml_object, "INSTANCES_MAX", 5)
 
     def copies(count):
         return f"{BOX}repeat = {{ count = [{count}, 1, 1], step = [2, 0, 0] }}\n"

@@ -29,8 +29,8 @@ exact_placement exact_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll)
     const long double sp = sinl(pitch * turn), cp = cosl(pitch * turn);
     const long double sr = sinl(roll * turn), cr = cosl(roll * turn);
     return (exact_placement){{{cr * cy - sr * sp * sy, -sr * cy - cr * sp * sy, cp * sy},
-                         {sr * cp, cr * cp, sp},
-                         {-cr * sy - sr * sp * cy, sr * sy - cr * sp * cy, cp * cy}}};
+                              {sr * cp, cr * cp, sp},
+                              {-cr * sy - sr * sp * cy, sr * sy - cr * sp * cy, cp * cy}}};
 }
 
 exact_placement exact_axis(fxl_point axis, fxl_angle angle)
@@ -133,10 +133,11 @@ exact_placement exact_nearest_to_product(const fxl_orientation *a, const fxl_ori
     return nearest;
 }
 
-exact_place exact_place_of(const fxl_point *centre, const fxl_placement *turn)
+exact_place exact_place_of(const fxl_point *centre, const fxl_placement *placement)
 {
-    return (exact_place){
-        {centre->x, centre->y, centre->z}, turn->scale / 65536.0L, exact_rows(&turn->orientation)};
+    return (exact_place){{centre->x, centre->y, centre->z},
+                         placement->scale / 65536.0L,
+                         exact_rows(&placement->orientation)};
 }
 
 exact_place exact_attached(const exact_place *parent, const exact_place *child)

@@ -35,7 +35,7 @@ typedef struct {
     exact_placement turn;
 } exact_place;
 
-exact_place exact_place_of(const fxl_point *centre, const fxl_placement *turn);
+exact_place exact_place_of(const fxl_point *centre, const fxl_placement *placement);
 
 /* The place of a child whose place in its parent's model is stated. */
 exact_place exact_attached(const exact_place *parent, const exact_place *child);

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "mapped_quad.h"
-#include "turns.h"
+#include "placements.h"
 
 static quad_scene made;
 static const uint16_t indices[] = {0, 1, 2, 3};
@@ -21,7 +21,7 @@ static fxl_point along(const fxl_direction *side, int32_t length)
 /* A trapezium in the plane of two rows of a rotation, clockwise against the third. */
 static void make_face(quad_scene *quad)
 {
-    const fxl_orientation plane = turns_orientation();
+    const fxl_orientation plane = placements_orientation();
     const int32_t half = unit_between(Q16(0.5), Q16(8)), high = unit_between(Q16(0.5), Q16(8));
     const int32_t top = half + unit_between(-half / 2, half / 2);
     const fxl_point up = along(&plane.y, high), right = along(&plane.x, half),
@@ -81,12 +81,12 @@ quad_scene *quad_make(bool turned)
     make_face(&made);
     make_pose(&made);
     make_surface(&made);
-    made.turn = turns_any();
+    made.placement = placements_any();
     made.scene = quad_tables_scene(&tables, 1);
     if (turned) {
         /* The eye goes with the face: both are seen as they were. */
-        made.turn.scale = unit_between(Q16(0.5), Q16(2));
-        made.scene.placements = &made.turn;
+        made.placement.scale = unit_between(Q16(0.5), Q16(2));
+        made.scene.placements = &made.placement;
         made.scene.placement_code = &fxl_turned_instances;
     }
     return &made;
@@ -95,7 +95,7 @@ quad_scene *quad_make(bool turned)
 /* A vector of the model in the world. */
 static exact_vector turned(const quad_scene *quad, exact_vector v, double scale)
 {
-    const fxl_orientation *to = &quad->turn.orientation;
+    const fxl_orientation *to = &quad->placement.orientation;
     if (quad->scene.placements == NULL) {
         return v;
     }
@@ -109,7 +109,7 @@ void quad_begin(quad_scene *quad)
     fxl_config config = fxl_config_default(QUAD_WIDTH, QUAD_HEIGHT);
     config.near_z = 4096;
     config.background = QUAD_BACKGROUND;
-    const double scale = quad->turn.scale / 65536.0;
+    const double scale = quad->placement.scale / 65536.0;
     for (uint32_t i = 0; i < 3; i++) {
         quad->corners[i] = turned(
             quad, exact_point(&quad->vertices[quad->mapped.vertices[i]], 1.0 / 65536), scale);

@@ -19,7 +19,7 @@ typedef struct {
     fxl_face face;
     fxl_model model;
     fxl_instance instance;
-    fxl_placement turn;
+    fxl_placement placement;
     fxl_scene scene;
     fxl_texture texture;
     fxl_surface surface;
@@ -37,7 +37,7 @@ typedef struct {
 } quad_scene;
 
 /* Makes a random face before a random eye, with random texels and normals, no texture and no light.
- * turned: its instance has a random turn. Answers the scene, of which there is one. */
+ * turned: its instance has a random placement. Answers the scene, of which there is one. */
 quad_scene *quad_make(bool turned);
 
 /* Checks the scene, and sets up renderer, surfaces and corners. */

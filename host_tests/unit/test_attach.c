@@ -9,13 +9,13 @@
 
 static const fxl_placement still = FXL_PLACEMENT_NONE;
 
-static fxl_placement any_turn(fxl_q16_16 low, fxl_q16_16 high)
+static fxl_placement any_placement(fxl_q16_16 low, fxl_q16_16 high)
 {
-    fxl_placement turn;
-    turn.scale = unit_between(low, high);
+    fxl_placement placement;
+    placement.scale = unit_between(low, high);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(unit_random(), unit_random(),
-                                                          unit_random(), &turn.orientation));
-    return turn;
+                                                          unit_random(), &placement.orientation));
+    return placement;
 }
 
 static void expect_centre(const exact_place *wanted, const fxl_point *actual, long double bound)
@@ -28,34 +28,36 @@ static void expect_centre(const exact_place *wanted, const fxl_point *actual, lo
 void test_a_wheel_goes_with_its_car(void)
 {
     const fxl_point car = {Q16(10), 0, Q16(-3)}, wheel = {Q16(1), Q16(0.5), Q16(2)};
-    fxl_placement turned = still, turn;
+    fxl_placement turned = still, placement;
     fxl_point centre;
     turned.scale = Q16(2);
     fxl_orientation_from_angles(FXL_ANGLE_QUARTER, 0, 0, &turned.orientation);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_attach(&car, &turned, &wheel, &still, &centre, &turn));
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_placement_attach(&car, &turned, &wheel, &still, &centre, &placement));
     /* The car looks along +x: its right side is -z, what is before it is +x. */
     TEST_ASSERT_EQUAL_INT32(Q16(10 + 4), centre.x);
     TEST_ASSERT_EQUAL_INT32(Q16(1), centre.y);
     TEST_ASSERT_EQUAL_INT32(Q16(-3 - 2), centre.z);
-    TEST_ASSERT_EQUAL_MEMORY(&turned, &turn, sizeof turn);
+    TEST_ASSERT_EQUAL_MEMORY(&turned, &placement, sizeof placement);
 }
 
 /* A centre is exact but for one rounding, with any scale. */
 void test_a_centre_is_within_half_a_unit(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
-        const fxl_placement parent = any_turn(FXL_SCALE_MIN, i % 2 ? FXL_SCALE_MAX : 2 * 65536);
+        const fxl_placement parent =
+            any_placement(FXL_SCALE_MIN, i % 2 ? FXL_SCALE_MAX : 2 * 65536);
         const fxl_point at = unit_point(FXL_COORDINATE_MAX / 2);
         const int64_t room = ((int64_t)FXL_COORDINATE_MAX / 4 << 16) / parent.scale;
         const fxl_point child = unit_point(room < 0x3FFFFFFF ? (fxl_q16_16)room : 0x3FFFFFFF);
         fxl_point centre;
-        fxl_placement turn;
+        fxl_placement placement;
         TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_placement_attach(&at, &parent, &child, &still, &centre, &turn));
+                          fxl_placement_attach(&at, &parent, &child, &still, &centre, &placement));
         const exact_place p = exact_place_of(&at, &parent), c = exact_place_of(&child, &still);
         const exact_place wanted = exact_attached(&p, &c);
         expect_centre(&wanted, &centre, 0.5L + (sizeof p.scale == 8 ? 1e-6L : 1e-9L));
-        TEST_ASSERT_EQUAL_INT32(parent.scale, turn.scale);
+        TEST_ASSERT_EQUAL_INT32(parent.scale, placement.scale);
     }
 }
 
@@ -64,20 +66,20 @@ void test_a_chain_of_eight_is_within_its_bound(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
         fxl_point centre = unit_point(FXL_UNITS(1000)), local;
-        fxl_placement turn = any_turn(Q16(0.5), Q16(2)), child;
-        exact_place wanted = exact_place_of(&centre, &turn);
+        fxl_placement placement = any_placement(Q16(0.5), Q16(2)), child;
+        exact_place wanted = exact_place_of(&centre, &placement);
         exact_bounds bounds = {0, 0, 0};
         for (int depth = 1; depth <= DEPTH; depth++) {
             local = unit_point(FXL_UNITS(20));
-            child = any_turn(Q16(0.7), Q16(1.4));
+            child = any_placement(Q16(0.7), Q16(1.4));
             const exact_place step = exact_place_of(&local, &child);
             bounds = exact_bounds_of_child(&bounds, &wanted, &step);
             wanted = exact_attached(&wanted, &step);
-            TEST_ASSERT_EQUAL(FXL_OK,
-                              fxl_placement_attach(&centre, &turn, &local, &child, &centre, &turn));
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_attach(&centre, &placement, &local, &child,
+                                                           &centre, &placement));
             expect_centre(&wanted, &centre, bounds.centre + 1e-6L);
-            TEST_ASSERT_NEAR(wanted.scale * 65536, turn.scale, bounds.scale + 1e-6L);
-            TEST_ASSERT_NEAR(exact_distance(&wanted.turn, &turn.orientation), 0,
+            TEST_ASSERT_NEAR(wanted.scale * 65536, placement.scale, bounds.scale + 1e-6L);
+            TEST_ASSERT_NEAR(exact_distance(&wanted.turn, &placement.orientation), 0,
                              bounds.turn + 1e-6L);
         }
     }
@@ -87,13 +89,14 @@ static fxl_status attach(const fxl_point *at, const fxl_placement *parent,
                          const fxl_point *child_at, const fxl_placement *child)
 {
     const fxl_point before = {1, 2, 3};
-    const fxl_placement turn_before = {FXL_ORIENTATION_NONE, 77};
+    const fxl_placement placement_before = {FXL_ORIENTATION_NONE, 77};
     fxl_point centre = before;
-    fxl_placement turn = turn_before;
-    const fxl_status status = fxl_placement_attach(at, parent, child_at, child, &centre, &turn);
+    fxl_placement placement = placement_before;
+    const fxl_status status =
+        fxl_placement_attach(at, parent, child_at, child, &centre, &placement);
     if (status != FXL_OK) {
         TEST_ASSERT_EQUAL_MEMORY(&before, &centre, sizeof centre);
-        TEST_ASSERT_EQUAL_MEMORY(&turn_before, &turn, sizeof turn);
+        TEST_ASSERT_EQUAL_MEMORY(&placement_before, &placement, sizeof placement);
     }
     return status;
 }
@@ -134,10 +137,10 @@ void test_what_is_out_of_range_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(&zero, NULL, &zero, &still));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(&zero, &still, NULL, &still));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, attach(&zero, &still, &zero, NULL));
-    fxl_placement turn;
+    fxl_placement placement;
     fxl_point centre;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_placement_attach(&zero, &still, &zero, &still, NULL, &turn));
+                      fxl_placement_attach(&zero, &still, &zero, &still, NULL, &placement));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
                       fxl_placement_attach(&zero, &still, &zero, &still, &centre, NULL));
 }

@@ -27,7 +27,7 @@ static fxl_billboard board;
 static uint16_t model_map[2];
 static fxl_billboard_set set;
 static tiny_scene *tiny;
-static fxl_placement turns[1];
+static fxl_placement placements[1];
 
 /* Tiny's scene, in which the second model has one face, whose instance shows a sprite without a
  * key, 4 x 3 units about its centre. The pixels of the sprite are 100 and more. */
@@ -173,17 +173,17 @@ void test_a_pixel_shows_the_texel_at_its_centre(void)
     TEST_ASSERT_TRUE(shown > UNIT_REPEAT / 30);
 }
 
-/* The scale of a turn is that of the sprite; where it turns to does not matter. */
+/* The scale of a placement is that of the sprite; where it turns to does not matter. */
 void test_a_turned_instance_scales_its_sprite(void)
 {
     const fxl_pose pose = ahead(Q16(-9));
     tiny->scene.instances = &tiny->instances[1];
     tiny->scene.instance_count = 1;
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.placement_code = &fxl_turned_instances;
-    turns[0] = (fxl_placement){FXL_ORIENTATION_NONE, Q16(2.5)};
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(10), 0, &turns[0].orientation));
+    placements[0] = (fxl_placement){FXL_ORIENTATION_NONE, Q16(2.5)};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(10), 0,
+                                                          &placements[0].orientation));
     draw_frame(&pose, 0);
     TEST_ASSERT_TRUE(expect_sprite(2.5) > 40);
 }

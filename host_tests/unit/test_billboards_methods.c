@@ -36,7 +36,7 @@ static fxl_surface_set surface_set;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 32)];
 static tiny_scene *tiny;
-static fxl_placement turns[1];
+static fxl_placement placements[1];
 
 /* Instance 0 shows a sprite of 4 x 3 units; its face is a rectangle of that size across z. Instance
  * 1 is a cube that is turned. */
@@ -59,12 +59,12 @@ void setUp(void)
     tiny->instances[0] = (fxl_instance){{0, 0, 0}, 1, 0, 0};
     tiny->instances[1] = (fxl_instance){{Q16(0.5), Q16(0.25), Q16(0.125)}, 0, 0, 0};
     tiny->scene.instance_count = 2;
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.first_turned = 1;
     tiny->scene.placement_code = &fxl_turned_instances;
-    turns[0] = (fxl_placement)FXL_PLACEMENT_NONE;
-    TEST_ASSERT_EQUAL(
-        FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(25), 0, &turns[0].orientation));
+    placements[0] = (fxl_placement)FXL_PLACEMENT_NONE;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(25), 0,
+                                                          &placements[0].orientation));
     tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
     surface = (fxl_surface){.opacity = 16};
     mapped = (fxl_mapped_face){.vertices = {0, 1, 2}};
@@ -211,7 +211,7 @@ void test_every_method_draws_the_same(void)
         pose.yaw = (i % 2 ? DEGREES(180) : 0) + DEGREES(1) * (fxl_angle)unit_between(-20, 20);
         pose.pitch = DEGREES(1) * (fxl_angle)unit_between(-20, 20);
         sprite.key = (uint16_t)(100 + unit_random() % sizeof texels);
-        turns[0].scale = unit_between(Q16(0.5), Q16(1.5));
+        placements[0].scale = unit_between(Q16(0.5), Q16(1.5));
         start(0);
         TEST_ASSERT_EQUAL(FXL_OK, add(&ways[0]));
         draw(whole, &pose, HEIGHT);

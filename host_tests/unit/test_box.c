@@ -141,7 +141,7 @@ void test_the_box_of_an_object(void)
     TEST_ASSERT_EQUAL_MEMORY(&wanted, &box, sizeof box);
 }
 
-/* Of one that has a turn: the points of every face, the first and the last. */
+/* Of one that has a placement: the points of every face, the first and the last. */
 void test_the_box_of_a_turned_object(void)
 {
     static const fxl_point vertices[] = {{Q16(1), Q16(-2), 0}, {Q16(-3), 0, Q16(5)},
@@ -151,13 +151,13 @@ void test_the_box_of_a_turned_object(void)
     static const fxl_face faces[] = {{{0, 0, 0}, 0, 3, 0, 0}, {{0, 0, 0}, 3, 3, 0, 0}};
     static const fxl_model models[] = {{0, 6, 0, 2, FXL_MODEL_CONVEX, 0, 0, Q16(9), 0}};
     static const fxl_instance instances[] = {{{Q16(10), Q16(20), Q16(30)}, 0, 0, 0}};
-    static const fxl_placement turns[] = {FXL_PLACEMENT_NONE};
+    static const fxl_placement placements[] = {FXL_PLACEMENT_NONE};
     const fxl_scene scene = {.vertices = vertices,
                              .indices = indices,
                              .faces = faces,
                              .models = models,
                              .instances = instances,
-                             .placements = turns,
+                             .placements = placements,
                              .placement_code = &fxl_turned_instances,
                              .instance_count = 1};
     fxl_box box;

@@ -38,12 +38,12 @@ void test_whose_it_is(void)
     expect(FXL_E_RESERVED, "BSP tree", 0);
     made->tiny->instances[2].model = 1;
     expect(FXL_E_BSP, "instance", 2);
-    static const fxl_placement turns[] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
-    made->tiny->scene.placements = turns;
+    static const fxl_placement placements[] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
+    made->tiny->scene.placements = placements;
     made->tiny->scene.placement_code = &fxl_turned_instances;
     made->tiny->scene.first_turned = 1; /* what has a tree stands still */
     expect(FXL_E_BSP, "BSP tree", 0);
-    made->tiny->scene.placements = turns;
+    made->tiny->scene.placements = placements;
     made->tiny->scene.placement_code = &fxl_turned_instances;
     made->tiny->scene.first_turned = 2;
     expect(FXL_OK, NULL, 0);

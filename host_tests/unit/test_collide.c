@@ -343,7 +343,7 @@ static fxl_point quarter(const fxl_point *point, const fxl_point *centre)
  * still. */
 void test_a_segment_hits_what_is_turned(void)
 {
-    static const fxl_placement turn = {
+    static const fxl_placement placement = {
         {{0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}}, FXL_Q16_16_ONE};
     uint32_t hits = 0;
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
@@ -358,7 +358,7 @@ void test_a_segment_hits_what_is_turned(void)
         fxl_hit still, hit;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
         TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &still));
-        tiny->scene.placements = &turn;
+        tiny->scene.placements = &placement;
         tiny->scene.first_turned = 0;
         tiny->scene.placement_code = &fxl_turned_instances;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
@@ -371,27 +371,27 @@ void test_a_segment_hits_what_is_turned(void)
     TEST_ASSERT_TRUE(hits > 0);
 }
 
-/* Rows that are no rotation, a scale that is out of range, turns without their code: a status, and
- * no hit is written, also where the segment comes nowhere near the instance. */
-void test_a_segment_against_turns_that_are_refused(void)
+/* Rows that are no rotation, a scale that is out of range, placements without their code: a status,
+ * and no hit is written, also where the segment comes nowhere near the instance. */
+void test_a_segment_against_placements_that_are_refused(void)
 {
     const fxl_point from = {Q16(4000), Q16(4000), Q16(4000)},
                     to = {Q16(4000), Q16(4001), Q16(4000)};
     const fxl_hit before = {{1, 2, 3}, 4, 5, 6};
     tiny_scene *tiny = tiny_make();
     tiny->scene.instance_count = 1;
-    fxl_placement turn = FXL_PLACEMENT_NONE;
-    tiny->scene.placements = &turn;
+    fxl_placement placement = FXL_PLACEMENT_NONE;
+    tiny->scene.placements = &placement;
     tiny->scene.first_turned = 0;
     tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     fxl_hit hit = before;
-    turn.orientation.x.x -= 8;
+    placement.orientation.x.x -= 8;
     TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
-    turn.orientation.x.x += 8;
-    turn.scale = 0;
+    placement.orientation.x.x += 8;
+    placement.scale = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
-    turn.scale = FXL_Q16_16_ONE;
+    placement.scale = FXL_Q16_16_ONE;
     tiny->scene.placement_code = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
     TEST_ASSERT_EQUAL_MEMORY(&before, &hit, sizeof hit);
@@ -403,14 +403,14 @@ void test_a_segment_against_turns_that_are_refused(void)
 /* The box of a turned instance is that of its points in the world. */
 void test_the_box_of_what_is_turned(void)
 {
-    static const fxl_placement turn = {
+    static const fxl_placement placement = {
         {{0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}}, FXL_UNITS(2)};
     tiny_scene *tiny = tiny_make();
     tiny->scene.instance_count = 1;
     const fxl_point centre = tiny->instances[0].centre;
     fxl_box still, box;
     fxl_box_of_instance(&tiny->scene, &tiny->instances[0], &still);
-    tiny->scene.placements = &turn;
+    tiny->scene.placements = &placement;
     tiny->scene.first_turned = 0;
     tiny->scene.placement_code = &fxl_turned_instances;
     fxl_box_of_instance(&tiny->scene, &tiny->instances[0], &box);

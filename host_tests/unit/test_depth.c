@@ -191,12 +191,12 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
  * points of the world: then the shader gets pieces. */
 void test_turned_instances_have_depth(void)
 {
-    static const fxl_placement turns[DEPTH_SCENE_QUADS] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
-                                                           FXL_PLACEMENT_NONE};
+    static const fxl_placement placements[DEPTH_SCENE_QUADS] = {
+        FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
     depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(
         FXL_OK, fxl_render(&made->renderer, &depth_scene_eye, made->again, DEPTH_SCENE_WIDTH));
-    made->scene.placements = turns;
+    made->scene.placements = placements;
     made->scene.placement_code = &fxl_turned_instances;
     depth_scene_start_with(made, &fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(

@@ -11,7 +11,7 @@ enum {
 
 static uint32_t hash;
 static uint8_t pixels[HEIGHT * WIDTH], texels[64];
-static fxl_placement turns[TINY_INSTANCES];
+static fxl_placement placements[TINY_INSTANCES];
 static tiny_scene *tiny;
 static fxl_wire wire;
 
@@ -22,11 +22,11 @@ static void mix_point(const fxl_point *point)
     hash = unit_mix(hash, point->z);
 }
 
-static void mix_turn(const fxl_placement *turn)
+static void mix_placement(const fxl_placement *placement)
 {
-    hash = unit_mix(hash, turn->scale);
-    hash =
-        unit_mix(hash, unit_crc32((const uint8_t *)&turn->orientation, sizeof turn->orientation));
+    hash = unit_mix(hash, placement->scale);
+    hash = unit_mix(
+        hash, unit_crc32((const uint8_t *)&placement->orientation, sizeof placement->orientation));
 }
 
 static void mix_pixels(void)
@@ -34,13 +34,14 @@ static void mix_pixels(void)
     hash = unit_mix(hash, unit_crc32(pixels, sizeof pixels));
 }
 
-static fxl_placement any_turn(void)
+static fxl_placement any_placement(void)
 {
-    fxl_placement turn = FXL_PLACEMENT_NONE;
+    fxl_placement placement = FXL_PLACEMENT_NONE;
     const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(yaw, pitch, roll, &turn.orientation));
-    turn.scale = unit_between(Q16(0.25), Q16(2));
-    return turn;
+    TEST_ASSERT_EQUAL(FXL_OK,
+                      fxl_orientation_from_angles(yaw, pitch, roll, &placement.orientation));
+    placement.scale = unit_between(Q16(0.25), Q16(2));
+    return placement;
 }
 
 static fxl_point any_point(fxl_q16_16 reach)
@@ -56,12 +57,12 @@ void setUp(void)
 {
     tiny = tiny_make();
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = any_turn();
+        placements[i] = any_placement();
     }
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(i * 37 + i / 8);
     }
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.first_turned = 0;
     tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
@@ -107,13 +108,13 @@ static void slide(uint32_t number)
 
 static void attach(uint32_t number)
 {
-    const fxl_placement parent = any_turn(), child = any_turn();
+    const fxl_placement parent = any_placement(), child = any_placement();
     const fxl_point at = any_point(Q16(90)), from = any_point(Q16(9) >> number % 16);
     fxl_point centre = {0, 0, 0};
-    fxl_placement turn = FXL_PLACEMENT_NONE;
-    hash = unit_mix(hash, fxl_placement_attach(&at, &parent, &from, &child, &centre, &turn));
+    fxl_placement placement = FXL_PLACEMENT_NONE;
+    hash = unit_mix(hash, fxl_placement_attach(&at, &parent, &from, &child, &centre, &placement));
     mix_point(&centre);
-    mix_turn(&turn);
+    mix_placement(&placement);
 }
 
 static void look(uint32_t number)

@@ -194,15 +194,15 @@ void test_each_face_has_its_level(void)
 }
 
 /* An instance that is turned and scaled: its faces' normals and middles are, too. */
-void test_light_follows_turns(void)
+void test_light_follows_placements(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 50; round++) {
         tiny_scene *tiny = start();
         fxl_camera turned = any_camera();
         const fxl_orientation orientation = {turned.axes.right, turned.axes.up,
                                              turned.axes.forward};
-        const fxl_placement turn = {orientation, unit_between(256, 64 * 65536)};
-        tiny->scene.placements = &turn;
+        const fxl_placement placement = {orientation, unit_between(256, 64 * 65536)};
+        tiny->scene.placements = &placement;
         tiny->scene.first_turned = 2;
         tiny->scene.placement_code = &fxl_turned_instances;
         const fxl_instance *instance = &tiny->instances[2];
@@ -221,7 +221,7 @@ void test_light_follows_turns(void)
             const exact_vector rows[3] = {exact_direction(&orientation.x),
                                           exact_direction(&orientation.y),
                                           exact_direction(&orientation.z)};
-            const double scale = turn.scale / 65536.0;
+            const double scale = placement.scale / 65536.0;
             const exact_vector normal = {exact_dot(rows[0], n), exact_dot(rows[1], n),
                                          exact_dot(rows[2], n)};
             const exact_vector middle = {at.x + scale * normal.x, at.y + scale * normal.y,

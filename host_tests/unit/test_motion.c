@@ -15,9 +15,9 @@ enum {
 static fxl_motion motions[MOTIONS];
 static fxl_motion_key keys[KEYS];
 static fxl_instance instances[TINY_INSTANCES];
-static fxl_placement turns[MOTIONS];
+static fxl_placement placements[MOTIONS];
 static const fxl_placement still[MOTIONS] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
-static const fxl_motion_memory memory = {instances, TINY_INSTANCES, turns, MOTIONS};
+static const fxl_motion_memory memory = {instances, TINY_INSTANCES, placements, MOTIONS};
 
 /* Two motions of a key each: that of instance 1, and that of instance 2. */
 static fxl_motion_set make(void)
@@ -69,10 +69,10 @@ void test_the_scene_draws_from_the_copies(void)
     keys[0].centre.x = FXL_UNITS(7);
     begin(&set, &scene);
     TEST_ASSERT_EQUAL_PTR(instances, scene.instances);
-    TEST_ASSERT_EQUAL_PTR(turns, scene.placements);
+    TEST_ASSERT_EQUAL_PTR(placements, scene.placements);
     const tiny_scene *tiny = tiny_make();
     TEST_ASSERT_EQUAL_MEMORY(tiny->instances, instances, 2 * sizeof instances[0]);
-    TEST_ASSERT_EQUAL_MEMORY(still, turns, sizeof turns);
+    TEST_ASSERT_EQUAL_MEMORY(still, placements, sizeof placements);
     TEST_ASSERT_EQUAL_INT32(FXL_UNITS(7), instances[2].centre.x);
     TEST_ASSERT_EQUAL_INT32(0, instances[2].centre.z);
     TEST_ASSERT_EQUAL(tiny->instances[2].model, instances[2].model);
@@ -107,7 +107,7 @@ void test_places_go_straight_from_key_to_key(void)
         TEST_ASSERT_EQUAL_INT32(
             rounded_between(keys[i].centre.z, keys[i + 1].centre.z, part, whole), at->z);
         TEST_ASSERT_EQUAL_INT32(rounded_between(keys[i].scale, keys[i + 1].scale, part, whole),
-                                turns[1].scale);
+                                placements[1].scale);
     }
 }
 
@@ -145,7 +145,7 @@ void test_steps_spins_and_circles_go_on_where_a_track_repeats(void)
     fxl_motion_player player = begin(&set, &scene);
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         fxl_motion_play(&player, frame);
-        expect_orientation(frame * step, &turns[1].orientation);
+        expect_orientation(frame * step, &placements[1].orientation);
     }
     motions[0].yaw_step = 0;
     motions[0].axis.y = 1;
@@ -156,7 +156,7 @@ void test_steps_spins_and_circles_go_on_where_a_track_repeats(void)
     fxl_motion_play(&player, 16); /* a quarter of a turn: 16 mod 8 would be none */
     TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), instances[2].centre.x);
     TEST_ASSERT_EQUAL_INT32(0, instances[2].centre.z);
-    TEST_ASSERT_EQUAL_INT32(0, turns[1].orientation.x.x);
+    TEST_ASSERT_EQUAL_INT32(0, placements[1].orientation.x.x);
 }
 
 /* From 350 degrees to 20 it is 30 onward, not 330 back. */
@@ -170,7 +170,7 @@ void test_angles_take_the_short_way(void)
     fxl_motion_player player = begin(&set, &scene);
     fxl_motion_play(&player, 1);
     const exact_placement wanted = exact_angles(FXL_DEGREES(5), 0, 0);
-    TEST_ASSERT_NEAR(exact_distance(&wanted, &turns[1].orientation), 0, 8);
+    TEST_ASSERT_NEAR(exact_distance(&wanted, &placements[1].orientation), 0, 8);
 }
 
 void test_a_circle_is_round(void)
@@ -208,12 +208,12 @@ void test_it_spins_and_then_turns(void)
         fxl_motion_player player = begin(&set, &scene);
         for (uint32_t frame = 0; frame < FRAMES; frame++) {
             const exact_placement angles = exact_angles(frame * motions[0].yaw_step, keys[0].pitch,
-                                                   frame * motions[0].roll_step);
+                                                        frame * motions[0].roll_step);
             const exact_placement spin =
                 exact_axis(axis, kind != 0 ? FXL_DEGREES(10) + frame * FXL_DEGREES(17) : 0);
             const exact_placement wanted = exact_product(&angles, &spin);
             fxl_motion_play(&player, frame);
-            TEST_ASSERT_NEAR(exact_distance(&wanted, &turns[1].orientation), 0, 15);
+            TEST_ASSERT_NEAR(exact_distance(&wanted, &placements[1].orientation), 0, 15);
         }
     }
 }
@@ -238,11 +238,11 @@ void test_a_child_follows_its_parent(void)
         fxl_motion_play(&player, frame); /* a frame depends on its number alone */
         wheel.scale = FXL_Q16_16_ONE;
         fxl_orientation_from_axis(&motions[1].axis, frame * FXL_DEGREES(31), &wheel.orientation);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_attach(&instances[1].centre, &turns[0],
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_attach(&instances[1].centre, &placements[0],
                                                        &keys[1].centre, &wheel, &centre, &wanted));
         TEST_ASSERT_EQUAL_MEMORY(&centre, &instances[2].centre, sizeof centre);
-        TEST_ASSERT_EQUAL_MEMORY(&wanted, &turns[1], sizeof wanted);
-        TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), turns[1].scale);
+        TEST_ASSERT_EQUAL_MEMORY(&wanted, &placements[1], sizeof wanted);
+        TEST_ASSERT_EQUAL_INT32(FXL_UNITS(2), placements[1].scale);
     }
 }
 
@@ -275,7 +275,7 @@ void test_every_board_plays_the_same_frames(void)
     for (uint32_t frame = 0; frame < FRAMES; frame++) {
         fxl_motion_play(&player, frame);
         crc = (crc << 1 | crc >> 31) ^ unit_crc32((const uint8_t *)instances, sizeof instances) ^
-              unit_crc32((const uint8_t *)turns, sizeof turns);
+              unit_crc32((const uint8_t *)placements, sizeof placements);
     }
     TEST_ASSERT_EQUAL_HEX32(0xD4E2AE23u, crc);
 }
@@ -301,7 +301,7 @@ void test_what_cannot_be_played_is_refused(void)
     fxl_scene scene = tiny_make()->scene;
     fxl_motion_player player;
     fxl_motion_memory room = memory;
-    refuse(FXL_E_ARGUMENT, &set, &scene, &room); /* no turns */
+    refuse(FXL_E_ARGUMENT, &set, &scene, &room); /* no placements */
     scene.placements = still;
     scene.first_turned = 2;
     refuse(FXL_E_COUNT, &set, &scene, &room);
@@ -319,7 +319,7 @@ void test_what_cannot_be_played_is_refused(void)
     room.instances = (fxl_instance *)((uintptr_t)instances + 2);
     refuse(FXL_E_ALIGNMENT, &set, &scene, &room);
     room = memory;
-    room.placements = (fxl_placement *)((uintptr_t)turns + 1);
+    room.placements = (fxl_placement *)((uintptr_t)placements + 1);
     refuse(FXL_E_ALIGNMENT, &set, &scene, &room);
     room = memory;
     set.motions = NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The checks of turns and of motions, each boundary from both sides. */
+/* The checks of placements and of motions, each boundary from both sides. */
 #include "tiny.h"
 
 enum {
@@ -9,20 +9,20 @@ enum {
 
 static fxl_motion motions[MOTIONS];
 static fxl_motion_key keys[KEYS];
-static fxl_placement turns[TINY_INSTANCES];
+static fxl_placement placements[TINY_INSTANCES];
 static fxl_motion_set set;
 static fxl_scene scene;
 
 static const fxl_placement still = FXL_PLACEMENT_NONE;
 
-/* Every instance of tiny's scene has a turn, a motion and a key; the last has two keys. */
+/* Every instance of tiny's scene has a placement, a motion and a key; the last has two keys. */
 static void make(void)
 {
     scene = tiny_make()->scene;
-    scene.placements = turns;
+    scene.placements = placements;
     scene.first_turned = 0;
     for (uint32_t i = 0; i < MOTIONS; i++) {
-        turns[i] = still;
+        placements[i] = still;
         motions[i] = (fxl_motion){.extent = {FXL_UNITS(9), FXL_UNITS(9), FXL_UNITS(9)},
                                   .scale_low = 32768,
                                   .scale_high = FXL_UNITS(2),
@@ -59,7 +59,7 @@ static void expect_fine(void)
     expect(FXL_OK, "-", 99);
 }
 
-void test_a_scene_with_turns_is_fine(void)
+void test_a_scene_with_placements_is_fine(void)
 {
     make();
     expect_scene(FXL_OK, "-", 99);
@@ -93,7 +93,7 @@ void test_missing_tables_are_refused(void)
     scene.first_turned = 1;
     expect(FXL_E_COUNT, "motion table", 0);
     scene.first_turned = TINY_INSTANCES + 1;
-    expect_scene(FXL_E_INDEX, "turn table", 0);
+    expect_scene(FXL_E_INDEX, "placement table", 0);
     scene.placements = NULL;
     expect(FXL_E_COUNT, "motion table", 0);
 }
@@ -264,13 +264,13 @@ void test_the_scales_of_a_chain_are_in_range(void)
 void test_a_chain_has_at_most_eight_parents(void)
 {
     static fxl_instance many[10];
-    static fxl_placement many_turns[10];
+    static fxl_placement many_placements[10];
     static fxl_motion many_motions[10];
     static fxl_motion_key many_keys[10];
     make();
     for (uint32_t i = 0; i < 10; i++) {
         many[i] = scene.instances[0];
-        many_turns[i] = still;
+        many_placements[i] = still;
         many_motions[i] = (fxl_motion){.scale_low = FXL_Q16_16_ONE,
                                        .scale_high = FXL_Q16_16_ONE,
                                        .first_key = i,
@@ -279,7 +279,7 @@ void test_a_chain_has_at_most_eight_parents(void)
         many_keys[i] = (fxl_motion_key){.scale = FXL_Q16_16_ONE};
     }
     scene.instances = many;
-    scene.placements = many_turns;
+    scene.placements = many_placements;
     scene.instance_count = 9;
     set = (fxl_motion_set){many_motions, 9, many_keys, 9};
     fxl_scene_fault fault = {"-", 99};

@@ -9,7 +9,8 @@
 static const fxl_point origin = {0, 0, 0};
 static const fxl_orientation identity = FXL_ORIENTATION_NONE;
 
-static void expect_near(const exact_placement *wanted, const fxl_orientation *actual, long double bound)
+static void expect_near(const exact_placement *wanted, const fxl_orientation *actual,
+                        long double bound)
 {
     TEST_ASSERT_NEAR(exact_distance(wanted, actual), 0, bound);
 }
@@ -19,8 +20,8 @@ static void expect_rows(const fxl_orientation *o)
 {
     fxl_q2_30 rows[3][3];
     exact_entries(o, rows);
-    const fxl_placement turn = {*o, FXL_Q16_16_ONE};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&turn, &origin, 0));
+    const fxl_placement placement = {*o, FXL_Q16_16_ONE};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&placement, &origin, 0));
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j <= i; j++) {
             int64_t sum = i == j ? -((int64_t)1 << 60) : 0;
@@ -104,7 +105,7 @@ void test_an_axis_turns_as_the_angles_do(void)
 {
     const fxl_angle angle = DEGREES(37);
     const exact_placement yaw = exact_angles(angle, 0, 0), pitch = exact_angles(0, angle, 0),
-                     roll = exact_angles(0, 0, angle);
+                          roll = exact_angles(0, 0, angle);
     fxl_orientation o = by_axis((fxl_point){0, 7, 0}, angle);
     expect_near(&yaw, &o, 4);
     o = by_axis((fxl_point){-1, 0, 0}, angle);
@@ -222,7 +223,8 @@ void test_a_million_products_stay_in_range(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_multiply(&o, &small, &o));
     }
     expect_rows(&o);
-    const exact_placement wanted = exact_axis((fxl_point){2, 3, 6}, (fxl_angle)((uint32_t)count * step));
+    const exact_placement wanted =
+        exact_axis((fxl_point){2, 3, 6}, (fxl_angle)((uint32_t)count * step));
     expect_near(&wanted, &o, 6.0L * count);
 }
 

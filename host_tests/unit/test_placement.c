@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* The numbers of turned instances, against their definitions in whole numbers of 128 bits. */
 #include "scene/placement_code.h"
-#include "turns.h"
+#include "placements.h"
 #include "wide.h"
 
 static const fxl_placement none = FXL_PLACEMENT_NONE;
 
-/* The largest radius of a model that a turn may have about the origin. */
-static fxl_q16_16 radius_of(const fxl_placement *turn)
+/* The largest radius of a model that a placement may have about the origin. */
+static fxl_q16_16 radius_of(const fxl_placement *placement)
 {
-    const int64_t limit = ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / turn->scale;
+    const int64_t limit =
+        ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / placement->scale;
     return limit < FXL_RADIUS_MAX ? (fxl_q16_16)limit : FXL_RADIUS_MAX;
 }
 
@@ -34,35 +35,35 @@ static void expect_rounded(int64_t result, int64_t a, int64_t b, int64_t half)
 
 /* --- the check ------------------------------------------------------------------------------ */
 
-static fxl_status check(const fxl_placement *turn)
+static fxl_status check(const fxl_placement *placement)
 {
     const fxl_point centre = {0, 0, 0};
-    return fxl_placement_check(turn, &centre, Q16(1));
+    return fxl_placement_check(placement, &centre, Q16(1));
 }
 
 void test_rotations_are_accepted(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, check(&none));
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement turn = turns_any();
-        TEST_ASSERT_EQUAL(FXL_OK, check(&turn));
+        const fxl_placement placement = placements_any();
+        TEST_ASSERT_EQUAL(FXL_OK, check(&placement));
     }
 }
 
 /* x is too long by 1.5 2^-29, its square by 1.5 2^-28; all else is within its tolerance. */
 void test_a_row_just_too_long_is_refused(void)
 {
-    fxl_placement turn = none;
+    fxl_placement placement = none;
     const fxl_orientation rows = {
         {FXL_Q2_30_ONE + 3, -1, 0}, {0, FXL_Q2_30_ONE - 1, 0}, {0, 0, FXL_Q2_30_ONE + 2}};
-    turn.orientation = rows;
-    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&turn));
-    turn.orientation.x.x--;
-    turn.orientation.z.z--;
-    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&turn));
-    turn.orientation.x.x--;
-    turn.orientation.z.z--;
-    TEST_ASSERT_EQUAL(FXL_OK, check(&turn));
+    placement.orientation = rows;
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&placement));
+    placement.orientation.x.x--;
+    placement.orientation.z.z--;
+    TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&placement));
+    placement.orientation.x.x--;
+    placement.orientation.z.z--;
+    TEST_ASSERT_EQUAL(FXL_OK, check(&placement));
 }
 
 /* All six products of two rows, to within 2^-28: then the rows are accepted. A row that is moved
@@ -72,8 +73,8 @@ void test_rows_near_and_far_from_a_rotation(void)
     const int64_t one = (int64_t)1 << 60, tolerance = (int64_t)1 << 32;
     int near = 0;
     for (int round = 0; round < UNIT_REPEAT; round++) {
-        fxl_placement turn = turns_any();
-        int32_t *entries = &turn.orientation.x.x;
+        fxl_placement placement = placements_any();
+        int32_t *entries = &placement.orientation.x.x;
         const int32_t most = 1 << unit_between(0, 6);
         int64_t largest = 0;
         for (int i = 0; i < 9; i++) {
@@ -88,9 +89,9 @@ void test_rows_near_and_far_from_a_rotation(void)
         }
         if (largest < tolerance) {
             near++;
-            TEST_ASSERT_EQUAL(FXL_OK, check(&turn));
+            TEST_ASSERT_EQUAL(FXL_OK, check(&placement));
         } else if (largest > 16 * tolerance) {
-            TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&turn));
+            TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&placement));
         }
     }
     TEST_ASSERT_TRUE(near > UNIT_REPEAT / 20);
@@ -99,8 +100,8 @@ void test_rows_near_and_far_from_a_rotation(void)
 void test_what_is_no_rotation(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        fxl_placement turn = turns_any();
-        int32_t *entries = &turn.orientation.x.x;
+        fxl_placement placement = placements_any();
+        int32_t *entries = &placement.orientation.x.x;
         const int row = unit_between(0, 2);
         switch (round % 5) {
         case 0: /* a mirror image */
@@ -126,7 +127,7 @@ void test_what_is_no_rotation(void)
         default: /* the same direction twice */
             memcpy(entries + 3 * row, entries + 3 * ((row + 1) % 3), 3 * sizeof *entries);
         }
-        TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&turn));
+        TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, check(&placement));
     }
 }
 
@@ -142,35 +143,36 @@ void test_the_places_of_a_scene(void)
 {
     static fxl_instance instances[2];
     static fxl_model model;
-    fxl_placement turn = none;
+    fxl_placement placement = none;
     const fxl_scene scene = {.models = &model,
                              .instances = instances,
                              .model_count = 1,
                              .instance_count = 2,
-                             .placements = &turn,
+                             .placements = &placement,
                              .first_turned = 1};
     int32_t *centre = &instances[1].centre.x;
     uint32_t in_range = 0;
     instances[0].centre.x = INT32_MAX;
     for (int round = 0; round < UNIT_REPEAT; round++) {
-        turn.scale = any_size(26) - (round % 64 == 0 ? 300 : 0);
+        placement.scale = any_size(26) - (round % 64 == 0 ? 300 : 0);
         model.radius = any_size(31);
         for (int i = 0; i < 3; i++) {
             centre[i] = any_size(31) * (unit_between(0, 1) ? 1 : -1) - unit_between(0, 1);
         }
-        const bool is_ok = fxl_placement_check(&turn, &instances[1].centre, model.radius) == FXL_OK;
+        const bool is_ok =
+            fxl_placement_check(&placement, &instances[1].centre, model.radius) == FXL_OK;
         TEST_ASSERT_EQUAL(is_ok, fxl_placement_places_are_in_range(&scene));
         in_range += is_ok;
     }
     TEST_ASSERT_TRUE(in_range > UNIT_REPEAT / 10 && in_range < UNIT_REPEAT);
 }
 
-void test_ranges_of_a_turn(void)
+void test_ranges_of_a_placement(void)
 {
     fxl_point centre = {0, 0, 0};
-    fxl_placement turn = none;
+    fxl_placement placement = none;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_placement_check(NULL, &centre, 0));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_placement_check(&turn, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_placement_check(&placement, NULL, 0));
     static const struct {
         int32_t scale, radius;
         fxl_status status;
@@ -189,34 +191,35 @@ void test_ranges_of_a_turn(void)
                  {FXL_SCALE_MAX, Q16(8190.0 / 256), FXL_OK},
                  {FXL_SCALE_MAX, Q16(8191.0 / 256), FXL_E_RANGE}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        turn.scale = cases[i].scale;
-        TEST_ASSERT_EQUAL(cases[i].status, fxl_placement_check(&turn, &centre, cases[i].radius));
+        placement.scale = cases[i].scale;
+        TEST_ASSERT_EQUAL(cases[i].status,
+                          fxl_placement_check(&placement, &centre, cases[i].radius));
     }
     /* A sphere larger than the world fits nowhere. */
-    turn.scale = FXL_SCALE_MAX;
+    placement.scale = FXL_SCALE_MAX;
     centre = (fxl_point){Q16(100), Q16(100), Q16(100)};
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_placement_check(&turn, &centre, Q16(8200.0 / 256)));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_placement_check(&placement, &centre, Q16(8200.0 / 256)));
 }
 
 /* The reach: |centre| + scale * radius, rounded upward, and the slack. */
-void test_the_reach_of_a_turn(void)
+void test_the_reach_of_a_placement(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement turn = turns_any();
-        const fxl_q16_16 radius = unit_between(0, radius_of(&turn));
-        const int64_t product = (int64_t)radius * turn.scale;
-        const fxl_q16_16 reach = fxl_placement_radius(&turn, radius);
+        const fxl_placement placement = placements_any();
+        const fxl_q16_16 radius = unit_between(0, radius_of(&placement));
+        const int64_t product = (int64_t)radius * placement.scale;
+        const fxl_q16_16 reach = fxl_placement_radius(&placement, radius);
         TEST_ASSERT_TRUE(((int64_t)(reach - FXL_PLACEMENT_SLACK) << 16) >= product);
         TEST_ASSERT_TRUE(((int64_t)(reach - FXL_PLACEMENT_SLACK - 1) << 16) < product);
         fxl_point centre = {0, 0, 0};
         int32_t *const coordinate = &(&centre.x)[unit_between(0, 2)];
         const int sign = unit_between(0, 1) ? 1 : -1;
         *coordinate = sign * (FXL_COORDINATE_MAX - reach);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&turn, &centre, radius));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&placement, &centre, radius));
         *coordinate += sign;
-        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_placement_check(&turn, &centre, radius));
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_placement_check(&placement, &centre, radius));
         *coordinate = sign < 0 ? INT32_MIN : INT32_MAX;
-        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_placement_check(&turn, &centre, radius));
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_placement_check(&placement, &centre, radius));
     }
 }
 
@@ -225,23 +228,24 @@ void test_the_reach_of_a_turn(void)
 void test_each_entry_of_the_matrix_is_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement turn = turns_any();
+        const fxl_placement placement = placements_any();
         const fxl_pose pose = unit_pose();
         fxl_camera camera;
         fxl_axes matrix;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_camera_from_pose(&pose, &camera));
-        const unsigned shift = fxl_placement_matrix(&turn, &camera.axes, &matrix);
-        TEST_ASSERT_TRUE((int64_t)FXL_Q16_16_ONE << shift >= turn.scale);
-        TEST_ASSERT_TRUE(shift == 0 || (int64_t)FXL_Q16_16_ONE << shift < 2 * (int64_t)turn.scale);
+        const unsigned shift = fxl_placement_matrix(&placement, &camera.axes, &matrix);
+        TEST_ASSERT_TRUE((int64_t)FXL_Q16_16_ONE << shift >= placement.scale);
+        TEST_ASSERT_TRUE(shift == 0 ||
+                         (int64_t)FXL_Q16_16_ONE << shift < 2 * (int64_t)placement.scale);
         for (int i = 0; i < 9; i++) {
             const int64_t sum =
-                sum_of(&camera.axes.right.x + i / 3 * 3, &turn.orientation.x.x + i % 3, 3);
-            expect_rounded((&matrix.right.x)[i], sum, turn.scale, (int64_t)1 << (45 + shift));
+                sum_of(&camera.axes.right.x + i / 3 * 3, &placement.orientation.x.x + i % 3, 3);
+            expect_rounded((&matrix.right.x)[i], sum, placement.scale, (int64_t)1 << (45 + shift));
         }
     }
 }
 
-void test_no_turn_leaves_the_view(void)
+void test_no_placement_leaves_the_view(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = unit_pose();
@@ -266,16 +270,17 @@ void test_no_turn_leaves_the_view(void)
 void test_points_and_directions_are_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
-        const fxl_placement turn = turns_any();
-        const fxl_point vertex = vertex_in(radius_of(&turn)), centre = {0, 0, 0};
+        const fxl_placement placement = placements_any();
+        const fxl_point vertex = vertex_in(radius_of(&placement)), centre = {0, 0, 0};
         const fxl_direction direction = unit_direction();
         fxl_point point;
         fxl_direction turned;
-        fxl_placement_point(&turn, &centre, &vertex, &point);
-        fxl_placement_direction(&turn, &direction, &turned);
+        fxl_placement_point(&placement, &centre, &vertex, &point);
+        fxl_placement_direction(&placement, &direction, &turned);
         for (int i = 0; i < 3; i++) {
-            const int32_t *row = &turn.orientation.x.x + 3 * i;
-            expect_rounded((&point.x)[i], sum_of(row, &vertex.x, 1), turn.scale, (int64_t)1 << 45);
+            const int32_t *row = &placement.orientation.x.x + 3 * i;
+            expect_rounded((&point.x)[i], sum_of(row, &vertex.x, 1), placement.scale,
+                           (int64_t)1 << 45);
             expect_rounded((&turned.x)[i], sum_of(row, &direction.x, 1), 1, (int64_t)1 << 29);
         }
     }
@@ -283,7 +288,7 @@ void test_points_and_directions_are_rounded_once(void)
 
 /* How a random instance lies to a random eye. */
 typedef struct {
-    fxl_placement turn;
+    fxl_placement placement;
     fxl_point from_eye;
     fxl_q16_16 radius;
     int64_t exact[3]; /* the eye along the model's axes, times the scale, in units of 2^-46 */
@@ -291,20 +296,20 @@ typedef struct {
 
 static sight any_sight(void)
 {
-    sight of = {.turn = turns_any()};
+    sight of = {.placement = placements_any()};
     const fxl_point eye = unit_point(FXL_COORDINATE_MAX);
-    const fxl_q16_16 most = radius_of(&of.turn);
+    const fxl_q16_16 most = radius_of(&of.placement);
     of.radius = unit_between(0, most < Q16(100) ? most : Q16(100));
     if (unit_between(0, 3) == 0) {
         of.radius = most;
     }
-    const fxl_q16_16 reach = fxl_placement_radius(&of.turn, of.radius);
+    const fxl_q16_16 reach = fxl_placement_radius(&of.placement, of.radius);
     const fxl_point centre =
         unit_point(reach < FXL_COORDINATE_MAX ? FXL_COORDINATE_MAX - reach : 0);
     const int32_t to_eye[3] = {eye.x - centre.x, eye.y - centre.y, eye.z - centre.z};
     of.from_eye = (fxl_point){-to_eye[0], -to_eye[1], -to_eye[2]};
     for (int i = 0; i < 3; i++) {
-        of.exact[i] = sum_of(to_eye, &of.turn.orientation.x.x + i, 3);
+        of.exact[i] = sum_of(to_eye, &of.placement.orientation.x.x + i, 3);
     }
     return of;
 }
@@ -327,10 +332,11 @@ void test_the_eye_in_the_space_of_the_model(void)
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
         const sight of = any_sight();
         fxl_point eye;
-        const unsigned shift = fxl_placement_eye(&of.turn, &of.from_eye, of.radius, &eye);
+        const unsigned shift = fxl_placement_eye(&of.placement, &of.from_eye, of.radius, &eye);
         TEST_ASSERT_TRUE(fits(&of, &eye, shift));
         for (int i = 0; i < 3; i++) {
-            expect_rounded((&eye.x)[i], of.exact[i], 1, (int64_t)of.turn.scale << (13 + shift));
+            expect_rounded((&eye.x)[i], of.exact[i], 1,
+                           (int64_t)of.placement.scale << (13 + shift));
         }
         if (shift >
             0) { /* the shift before would not do: an exact coordinate is beyond the limit */
@@ -339,7 +345,7 @@ void test_the_eye_in_the_space_of_the_model(void)
             for (int i = 0; i < 3; i++) {
                 const int64_t size = of.exact[i] < 0 ? -of.exact[i] : of.exact[i];
                 beyond = beyond || wide_compare(wide_product(size, 1),
-                                                wide_product(2 * limit, (int64_t)of.turn.scale
+                                                wide_product(2 * limit, (int64_t)of.placement.scale
                                                                             << (12 + shift))) > 0;
             }
             TEST_ASSERT_TRUE(beyond);
@@ -356,14 +362,14 @@ void test_the_limit_of_an_eye(void)
         for (int half = 0; half < 2; half++) {
             const fxl_q16_16 radius = 2 * unit_between(0, Q16(50)) + 1;
             const int32_t limit = (1 << 30) - 1 - radius; /* even, as half a scale wants */
-            const fxl_placement turn = {none.orientation, FXL_Q16_16_ONE >> half};
+            const fxl_placement placement = {none.orientation, FXL_Q16_16_ONE >> half};
             const int32_t to_eye = i < 3 ? limit >> half : -limit >> half;
             fxl_point from_eye = {0, 0, 0}, eye;
             (&from_eye.x)[i % 3] = -to_eye;
-            TEST_ASSERT_EQUAL(0, fxl_placement_eye(&turn, &from_eye, radius, &eye));
+            TEST_ASSERT_EQUAL(0, fxl_placement_eye(&placement, &from_eye, radius, &eye));
             TEST_ASSERT_EQUAL(i < 3 ? limit : -limit, (&eye.x)[i % 3]);
             (&from_eye.x)[i % 3] = i < 3 ? -to_eye - 1 : -to_eye + 1;
-            TEST_ASSERT_EQUAL(1, fxl_placement_eye(&turn, &from_eye, radius, &eye));
+            TEST_ASSERT_EQUAL(1, fxl_placement_eye(&placement, &from_eye, radius, &eye));
         }
     }
 }
@@ -388,7 +394,7 @@ static int side_of(const sight *of, const fxl_direction *normal, fxl_q18_46 heig
     wide left = wide_product(normal->x, of->exact[0]);
     left = wide_sum(left, wide_product(normal->y, of->exact[1]));
     left = wide_sum(left, wide_product(normal->z, of->exact[2]));
-    return wide_compare(left, wide_product(height, (int64_t)of->turn.scale << 14));
+    return wide_compare(left, wide_product(height, (int64_t)of->placement.scale << 14));
 }
 
 /* The height at which the eye lies on the plane, as near as a height can be. Within scale * height
@@ -398,7 +404,7 @@ static fxl_q18_46 height_at_eye(const sight *of, const fxl_direction *normal)
     fxl_q18_46 height = 0;
     const int64_t most = (int64_t)1 << 61;
     /* 2^14 units / scale, in units of 2^-46. */
-    const int64_t limit = of->turn.scale <= 32768 ? most : most / of->turn.scale * 32768;
+    const int64_t limit = of->placement.scale <= 32768 ? most : most / of->placement.scale * 32768;
     for (int bit = 60; bit >= 0; bit--) {
         const fxl_q18_46 more = height + ((int64_t)1 << bit);
         if (more < limit && side_of(of, normal, more) >= 0) {
@@ -422,12 +428,12 @@ void test_facing_is_exact(void)
         for (int step = -2; step <= 2; step++) {
             const int side = side_of(&of, &normal, height + step);
             exactly += side == 0;
-            TEST_ASSERT_EQUAL(
-                side > 0, fxl_placement_is_front(&of.turn, &of.from_eye, &normal, height + step));
+            TEST_ASSERT_EQUAL(side > 0, fxl_placement_is_front(&of.placement, &of.from_eye, &normal,
+                                                               height + step));
         }
         height = (int64_t)normal.x * unit_between(-of.radius, of.radius);
         TEST_ASSERT_EQUAL(side_of(&of, &normal, height) > 0,
-                          fxl_placement_is_front(&of.turn, &of.from_eye, &normal, height));
+                          fxl_placement_is_front(&of.placement, &of.from_eye, &normal, height));
     }
     TEST_ASSERT_TRUE(exactly > 0);
 }

@@ -119,13 +119,13 @@ void test_a_released_frame_is_not_picked(void)
 }
 
 /* As a frame that was not released. */
-void test_a_refused_begin_with_turns_ends_a_released_frame(void)
+void test_a_refused_begin_with_placements_ends_a_released_frame(void)
 {
-    static fxl_placement turn;
+    static fxl_placement placement;
     const fxl_pose pose = pose_of(1);
     tiny_scene *tiny = world_scene();
-    turn = tilted;
-    tiny->scene.placements = &turn;
+    placement = tilted;
+    tiny->scene.placements = &placement;
     tiny->scene.first_turned = 2;
     tiny->scene.placement_code = &fxl_turned_instances;
     tiny->instances[0].centre.x = Q16(500);
@@ -133,11 +133,11 @@ void test_a_refused_begin_with_turns_ends_a_released_frame(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
     draw(&renderers[0], 4, world_frames[0]);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_release_scene(&renderers[0]));
-    turn.orientation.x.x ^= 1 << 20;
+    placement.orientation.x.x ^= 1 << 20;
     tiny->instances[0].centre.x = 0;
     TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_frame_begin(&renderers[0], &pose));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_frame_release_scene(&renderers[0]));
-    turn = tilted;
+    placement = tilted;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
     draw(&renderers[0], 4, world_frames[1]);
     TEST_ASSERT_TRUE(memcmp(world_frames[0], world_frames[1], BYTES) != 0);

@@ -32,7 +32,7 @@ static fxl_billboards billboards;
 static fxl_sprite sprite;
 static fxl_billboard board;
 static fxl_billboard_set set;
-static fxl_placement turns[2];
+static fxl_placement placements[2];
 static fxl_beam beams[2];
 static bsp_scene *made;
 
@@ -57,7 +57,7 @@ void tearDown(void)
 enum {
     TREE = 1,
     CLUSTERED = 2,
-    TURN = 4,
+    PLACEMENT = 4,
     BILLBOARD = 8,
     BEAMS = 16,
     LIGHT = 32,
@@ -66,16 +66,16 @@ enum {
 };
 
 /* Instance 2 is turned and scaled, and so is instance 1 where it has no tree. */
-static void make_turns(fxl_scene *scene)
+static void make_placements(fxl_scene *scene)
 {
-    scene->placements = turns;
+    scene->placements = placements;
     scene->first_turned = scene->bsp_nodes != NULL ? 2 : 1;
     scene->placement_code = &fxl_turned_instances;
     for (uint32_t i = 0; i < TINY_INSTANCES - scene->first_turned; i++) {
         const fxl_angle yaw = unit_random(), pitch = unit_random(), roll = unit_random();
-        turns[i].scale = unit_between(Q16(0.25), Q16(2));
-        TEST_ASSERT_EQUAL(FXL_OK,
-                          fxl_orientation_from_angles(yaw, pitch, roll, &turns[i].orientation));
+        placements[i].scale = unit_between(Q16(0.25), Q16(2));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_orientation_from_angles(yaw, pitch, roll, &placements[i].orientation));
     }
 }
 
@@ -131,8 +131,8 @@ static fxl_pose make_scene(uint32_t with)
         const int32_t layer = unit_between(-2, 2);
         made->tiny->instances[i].layer = i == 1 || layer < 0 ? 1 : (uint8_t)layer;
     }
-    if (with & TURN) {
-        make_turns(scene);
+    if (with & PLACEMENT) {
+        make_placements(scene);
     }
     if (with & BILLBOARD) {
         make_billboard(made->tiny);
@@ -249,42 +249,42 @@ void test_frames_are_those_on_record(void)
         uint32_t with, hash;
     } record[] = {
         {&fxl_clipper_view, sorted, 0, 0xB76C657A},
-        {&fxl_clipper_world, sorted, TURN, 0x3FC1E976},
-        {&fxl_clipper_normalised, sorted, TURN, 0xD5F6C9BE},
-        {&fxl_clipper_once, sorted, TURN | LIGHT, 0xC10A8AB1},
-        {&fxl_clipper_half_spaces, sorted, TURN | CLUSTERED, 0xDBEA88CC},
-        {&fxl_clipper_triangles, sorted, TURN, 0x71E2F047},
-        {&fxl_clipper_near, sorted, TURN | CLUSTERED, 0x5E534FBA},
-        {&fxl_clipper_left, sorted, TURN, 0x3CD5E92C},
-        {&fxl_clipper_view, sorted, TURN | CLUSTERED, 0x03A182D1},
+        {&fxl_clipper_world, sorted, PLACEMENT, 0x3FC1E976},
+        {&fxl_clipper_normalised, sorted, PLACEMENT, 0xD5F6C9BE},
+        {&fxl_clipper_once, sorted, PLACEMENT | LIGHT, 0xC10A8AB1},
+        {&fxl_clipper_half_spaces, sorted, PLACEMENT | CLUSTERED, 0xDBEA88CC},
+        {&fxl_clipper_triangles, sorted, PLACEMENT, 0x71E2F047},
+        {&fxl_clipper_near, sorted, PLACEMENT | CLUSTERED, 0x5E534FBA},
+        {&fxl_clipper_left, sorted, PLACEMENT, 0x3CD5E92C},
+        {&fxl_clipper_view, sorted, PLACEMENT | CLUSTERED, 0x03A182D1},
         {&fxl_clipper_view, sorted, BEAMS, 0xACCAF69F},
-        {&fxl_clipper_world, sorted, BEAMS | TURN, 0xD1A6F5E0},
-        {&fxl_clipper_triangles, sorted, BEAMS | TURN, 0x4FCDDE04},
-        {&fxl_clipper_view, sorted, TURN | LIGHT, 0xDC7A16E7},
+        {&fxl_clipper_world, sorted, BEAMS | PLACEMENT, 0xD1A6F5E0},
+        {&fxl_clipper_triangles, sorted, BEAMS | PLACEMENT, 0x4FCDDE04},
+        {&fxl_clipper_view, sorted, PLACEMENT | LIGHT, 0xDC7A16E7},
         {&fxl_clipper_view, sorted, BILLBOARD, 0x285422D4},
-        {&fxl_clipper_world, sorted, BILLBOARD | TURN | LIGHT, 0x65BDB371},
+        {&fxl_clipper_world, sorted, BILLBOARD | PLACEMENT | LIGHT, 0x65BDB371},
         {&fxl_clipper_view, &choice_tree, TREE, 0x11DDEE9C},
-        {&fxl_clipper_view, &choice_tree, TREE | TURN, 0x99C60DD4},
-        {&fxl_clipper_view, &choice_tree, TREE | TURN | LIGHT, 0x0ED8B4B4},
-        {&fxl_clipper_view, &choice_tree, TREE | TURN | BEAMS, 0x16D339C8},
-        {&fxl_clipper_triangles, &choice_tree, TREE | TURN, 0xD53F3897},
-        {&fxl_clipper_view, &choice_tree_spans, TREE | TURN, 0x170A8249},
-        {&fxl_clipper_near, &choice_tree_spans, TREE | TURN | BEAMS, 0x41B52A8B},
-        {&fxl_clipper_view, &choice_spans, TURN | CLUSTERED, 0x29394181},
-        {&fxl_clipper_once, &choice_spans, TURN | BEAMS, 0xE6514092},
-        {&fxl_clipper_view, &choice_spans_box, TURN | LIGHT, 0x8B77AE31},
-        {&fxl_clipper_view, &choice_box, TURN, 0x868D87BB},
-        {&fxl_clipper_view, sorted, TURN | OUTLINES, 0x2840FE04},
+        {&fxl_clipper_view, &choice_tree, TREE | PLACEMENT, 0x99C60DD4},
+        {&fxl_clipper_view, &choice_tree, TREE | PLACEMENT | LIGHT, 0x0ED8B4B4},
+        {&fxl_clipper_view, &choice_tree, TREE | PLACEMENT | BEAMS, 0x16D339C8},
+        {&fxl_clipper_triangles, &choice_tree, TREE | PLACEMENT, 0xD53F3897},
+        {&fxl_clipper_view, &choice_tree_spans, TREE | PLACEMENT, 0x170A8249},
+        {&fxl_clipper_near, &choice_tree_spans, TREE | PLACEMENT | BEAMS, 0x41B52A8B},
+        {&fxl_clipper_view, &choice_spans, PLACEMENT | CLUSTERED, 0x29394181},
+        {&fxl_clipper_once, &choice_spans, PLACEMENT | BEAMS, 0xE6514092},
+        {&fxl_clipper_view, &choice_spans_box, PLACEMENT | LIGHT, 0x8B77AE31},
+        {&fxl_clipper_view, &choice_box, PLACEMENT, 0x868D87BB},
+        {&fxl_clipper_view, sorted, PLACEMENT | OUTLINES, 0x2840FE04},
         {&fxl_clipper_left, sorted, CLUSTERED | LIGHT | OUTLINES, 0xCAB25BE7},
-        {&fxl_clipper_view, &choice_depth_16, TURN | BEAMS, 0x6016489A},
-        {&fxl_clipper_once, &choice_depth_16, TURN | CLUSTERED | OFF_CENTRE, 0xD0877E37},
-        {&fxl_clipper_triangles, &choice_depth_32, TURN | BEAMS, 0xD1A7A78D},
-        {&fxl_clipper_view, &choice_depth_32, TURN | BILLBOARD | LIGHT, 0x3F88B336},
-        {&fxl_clipper_view, sorted, TURN | CLUSTERED | OFF_CENTRE, 0x4BE9AB07},
-        {&fxl_clipper_triangles, sorted, TURN | BEAMS | OFF_CENTRE, 0xD9982D40},
-        {&fxl_clipper_left, sorted, TURN | BILLBOARD | OFF_CENTRE, 0xCF692EDA},
-        {&fxl_clipper_normalised, &choice_spans, TURN | OFF_CENTRE, 0xA0462869},
-        {&fxl_clipper_world, &choice_tree, TREE | TURN | OFF_CENTRE, 0x87A7A0B7},
+        {&fxl_clipper_view, &choice_depth_16, PLACEMENT | BEAMS, 0x6016489A},
+        {&fxl_clipper_once, &choice_depth_16, PLACEMENT | CLUSTERED | OFF_CENTRE, 0xD0877E37},
+        {&fxl_clipper_triangles, &choice_depth_32, PLACEMENT | BEAMS, 0xD1A7A78D},
+        {&fxl_clipper_view, &choice_depth_32, PLACEMENT | BILLBOARD | LIGHT, 0x3F88B336},
+        {&fxl_clipper_view, sorted, PLACEMENT | CLUSTERED | OFF_CENTRE, 0x4BE9AB07},
+        {&fxl_clipper_triangles, sorted, PLACEMENT | BEAMS | OFF_CENTRE, 0xD9982D40},
+        {&fxl_clipper_left, sorted, PLACEMENT | BILLBOARD | OFF_CENTRE, 0xCF692EDA},
+        {&fxl_clipper_normalised, &choice_spans, PLACEMENT | OFF_CENTRE, 0xA0462869},
+        {&fxl_clipper_world, &choice_tree, TREE | PLACEMENT | OFF_CENTRE, 0x87A7A0B7},
     };
     uint32_t wrong = 0;
     for (uint32_t i = 0; i < sizeof record / sizeof record[0]; i++) {

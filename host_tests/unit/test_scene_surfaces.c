@@ -145,7 +145,7 @@ void test_an_image_may_have_no_surfaces(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, textures, TEXTURES, &set, NULL));
 }
 
-void test_an_image_with_surfaces_may_have_no_light_turns_or_beams(void)
+void test_an_image_with_surfaces_may_have_no_light_placements_or_beams(void)
 {
     tiny_image *image = make();
     fxl_scene_image opened;

@@ -5,18 +5,18 @@
 
 #include "slides.h"
 #include "tiny.h"
-#include "turns.h"
+#include "placements.h"
 
 static tiny_scene *tiny;
-static fxl_placement turns[TINY_INSTANCES];
+static fxl_placement placements[TINY_INSTANCES];
 
 void setUp(void)
 {
     tiny = tiny_make();
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_placement)FXL_PLACEMENT_NONE;
+        placements[i] = (fxl_placement)FXL_PLACEMENT_NONE;
     }
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
 }
@@ -28,16 +28,16 @@ void tearDown(void)
 /* How far a point is from a cube, in units of 1/65536; 0 within. In the cube's own axes. */
 static double distance_from(const fxl_point *point, uint32_t number)
 {
-    const fxl_placement *turn = &turns[number];
+    const fxl_placement *placement = &placements[number];
     const fxl_point *c = &tiny->instances[number].centre;
     const double to[3] = {(double)point->x - c->x, (double)point->y - c->y,
                           (double)point->z - c->z};
     double square = 0;
     for (int k = 0; k < 3; k++) {
-        const int32_t *column = &turn->orientation.x.x + k;
+        const int32_t *column = &placement->orientation.x.x + k;
         const double along =
             (column[0] * to[0] + column[3] * to[1] + column[6] * to[2]) / FXL_Q2_30_ONE;
-        const double out = fabs(along) - turn->scale;
+        const double out = fabs(along) - placement->scale;
         square += out > 0 ? out * out : 0;
     }
     return sqrt(square);
@@ -53,11 +53,11 @@ static double distance(const fxl_point *point)
     return nearest;
 }
 
-static void turn_all(fxl_q16_16 scale_most)
+static void place_all(fxl_q16_16 scale_most)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i].orientation = turns_orientation();
-        turns[i].scale = unit_between(FXL_Q16_16_ONE / 4, scale_most);
+        placements[i].orientation = placements_orientation();
+        placements[i].scale = unit_between(FXL_Q16_16_ONE / 4, scale_most);
     }
 }
 
@@ -66,7 +66,7 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
 {
     slide_counts counts = {0, 0};
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
-        turn_all(Q16(3));
+        place_all(Q16(3));
         fxl_sphere sphere = {unit_point(Q16(6)), unit_between(FXL_SLIDE_RADIUS_MIN, Q16(1.5))};
         sphere.centre.z += unit_between(0, Q16(8));
         if (distance(&sphere.centre) < sphere.radius + 64) {
@@ -81,7 +81,7 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
 void test_a_sphere_stops_at_a_turned_face(void)
 {
     const fxl_q2_30 diagonal = 759250125; /* 2^30 / sqrt(2) */
-    turns[0] = (fxl_placement){
+    placements[0] = (fxl_placement){
         {{diagonal, 0, diagonal}, {0, FXL_Q2_30_ONE, 0}, {-diagonal, 0, diagonal}}, Q16(2)};
     tiny->scene.instance_count = 1;
     fxl_sphere sphere = {{Q16(-3), 0, Q16(-3)}, Q16(0.5)};
@@ -113,7 +113,7 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
     tiny->vertices[7].z += FXL_PLANARITY_MAX; /* of the face +z, whose first vertex is another */
     for (int round = 0; round < UNIT_REPEAT / 200; round++) {
         const fxl_q16_16 scale = Q16(200);
-        turns[0] = (fxl_placement){turns_orientation(), scale};
+        placements[0] = (fxl_placement){placements_orientation(), scale};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
         /* In the cube's axes: over the face, beside the vertex. */
         const fxl_q16_16 beside = unit_between(0, 100), radius = unit_between(Q16(4), Q16(20));
@@ -124,9 +124,9 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
         fxl_point vertex, to;
         fxl_sphere sphere = {{0, 0, 0}, radius};
         fxl_slide slide;
-        fxl_placement_point(&turns[0], centre, &start, &sphere.centre);
-        fxl_placement_point(&turns[0], centre, &end, &to);
-        fxl_placement_point(&turns[0], centre, &tiny->vertices[7], &vertex);
+        fxl_placement_point(&placements[0], centre, &start, &sphere.centre);
+        fxl_placement_point(&placements[0], centre, &end, &to);
+        fxl_placement_point(&placements[0], centre, &tiny->vertices[7], &vertex);
         const fxl_point move = {to.x - sphere.centre.x, to.y - sphere.centre.y,
                                 to.z - sphere.centre.z};
         TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &move, &slide));
@@ -138,19 +138,19 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
     TEST_ASSERT_TRUE(pushed > 0);
 }
 
-void test_turns_that_cannot_be_are_refused(void)
+void test_placements_that_cannot_be_are_refused(void)
 {
     const fxl_sphere sphere = {{Q16(5), 0, 0}, Q16(1)};
     const fxl_point move = {Q16(1), 0, 0};
     fxl_slide slide = {7, 7, 7, 7};
     const fxl_slide untouched = slide;
     fxl_sphere moved = sphere;
-    turns[1].orientation.x.x = 0;
+    placements[1].orientation.x.x = 0;
     TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
-    turns[1] = (fxl_placement)FXL_PLACEMENT_NONE;
-    turns[2].scale = 0;
+    placements[1] = (fxl_placement)FXL_PLACEMENT_NONE;
+    placements[2].scale = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
-    turns[2] = (fxl_placement)FXL_PLACEMENT_NONE;
+    placements[2] = (fxl_placement)FXL_PLACEMENT_NONE;
     tiny->scene.placement_code = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_slide_sphere(&tiny->scene, &moved, &move, &slide));
     TEST_ASSERT_EQUAL_MEMORY(&sphere, &moved, sizeof moved);

@@ -116,7 +116,7 @@ void test_levels_divided_every_16_pixels(void)
     TEST_ASSERT_TRUE(worst > 1.0 / 256); /* they are linear in between */
 }
 
-/* Corners and normals of an instance that has a turn; its corners are rounded in the world. */
+/* Corners and normals of an instance that has a placement; its corners are rounded in the world. */
 void test_levels_of_turned_faces(void)
 {
     draw_random_faces(true, FXL_DIVIDE_1, 1.0 / 128);

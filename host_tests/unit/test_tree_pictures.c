@@ -188,7 +188,7 @@ static fxl_surface_set surface_set;
 static fxl_surfaces surfaces;
 static fxl_light light;
 static fxl_lit_surfaces lit;
-static fxl_placement turns[1];
+static fxl_placement placements[1];
 static uint64_t room[PIECES / 8];
 
 /* Each face of model 0 has a texture of its own, of 8 colours, and light of the same. */
@@ -238,13 +238,13 @@ static void make_mover(bool is_turned)
     tiny->instances[0] = tiny->instances[2] = (fxl_instance){{0, 0, Q16(200)}, 0, 0, 0};
     mover->centre = unit_point(Q16(1.5));
     mover->centre.z += Q16(10);
-    tiny->scene.placements = is_turned ? turns : NULL;
+    tiny->scene.placements = is_turned ? placements : NULL;
     tiny->scene.placement_code = is_turned ? &fxl_turned_instances : NULL;
     tiny->scene.first_turned = is_turned ? 2 : 0;
-    turns[0] = (fxl_placement)FXL_PLACEMENT_NONE;
+    placements[0] = (fxl_placement)FXL_PLACEMENT_NONE;
     if (is_turned) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(DEGREES(20), DEGREES(35), DEGREES(10),
-                                                              &turns[0].orientation));
+                                                              &placements[0].orientation));
     }
 }
 

@@ -3,7 +3,7 @@
 #include "cluster_scene.h"
 #include "scene/placement_code.h"
 #include "study/clippers.h"
-#include "turns.h"
+#include "placements.h"
 #include "view/clusters.h"
 #include "view/placement.h"
 
@@ -17,7 +17,7 @@ static fxl_renderer renderer;
 static fxl_draw_entry order[ENTRIES];
 static fxl_cached_vertex cache[16];
 static uint8_t pixels[2][HEIGHT * WIDTH];
-static fxl_placement turns[TINY_INSTANCES];
+static fxl_placement placements[TINY_INSTANCES];
 
 /* Whether an eye less e units away from the apex is in a cone. By the definition, in double, of
  * which the error is far below 2^-20 for such small numbers. */
@@ -72,25 +72,26 @@ static fxl_counters draw(tiny_scene *tiny, const fxl_pose *pose, int which, bool
 }
 
 /* Turns all; the sorted cube is as small or as large as leaves it in the world. */
-static void turn_all(tiny_scene *tiny)
+static void place_all(tiny_scene *tiny)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_placement){turns_orientation(), FXL_Q16_16_ONE};
+        placements[i] = (fxl_placement){placements_orientation(), FXL_Q16_16_ONE};
     }
-    turns[1].scale =
+    placements[1].scale =
         unit_between(0, 1) ? unit_between(FXL_Q16_16_ONE / 4, 6 * FXL_Q16_16_ONE) : FXL_Q16_16_ONE;
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.first_turned = 0;
     tiny->scene.placement_code = &fxl_turned_instances;
 }
 
-/* The sphere test rejects the cluster where its instance's turn puts it. */
+/* The sphere test rejects the cluster where its instance's placement puts it. */
 static bool is_outside(const cluster_scene *made, const fxl_view *view, const fxl_cluster *cluster)
 {
     fxl_point centre;
-    fxl_placement_point(&turns[1], &made->tiny->instances[1].centre, &cluster->centre, &centre);
+    fxl_placement_point(&placements[1], &made->tiny->instances[1].centre, &cluster->centre,
+                        &centre);
     return fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
-                             fxl_placement_radius(&turns[1], cluster->radius)) ==
+                             fxl_placement_radius(&placements[1], cluster->radius)) ==
            FXL_SPHERE_OUTSIDE;
 }
 
@@ -104,7 +105,7 @@ static bool is_front(const cluster_scene *made, const fxl_view *view, const fxl_
                               (int64_t)face->normal.y * first->y +
                               (int64_t)face->normal.z * first->z;
     const fxl_point from_eye = {cube->x - eye->x, cube->y - eye->y, cube->z - eye->z};
-    return fxl_placement_is_front(&turns[1], &from_eye, &face->normal, height);
+    return fxl_placement_is_front(&placements[1], &from_eye, &face->normal, height);
 }
 
 static const cluster_definition definition = {is_outside, is_front};
@@ -114,9 +115,10 @@ static uint32_t planes_by_definition(const fxl_cluster *cluster, const fxl_insta
                                      const fxl_view *view, uint32_t planes)
 {
     fxl_point centre;
-    fxl_placement_point(&turns[1], &cube->centre, &cluster->centre, &centre);
-    const uint32_t crossed = fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
-                                               fxl_scaled_radius(turns[1].scale, cluster->radius));
+    fxl_placement_point(&placements[1], &cube->centre, &cluster->centre, &centre);
+    const uint32_t crossed =
+        fxl_sphere_planes(&view->camera, &view->view_frustum, &centre,
+                          fxl_scaled_radius(placements[1].scale, cluster->radius));
     return planes == 0 || crossed != FXL_SPHERE_OUTSIDE ? planes & crossed : crossed;
 }
 
@@ -141,9 +143,9 @@ void test_frames_with_turned_clusters(void)
         fxl_pose pose = unit_pose();
         pose.position = (fxl_point){unit_between(Q16(-6), Q16(6)), unit_between(Q16(-6), Q16(6)),
                                     unit_between(Q16(4), Q16(16))};
-        turn_all(tiny);
+        place_all(tiny);
         if (i % 8 == 5) { /* so small and so far away that its eye has another unit */
-            turns[1].scale = FXL_SCALE_MIN;
+            placements[1].scale = FXL_SCALE_MIN;
             pose.position.z -= unit_between(Q16(100), Q16(400));
             pose.yaw = pose.pitch = 0;
         }
@@ -194,19 +196,19 @@ void test_the_planes_of_a_turned_cluster(void)
         if (is_wide) { /* so far away that the near plane cuts no sphere, however large */
             pose = (fxl_pose){.position = {0, 0, Q16(-8100)}};
         }
-        turn_all(made->tiny);
+        place_all(made->tiny);
         (void)draw(made->tiny, &pose, 0, false, &fxl_clipper_view);
         for (int c = 0; is_wide && c < CLUSTERS; c++) {
             made->clusters[c].radius =
                 (fxl_q16_16)(((int64_t)unit_between(Q16(4000), FXL_COORDINATE_MAX - 65536) << 16) /
-                             turns[1].scale);
+                             placements[1].scale);
         }
         const fxl_view *view = &renderer.frame.view;
         for (int k = 0; k < 5; k++) {
             fxl_turned_view turned;
             (void)fxl_turned_view_of_instance(&turned, &made->tiny->scene, 1, view, &none,
                                               given[k]);
-            const uint32_t mark = turns[1].scale > FXL_Q16_16_ONE ? FXL_MODEL_VIEW_SCALED : 0;
+            const uint32_t mark = placements[1].scale > FXL_Q16_16_ONE ? FXL_MODEL_VIEW_SCALED : 0;
             for (int c = 0; c < CLUSTERS; c++) {
                 const uint32_t planes = planes_by_definition(
                     &made->clusters[c], &made->tiny->instances[1], view, given[k]);
@@ -230,8 +232,8 @@ void test_turned_clusters_that_no_sphere_test_takes(void)
     const fxl_pose pose = {.position = {0, 0, Q16(20)}};
     fxl_vertex_cache none = {.entries = NULL};
     fxl_turned_view turned;
-    turn_all(tiny);
-    turns[1] = (fxl_placement){FXL_ORIENTATION_NONE, 4 * FXL_Q16_16_ONE};
+    place_all(tiny);
+    placements[1] = (fxl_placement){FXL_ORIENTATION_NONE, 4 * FXL_Q16_16_ONE};
     (void)draw(tiny, &pose, 0, false, &fxl_clipper_view);
     const fxl_view *view = &renderer.frame.view;
     (void)fxl_turned_view_of_instance(&turned, &tiny->scene, 1, view, &none, FXL_PLANES_ALL);

@@ -5,7 +5,7 @@
 #include "frame_bands.h"
 #include "study/study.h"
 #include "scene/face_bounds.h"
-#include "turns.h"
+#include "placements.h"
 #include "tiny.h"
 #include "tiny_frames.h"
 
@@ -25,14 +25,14 @@ static fxl_draw_entry order[64];
 static uint32_t list[LIST_WORDS];
 static fxl_cached_vertex cache[9];
 static fxl_renderer renderer;
-static fxl_placement turns[TINY_INSTANCES];
+static fxl_placement placements[TINY_INSTANCES];
 static tiny_scene *tiny;
 
 /* The tiny scene, of which the instances from first on are turned. */
 static void make(uint32_t first)
 {
     tiny = tiny_make();
-    tiny_turn_from(tiny, turns, first);
+    tiny_place_from(tiny, placements, first);
 }
 
 static void start(int which, uint32_t list_words, uint32_t entries, bool front_to_back)
@@ -52,12 +52,12 @@ static void draw(const fxl_pose *pose, uint32_t rows, uint8_t *frame)
     frame_draw_pose(&renderer, pose, frame, rows, BACKGROUND);
 }
 
-/* Turns that leave the cubes about as large as they are. */
-static void turn_all(void)
+/* Placements that leave the cubes about as large as they are. */
+static void place_all(void)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i].orientation = turns_orientation();
-        turns[i].scale = unit_between(0, 2) == 0 ? Q16(1) : unit_between(Q16(0.25), Q16(4));
+        placements[i].orientation = placements_orientation();
+        placements[i].scale = unit_between(0, 2) == 0 ? Q16(1) : unit_between(Q16(0.25), Q16(4));
     }
 }
 
@@ -68,9 +68,9 @@ static fxl_counters counters_but_spilled(void)
     return counters;
 }
 
-/* Without a turn the bits are those of an instance that has none: the same pixels and counters,
- * but for the count of the rounded. */
-void test_turns_that_turn_nothing(void)
+/* Without a placement the bits are those of an instance that has none: the same pixels and
+ * counters, but for the count of the rounded. */
+void test_placements_that_turn_nothing(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = tiny_pose_between();
@@ -109,7 +109,7 @@ void test_bands_of_turned_instances(void)
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = tiny_pose_between();
         make((uint32_t)unit_between(0, TINY_INSTANCES - 1));
-        turn_all();
+        place_all();
         for (int which = 0; which < CLIPPERS + 2; which++) {
             start(which, LIST_WORDS, 9, false);
             draw(&pose, HEIGHT, frames[0]);
@@ -137,7 +137,7 @@ void test_facing_of_what_is_small_and_far(void)
         make(0);
         tiny->scene.instance_count = 1;
         fxl_instance *cube = &tiny->instances[0];
-        turns[0].scale = FXL_SCALE_MIN;
+        placements[0].scale = FXL_SCALE_MIN;
         cube->centre.z = unit_between(Q16(60), Q16(400));
         cube->centre.x = unit_between(-1024, 1024); /* four units of the model */
         cube->centre.y = unit_between(-1024, 1024);
@@ -147,7 +147,7 @@ void test_facing_of_what_is_small_and_far(void)
         for (uint32_t i = 0; i < 6; i++) {
             const fxl_face *face = &tiny->faces[i];
             wanted += !fxl_placement_is_front(
-                &turns[0], &cube->centre, &face->normal,
+                &placements[0], &cube->centre, &face->normal,
                 fxl_face_height(tiny->vertices, tiny->scene.indices + face->first_index, face));
         }
         TEST_ASSERT_EQUAL_UINT32(wanted, renderer.workspace.counters.backfacing);
@@ -164,7 +164,7 @@ void test_front_to_back(void)
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = tiny_pose_between();
         make(0);
-        turn_all();
+        place_all();
         start(CLIPPERS, LIST_WORDS, 9, false);
         draw(&pose, HEIGHT, frames[0]);
         start(CLIPPERS, (uint32_t)unit_between(0, LIST_WORDS), 9, true);
@@ -184,7 +184,7 @@ void test_clippers_agree(void)
     for (int round = 0; round < rounds; round++) {
         const fxl_pose pose = tiny_pose_between();
         make(0);
-        turn_all();
+        place_all();
         start(CLIPPERS, LIST_WORDS, 9, false);
         draw(&pose, HEIGHT, frames[0]);
         for (int which = 0; which < CLIPPERS + 2; which++) {
@@ -236,18 +236,19 @@ void test_orientations_in_sight_are_checked(void)
         poses[1] = tiny_pose_between();
         const uint32_t number = round % TINY_INSTANCES;
         make(round % 2);
-        turn_all();
+        place_all();
         start(CLIPPERS, round % 3 * 20, 9, false);
         draw(&poses[1], 5, frames[0]);
         const bool seen = is_in_sight(number) && number >= tiny->scene.first_turned;
         draw(&poses[0], 5, third);
         measured += seen && renderer.frame.state == FXL_FRAME_MEASURED;
         const fxl_camera before = renderer.frame.view.camera;
-        fxl_placement *turn =
-            &turns[number - (number < tiny->scene.first_turned ? 0 : tiny->scene.first_turned)];
-        const fxl_placement good = *turn;
+        fxl_placement *placement =
+            &placements[number -
+                        (number < tiny->scene.first_turned ? 0 : tiny->scene.first_turned)];
+        const fxl_placement good = *placement;
         if (number >= tiny->scene.first_turned) {
-            turn->orientation.x.x ^= 1 << 20;
+            placement->orientation.x.x ^= 1 << 20;
         }
         TEST_ASSERT_EQUAL(seen ? FXL_E_PLACEMENT : FXL_OK, fxl_frame_begin(&renderer, &poses[1]));
         if (seen) { /* what is asked of the view is of the picture that was drawn last */
@@ -257,7 +258,7 @@ void test_orientations_in_sight_are_checked(void)
             frame_draw_bands(&renderer, third, 5, BACKGROUND);
             TEST_ASSERT_EQUAL_MEMORY(frames[0], third, PIXELS);
         }
-        *turn = good;
+        *placement = good;
         in_sight += seen;
         draw(&poses[1], 5, third);
         TEST_ASSERT_EQUAL_MEMORY(frames[0], third, PIXELS);
@@ -266,7 +267,8 @@ void test_orientations_in_sight_are_checked(void)
     TEST_ASSERT_TRUE(in_sight > 0 && in_sight < rounds && (measured > 0 || FXL_IS_SMALL));
     make(0);
     start(CLIPPERS, 0, 9, false);
-    turns[0].orientation.x.x = turns[1].orientation.x.x = turns[2].orientation.x.x = 0;
+    placements[0].orientation.x.x = placements[1].orientation.x.x = placements[2].orientation.x.x =
+        0;
     expect_refused(FXL_E_PLACEMENT);
     TEST_ASSERT_EQUAL(FXL_FRAME_NONE, renderer.frame.state);
 }
@@ -294,24 +296,24 @@ static void expect_fault(fxl_status status, const char *what, uint32_t index)
     TEST_ASSERT_EQUAL_UINT32(77, tiny->scene.draw_list_needed);
 }
 
-void test_the_check_of_a_scene_with_turns(void)
+void test_the_check_of_a_scene_with_placements(void)
 {
     make(1);
-    turns[1].scale = FXL_SCALE_MAX + 1;
+    placements[1].scale = FXL_SCALE_MAX + 1;
     expect_fault(FXL_E_RANGE, "instance", 2);
-    turns[1].scale = FXL_SCALE_MAX;
-    turns[0].orientation.x.x = 0;
+    placements[1].scale = FXL_SCALE_MAX;
+    placements[0].orientation.x.x = 0;
     expect_fault(FXL_E_PLACEMENT, "instance", 1);
     make(0);
     tiny->instances[0].centre.y = Q16(8190); /* a corner would be outside if it stood still */
     expect_fault(FXL_E_RANGE, "instance", 0);
-    turns[0].scale = Q16(0.5);
+    placements[0].scale = Q16(0.5);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
     tiny->scene.placement_code = NULL;
-    expect_fault(FXL_E_ARGUMENT, "turn table", 0);
+    expect_fault(FXL_E_ARGUMENT, "placement table", 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&tiny->scene, NULL));
     TEST_ASSERT_EQUAL_PTR(&fxl_turned_instances, tiny->scene.placement_code);
-    turns[0].scale = 0;
+    placements[0].scale = 0;
     tiny->scene.placement_code = NULL;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_scene_check_all(&tiny->scene, NULL));
     TEST_ASSERT_NULL(tiny->scene.placement_code);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A frame with turns that fxl_frame_begin refuses. The turns may have any values then, so no call
- * may read them: the frame before has ended. */
+/* A frame with placements that fxl_frame_begin refuses. The placements may have any values then, so
+ * no call may read them: the frame before has ended. */
 #include "frame_bands.h"
-#include "turns.h"
+#include "placements.h"
 #include "tiny.h"
 #include "tiny_frames.h"
 
@@ -19,7 +19,7 @@ static fxl_draw_entry order[64];
 static uint32_t list[LIST_WORDS];
 static fxl_cached_vertex cache[9];
 static fxl_renderer renderer;
-static fxl_placement turns[TINY_INSTANCES];
+static fxl_placement placements[TINY_INSTANCES];
 static tiny_scene *tiny;
 
 /* The tiny scene, of which the instances from first on are turned, in a list of so many words. */
@@ -27,7 +27,7 @@ static void start(uint32_t first, uint32_t list_words)
 {
     const fxl_memory memory = {order, 64, list, list_words, cache, 9};
     tiny = tiny_make();
-    tiny_turn_from(tiny, turns, first);
+    tiny_place_from(tiny, placements, first);
     tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
 }
 
@@ -44,7 +44,7 @@ static void expect_refused(fxl_status status)
     TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
 }
 
-/* A refused frame has ended the frame before: no call reads the turns. */
+/* A refused frame has ended the frame before: no call reads the placements. */
 static void expect_ended(void)
 {
     const fxl_band band = {
@@ -58,21 +58,21 @@ static void expect_ended(void)
     }
 }
 
-/* Instance 2 of a frame that was drawn gets a turn and a centre. The next frame is refused. The
- * table stays as it is while the frame before is asked for. */
+/* Instance 2 of a frame that was drawn gets a placement and a centre. The next frame is refused.
+ * The table stays as it is while the frame before is asked for. */
 static void expect_refused_and_ended(const fxl_placement *bad, fxl_q16_16 centre_x,
                                      fxl_status status)
 {
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     fxl_instance *instance = &tiny->instances[2];
-    const fxl_placement good = turns[1];
+    const fxl_placement good = placements[1];
     const fxl_q16_16 good_x = instance->centre.x;
     draw(&pose, HEIGHT, frames[0]);
-    turns[1] = *bad;
+    placements[1] = *bad;
     instance->centre.x = centre_x;
     expect_refused(status);
     expect_ended();
-    turns[1] = good;
+    placements[1] = good;
     instance->centre.x = good_x;
     expect_ended();
     draw(&pose, HEIGHT, frames[1]);
@@ -80,7 +80,7 @@ static void expect_refused_and_ended(const fxl_placement *bad, fxl_q16_16 centre
 }
 
 /* Lists that hold none, some and all polygons of the frame. */
-void test_a_bad_turn_ends_the_frame_before(void)
+void test_a_bad_placement_ends_the_frame_before(void)
 {
     static const fxl_q16_16 scales[] = {0,
                                         -5,
@@ -93,7 +93,7 @@ void test_a_bad_turn_ends_the_frame_before(void)
     static const uint32_t words[] = {0, 60, LIST_WORDS};
     for (uint32_t k = 0; k < 3; k++) {
         start(1, words[k]);
-        const fxl_placement good = turns[1];
+        const fxl_placement good = placements[1];
         const fxl_q16_16 x = tiny->instances[2].centre.x;
         for (uint32_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
             const fxl_placement scaled = {good.orientation, scales[i]};
@@ -112,32 +112,32 @@ void test_a_bad_turn_ends_the_frame_before(void)
     }
 }
 
-/* A frame that is refused for another reason may have bad turns, too. */
-void test_any_refused_frame_with_turns_ends_the_frame_before(void)
+/* A frame that is refused for another reason may have bad placements, too. */
+void test_any_refused_frame_with_placements_ends_the_frame_before(void)
 {
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
     start(1, 0);
-    const fxl_placement good = turns[1];
+    const fxl_placement good = placements[1];
     draw(&pose, HEIGHT, frames[0]);
-    turns[1].orientation.x.x = 0;
+    placements[1].orientation.x.x = 0;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_frame_begin(&renderer, &far_away));
     expect_ended();
-    turns[1] = good;
+    placements[1] = good;
     draw(&pose, HEIGHT, frames[0]);
-    turns[1].orientation.x.x = 0;
+    placements[1].orientation.x.x = 0;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_frame_begin(&renderer, NULL));
     expect_ended();
-    turns[1] = good;
+    placements[1] = good;
     draw(&pose, HEIGHT, frames[0]);
-    turns[1].scale = 0;
+    placements[1].scale = 0;
     tiny->scene.instance_count = renderer.instance_capacity + 1;
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_frame_begin(&renderer, &pose));
     expect_ended();
 }
 
-/* Where no turn is read, the frame before stays current. */
-void test_a_refused_frame_without_turns_leaves_the_frame_before(void)
+/* Where no placement is read, the frame before stays current. */
+void test_a_refused_frame_without_placements_leaves_the_frame_before(void)
 {
     const fxl_pose pose = {.position = {0, 0, Q16(-6)}};
     const fxl_pose far_away = {.position = {0, 0, INT32_MAX}};
@@ -151,8 +151,8 @@ void test_a_refused_frame_without_turns_leaves_the_frame_before(void)
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], PIXELS);
 }
 
-/* A scene with turns must name the code that draws them. */
-void test_turns_without_their_code_are_refused(void)
+/* A scene with placements must name the code that draws them. */
+void test_placements_without_their_code_are_refused(void)
 {
     start(1, 0);
     const fxl_placement_code *const code = tiny->scene.placement_code;
@@ -169,7 +169,8 @@ static void expect_no_lines(fxl_wire *wire)
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_draw(wire, &band));
 }
 
-/* A wireframe reads the turns as it draws, whatever the reason for which the frame was refused. */
+/* A wireframe reads the placements as it draws, whatever the reason for which the frame was
+ * refused. */
 void test_a_refused_wireframe(void)
 {
     static fxl_wire wire;
@@ -182,21 +183,21 @@ void test_a_refused_wireframe(void)
     start(1, 0);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));
     for (uint32_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
-        turns[1].scale = FXL_Q16_16_ONE;
+        placements[1].scale = FXL_Q16_16_ONE;
         TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
-        turns[1].scale = scales[i];
+        placements[1].scale = scales[i];
         TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &pose));
         expect_no_lines(&wire);
     }
-    turns[1].scale = FXL_Q16_16_ONE;
+    placements[1].scale = FXL_Q16_16_ONE;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &far_away));
     expect_no_lines(&wire);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
-    turns[1].orientation.x.x = 0;
+    placements[1].orientation.x.x = 0;
     TEST_ASSERT_EQUAL(FXL_E_PLACEMENT, fxl_wire_begin(&wire, &pose));
     expect_no_lines(&wire);
-    start(TINY_INSTANCES, 0); /* without turns the frame before stays */
+    start(TINY_INSTANCES, 0); /* without placements the frame before stays */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_init(&wire, &tiny->scene, &lens, fxl_line_by_codes));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &far_away));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The turned view of an instance: vertices, facing, order and the sphere test. */
-#include "turns.h"
+#include "placements.h"
 #include "view/placement.h"
 #include "wide.h"
 
@@ -15,7 +15,7 @@ static fxl_face faces[FACES];
 static fxl_face_bounds bounds[FACES];
 static fxl_model model = {.vertex_count = VERTICES, .face_count = FACES, .kind = FXL_MODEL_SORTED};
 static fxl_instance instance;
-static fxl_placement turn;
+static fxl_placement placement;
 static fxl_scene scene = {.vertices = vertices,
                           .indices = indices,
                           .faces = faces,
@@ -23,7 +23,7 @@ static fxl_scene scene = {.vertices = vertices,
                           .instances = &instance,
                           .model_count = 1,
                           .instance_count = 1,
-                          .placements = &turn,
+                          .placements = &placement,
                           .placement_code = &fxl_turned_instances};
 static fxl_view view;
 static fxl_vertex_cache cache;
@@ -57,8 +57,9 @@ static void make_bounds(void)
 /* A random model at a random place, and an eye: anywhere, or near a vertex. */
 static void start(void)
 {
-    turn = turns_any();
-    const int64_t most = ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / turn.scale;
+    placement = placements_any();
+    const int64_t most =
+        ((int64_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK) << 16) / placement.scale;
     model.radius = most < FXL_RADIUS_MAX ? (fxl_q16_16)most : FXL_RADIUS_MAX;
     model.radius >>= unit_between(0, 12);
     for (uint32_t i = 0; i < VERTICES; i++) {
@@ -69,13 +70,13 @@ static void start(void)
     }
     make_bounds();
     scene.face_bounds = unit_between(0, 1) ? bounds : NULL;
-    const fxl_q16_16 reach = fxl_placement_radius(&turn, model.radius);
+    const fxl_q16_16 reach = fxl_placement_radius(&placement, model.radius);
     instance.centre = unit_point(FXL_COORDINATE_MAX - reach);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&turn, &instance.centre, model.radius));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_placement_check(&placement, &instance.centre, model.radius));
     fxl_lens lens = unit_any_lens();
     fxl_pose pose = unit_pose();
     if (unit_between(0, 2) != 0) {
-        fxl_placement_point(&turn, &instance.centre, &vertices[unit_random() % VERTICES],
+        fxl_placement_point(&placement, &instance.centre, &vertices[unit_random() % VERTICES],
                             &pose.position);
     }
     fxl_view_set_lens(&view, &lens);
@@ -92,7 +93,7 @@ static void set_up(uint32_t planes)
 static fxl_view_point position_of(uint32_t number)
 {
     fxl_axes matrix;
-    const unsigned shift = fxl_placement_matrix(&turn, &view.camera.axes, &matrix);
+    const unsigned shift = fxl_placement_matrix(&placement, &view.camera.axes, &matrix);
     const fxl_point *v = &vertices[number], *c = &instance.centre, *e = &view.camera.position;
     fxl_q18_46 at[3];
     for (int i = 0; i < 3; i++) {
@@ -132,7 +133,7 @@ static bool is_front(uint32_t number)
     const fxl_point *first = &vertices[3 * number], *centre = &instance.centre,
                     *eye = &view.camera.position;
     const fxl_point from_eye = {centre->x - eye->x, centre->y - eye->y, centre->z - eye->z};
-    return fxl_placement_is_front(&turn, &from_eye, &face->normal,
+    return fxl_placement_is_front(&placement, &from_eye, &face->normal,
                                   (int64_t)face->normal.x * first->x +
                                       (int64_t)face->normal.y * first->y +
                                       (int64_t)face->normal.z * first->z);
@@ -181,7 +182,7 @@ void test_the_order_of_faces(void)
         set_up(0);
         const fxl_point *c = &instance.centre, *e = &view.camera.position;
         const fxl_point from_eye = {c->x - e->x, c->y - e->y, c->z - e->z};
-        const unsigned shift = fxl_placement_eye(&turn, &from_eye, model.radius, &eye);
+        const unsigned shift = fxl_placement_eye(&placement, &from_eye, model.radius, &eye);
         const uint32_t found =
             fxl_list_turned_faces(&turned, &scene, &model, 0, model.face_count, entries);
         for (uint32_t i = 0; i < FACES; i++) {
@@ -217,7 +218,7 @@ void test_the_sphere_of_a_turned_instance(void)
             uint32_t code = fxl_outcode(&view.view_frustum, FXL_PLANES_ALL, &at);
             all &= code;
             any |= code;
-            fxl_placement_point(&turn, &instance.centre, &vertices[i], &point);
+            fxl_placement_point(&placement, &instance.centre, &vertices[i], &point);
             fxl_transform_point(&view.camera, &point, &at);
             code = fxl_outcode(&view.view_frustum, FXL_PLANES_ALL, &at);
             all &= code;

@@ -6,7 +6,7 @@
 #include "clippers_list.h"
 #include "frame_bands.h"
 #include "scene/placement_code.h"
-#include "turns.h"
+#include "placements.h"
 #include "view/placement.h"
 
 enum {
@@ -25,9 +25,9 @@ static uint8_t frames[2][WIDTH * HEIGHT], lit[256];
 static uint32_t list[WORDS];
 static fxl_draw_entry order[ORDER];
 static fxl_renderer renderer;
-static fxl_placement turn;
+static fxl_placement placement;
 
-/* The scene with a model of the rounded points in place of the turn. */
+/* The scene with a model of the rounded points in place of the placement. */
 static struct {
     fxl_point vertices[24];
     uint16_t indices[72];
@@ -54,17 +54,17 @@ static void bake(const tiny_scene *tiny)
     memcpy(baked.models, tiny->models, sizeof tiny->models);
     memcpy(baked.instances, tiny->instances, sizeof tiny->instances);
     for (uint32_t i = 0; i < 8; i++) {
-        fxl_placement_point(&turn, &nowhere, &tiny->vertices[i], &baked.vertices[16 + i]);
+        fxl_placement_point(&placement, &nowhere, &tiny->vertices[i], &baked.vertices[16 + i]);
     }
     for (uint32_t i = 0; i < 6; i++) {
         baked.faces[12 + i] = tiny->faces[i];
         baked.faces[12 + i].first_index += 48;
-        fxl_placement_direction(&turn, &tiny->faces[i].normal, &baked.faces[12 + i].normal);
+        fxl_placement_direction(&placement, &tiny->faces[i].normal, &baked.faces[12 + i].normal);
     }
     baked.models[2] = *model;
     baked.models[2].first_vertex = 16;
     baked.models[2].first_face = 12;
-    baked.models[2].radius = fxl_placement_radius(&turn, model->radius);
+    baked.models[2].radius = fxl_placement_radius(&placement, model->radius);
     baked.instances[TURNED].model = 2;
     baked.scene = tiny->scene;
     baked.scene.vertices = baked.vertices;
@@ -123,11 +123,11 @@ static tiny_scene *make(void)
         lit[i] = (uint8_t)(i + 100);
     }
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&lamp, window, 4, &beam));
-    turn = turns_any();
-    turn.scale = unit_between(Q16(0.25), Q16(3));
+    placement = placements_any();
+    placement.scale = unit_between(Q16(0.25), Q16(3));
     tiny->instances[TURNED].centre = unit_point(Q16(3));
     tiny->instances[TURNED].centre.z += Q16(10) * unit_between(0, 1);
-    tiny->scene.placements = &turn;
+    tiny->scene.placements = &placement;
     tiny->scene.first_turned = TURNED;
     tiny->scene.placement_code = &fxl_turned_instances;
     bake(tiny);
@@ -182,13 +182,13 @@ void test_rounded_instances_are_those_of_a_baked_model(void)
 /* A tree is over an instance that stands still. */
 void test_the_instance_of_a_tree_is_not_turned(void)
 {
-    static fxl_placement turns[TINY_INSTANCES];
+    static fxl_placement placements[TINY_INSTANCES];
     tiny_scene *tiny = make();
     fxl_scene_fault fault = {"", 0};
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_placement)FXL_PLACEMENT_NONE;
+        placements[i] = (fxl_placement)FXL_PLACEMENT_NONE;
     }
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.first_turned = 1;
     TEST_ASSERT_EQUAL(FXL_E_BSP, fxl_scene_check_all(&tiny->scene, &fault));
     TEST_ASSERT_EQUAL_STRING("BSP tree", fault.what);

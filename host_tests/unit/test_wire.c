@@ -240,12 +240,12 @@ void test_bands_and_both_clippers_draw_the_same(void)
     TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10 && clipped > UNIT_REPEAT / 200);
 }
 
-/* Without a turn an instance is drawn as one that has none. A cube that is a quarter turned looks
+/* Without a placement an instance is drawn as one that has none. A cube that is a quarter turned looks
  * the same but for its colours. */
 void test_turned_cubes(void)
 {
-    static fxl_placement turns[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
-                                                  FXL_PLACEMENT_NONE};
+    static fxl_placement placements[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
+                                                       FXL_PLACEMENT_NONE};
     static const fxl_orientation quarter = {
         {0, 0, FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}};
     tiny_scene *tiny = tiny_make();
@@ -253,14 +253,14 @@ void test_turned_cubes(void)
     make(fxl_line_by_codes);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     draw_frame(whole, HEIGHT);
-    tiny->scene.placements = turns;
+    tiny->scene.placements = placements;
     tiny->scene.first_turned = 0;
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_begin(&wire, &pose));
     tiny->scene.placement_code = &fxl_turned_instances;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     draw_frame(other, HEIGHT / 3);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-    turns[0].orientation = quarter;
+    placements[0].orientation = quarter;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     draw_frame(other, HEIGHT);
     int differing = 0;

@@ -16,7 +16,7 @@ static fxl_renderer plain_renderer;
 typedef struct {
     bool used, shown, turned;
     fxl_instance instance;
-    fxl_placement turn;
+    fxl_placement placement;
     fxl_handle handle;
 } plain_instance;
 
@@ -58,39 +58,40 @@ static fxl_point any_centre(void)
 }
 
 /* Three rotations, of which one is out of range at times. */
-static fxl_placement any_turn(fxl_status *fault)
+static fxl_placement any_placement(fxl_status *fault)
 {
     static const fxl_orientation orientations[] = {
         {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
         {{0, 0, FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}},
         {{644245094, -858993459, 0}, {858993459, 644245094, 0}, {0, 0, FXL_Q2_30_ONE}},
         {{0, -FXL_Q2_30_ONE, 0}, {0, 0, -FXL_Q2_30_ONE}, {FXL_Q2_30_ONE, 0, 0}}};
-    fxl_placement turn = {orientations[unit_between(0, 3)], unit_between(Q16(1), Q16(4))};
+    fxl_placement placement = {orientations[unit_between(0, 3)], unit_between(Q16(1), Q16(4))};
     const int wrong = unit_between(0, 39);
     if (wrong == 0) { /* a mirror */
-        turn.orientation.z.x = -turn.orientation.z.x;
-        turn.orientation.z.y = -turn.orientation.z.y;
-        turn.orientation.z.z = -turn.orientation.z.z;
+        placement.orientation.z.x = -placement.orientation.z.x;
+        placement.orientation.z.y = -placement.orientation.z.y;
+        placement.orientation.z.z = -placement.orientation.z.z;
     } else if (wrong == 1) {
-        turn.orientation.y.y += 8;
-        turn.orientation.y.x += 8;
-        turn.orientation.y.z += 8;
+        placement.orientation.y.y += 8;
+        placement.orientation.y.x += 8;
+        placement.orientation.y.z += 8;
     } else if (wrong == 2) {
-        turn.scale = unit_between(0, 1) ? -unit_between(0, 255) : unit_between(0, 255);
+        placement.scale = unit_between(0, 1) ? -unit_between(0, 255) : unit_between(0, 255);
     } else if (wrong == 3) {
-        turn.scale = Q16(256) + 1;
+        placement.scale = Q16(256) + 1;
     }
     *fault = wrong < 2 ? FXL_E_PLACEMENT : wrong < 4 ? FXL_E_RANGE : FXL_OK;
-    return turn;
+    return placement;
 }
 
 /* Whether |c| + r * scale <= 8191, in units of 2^-32; r * scale is rounded up, and enlarged. */
-static bool fits(const fxl_instance *instance, const fxl_placement *turn)
+static bool fits(const fxl_instance *instance, const fxl_placement *placement)
 {
     const int64_t reach =
-        turn == NULL
+        placement == NULL
             ? (int64_t)TINY_RADIUS * 65536
-            : (((int64_t)TINY_RADIUS * turn->scale + 65535) / 65536 + FXL_PLACEMENT_SLACK) * 65536;
+            : (((int64_t)TINY_RADIUS * placement->scale + 65535) / 65536 + FXL_PLACEMENT_SLACK) *
+                  65536;
     const int32_t of[] = {instance->centre.x, instance->centre.y, instance->centre.z};
     for (int i = 0; i < 3; i++) {
         const int64_t from = of[i] < 0 ? -(int64_t)of[i] : of[i];
@@ -101,11 +102,11 @@ static bool fits(const fxl_instance *instance, const fxl_placement *turn)
     return true;
 }
 
-/* The status of an instance at its place, with a turn that has a fault, or none. */
-static fxl_status place_status(const fxl_instance *instance, const fxl_placement *turn,
+/* The status of an instance at its place, with a placement that has a fault, or none. */
+static fxl_status place_status(const fxl_instance *instance, const fxl_placement *placement,
                                fxl_status fault)
 {
-    return fault == FXL_E_RANGE || !fits(instance, turn) ? FXL_E_RANGE : fault;
+    return fault == FXL_E_RANGE || !fits(instance, placement) ? FXL_E_RANGE : fault;
 }
 
 /* Counts what is refused. */
@@ -115,9 +116,9 @@ static void expect(fxl_status expected, fxl_status found)
     refused += expected != FXL_OK;
 }
 
-static const fxl_placement *turn_of(const plain_instance *of)
+static const fxl_placement *placement_of(const plain_instance *of)
 {
-    return of->turned ? &of->turn : NULL;
+    return of->turned ? &of->placement : NULL;
 }
 
 /* --- operations on both ----------------------------------------------------------------- */
@@ -134,14 +135,14 @@ static void spawn_one(void)
     made.instance.model = (uint16_t)unit_between(0, 30) % 3; /* model 2 is none */
     made.instance.layer = (uint8_t)unit_between(0, 1);
     if (turned) {
-        made.turn = any_turn(&fault);
+        made.placement = any_placement(&fault);
     }
     const bool full = plain_count(turned) == (turned ? WORLD_TURNED : WORLD_CAPACITY);
     const fxl_status expected = full ? FXL_E_CAPACITY
                                 : made.instance.model > 1
                                     ? FXL_E_INDEX
-                                    : place_status(&made.instance, turn_of(&made), fault);
-    expect(expected, fxl_world_spawn(&world, &made.instance, turn_of(&made), &made.handle));
+                                    : place_status(&made.instance, placement_of(&made), fault);
+    expect(expected, fxl_world_spawn(&world, &made.instance, placement_of(&made), &made.handle));
     if (expected == FXL_OK) {
         *any_plain(false) = made;
     }
@@ -158,29 +159,29 @@ static void move_one(plain_instance *of)
 {
     plain_instance changed = *of;
     changed.instance.centre = any_centre();
-    const bool right = fits(&changed.instance, turn_of(of));
+    const bool right = fits(&changed.instance, placement_of(of));
     expect(right ? FXL_OK : FXL_E_RANGE,
            fxl_world_move(&world, of->handle, &changed.instance.centre));
     *of = right ? changed : *of;
 }
 
-static void turn_one(plain_instance *of)
+static void place_one(plain_instance *of)
 {
     plain_instance changed = *of;
     fxl_status fault = FXL_OK;
     changed.turned = unit_between(0, 2) > 0;
     if (changed.turned) {
-        changed.turn = any_turn(&fault);
+        changed.placement = any_placement(&fault);
     }
     const bool full =
         changed.turned != of->turned &&
         plain_count(changed.turned) == (changed.turned ? WORLD_TURNED : WORLD_CAPACITY);
-    const fxl_status status = place_status(&of->instance, turn_of(&changed), fault);
+    const fxl_status status = place_status(&of->instance, placement_of(&changed), fault);
     const bool right = status == FXL_OK;
     expect(!right ? status
            : full ? FXL_E_CAPACITY
                   : FXL_OK,
-           fxl_world_set_placement(&world, of->handle, turn_of(&changed)));
+           fxl_world_set_placement(&world, of->handle, placement_of(&changed)));
     *of = right && !full ? changed : *of;
 }
 
@@ -189,9 +190,9 @@ static void change_one(plain_instance *of)
     const uint8_t value = (uint8_t)unit_between(0, 3);
     switch (unit_between(0, 2)) {
     case 0:
-        expect(value > 1                          ? FXL_E_INDEX
-               : fits(&of->instance, turn_of(of)) ? FXL_OK
-                                                  : FXL_E_RANGE,
+        expect(value > 1                               ? FXL_E_INDEX
+               : fits(&of->instance, placement_of(of)) ? FXL_OK
+                                                       : FXL_E_RANGE,
                fxl_world_set_model(&world, of->handle, value));
         of->instance.model = value > 1 ? of->instance.model : value;
         break;
@@ -226,7 +227,7 @@ static void do_any(void)
     } else if (what < 7) {
         move_one(of);
     } else if (what == 7) {
-        turn_one(of);
+        place_one(of);
     } else if (what == 8) {
         change_one(of);
     } else {
@@ -239,12 +240,12 @@ static void do_any(void)
 static void expect_equal_instance(const plain_instance *of)
 {
     const fxl_instance *found = fxl_world_instance(&world, of->handle);
-    const fxl_placement *turn = fxl_world_placement(&world, of->handle);
+    const fxl_placement *placement = fxl_world_placement(&world, of->handle);
     TEST_ASSERT_NOT_NULL(found);
     TEST_ASSERT_EQUAL_MEMORY(&of->instance, found, sizeof *found);
-    TEST_ASSERT_EQUAL(of->turned, turn != NULL);
-    if (turn != NULL) {
-        TEST_ASSERT_EQUAL_MEMORY(&of->turn, turn, sizeof *turn);
+    TEST_ASSERT_EQUAL(of->turned, placement != NULL);
+    if (placement != NULL) {
+        TEST_ASSERT_EQUAL_MEMORY(&of->placement, placement, sizeof *placement);
     }
     const fxl_instance *first = world.scene.instances;
     const bool in_scene = found >= first && found < first + world.scene.instance_count;
@@ -254,8 +255,8 @@ static void expect_equal_instance(const plain_instance *of)
         TEST_ASSERT_EQUAL_MEMORY(&of->handle, &handle, sizeof handle);
     }
     TEST_ASSERT_EQUAL(of->shown, fxl_world_is_shown(&world, of->handle));
-    if (in_scene && of->turned) { /* the turn is that of its place in the scene */
-        TEST_ASSERT_TRUE(turn ==
+    if (in_scene && of->turned) { /* the placement is that of its place in the scene */
+        TEST_ASSERT_TRUE(placement ==
                          world.scene.placements + (found - first) - world.scene.first_turned);
     } else if (in_scene) {
         TEST_ASSERT_TRUE(world.scene.placements == NULL ||
@@ -278,23 +279,23 @@ static void expect_equal(void)
     TEST_ASSERT_EQUAL_UINT32(refused, world.refused_calls);
 }
 
-/* A scene made anew of what the plain model shows: those without a turn, then the others. */
-static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_placement *turn_list)
+/* A scene made anew of what the plain model shows: those without a placement, then the others. */
+static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_placement *placement_list)
 {
     uint32_t count = 0, turned = 0;
-    for (int with_turn = 0; with_turn < 2; with_turn++) {
+    for (int with_placement = 0; with_placement < 2; with_placement++) {
         for (int i = 0; i < WORLD_PLACES; i++) {
-            if (plain[i].used && plain[i].shown && plain[i].turned == with_turn) {
+            if (plain[i].used && plain[i].shown && plain[i].turned == with_placement) {
                 list[count] = plain[i].instance;
                 list[count++].recolour = 0;
-                turn_list[turned] = plain[i].turn;
-                turned += (uint32_t)with_turn;
+                placement_list[turned] = plain[i].placement;
+                turned += (uint32_t)with_placement;
             }
         }
     }
     scene->instances = list;
     scene->instance_count = count;
-    scene->placements = turned > 0 ? turn_list : NULL;
+    scene->placements = turned > 0 ? placement_list : NULL;
     scene->first_turned = turned > 0 ? count - turned : 0;
     scene->placement_code = &fxl_turned_instances;
     return count;
@@ -304,14 +305,14 @@ static uint32_t make_anew(fxl_scene *scene, fxl_instance *list, fxl_placement *t
 static bool expect_equal_frames(const fxl_scene *from)
 {
     static fxl_instance list[WORLD_PLACES];
-    static fxl_placement turn_list[WORLD_TURNED + 1];
+    static fxl_placement placement_list[WORLD_TURNED + 1];
     const fxl_lens lens = unit_lens(WORLD_WIDTH, WORLD_HEIGHT);
     const fxl_memory room = world_renderer_memory(1);
     const fxl_pose pose = {{unit_between(-65536, 65536), 0, Q16(-4)}, 0, 0, unit_random()};
     fxl_scene scene = *from;
     scene.draw_list_needed = 0;
     world_draw(&world_renderer, &pose, world_frames[0]);
-    if (make_anew(&scene, list, turn_list) == 0) {
+    if (make_anew(&scene, list, placement_list) == 0) {
         TEST_ASSERT_EACH_EQUAL_HEX8(WORLD_BACKGROUND, world_frames[0], sizeof world_frames[0]);
         return false;
     }

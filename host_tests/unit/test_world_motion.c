@@ -32,8 +32,8 @@ static const fxl_motion motions[MOTIONS] = {{.extent = {Q16(100), Q16(100), Q16(
 static const fxl_motion_set set = {motions, MOTIONS, keys, 3};
 static const fxl_placement still[MOTIONS] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE};
 static fxl_instance played[TINY_INSTANCES];
-static fxl_placement played_turns[MOTIONS];
-static const fxl_motion_memory memory = {played, TINY_INSTANCES, played_turns, MOTIONS};
+static fxl_placement played_placements[MOTIONS];
+static const fxl_motion_memory memory = {played, TINY_INSTANCES, played_placements, MOTIONS};
 
 static fxl_scene moving_scene(void)
 {

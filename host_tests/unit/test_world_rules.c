@@ -15,26 +15,26 @@ void test_the_scenes_instances_keep_their_order(void)
 }
 
 /* A world of which every instance is a world's scene again. */
-void test_instances_with_turns_are_taken_over(void)
+void test_instances_with_placements_are_taken_over(void)
 {
-    static const fxl_placement turn = {
+    static const fxl_placement placement = {
         {{0, FXL_Q2_30_ONE, 0}, {-FXL_Q2_30_ONE, 0, 0}, {0, 0, FXL_Q2_30_ONE}}, Q16(2)};
     static fxl_instance more[WORLD_PLACES];
-    static fxl_placement more_turns[WORLD_TURNED];
+    static fxl_placement more_placements[WORLD_TURNED];
     static fxl_world_slot more_slots[WORLD_PLACES];
     static fxl_world other;
     const fxl_instance instance = world_cube_at(3, 20), second = world_cube_at(-4, 9);
     fxl_world_memory room = world_memory();
     (void)world_start();
-    (void)world_spawned(&instance, &turn);
-    (void)world_spawned(&second, &turn);
+    (void)world_spawned(&instance, &placement);
+    (void)world_spawned(&second, &placement);
     room.instances = more;
     room.slots = more_slots;
-    room.placements = more_turns;
+    room.placements = more_placements;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_init(&other, &world.scene, &room));
     const fxl_placement *found = fxl_world_placement(&other, fxl_world_handle(TINY_INSTANCES));
     TEST_ASSERT_NOT_NULL(found);
-    TEST_ASSERT_EQUAL_MEMORY(&turn, found, sizeof turn);
+    TEST_ASSERT_EQUAL_MEMORY(&placement, found, sizeof placement);
     for (uint32_t i = 0; i < TINY_INSTANCES + 2; i++) {
         const fxl_instance *taken = fxl_world_instance(&other, fxl_world_handle(i));
         TEST_ASSERT_EQUAL_MEMORY(&world.scene.instances[i], taken, sizeof *taken);
@@ -179,25 +179,25 @@ void test_another_workspace_has_room_for_the_largest_model(void)
     TEST_ASSERT_EQUAL(size, fxl_workspace_size(&world_renderer));
 }
 
-/* To a unit: the radius times the scale is rounded up. Without a turn there is no slack. */
+/* To a unit: the radius times the scale is rounded up. Without a placement there is no slack. */
 void test_the_edge_of_the_world_is_exact(void)
 {
-    fxl_placement turn = {{{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}},
-                          FXL_Q16_16_ONE};
+    fxl_placement placement = {
+        {{FXL_Q2_30_ONE, 0, 0}, {0, FXL_Q2_30_ONE, 0}, {0, 0, FXL_Q2_30_ONE}}, FXL_Q16_16_ONE};
     fxl_instance instance = world_cube_at(0, 0);
     (void)world_start();
-    const fxl_handle handle = world_spawned(&instance, &turn);
+    const fxl_handle handle = world_spawned(&instance, &placement);
     fxl_point edge = {0, -(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK - TINY_RADIUS), 0};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
-    turn.scale += 1; /* the product is not whole */
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_set_placement(&world, handle, &turn));
-    turn.scale = 1 * 65536 + 1;
+    placement.scale += 1; /* the product is not whole */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_set_placement(&world, handle, &placement));
+    placement.scale = 1 * 65536 + 1;
     edge.y += 1; /* TINY_RADIUS is 1.75: a scale of 1 + 1/65536 makes it 1.75/65536 longer */
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_set_placement(&world, handle, &turn));
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_set_placement(&world, handle, &placement));
     edge.y += 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, handle, &edge));
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_placement(&world, handle, &turn));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_placement(&world, handle, &placement));
     edge.y -= 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, handle, &edge));
     edge.y = -(FXL_COORDINATE_MAX - TINY_RADIUS);

@@ -10,13 +10,13 @@ void tiny_start(fxl_renderer *renderer, tiny_scene *tiny, uint16_t width, uint16
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(renderer, &tiny->scene, &lens, memory));
 }
 
-void tiny_turn_from(tiny_scene *tiny, fxl_placement turns[TINY_INSTANCES], uint32_t first)
+void tiny_place_from(tiny_scene *tiny, fxl_placement placements[TINY_INSTANCES], uint32_t first)
 {
     for (uint32_t i = 0; i < TINY_INSTANCES; i++) {
-        turns[i] = (fxl_placement)FXL_PLACEMENT_NONE;
+        placements[i] = (fxl_placement)FXL_PLACEMENT_NONE;
     }
     if (first < TINY_INSTANCES) {
-        tiny->scene.placements = turns;
+        tiny->scene.placements = placements;
         tiny->scene.first_turned = first;
         tiny->scene.placement_code = &fxl_turned_instances;
     }

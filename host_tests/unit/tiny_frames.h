@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Frames of tiny.h's scene: renderers, turns, random poses about the cubes. */
+/* Frames of tiny.h's scene: renderers, placements, random poses about the cubes. */
 #ifndef TINY_FRAMES_H
 #define TINY_FRAMES_H
 
@@ -9,8 +9,9 @@
 void tiny_start(fxl_renderer *renderer, tiny_scene *tiny, uint16_t width, uint16_t height,
                 const fxl_memory *memory);
 
-/* Turns the instances from first on by turns that turn nothing; TINY_INSTANCES: none has a turn. */
-void tiny_turn_from(tiny_scene *tiny, fxl_placement turns[TINY_INSTANCES], uint32_t first);
+/* Turns the instances from first on by placements that turn nothing; TINY_INSTANCES: none has a
+ * placement. */
+void tiny_place_from(tiny_scene *tiny, fxl_placement placements[TINY_INSTANCES], uint32_t first);
 
 /* Between and beside the cubes, where many faces are cut; turned any way. */
 fxl_pose tiny_pose_between(void);

@@ -5,7 +5,7 @@
 
 #include "picture.h"
 #include "polygon_face.h"
-#include "turns.h"
+#include "placements.h"
 #include "view/placement.h"
 
 /* The outline around both: all edges but those that one walks one way and the
@@ -97,18 +97,18 @@ int64_t watertight_area(const fxl_screen_polygon *polygon)
     return area;
 }
 
-/* The turn of the instance that the polygons belong to, about its centre; null: none. */
-static fxl_placement *the_turn;
+/* The placement of the instance that the polygons belong to, about its centre; null: none. */
+static fxl_placement *the_placement;
 static fxl_point turned_centre;
 
 /* The vertex of the turned instance that lies at a point of the world, as near as can be. */
 static fxl_point in_the_model(const fxl_point *point)
 {
-    const fxl_direction *x = &the_turn->orientation.x, *y = &the_turn->orientation.y,
-                        *z = &the_turn->orientation.z;
+    const fxl_direction *x = &the_placement->orientation.x, *y = &the_placement->orientation.y,
+                        *z = &the_placement->orientation.z;
     const double at[3] = {point->x - turned_centre.x, point->y - turned_centre.y,
                           point->z - turned_centre.z};
-    const double unit = (double)FXL_Q2_30_ONE * the_turn->scale / 65536.0;
+    const double unit = (double)FXL_Q2_30_ONE * the_placement->scale / 65536.0;
     return (fxl_point){
         (fxl_q16_16)floor((x->x * at[0] + y->x * at[1] + z->x * at[2]) / unit + 0.5),
         (fxl_q16_16)floor((x->y * at[0] + y->y * at[1] + z->y * at[2]) / unit + 0.5),
@@ -127,7 +127,7 @@ static const fxl_model_view *turned_view_of(polygon_face *face, const fxl_view *
                              .indices = face->corners,
                              .models = &model,
                              .instances = &instance,
-                             .placements = the_turn};
+                             .placements = the_placement};
     for (uint32_t i = 0; i < face->face.count; i++) {
         face->vertices[i] = in_the_model(&face->vertices[i]);
     }
@@ -146,7 +146,7 @@ static int to_screen(const fxl_clipper *clipper, fxl_clipper_workspace *workspac
     int count = 0;
     polygon_face_set(&face, polygon, view, FXL_POLYGON_CAPACITY);
     face.model_view.clipper_workspace = workspace;
-    if (the_turn != NULL) {
+    if (the_placement != NULL) {
         model_view = turned_view_of(&face, view);
     }
     fxl_clip_result result = clipper->clip(model_view, &face.face, &work, &screens[0]);
@@ -243,11 +243,11 @@ static bool edge_is_seen(fxl_view *view, const fxl_vertex *a, const fxl_vertex *
     return leave - enter > 0.01;
 }
 
-/* A turn for which the vertices of a random quad are in range: it lies within 200 units of the eye,
- * so scale * radius is below 500, and the eye is near enough. */
-static void random_turn(fxl_placement *random, const fxl_camera *camera)
+/* A placement for which the vertices of a random quad are in range: it lies within 200 units of the
+ * eye, so scale * radius is below 500, and the eye is near enough. */
+static void random_placement(fxl_placement *random, const fxl_camera *camera)
 {
-    *random = turns_any();
+    *random = placements_any();
     if (random->scale < Q16(0.25)) {
         random->scale = Q16(0.25);
     }
@@ -269,8 +269,8 @@ void watertight_expect_through(const fxl_clipper *clipper, fxl_clipper_workspace
             random_view(&view);
             view.frame += frame;
         }
-        if (the_turn != NULL && judged % 4 == 0) {
-            random_turn(the_turn, &view.camera);
+        if (the_placement != NULL && judged % 4 == 0) {
+            random_placement(the_placement, &view.camera);
         }
         random_quad(&view.camera, corners);
         fxl_polygon first = world_triangle(corners[0], corners[1], corners[2]);
@@ -300,7 +300,7 @@ void watertight_expect_turned(const fxl_clipper *clipper, int few, fxl_screen_po
                               int workspace_for)
 {
     static fxl_placement random;
-    the_turn = &random;
+    the_placement = &random;
     watertight_expect_through(clipper, NULL, few, screens, workspace_for);
-    the_turn = NULL;
+    the_placement = NULL;
 }

@@ -7,15 +7,15 @@ static fxl_draw_entry orders[2][WORLD_PLACES + 6];
 fxl_renderer world_renderer;
 
 fxl_instance world_instances[WORLD_PLACES];
-static fxl_placement turns[WORLD_TURNED];
+static fxl_placement placements[WORLD_TURNED];
 static fxl_world_slot slots[WORLD_PLACES];
 uint8_t world_colours[2 * 256];
 fxl_world world;
 
 fxl_world_memory world_memory(void)
 {
-    return (fxl_world_memory){world_instances, slots,         turns, WORLD_CAPACITY,
-                              WORLD_TURNED,    world_colours, 2,     &fxl_turned_instances};
+    return (fxl_world_memory){world_instances, slots,         placements, WORLD_CAPACITY,
+                              WORLD_TURNED,    world_colours, 2,          &fxl_turned_instances};
 }
 
 fxl_memory world_renderer_memory(int number)
@@ -52,10 +52,10 @@ fxl_instance world_cube_at(double x, double z)
     return (fxl_instance){{Q16(x), 0, Q16(z)}, 0, 0, 0};
 }
 
-fxl_handle world_spawned(const fxl_instance *instance, const fxl_placement *turn)
+fxl_handle world_spawned(const fxl_instance *instance, const fxl_placement *placement)
 {
     fxl_handle handle;
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_spawn(&world, instance, turn, &handle));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_spawn(&world, instance, placement, &handle));
     return handle;
 }
 

@@ -34,7 +34,7 @@ tiny_scene *world_start(void);
 fxl_instance world_cube_at(double x, double z);
 
 /* Spawns what must be spawned. */
-fxl_handle world_spawned(const fxl_instance *instance, const fxl_placement *turn);
+fxl_handle world_spawned(const fxl_instance *instance, const fxl_placement *placement);
 
 /* A frame, from its beginning to its end. */
 void world_draw(fxl_renderer *by, const fxl_pose *pose, uint8_t *frame);

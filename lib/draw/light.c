@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The light of a renderer: a shader that gives a face the colour of its level, or in RGB565 a shade. */
+/* The light of a renderer: a shader that gives a face the colour of its level, or in RGB565 a
+ * shade. */
 #include "renderer.h"
 #include "submit.h"
 #include "../math/arith.h"
@@ -28,7 +29,7 @@ static int32_t turn_middle(const fxl_direction *row, const fxl_point *box, fxl_q
 }
 
 /* A face of an instance in the world. Coordinates are within FXL_COORDINATE_MAX, so doubled ones
- * are below 2^30, but for the rounding of a turn. */
+ * are below 2^30, but for the rounding of a placement. */
 static void place_face(const fxl_scene *scene, const fxl_instance *instance, const fxl_face *face,
                        fxl_lit_place *place)
 {
@@ -79,15 +80,16 @@ static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
 static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
                      const fxl_instance *instance, const fxl_face *face, uint8_t full)
 {
-    traversal->workspace->screen.shade = fxl_light_shade(
-        brightness_of(settings_of(shader), traversal->renderer, instance, face));
+    traversal->workspace->screen.shade =
+        fxl_light_shade(brightness_of(settings_of(shader), traversal->renderer, instance, face));
     return full;
 }
 
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings)
 {
-    static const fxl_shader_code of_palette = {reaches, fxl_submit_coloured_face, NULL, colour, false};
+    static const fxl_shader_code of_palette = {reaches, fxl_submit_coloured_face, NULL, colour,
+                                               false};
     static const fxl_shader_code of_565 = {reaches, fxl_submit_coloured_face, NULL, shade, false};
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;

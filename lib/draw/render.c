@@ -39,7 +39,7 @@ static void begin_workspace(fxl_workspace *workspace, const fxl_view *view, bool
 {
     workspace->frame_number = view->frame;
     workspace->rest_counted = counted;
-    workspace->screen.shade = 0; /* a light may have been detached */
+    workspace->screen.shade = 0;             /* a light may have been detached */
     workspace->sorted_instance = UINT16_MAX; /* none: instances in sight are fewer */
 }
 
@@ -81,7 +81,8 @@ static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, ui
 }
 
 /* What goes together, the camera, and the order of the instances in sight; culled: the faces of the
- * others. The code of turns tests the order's room itself, because it ends the frame before. */
+ * others. The code of placements tests the order's room itself, because it ends the frame before.
+ */
 static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     const fxl_scene *scene = renderer->scene;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Instances that turn and scale. Only a scene with turns names this file's record. */
+/* Instances that turn and scale. Only a scene with placements names this file's record. */
 #include "../scene/face_bounds.h"
 #include "../scene/placement_code.h"
 #include "../view/order.h"
@@ -112,9 +112,9 @@ static bool are_rotations(const fxl_scene *scene, const fxl_draw_entry *entries,
     return true;
 }
 
-/* The caller may have changed turns and centres since the frame before began. Drawing reads them
- * for what the display list had no room for, unchecked, and a pick reads all. So the frame before
- * ends, whatever the reason for which this one is refused.
+/* The caller may have changed placements and centres since the frame before began. Drawing reads
+ * them for what the display list had no room for, unchecked, and a pick reads all. So the frame
+ * before ends, whatever the reason for which this one is refused.
  *
  * The sphere test takes scales and places, so these are checked before it, and orientations of
  * instances in sight after it: no stage reads another orientation. If one is refused, the view is

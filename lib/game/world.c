@@ -109,7 +109,7 @@ static void free_slots(fxl_world *world, uint32_t first)
     world->free_slot = first;
 }
 
-/* Instances of the scene without a turn. */
+/* Instances of the scene without a placement. */
 static uint32_t unturned(const fxl_scene *scene)
 {
     return scene->placements != NULL ? scene->first_turned : scene->instance_count;
@@ -153,8 +153,8 @@ static fxl_status check(const fxl_scene *scene, const fxl_world_memory *memory)
     return has_tables(scene, memory->colour_count) ? FXL_OK : FXL_E_INDEX;
 }
 
-/* Takes the scene's instances over. Those without a turn come last to first, so that they lie in
- * the table in the order that they have in the scene. */
+/* Takes the scene's instances over. Those without a placement come last to first, so that they lie
+ * in the table in the order that they have in the scene. */
 static void take_over(fxl_world *world, const fxl_scene *scene)
 {
     const uint32_t first_turned = unturned(scene);

@@ -24,7 +24,7 @@ fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance)
 {
     fxl_handle handle = {0, 0};
     if (world != NULL && instance < world->scene.instance_count) {
-        /* The scene's table begins with the last instance that was shown without a turn. */
+        /* The scene's table begins with the last instance that was shown without a placement. */
         const uint32_t first = world->memory.capacity - world->counts[FXL_WORLD_SHOWN];
         handle.slot = world->memory.slots[first + instance].holder;
         handle.generation = world->memory.slots[handle.slot].generation;
@@ -215,8 +215,8 @@ static fxl_status set_shown(fxl_world *world, fxl_handle handle, bool shown)
     if (fxl_world_is_shown(world, handle) != shown) {
         const bool turned = fxl_world_is_turned(fxl_world_group(world, place_of(world, handle)));
         const uint32_t plain = shown ? FXL_WORLD_SHOWN : FXL_WORLD_HIDDEN;
-        const uint32_t with_turn = shown ? FXL_WORLD_SHOWN_TURNED : FXL_WORLD_HIDDEN_TURNED;
-        regroup(world, handle, turned ? with_turn : plain, NULL);
+        const uint32_t with_placement = shown ? FXL_WORLD_SHOWN_TURNED : FXL_WORLD_HIDDEN_TURNED;
+        regroup(world, handle, turned ? with_placement : plain, NULL);
     }
     return FXL_OK;
 }
@@ -233,7 +233,7 @@ fxl_status fxl_world_show(fxl_world *world, fxl_handle handle)
 
 /* --- what an instance is ---------------------------------------------------------------- */
 
-/* Puts *changed in place of the instance of a handle, if it may be there with this turn. */
+/* Puts *changed in place of the instance of a handle, if it may be there with this placement. */
 static fxl_status replace(fxl_world *world, fxl_handle handle, const fxl_instance *changed)
 {
     const fxl_status status = check_instance(world, changed, fxl_world_placement(world, handle));

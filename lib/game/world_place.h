@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Where a world keeps its instances. Internal.
  *
- * The table has two parts: `capacity` places of instances without a turn, then `turned_capacity`
- * places of those with one. Those that are shown lie on both sides of the border between the parts,
- * without a gap, so they are one table for the renderer: first those without a turn. The hidden
- * ones lie at the outer ends. Each group grows away from its end of a part:
+ * The table has two parts: `capacity` places of instances without a placement, then
+ * `turned_capacity` places of those with one. Those that are shown lie on both sides of the border
+ * between the parts, without a gap, so they are one table for the renderer: first those without a
+ * placement. The hidden ones lie at the outer ends. Each group grows away from its end of a part:
  *
  *   | hidden ->   <- shown | shown, turned ->   <- hidden, turned |
  *

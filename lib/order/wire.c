@@ -42,7 +42,7 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
         return FXL_E_ORDER;
     }
     if (scene->placements != NULL) {
-        wire->ready = false; /* drawing would read turns that are not checked */
+        wire->ready = false; /* drawing would read placements that are not checked */
         status = fxl_check_placements(scene);
         if (status != FXL_OK) {
             return status;

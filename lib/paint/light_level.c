@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
- * or within 2^-29 where its instance has no turn; that is its own, and no error. */
+ * or within 2^-29 where its instance has no placement; that is its own, and no error. */
 #include "../math/arith.h"
 #include "../math/mix_colours.h"
 #include "../math/unit_vector.h"
@@ -95,8 +95,8 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
 }
 
 /* Errors: of the directional light 2, of four points 4 * 5.5, of the fog 1, of its product 1. Where
- * the instance has a turn, its normal is rounded by 1 a component, and its middle by 2 units of
- * 2^-17, which fxl_lit_place is; so these are no errors of this function. */
+ * the instance has a placement, its normal is rounded by 1 a component, and its middle by 2 units
+ * of 2^-17, which fxl_lit_place is; so these are no errors of this function. */
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene with turns links. All other code reaches turned instances through this record, so
- * that a program whose scenes have no turns links none of it. Internal. */
+/* What a scene with placements links. All other code reaches turned instances through this record,
+ * so that a program whose scenes have no placements links none of it. Internal. */
 #ifndef FXL_PLACEMENT_CODE_H
 #define FXL_PLACEMENT_CODE_H
 
@@ -83,8 +83,8 @@ bool fxl_is_rotation(const fxl_orientation *rows);
 }
 #endif
 
-/* Whether all turns of a scene are those of rotations in range: fxl_placement_check. A scene
- * without turns passes. */
+/* Whether all placements of a scene are those of rotations in range: fxl_placement_check. A scene
+ * without placements passes. */
 static inline fxl_status fxl_check_placements(const fxl_scene *scene)
 {
     uint32_t number;

@@ -153,17 +153,17 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
 }
 
 /* Turned instances. Their vertices lie in their spheres, because check_radii checks the models. */
-static fxl_status check_turns(const fxl_scene *scene, fxl_scene_fault *fault)
+static fxl_status check_placements(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t number = 0;
     if (scene->placements == NULL) {
         return FXL_OK;
     }
     if (scene->placement_code == NULL) {
-        return fxl_fault_at(fault, "turn table", 0, FXL_E_ARGUMENT);
+        return fxl_fault_at(fault, "placement table", 0, FXL_E_ARGUMENT);
     }
     if (scene->first_turned > scene->instance_count) {
-        return fxl_fault_at(fault, "turn table", 0, FXL_E_INDEX);
+        return fxl_fault_at(fault, "placement table", 0, FXL_E_INDEX);
     }
     const fxl_status status = scene->placement_code->check(scene, &number);
     return status == FXL_OK ? FXL_OK : fxl_fault_at(fault, "instance", number, status);
@@ -305,7 +305,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 {
     static fxl_scene_checker *const checks[] = {
         check_counts,   check_faces, check_models,  check_instances,   check_placed_vertices,
-        check_vertices, check_radii, check_normals, check_face_bounds, check_turns,
+        check_vertices, check_radii, check_normals, check_face_bounds, check_placements,
     };
     if (scene == NULL || scene->vertices == NULL || scene->indices == NULL ||
         scene->faces == NULL || scene->models == NULL || scene->instances == NULL) {

@@ -119,9 +119,9 @@ static void open_geometry(const fxl_image_header *head, fxl_scene *scene)
     scene->beams = (const fxl_beam *)first_of(head, SECTION_BEAMS);
     scene->beam_count = count_of(head, SECTION_BEAMS);
     scene->lit = (const uint8_t *)first_of(head, SECTION_LIT_COLOURS);
-    scene->placements = (const fxl_placement *)first_of(head, SECTION_TURNS);
+    scene->placements = (const fxl_placement *)first_of(head, SECTION_PLACEMENTS);
     if (scene->placements != NULL) {
-        scene->first_turned = scene->instance_count - count_of(head, SECTION_TURNS);
+        scene->first_turned = scene->instance_count - count_of(head, SECTION_PLACEMENTS);
     }
 }
 

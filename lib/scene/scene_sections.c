@@ -148,7 +148,7 @@ static fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *
     } sets[] = {
         {SECTION_BEAMS, SECTION_LIT_COLOURS, BIT(SECTION_BEAMS) | BIT(SECTION_LIT_COLOURS)},
         {SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS,
-         BIT(SECTION_TURNS) | BIT(SECTION_MOTIONS) | BIT(SECTION_KEYS_OF_MOTIONS)},
+         BIT(SECTION_PLACEMENTS) | BIT(SECTION_MOTIONS) | BIT(SECTION_KEYS_OF_MOTIONS)},
         {SECTION_LIGHT, SECTION_RAMP, BIT(SECTION_LIGHT) | BIT(SECTION_RAMP)},
         {SECTION_TEXTURES, SECTION_BLEND_TABLE,
          BIT(SECTION_SURFACES) | BIT(SECTION_MAPPED_FACES) | BIT(SECTION_FACE_MAP)},
@@ -184,10 +184,10 @@ static fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fa
     if (count_of(head, SECTION_PALETTE) != 256) {
         return missing(SECTION_PALETTE, fault);
     }
-    if (count_of(head, SECTION_TURNS) > count_of(head, SECTION_INSTANCES)) {
-        return missing(SECTION_TURNS, fault);
+    if (count_of(head, SECTION_PLACEMENTS) > count_of(head, SECTION_INSTANCES)) {
+        return missing(SECTION_PLACEMENTS, fault);
     }
-    if (count_of(head, SECTION_MOTIONS) > count_of(head, SECTION_TURNS)) {
+    if (count_of(head, SECTION_MOTIONS) > count_of(head, SECTION_PLACEMENTS)) {
         return missing(SECTION_MOTIONS, fault);
     }
     if (count_of(head, SECTION_FACE_MAP) != 0 &&

@@ -23,7 +23,7 @@ enum {
     SECTION_BEAMS = 11,
     SECTION_LIT_COLOURS = 12,
     SECTION_CLUSTERS = 13,
-    SECTION_TURNS = 14,
+    SECTION_PLACEMENTS = 14,
     SECTION_MOTIONS = 15,
     SECTION_KEYS_OF_MOTIONS = 16,
     SECTION_LIGHT = 17,
@@ -59,7 +59,7 @@ enum {
     {176, 1, FXL_BEAMS_MAX, "beam table"},               \
     {256, 1, 1, "lit table"},                            \
     {48, 1, FXL_SCENE_CLUSTERS_MAX, "cluster table"},    \
-    {40, 1, FXL_SCENE_INSTANCES_MAX, "turn table"},      \
+    {40, 1, FXL_SCENE_INSTANCES_MAX, "placement table"}, \
     {76, 1, FXL_SCENE_INSTANCES_MAX, "motion table"},    \
     {32, 1, FXL_MOTION_KEYS_MAX, "motion key table"},    \
     {28, 1, 1, "light table"},                           \

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a frame works out of an instance's turn. SPEC.md, section 8, defines each result. Internal.
+/* What a frame works out of an instance's placement. SPEC.md, section 8, defines each result.
+ * Internal.
  */
 #ifndef FXL_PLACEMENT_H
 #define FXL_PLACEMENT_H
@@ -14,22 +15,22 @@ extern "C" {
 
 /* The model matrix times the view matrix, M = scale * view * orientation: *matrix is M / 2^shift,
  * each entry rounded once to 2.30. Returns the shift, the least for which 2^shift >= scale.
- * Requires a checked turn. Error: half a unit an entry, 2^(shift - 31) of M. If the turn is
- * FXL_PLACEMENT_NONE, *matrix is *view and the shift is 0. */
+ * Requires a checked placement. Error: half a unit an entry, 2^(shift - 31) of M. If the placement
+ * is FXL_PLACEMENT_NONE, *matrix is *view and the shift is 0. */
 unsigned fxl_placement_matrix(const fxl_placement *placement, const fxl_axes *view,
                               fxl_axes *matrix);
 
 /* A point of the model in the world: centre + scale * orientation . vertex, rounded once. point may
- * be centre. Requires a checked turn and a vertex of which each coordinate is within the model's
- * radius. A vertex within the radius comes within FXL_COORDINATE_MAX, any other within three times
- * that. Error: half a unit a coordinate. */
+ * be centre. Requires a checked placement and a vertex of which each coordinate is within the
+ * model's radius. A vertex within the radius comes within FXL_COORDINATE_MAX, any other within
+ * three times that. Error: half a unit a coordinate. */
 void fxl_placement_point(const fxl_placement *placement, const fxl_point *centre,
                          const fxl_point *vertex, fxl_point *point);
 
 /* The eye in the space of the model, from_eye being the centre less the eye:
  * *eye is -(orientation^T . from_eye) / scale in units of 2^shift / 65536, rounded once. Returns
  * the shift: the least for which each |coordinate| + (radius >> shift) < 2^30.
- * Requires a checked turn; centre and eye within FXL_COORDINATE_MAX. */
+ * Requires a checked placement; centre and eye within FXL_COORDINATE_MAX. */
 unsigned fxl_placement_eye(const fxl_placement *placement, const fxl_point *from_eye,
                            fxl_q16_16 radius, fxl_point *eye);
 
@@ -39,7 +40,8 @@ void fxl_placement_direction(const fxl_placement *placement, const fxl_direction
 
 /* Whether the plane normal . v = height of the model shows its front to the eye:
  * normal . (orientation^T . (eye - centre)) > scale * height, exactly. height has units of 2^-46.
- * Requires a checked turn, from_eye as above, a unit vector, and |scale * height| < 2^14 units. */
+ * Requires a checked placement, from_eye as above, a unit vector, and |scale * height| < 2^14
+ * units. */
 bool fxl_placement_is_front(const fxl_placement *placement, const fxl_point *from_eye,
                             const fxl_direction *normal, fxl_q18_46 height);
 
@@ -74,7 +76,8 @@ typedef struct fxl_turned_view {
 
 /* Sets up the turned view of an instance that is turned, as fxl_model_view_of_instance does, and
  * answers the instance's model. Its planes are those given; the caller gives those that
- * fxl_sphere_planes finds for fxl_placement_radius. Requires a checked scene and a checked turn. */
+ * fxl_sphere_planes finds for fxl_placement_radius. Requires a checked scene and a checked
+ * placement. */
 const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene,
                                              uint32_t number, const fxl_view *view,
                                              fxl_vertex_cache *cache, uint32_t planes);

@@ -8,11 +8,11 @@
 #include "reference/scene.h"
 
 typedef struct {
-    ref_scene scene; /* that of the image, with instances and turns of its own */
+    ref_scene scene; /* that of the image, with instances and placements of its own */
     bool moves;      /* false: the scene is that of the image */
     fxl_scene moved;
     fxl_instance *instances;
-    fxl_placement *turns;
+    fxl_placement *placements;
     fxl_motion_player player;
 } moving_reference;
 

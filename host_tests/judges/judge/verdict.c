@@ -13,7 +13,7 @@
 #include "judge/pixel.h"
 #include "oracle/tie.h"
 #include "reference/fill.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 enum {
     THREADS_MAX = 16
@@ -102,7 +102,7 @@ static bool is_tied(const job *work, const ref_renderer *renderer, const judge_b
             continue;
         }
         const ref_instance *instance = &scene->instances[renderer->display_list.drawn[i].instance];
-        if (ref_turn_of(scene, instance) && !renderer->by_points) {
+        if (ref_placement_of(scene, instance) && !renderer->by_points) {
             continue; /* its vertices are no integers */
         }
         const ref_model *model = &scene->models[instance->model];
@@ -253,8 +253,7 @@ static void *run_worker(void *argument)
 
 bool judge_frames(const judge_scene *scene, const judge_dump *dump, unsigned cuts, bool by_points,
                   bool by_bsp, bool flat, int depth_bits, double distance, int line,
-                  judge_frame *frames,
-                  judge_dump *twin, judge_dump *names, judge_dump *shown)
+                  judge_frame *frames, judge_dump *twin, judge_dump *names, judge_dump *shown)
 {
     job work = {.scene = scene,
                 .image = scene->image,

@@ -8,7 +8,7 @@
 #include "draw/stages.h"
 #include "fixel/all.h"
 #include "oracle/claim.h"
-#include "oracle/turns.h"
+#include "oracle/angle.h"
 
 #define UNIT      1073741824.0L
 #define TWO_PI    6.28318530717958647692528676655900577L
@@ -167,7 +167,7 @@ static oracle_outcome judge_instance(const oracle_input *input, FILE *words,
     if (n[6] < FXL_SCALE_MIN || n[6] > FXL_SCALE_MAX) {
         return ORACLE_UNUSABLE;
     }
-    fxl_placement turn = {.scale = (int32_t)n[6]};
+    fxl_placement placement = {.scale = (int32_t)n[6]};
     fxl_camera camera;
     fxl_axes matrix;
     const fxl_point centre = {0, 0, 0};
@@ -175,16 +175,16 @@ static oracle_outcome judge_instance(const oracle_input *input, FILE *words,
     exact_rows(n, view);
     exact_rows(n + 3, object);
     for (int i = 0; i < 9; i++) {
-        (&turn.orientation.x.x)[i] = (int32_t)floorl(object[i % 3 * 3 + i / 3] * UNIT + 0.5L);
+        (&placement.orientation.x.x)[i] = (int32_t)floorl(object[i % 3 * 3 + i / 3] * UNIT + 0.5L);
     }
-    if (!camera_of(n, &camera) || fxl_placement_check(&turn, &centre, 0) != FXL_OK) {
+    if (!camera_of(n, &camera) || fxl_placement_check(&placement, &centre, 0) != FXL_OK) {
         verdict->value = ORACLE_REFUSED;
         return ORACLE_COUNTED;
     }
-    const unsigned shift = fxl_placement_matrix(&turn, &camera.axes, &matrix);
+    const unsigned shift = fxl_placement_matrix(&placement, &camera.axes, &matrix);
     for (int i = 0; i < 27; i++) { /* view times the transpose of the object's rows */
         exact[i / 3] += view[i / 9 * 3 + i % 3] * object[i / 3 % 3 * 3 + i % 3] *
-                        ldexpl(turn.scale, -16 - (int)shift);
+                        ldexpl(placement.scale, -16 - (int)shift);
     }
     judge_entries(&matrix, exact, words, verdict);
     return ORACLE_COUNTED;

@@ -19,10 +19,10 @@ $(ORACLE_LIBRARY): $(BUILD)/host/objects/judges/oracle/tie.o
 	ar rcs $@ $^
 
 # Rotations in long double, as the unit tests have them.
-ORACLE_TURNS := $(BUILD)/host/objects/unit/exact_placement.o
-ORACLE_OBJECTS += $(ORACLE_TURNS)
+ORACLE_PLACEMENTS := $(BUILD)/host/objects/unit/exact_placement.o
+ORACLE_OBJECTS += $(ORACLE_PLACEMENTS)
 
-$(ORACLE_TURNS): $(BUILD)/host/objects/%.o: host_tests/%.c
+$(ORACLE_PLACEMENTS): $(BUILD)/host/objects/%.o: host_tests/%.c
 	@mkdir -p $(@D)
 	$(SAY)
 	$(HOSTCC) $(WARNINGS) -std=c11 -O2 -ffp-contract=off -Ilib/include -Ilib -MMD -MP -c $< -o $@

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "oracle/claim.h"
-#include "oracle/turns.h"
+#include "oracle/angle.h"
 #include "unit/exact_placement.h"
 
 static const char *const entry_names[9] = {"x.x", "x.y", "x.z", "y.x", "y.y",
@@ -209,14 +209,14 @@ static void generate_product(oracle_random *random, uint64_t index, oracle_input
     }
 }
 
-static bool orientation_of(const int64_t *n, fxl_placement *turn)
+static bool orientation_of(const int64_t *n, fxl_placement *placement)
 {
     const fxl_point centre = {0, 0, 0};
     for (int i = 0; i < 9; i++) {
-        (&turn->orientation.x.x)[i] = (int32_t)n[i];
+        (&placement->orientation.x.x)[i] = (int32_t)n[i];
     }
-    turn->scale = FXL_Q16_16_ONE;
-    return fxl_placement_check(turn, &centre, 0) == FXL_OK;
+    placement->scale = FXL_Q16_16_ONE;
+    return fxl_placement_check(placement, &centre, 0) == FXL_OK;
 }
 
 static oracle_outcome judge_product(const oracle_input *input, FILE *words, oracle_verdict *verdict)
@@ -273,16 +273,16 @@ static void generate_parents(oracle_random *random, uint64_t index, oracle_input
     }
 }
 
-static bool place_of(const int64_t *n, fxl_point *centre, fxl_placement *turn)
+static bool place_of(const int64_t *n, fxl_point *centre, fxl_placement *placement)
 {
     if (!is_vector((int64_t[]){n[0] | 1, n[1], n[2]}) || !are_angles(n + 3, 3) ||
         n[6] < FXL_SCALE_MIN || n[6] > FXL_SCALE_MAX) {
         return false;
     }
     *centre = point_of(n);
-    turn->scale = (fxl_q16_16)n[6];
+    placement->scale = (fxl_q16_16)n[6];
     return fxl_orientation_from_angles((fxl_angle)n[3], (fxl_angle)n[4], (fxl_angle)n[5],
-                                       &turn->orientation) == FXL_OK;
+                                       &placement->orientation) == FXL_OK;
 }
 
 /* The share of its bound that an error takes. */
@@ -296,12 +296,13 @@ static oracle_outcome judge_parents(const oracle_input *input, FILE *words, orac
     const int64_t *n = input->numbers;
     const int depth = input->count / LINK - 1;
     fxl_point centre, local;
-    fxl_placement turn, child;
+    fxl_placement placement, child;
     exact_bounds bounds = {0, 0, 0};
-    if (input->count % LINK != 0 || depth < 1 || depth > DEPTH || !place_of(n, &centre, &turn)) {
+    if (input->count % LINK != 0 || depth < 1 || depth > DEPTH ||
+        !place_of(n, &centre, &placement)) {
         return ORACLE_UNUSABLE;
     }
-    exact_place exact = exact_place_of(&centre, &turn);
+    exact_place exact = exact_place_of(&centre, &placement);
     for (int i = 1; i <= depth; i++) {
         if (!place_of(n + i * LINK, &local, &child)) {
             return ORACLE_UNUSABLE;
@@ -309,7 +310,8 @@ static oracle_outcome judge_parents(const oracle_input *input, FILE *words, orac
         const exact_place step = exact_place_of(&local, &child);
         bounds = exact_bounds_of_child(&bounds, &exact, &step);
         exact = exact_attached(&exact, &step);
-        if (fxl_placement_attach(&centre, &turn, &local, &child, &centre, &turn) != FXL_OK) {
+        if (fxl_placement_attach(&centre, &placement, &local, &child, &centre, &placement) !=
+            FXL_OK) {
             verdict->value = ORACLE_REFUSED;
             return ORACLE_COUNTED;
         }
@@ -318,8 +320,8 @@ static oracle_outcome judge_parents(const oracle_input *input, FILE *words, orac
         share(exact.centre[0] - centre.x, bounds.centre),
         share(exact.centre[1] - centre.y, bounds.centre),
         share(exact.centre[2] - centre.z, bounds.centre),
-        share(exact.scale * 65536 - turn.scale, bounds.scale),
-        share(exact_distance(&exact.turn, &turn.orientation), bounds.turn)};
+        share(exact.scale * 65536 - placement.scale, bounds.scale),
+        share(exact_distance(&exact.turn, &placement.orientation), bounds.turn)};
     static const char *const names[] = {"centre.x", "centre.y", "centre.z", "scale", "an entry"};
     for (int i = 0; i < 5; i++) {
         if (words) {

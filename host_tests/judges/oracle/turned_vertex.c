@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "oracle/setup.h"
-#include "oracle/turns.h"
+#include "oracle/angle.h"
 #include "view/placement.h"
 
 enum {
@@ -48,11 +48,11 @@ static void shear(double exact[3][3], const int signs[6], double part, int32_t r
 static bool is_taken(const int32_t rows[9])
 {
     const fxl_point centre = {0, 0, 0};
-    fxl_placement turn = {.scale = FXL_Q16_16_ONE};
+    fxl_placement placement = {.scale = FXL_Q16_16_ONE};
     for (int i = 0; i < 9; i++) {
-        (&turn.orientation.x.x)[i] = rows[i];
+        (&placement.orientation.x.x)[i] = rows[i];
     }
-    return fxl_placement_check(&turn, &centre, 0) == FXL_OK;
+    return fxl_placement_check(&placement, &centre, 0) == FXL_OK;
 }
 
 /* The rounding of the entries takes a part of the tolerance; what is left decides how near to the
@@ -111,7 +111,7 @@ typedef struct {
     uint16_t index;
     fxl_model model;
     fxl_instance instance;
-    fxl_placement turn;
+    fxl_placement placement;
     fxl_scene scene;
     fxl_view view;
 } turned_sample;
@@ -124,7 +124,7 @@ static bool read_sample(const int64_t *n, turned_sample *sample)
                            .pitch = (uint32_t)n[1],
                            .roll = (uint32_t)n[2]};
     for (int i = 0; i < 9; i++) {
-        (&sample->turn.orientation.x.x)[i] = (int32_t)n[ROWS + i];
+        (&sample->placement.orientation.x.x)[i] = (int32_t)n[ROWS + i];
     }
     const double length =
         sqrt((double)n[VERTEX] * (double)n[VERTEX] + (double)n[VERTEX + 1] * (double)n[VERTEX + 1] +
@@ -132,7 +132,7 @@ static bool read_sample(const int64_t *n, turned_sample *sample)
     if (length > FXL_RADIUS_MAX - 2) {
         return false;
     }
-    sample->turn.scale = (int32_t)n[SCALE];
+    sample->placement.scale = (int32_t)n[SCALE];
     sample->vertex =
         (fxl_point){(int32_t)n[VERTEX], (int32_t)n[VERTEX + 1], (int32_t)n[VERTEX + 2]};
     sample->index = 0;
@@ -147,15 +147,15 @@ static bool read_sample(const int64_t *n, turned_sample *sample)
                                 .index_count = 1,
                                 .model_count = 1,
                                 .instance_count = 1,
-                                .placements = &sample->turn,
+                                .placements = &sample->placement,
                                 .placement_code = &fxl_turned_instances};
     if (fxl_lens_from_fov(320, 240, FXL_ANGLE_QUARTER, 4096, FXL_FAR_MAX, 0, &lens) != FXL_OK) {
         return false;
     }
     fxl_view_set_lens(&sample->view, &lens);
     return fxl_view_set_pose(&sample->view, &pose) == FXL_OK &&
-           fxl_placement_check(&sample->turn, &sample->instance.centre, sample->model.radius) ==
-               FXL_OK;
+           fxl_placement_check(&sample->placement, &sample->instance.centre,
+                               sample->model.radius) == FXL_OK;
 }
 
 /* row . O . vertex times the scale, in units of 2^-92. Row and O are of about unit length, 2^30,
@@ -164,12 +164,12 @@ static oracle_wide exact_along(const fxl_direction *row, const turned_sample *sa
 {
     const int32_t of[3] = {row->x, row->y, row->z};
     const int32_t v[3] = {sample->vertex.x, sample->vertex.y, sample->vertex.z};
-    const int32_t *o = &sample->turn.orientation.x.x;
+    const int32_t *o = &sample->placement.orientation.x.x;
     oracle_wide sum = 0;
     for (int i = 0; i < 9; i++) {
         sum += (oracle_wide)of[i / 3] * o[i] * v[i % 3];
     }
-    return sum * sample->turn.scale;
+    return sum * sample->placement.scale;
 }
 
 /* What the library adds to the place of the centre, as a share of what an entry's rounding may
@@ -177,7 +177,7 @@ static oracle_wide exact_along(const fxl_direction *row, const turned_sample *sa
 static double share_of(const turned_sample *sample, const fxl_direction *row, int64_t added)
 {
     int k = 0;
-    while (65536 << k < sample->turn.scale) {
+    while (65536 << k < sample->placement.scale) {
         k++;
     }
     const double sum = fabs((double)sample->vertex.x) + fabs((double)sample->vertex.y) +

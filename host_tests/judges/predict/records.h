@@ -6,7 +6,7 @@
 
 enum {
     ARM_INSTANCE = 16,      /* fxl_instance */
-    ARM_TURN = 40,          /* fxl_placement */
+    ARM_PLACEMENT = 40,     /* fxl_placement */
     ARM_POINT = 12,         /* fxl_point */
     ARM_BEAM_LIGHT = 40,    /* what lib/draw/beam_light.c has at the start of its workspace */
     ARM_LIT_PIECES = 28,    /* fxl_lit_pieces */

@@ -17,7 +17,7 @@ static uint32_t motion_bytes(const fxl_scene_image *image)
     return image->motion.motion_count == 0
                ? 0
                : aligned(ARM_INSTANCE * scene->instance_count +
-                         ARM_TURN * (scene->instance_count - scene->first_turned));
+                         ARM_PLACEMENT * (scene->instance_count - scene->first_turned));
 }
 
 /* fxl_beam_light_workspace_size on a board. */

@@ -181,8 +181,8 @@ WRAPPED(bool, fxl_lit_split,
 }
 
 WRAPPED(void, fxl_placement_direction,
-        (const fxl_placement *turn, const fxl_direction *direction, fxl_direction *turned))
+        (const fxl_placement *placement, const fxl_direction *direction, fxl_direction *turned))
 {
     counted.turned_normals += 1;
-    __real_fxl_placement_direction(turn, direction, turned);
+    __real_fxl_placement_direction(placement, direction, turned);
 }

@@ -9,7 +9,7 @@
 
 enum {
     INSTANCE = 16,
-    TURN = 40,
+    PLACEMENT = 40,
     MOTION = 76,
     KEY = 32
 };
@@ -138,16 +138,16 @@ static placing attached(const placing *parent, const placing *child)
 
 void play_frame(const play_tables *of, uint32_t frame, placing *places)
 {
-    const uint32_t still = of->instance_count - of->turn_count;
+    const uint32_t still = of->instance_count - of->placement_count;
     const uint32_t unmoved = of->instance_count - of->motion_count;
     for (uint32_t i = 0; i < of->instance_count; i++) {
         placing *place = &places[i];
         *place = unturned(point_of(of->instances + (size_t)INSTANCE * i, 1 / 65536.0));
         if (i >= still && i < unmoved) {
-            const uint8_t *turn = of->turns + (size_t)TURN * (i - still);
+            const uint8_t *placement = of->placements + (size_t)PLACEMENT * (i - still);
             for (int row = 0; row < 3; row++)
-                place->rows[row] = point_of(turn + 12 * row, 1 / 1073741824.0);
-            place->scale = get_i32(turn + 36) / 65536.0;
+                place->rows[row] = point_of(placement + 12 * row, 1 / 1073741824.0);
+            place->scale = get_i32(placement + 36) / 65536.0;
         }
         if (i >= unmoved) {
             const uint8_t *motion = of->motions + (size_t)MOTION * (i - unmoved);

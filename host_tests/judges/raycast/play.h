@@ -13,11 +13,11 @@ typedef struct {
     double scale;
 } placing;
 
-/* The tables of an image that say how instances are turned and move: of the last turn_count
+/* The tables of an image that say how instances are turned and move: of the last placement_count
  * instances, and of the last motion_count of those. Checked by the caller. */
 typedef struct {
-    const uint8_t *instances, *turns, *motions, *keys;
-    uint32_t instance_count, turn_count, motion_count, key_count;
+    const uint8_t *instances, *placements, *motions, *keys;
+    uint32_t instance_count, placement_count, motion_count, key_count;
 } play_tables;
 
 /* Writes where each instance is in a frame. Does not return if a motion makes no sense. */

@@ -49,10 +49,10 @@ static const uint8_t *entry_of(const reader *r, table t, uint64_t index, uint32_
     return t.at + index * size;
 }
 
-static void open_turns(reader *r, const table *sections)
+static void open_placements(reader *r, const table *sections)
 {
-    r->play.turns = sections[KIND_TURNS].at;
-    r->play.turn_count = sections[KIND_TURNS].count;
+    r->play.placements = sections[KIND_PLACEMENTS].at;
+    r->play.placement_count = sections[KIND_PLACEMENTS].count;
     r->play.motions = sections[KIND_MOTIONS].at;
     r->play.motion_count = sections[KIND_MOTIONS].count;
     r->play.keys = sections[KIND_MOTION_KEYS].at;
@@ -91,8 +91,7 @@ static void open_image(reader *r, const char *path)
     table sections[KINDS];
     sections_read(path, &r->image, sections);
     /* No ray knows the colours of beams or surfaces: only names can be told. */
-    if (r->names == SCENE_COLOURS &&
-        (sections[KIND_BEAMS].count || sections[KIND_FACE_MAP].count))
+    if (r->names == SCENE_COLOURS && (sections[KIND_BEAMS].count || sections[KIND_FACE_MAP].count))
         unusable("%s: a ray knows no colours of beams and surfaces", path);
     if (sections[KIND_BILLBOARDS].count)
         unusable("%s: a ray knows no billboards", path);
@@ -103,7 +102,7 @@ static void open_image(reader *r, const char *path)
     r->instances = sections[KIND_INSTANCES];
     r->play.instances = r->instances.at;
     r->play.instance_count = r->instances.count;
-    open_turns(r, sections);
+    open_placements(r, sections);
     if (r->names == SCENE_COLOURS)
         open_light(r, sections);
     if (r->names == SCENE_NAMES_OPAQUE) { /* what says which faces let through */

@@ -6,12 +6,13 @@
 #include "file.h"
 
 /* Of each kind: bytes of an entry, and the most entries. */
-static const uint32_t bytes_of[KINDS] = {0,   3,  12, 2,  20, 28, 16,  24, 4,  20, 48,  176, 256, 48, 40, 76,
-                                         32,  28, 20, 256, 16, 1,  8,  40, 2,  12, 256, 32,  2,   1,  8};
+static const uint32_t bytes_of[KINDS] = {0,   3,   12, 2,  20,  28, 16, 24, 4,   20, 48,
+                                         176, 256, 48, 40, 76,  32, 28, 20, 256, 16, 1,
+                                         8,   40,  2,  12, 256, 32, 2,  1,  8};
 static const uint32_t most_of[KINDS] = {
-    0,      256,     1000000, 4000000, 1000000, 65535, 65535,    1000000, 1000000, 1000000, 65535,
-    4,      1,       65535,   65535,   65535,   1000000, 1,      4,       64,      65535,   1 << 24,
-    65535,  65535,   1000000, 65535,   256,     65535, 65535,    1 << 24, 1};
+    0,     256,   1000000, 4000000, 1000000, 65535,   65535, 1000000, 1000000, 1000000, 65535,
+    4,     1,     65535,   65535,   65535,   1000000, 1,     4,       64,      65535,   1 << 24,
+    65535, 65535, 1000000, 65535,   256,     65535,   65535, 1 << 24, 1};
 
 /* Takes the entry of one section, whose bytes may begin at `from`, or later if `gap`. Returns where
  * it ends. */
@@ -53,8 +54,9 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
     need(path, !s[KIND_POSES].count != !s[KIND_SEGMENTS].count, "it has not one path");
     need(path, !s[KIND_BEAMS].count == !s[KIND_LIT_COLOURS].count, "beams without lit colours");
     need(path, !s[KIND_MOTIONS].count == !s[KIND_MOTION_KEYS].count, "motions without keys");
-    need(path, s[KIND_MOTIONS].count <= s[KIND_TURNS].count, "more motions than turns");
-    need(path, s[KIND_TURNS].count <= s[KIND_INSTANCES].count, "more turns than instances");
+    need(path, s[KIND_MOTIONS].count <= s[KIND_PLACEMENTS].count, "more motions than placements");
+    need(path, s[KIND_PLACEMENTS].count <= s[KIND_INSTANCES].count,
+         "more placements than instances");
     need(path, light == (s[KIND_RAMP].count > 0), "light without a ramp");
     need(path, light || !s[KIND_POINT_LIGHTS].count, "point lights without light");
     need(path, !some_surfaces || (s[KIND_SURFACES].count && s[KIND_MAPPED_FACES].count),
@@ -65,7 +67,8 @@ static void check_set(const char *path, const uint8_t *bytes, const table *s)
          "a part of the billboards is missing");
     need(path, !some_billboards || s[KIND_BILLBOARD_MAP].count == s[KIND_MODELS].count,
          "the billboard map has not an entry for each model");
-    need(path, s[KIND_BSP_NODES].count || get_u32(bytes + 84) == 0, "a BSP instance without a tree");
+    need(path, s[KIND_BSP_NODES].count || get_u32(bytes + 84) == 0,
+         "a BSP instance without a tree");
     need(path, s[KIND_BLEND_TABLE].count || get_u32(bytes + 88) == 0, "a colour of no blend table");
 }
 

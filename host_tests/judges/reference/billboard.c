@@ -7,7 +7,7 @@
 #include "reference/project.h"
 #include "reference/sections.h"
 #include "reference/transform.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 enum {
     BOARD_BYTES = 32,
@@ -188,8 +188,8 @@ ref_billboard_result ref_billboard_look(const ref_scene *scene, const ref_camera
                                         ref_drawn *drawn)
 {
     const ref_billboard *board = ref_billboard_of(scene, instance);
-    const ref_turn *turn = ref_turn_of(scene, instance);
-    const double scale = turn ? turn->scale / REF_ONE : 1;
+    const ref_placement *placement = ref_placement_of(scene, instance);
+    const double scale = placement ? placement->scale / REF_ONE : 1;
     const ref_point centre = ref_point_from_lattice(&instance->centre);
     const ref_view_point at = ref_transform_point(camera, &centre);
     const double near_z = lens->near_z + lens->inset, far_z = lens->far_z - lens->inset;

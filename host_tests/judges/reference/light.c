@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 static double dot(ref_point a, ref_point b)
 {
@@ -75,21 +75,21 @@ void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points
 static ref_point middle_of(const ref_scene *scene, const ref_instance *instance,
                            const ref_face *face)
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     ref_lattice_point low = {INT32_MAX, INT32_MAX, INT32_MAX},
                       high = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
-        const ref_lattice_point at = turn ? ref_face_corner(scene, instance, face, i)
-                                          : ref_face_vertex(scene, instance, face, i);
+        const ref_lattice_point at = placement ? ref_face_corner(scene, instance, face, i)
+                                               : ref_face_vertex(scene, instance, face, i);
         low = (ref_lattice_point){at.x < low.x ? at.x : low.x, at.y < low.y ? at.y : low.y,
                                   at.z < low.z ? at.z : low.z};
         high = (ref_lattice_point){at.x > high.x ? at.x : high.x, at.y > high.y ? at.y : high.y,
                                    at.z > high.z ? at.z : high.z};
     }
-    const ref_point a =
-        turn ? ref_turn_point(turn, &instance->centre, &low) : ref_point_from_lattice(&low);
-    const ref_point b =
-        turn ? ref_turn_point(turn, &instance->centre, &high) : ref_point_from_lattice(&high);
+    const ref_point a = placement ? ref_placement_point(placement, &instance->centre, &low)
+                                  : ref_point_from_lattice(&low);
+    const ref_point b = placement ? ref_placement_point(placement, &instance->centre, &high)
+                                  : ref_point_from_lattice(&high);
     return (ref_point){(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
 }
 
@@ -123,10 +123,10 @@ double ref_light_brightness(const ref_light *light, const ref_camera *camera, re
 double ref_light_of_face(const ref_light *light, const ref_camera *camera, const ref_scene *scene,
                          const ref_instance *instance, const ref_face *face)
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     int32_t turned[3] = {face->normal[0], face->normal[1], face->normal[2]};
-    if (turn) {
-        ref_turn_normal(turn, face->normal, turned);
+    if (placement) {
+        ref_placement_normal(placement, face->normal, turned);
     }
     const ref_point normal = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
     return ref_light_brightness(light, camera, middle_of(scene, instance, face), normal);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "reference/cull.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 static ref_square square(int64_t value)
 {
@@ -27,20 +27,20 @@ static void widen(int64_t *low, int64_t *high, int32_t value)
 ref_square ref_face_distance_squared(const ref_lattice_point *eye, const ref_scene *scene,
                                      const ref_instance *instance, const ref_face *face)
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     int64_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
     int64_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
     for (int i = 0; i < face->count; i++) {
-        ref_lattice_point corner = turn ? ref_face_corner(scene, instance, face, i)
-                                        : ref_face_vertex(scene, instance, face, i);
+        ref_lattice_point corner = placement ? ref_face_corner(scene, instance, face, i)
+                                             : ref_face_vertex(scene, instance, face, i);
         widen(&low[0], &high[0], corner.x);
         widen(&low[1], &high[1], corner.y);
         widen(&low[2], &high[2], corner.z);
     }
-    if (turn) {
+    if (placement) {
         ref_lattice_point at;
-        const int shift =
-            ref_turn_eye(turn, &instance->centre, eye, scene->models[instance->model].radius, &at);
+        const int shift = ref_placement_eye(placement, &instance->centre, eye,
+                                            scene->models[instance->model].radius, &at);
         return square(((low[0] + high[0]) >> shift) - 2 * (int64_t)at.x) +
                square(((low[1] + high[1]) >> shift) - 2 * (int64_t)at.y) +
                square(((low[2] + high[2]) >> shift) - 2 * (int64_t)at.z);
@@ -93,15 +93,15 @@ static bool cluster_is_outside(const ref_scene *scene, const ref_cluster *cluste
                                const ref_instance *instance, const ref_camera *camera,
                                const ref_view_frustum *frustum)
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     ref_lattice_point placed = {instance->centre.x + cluster->centre.x,
                                 instance->centre.y + cluster->centre.y,
                                 instance->centre.z + cluster->centre.z};
     double radius = cluster->radius;
-    if (turn) {
-        placed = ref_turn_rounded(turn, &instance->centre, &cluster->centre);
-        radius = (double)ref_turn_radius(turn, cluster->radius);
-        if (radius > LARGEST + REF_TURN_SLACK || labs(placed.x) > LARGEST ||
+    if (placement) {
+        placed = ref_placement_rounded(placement, &instance->centre, &cluster->centre);
+        radius = (double)ref_placement_radius(placement, cluster->radius);
+        if (radius > LARGEST + REF_PLACEMENT_SLACK || labs(placed.x) > LARGEST ||
             labs(placed.y) > LARGEST || labs(placed.z) > LARGEST) {
             return false;
         }

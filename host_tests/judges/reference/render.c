@@ -15,7 +15,7 @@
 #include "reference/scan.h"
 #include "reference/submit_by_bsp.h"
 #include "reference/transform.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 bool ref_renderer_init(ref_renderer *renderer, const ref_scene *scene, const ref_lens *lens)
 {
@@ -110,7 +110,7 @@ static void note_doubt(const ref_renderer *renderer, const ref_polygon *whole, r
 {
     double bound =
         ref_depth_bound(whole, &renderer->camera.position, &renderer->lens) +
-        ref_turn_depth_bound(renderer->scene, &renderer->scene->instances[drawn->instance]);
+        ref_placement_depth_bound(renderer->scene, &renderer->scene->instances[drawn->instance]);
     if (ref_depth_is_in_doubt(&renderer->view_frustum, &renderer->camera, whole, bound)) {
         drawn->in_doubt = true;
         clip_and_project(renderer, whole, -bound, &drawn->least);
@@ -151,12 +151,13 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
         return true;
     }
     const ref_instance *of = &renderer->scene->instances[instance];
-    const ref_face *shown = &renderer->scene->faces[renderer->scene->models[of->model].first_face + face];
+    const ref_face *shown =
+        &renderer->scene->faces[renderer->scene->models[of->model].first_face + face];
     if (!shows_surface(renderer, of, face)) {
         drawn.shade = shade_of(renderer, of, shown);
     } else {
-        ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens,
-                         of, face, &drawn.look);
+        ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens, of, face,
+                         &drawn.look);
         drawn.look.rgb565 = renderer->rgb565;
         drawn.look.in_beam = is_in_beam ? renderer->scene->lit : NULL;
     }
@@ -210,14 +211,13 @@ bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t i
     const ref_instance *instance = &scene->instances[instance_number];
     const ref_face *face = &scene->faces[scene->models[instance->model].first_face + face_number];
     const uint8_t colour = ref_face_colour(renderer, instance, face);
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     int32_t normal[3];
     memcpy(normal, face->normal, sizeof normal);
-    if (turn) {
-        ref_turn_normal(turn, face->normal, normal);
+    if (placement) {
+        ref_placement_normal(placement, face->normal, normal);
     }
-    if (!is_lit_by_beams(scene, instance) ||
-        !ref_beam_light_split(scene, whole, normal, &pieces)) {
+    if (!is_lit_by_beams(scene, instance) || !ref_beam_light_split(scene, whole, normal, &pieces)) {
         pieces.count = 1;
         pieces.pieces[0] = (ref_lit_piece){*whole, false};
     }
@@ -228,7 +228,8 @@ bool ref_submit_piece(ref_renderer *renderer, const ref_piece *whole, uint32_t i
         for (int k = 0; k < polygon.count; k++) {
             polygon.vertices[k].position = ref_point_from_lattice(&piece->shape.points[k]);
         }
-        if (!submit_polygon(renderer, &polygon, instance_number, face_number, piece->lit, counters)) {
+        if (!submit_polygon(renderer, &polygon, instance_number, face_number, piece->lit,
+                            counters)) {
             return false;
         }
     }

@@ -5,7 +5,7 @@
 #include "reference/sections.h"
 #include "reference/billboard.h"
 #include "reference/surface.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -79,10 +79,10 @@ ref_lattice_point ref_face_vertex(const ref_scene *scene, const ref_instance *in
 ref_lattice_point ref_instance_vertex(const ref_scene *scene, const ref_instance *instance,
                                       uint32_t number)
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     ref_lattice_point vertex = ref_model_vertex(scene, instance, number);
-    if (turn) {
-        return ref_turn_rounded(turn, &instance->centre, &vertex);
+    if (placement) {
+        return ref_placement_rounded(placement, &instance->centre, &vertex);
     }
     return (ref_lattice_point){instance->centre.x + vertex.x, instance->centre.y + vertex.y,
                                instance->centre.z + vertex.z};
@@ -182,7 +182,7 @@ static bool geometry_is_sound(const ref_scene *scene)
         if (instance->model >= scene->model_count || !inside_world(&instance->centre)) {
             return false;
         }
-        if (scene->turns && i >= scene->first_turned) {
+        if (scene->placements && i >= scene->first_turned) {
             continue; /* the library's loader checks where its sphere is */
         }
         const ref_model *model = &scene->models[instance->model];
@@ -276,7 +276,7 @@ static const char *read_image(const uint8_t *bytes, size_t size, ref_scene_image
     uint32_t colours;
     const uint8_t *palette = ref_section(bytes, REF_PALETTE, &colours);
     memcpy(image->palette, palette, sizeof image->palette);
-    if (!read_geometry(bytes, &image->scene) || !ref_turns_read(bytes, image) ||
+    if (!read_geometry(bytes, &image->scene) || !ref_placements_read(bytes, image) ||
         !geometry_is_sound(&image->scene)) {
         return "a table of the scene image reaches outside the image, points outside another "
                "table, leaves the world's range or a model's radius";

@@ -42,7 +42,7 @@ typedef struct {
 typedef struct {
     int32_t rows[3][3]; /* 2.30: the world's axes as the model sees them */
     int32_t scale;      /* 16.16 */
-} ref_turn;
+} ref_placement;
 
 #define REF_BSP_NONE 65535u
 
@@ -88,7 +88,8 @@ typedef struct {
     uint8_t lit[256];      /* the colour of each colour in a beam */
     ref_cluster *clusters; /* null where there are none */
     uint32_t cluster_count;
-    ref_turn *turns; /* of the instances from first_turned on; null where there are none */
+    ref_placement
+        *placements; /* of the instances from first_turned on; null where there are none */
     uint32_t first_turned;
     ref_surfaces *surfaces;     /* null where there are none */
     ref_billboards *billboards; /* null where there are none */

@@ -27,27 +27,27 @@ bool ref_light_part_read(const uint8_t *bytes, ref_scene_image *image)
     return true;
 }
 
-/* Reads the turns. Returns true also where there are none. */
-bool ref_turns_read(const uint8_t *bytes, ref_scene_image *image)
+/* Reads the placements. Returns true also where there are none. */
+bool ref_placements_read(const uint8_t *bytes, ref_scene_image *image)
 {
     ref_scene *scene = &image->scene;
     uint32_t count;
-    const uint8_t *turns = ref_section(bytes, REF_TURNS, &count);
+    const uint8_t *placements = ref_section(bytes, REF_PLACEMENTS, &count);
     (void)ref_section(bytes, REF_MOTIONS, &image->motion_count);
-    if (!turns) {
+    if (!placements) {
         return true;
     }
-    scene->turns = calloc(count, sizeof *scene->turns);
-    if (!scene->turns) {
+    scene->placements = calloc(count, sizeof *scene->placements);
+    if (!scene->placements) {
         return false;
     }
     scene->first_turned = scene->instance_count - count;
     for (uint32_t i = 0; i < count; i++) {
-        const uint8_t *p = turns + 40 * (size_t)i;
+        const uint8_t *p = placements + 40 * (size_t)i;
         for (int k = 0; k < 9; k++) {
-            scene->turns[i].rows[k / 3][k % 3] = ref_i32(p + 4 * k);
+            scene->placements[i].rows[k / 3][k % 3] = ref_i32(p + 4 * k);
         }
-        scene->turns[i].scale = ref_i32(p + 36);
+        scene->placements[i].scale = ref_i32(p + 36);
     }
     return true;
 }

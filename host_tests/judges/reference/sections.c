@@ -16,22 +16,36 @@ enum {
 /* Bytes of an entry and the most entries of each kind. */
 static const struct {
     uint32_t bytes, most;
-} kinds[REF_LAST_KIND + 1] = {
-    [REF_PALETTE] = {3, 256},          [REF_VERTICES] = {12, 1000000},
-    [REF_INDICES] = {2, 4000000},      [REF_FACES] = {20, 1000000},
-    [REF_MODELS] = {28, 65535},        [REF_INSTANCES] = {16, 65535},
-    [REF_POSES] = {24, 1000000},       [REF_SEGMENTS] = {4, 1000000},
-    [REF_FACE_BOUNDS] = {20, 1000000}, [REF_BSP_NODES] = {48, 65535},
-    [REF_BEAMS] = {176, 4},            [REF_LIT_COLOURS] = {256, 1},
-    [REF_CLUSTERS] = {48, 65535},      [REF_TURNS] = {40, 65535},
-    [REF_MOTIONS] = {76, 65535},       [REF_MOTION_KEYS] = {32, 1000000},
-    [REF_LIGHT] = {28, 1},             [REF_POINT_LIGHTS] = {20, 4},
-    [REF_RAMP] = {256, 64},            [REF_TEXTURES] = {16, 65535},
-    [REF_TEXELS] = {1, 16u << 20},     [REF_SURFACES] = {8, 65535},
-    [REF_MAPPED_FACES] = {40, 65535},  [REF_FACE_MAP] = {2, 1000000},
-    [REF_CORNER_NORMALS] = {12, 65535}, [REF_BLEND_TABLE] = {256, 256},
-    [REF_BILLBOARDS] = {32, 65535},    [REF_BILLBOARD_MAP] = {2, 65535},
-    [REF_SPRITE_PIXELS] = {1, 16u << 20}, [REF_LENS_CENTRE] = {8, 1}};
+} kinds[REF_LAST_KIND + 1] = {[REF_PALETTE] = {3, 256},
+                              [REF_VERTICES] = {12, 1000000},
+                              [REF_INDICES] = {2, 4000000},
+                              [REF_FACES] = {20, 1000000},
+                              [REF_MODELS] = {28, 65535},
+                              [REF_INSTANCES] = {16, 65535},
+                              [REF_POSES] = {24, 1000000},
+                              [REF_SEGMENTS] = {4, 1000000},
+                              [REF_FACE_BOUNDS] = {20, 1000000},
+                              [REF_BSP_NODES] = {48, 65535},
+                              [REF_BEAMS] = {176, 4},
+                              [REF_LIT_COLOURS] = {256, 1},
+                              [REF_CLUSTERS] = {48, 65535},
+                              [REF_PLACEMENTS] = {40, 65535},
+                              [REF_MOTIONS] = {76, 65535},
+                              [REF_MOTION_KEYS] = {32, 1000000},
+                              [REF_LIGHT] = {28, 1},
+                              [REF_POINT_LIGHTS] = {20, 4},
+                              [REF_RAMP] = {256, 64},
+                              [REF_TEXTURES] = {16, 65535},
+                              [REF_TEXELS] = {1, 16u << 20},
+                              [REF_SURFACES] = {8, 65535},
+                              [REF_MAPPED_FACES] = {40, 65535},
+                              [REF_FACE_MAP] = {2, 1000000},
+                              [REF_CORNER_NORMALS] = {12, 65535},
+                              [REF_BLEND_TABLE] = {256, 256},
+                              [REF_BILLBOARDS] = {32, 65535},
+                              [REF_BILLBOARD_MAP] = {2, 65535},
+                              [REF_SPRITE_PIXELS] = {1, 16u << 20},
+                              [REF_LENS_CENTRE] = {8, 1}};
 
 static const uint8_t *entry_at(const uint8_t *bytes, uint32_t number)
 {
@@ -131,8 +145,8 @@ static bool set_is_sound(const uint8_t *bytes)
            has(bytes, REF_POSES) != has(bytes, REF_SEGMENTS) &&
            has(bytes, REF_BEAMS) == has(bytes, REF_LIT_COLOURS) &&
            has(bytes, REF_MOTIONS) == has(bytes, REF_MOTION_KEYS) &&
-           count_of(bytes, REF_MOTIONS) <= count_of(bytes, REF_TURNS) &&
-           count_of(bytes, REF_TURNS) <= count_of(bytes, REF_INSTANCES) &&
+           count_of(bytes, REF_MOTIONS) <= count_of(bytes, REF_PLACEMENTS) &&
+           count_of(bytes, REF_PLACEMENTS) <= count_of(bytes, REF_INSTANCES) &&
            has(bytes, REF_LIGHT) == has(bytes, REF_RAMP) &&
            (has(bytes, REF_LIGHT) || !has(bytes, REF_POINT_LIGHTS)) &&
            (surfaces || !has_any(bytes, REF_TEXTURES, REF_BLEND_TABLE)) &&

@@ -21,7 +21,7 @@ enum {
     REF_BEAMS,
     REF_LIT_COLOURS,
     REF_CLUSTERS,
-    REF_TURNS,
+    REF_PLACEMENTS,
     REF_MOTIONS,
     REF_MOTION_KEYS,
     REF_LIGHT,
@@ -41,8 +41,8 @@ enum {
     REF_LAST_KIND = REF_LENS_CENTRE
 };
 
-/* Tells what is wrong with the header of an image, with the table of sections, with where they lie, or
- * with which there are; null if nothing is. */
+/* Tells what is wrong with the header of an image, with the table of sections, with where they lie,
+ * or with which there are; null if nothing is. */
 const char *ref_sections_check(const uint8_t *bytes, size_t size);
 
 /* Returns the first entry of a section, and writes how many there are; null and 0 where there is no

@@ -6,7 +6,7 @@
 
 #include "reference/billboard.h"
 #include "reference/camera.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 #include "reference/cull.h"
 #include "reference/bsp_cut.h"
 
@@ -131,10 +131,11 @@ static bool put_billboard(const ref_scene *scene, uint32_t number, ref_bsp_piece
 {
     const ref_instance *instance = &scene->instances[number];
     const ref_billboard *board = ref_billboard_of(scene, instance);
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     ref_bsp_piece piece = {.instance = number};
     ref_lattice_point middle = instance->centre;
-    middle.y += (int32_t)floor((board->height / 2 - board->anchor_y) * (turn ? turn->scale : REF_ONE));
+    middle.y += (int32_t)floor((board->height / 2 - board->anchor_y) *
+                               (placement ? placement->scale : REF_ONE));
     put_into_leaf(scene, &middle, &piece);
     return ref_bsp_append(pieces, &piece);
 }

@@ -6,7 +6,7 @@
 #include "reference/light.h"
 #include "reference/project.h"
 #include "reference/transform.h"
-#include "reference/turn.h"
+#include "reference/placement.h"
 
 /* --- the corners of a face ---------------------------------------------------------------------
  */
@@ -14,11 +14,11 @@
 static ref_view_point vertex_in_view(const ref_scene *scene, const ref_camera *camera,
                                      const ref_instance *instance, uint32_t number)
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     const ref_lattice_point corner = ref_model_vertex(scene, instance, number);
     const ref_lattice_point vertex = ref_instance_vertex(scene, instance, number);
-    const ref_point at =
-        turn ? ref_turn_point(turn, &instance->centre, &corner) : ref_point_from_lattice(&vertex);
+    const ref_point at = placement ? ref_placement_point(placement, &instance->centre, &corner)
+                                   : ref_point_from_lattice(&vertex);
     return ref_transform_point(camera, &at);
 }
 
@@ -26,11 +26,11 @@ static ref_view_point vertex_in_view(const ref_scene *scene, const ref_camera *c
 static double light_at(const ref_scene *scene, const ref_camera *camera,
                        const ref_instance *instance, uint32_t number, const int32_t normal[3])
 {
-    const ref_turn *turn = ref_turn_of(scene, instance);
+    const ref_placement *placement = ref_placement_of(scene, instance);
     const ref_lattice_point vertex = ref_instance_vertex(scene, instance, number);
     int32_t turned[3] = {normal[0], normal[1], normal[2]};
-    if (turn) {
-        ref_turn_normal(turn, normal, turned);
+    if (placement) {
+        ref_placement_normal(placement, normal, turned);
     }
     const ref_point way = {ldexp(turned[0], -30), ldexp(turned[1], -30), ldexp(turned[2], -30)};
     return ref_light_brightness(scene->light, camera, ref_point_from_lattice(&vertex), way) *
@@ -290,8 +290,8 @@ bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, do
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
 {
     return ref_surface_entry(
-        view, view->light ? view->light->ramp[within(level, view->light->levels, true)][colour]
-                          : colour);
+        view,
+        view->light ? view->light->ramp[within(level, view->light->levels, true)][colour] : colour);
 }
 
 uint8_t ref_surface_entry(const ref_surface_view *view, uint8_t colour)

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Turned instances for the bench: a scene whose instances all turn, each in its own way, or have a turn that turns
+"""Turned instances for the bench: a scene whose instances all turn, each in its own way, or have a placement that turns
 nothing."""
 
 import dataclasses
 
-from fixel.image.image_turn import Key, Motion, Turn
+from fixel.image.image_placement import Key, Motion, Placement
 from fixel.model.quantity import TURN as WHOLE_TURN
 
 ONE = 65536                     # 16.16
-NONE = Turn((1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30), ONE)
+NONE = Placement((1 << 30, 0, 0, 0, 1 << 30, 0, 0, 0, 1 << 30), ONE)
 YAW, PITCH = (range(-3, 4), range(-2, 3))       # steps a frame, in 256ths of a turn; instances take them in turn
 
 
@@ -20,7 +20,7 @@ def _spin(number, centre):
 
 
 def turned(scene, how):
-    """The scene with a turn for each instance. how: "still", all turns are those of FXL_PLACEMENT_NONE and the picture is
+    """The scene with a placement for each instance. how: "still", all placements are those of FXL_PLACEMENT_NONE and the picture is
     the scene's; "turning", the instances turn from frame to frame."""
     motions = [_spin(number, item.centre) for number, item in enumerate(scene.objects)] if how == "turning" else []
-    return dataclasses.replace(scene, turns=[NONE] * len(scene.objects), motions=motions)
+    return dataclasses.replace(scene, placements=[NONE] * len(scene.objects), motions=motions)

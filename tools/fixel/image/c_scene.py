@@ -99,8 +99,8 @@ class _Tables:
             made.append(self._table("fxl_cluster", "clusters", self.clusters,
                                     "Centre and radius of the sphere; axis, cutoff and apex of the cone; faces, "
                                     "reserved."))
-        if self.scene.turns:
-            made.append(self._table("fxl_placement", "turns", list(map(_turn, self.scene.turns)),
+        if self.scene.placements:
+            made.append(self._table("fxl_placement", "placements", list(map(_placement, self.scene.placements)),
                                     "Of the last instances: the rows of the orientation in 2.30, scale in 16.16."))
         if self.scene.beams:
             made += [self._table("fxl_beam", "beams", list(map(_beam, self.scene.beams)),
@@ -127,15 +127,15 @@ class _Tables:
             rows(scene.beams, "beams", len(scene.beams)),
             rows(scene.beams, "lit"),
             rows(self.clusters, "clusters", len(self.clusters), "&fxl_clusters" if self.clusters else "NULL"),
-            rows(scene.turns, "turns", len(scene.objects) - len(scene.turns) if scene.turns else 0,
-                 "&fxl_turned_instances" if scene.turns else "NULL"),
+            rows(scene.placements, "placements", len(scene.objects) - len(scene.placements) if scene.placements else 0,
+                 "&fxl_turned_instances" if scene.placements else "NULL"),
             "0 /* instance_capacity */",
         ]
         return record("fxl_scene", f"{name}_scene", entries, "The scene, for fxl_renderer_init.")
 
 
-def _turn(turn):
-    return braces(braces(*(braces(*turn.rows[i:i + 3]) for i in (0, 3, 6))), turn.scale)
+def _placement(placement):
+    return braces(braces(*(braces(*placement.rows[i:i + 3]) for i in (0, 3, 6))), placement.scale)
 
 
 def _hex(angle):
@@ -164,9 +164,9 @@ def _motions(scene, name):
               "extent; least and largest scale; first key, keys, parent, whether it repeats, reserved."),
         table("fxl_motion_key", f"{name}_motion_keys", list(map(_key, keys)),
               "Frame, centre, yaw, pitch, roll, scale."),
-        "\n".join([*comment(f"For fxl_motion_begin with {name}_motion: a copy of the scene has as many instances and turns."),
-                   f"#define {name.upper()}_INSTANCES {len(scene.objects)}",
-                   f"#define {name.upper()}_TURNS     {len(scene.turns)}", ""]),
+        "\n".join([*comment(f"For fxl_motion_begin with {name}_motion: a copy of the scene has as many instances and placements."),
+                   f"#define {name.upper()}_INSTANCES  {len(scene.objects)}",
+                   f"#define {name.upper()}_PLACEMENTS {len(scene.placements)}", ""]),
         record("fxl_motion_set", f"{name}_motion", [f"{name}_motions, {len(scene.motions)}, {name}_motion_keys, {len(keys)}"],
                "For fxl_motion_begin.")]
 

@@ -143,7 +143,7 @@ SECTIONS = (
         Field("I", "cutoff", "cutoff (0.32)"), Field("3i", "apex", "apex (16.16)"), Field("H", "face_count", "face count"),
         Field("H", "reserved", "reserved")),
             65_535, limit="FXL_SCENE_CLUSTERS_MAX", record="fxl_cluster"),
-    Section("turns", "turn table", (
+    Section("placements", "placement table", (
         Field("9i", "", "orientation (2.30), row by row"), Field("i", "scale", "scale (16.16)")),
             65_535, limit="FXL_SCENE_INSTANCES_MAX", record="fxl_placement"),
     Section("motions", "motion table", (
@@ -214,7 +214,7 @@ ALWAYS = ("palette", "vertices", "corners", "faces", "models", "objects")
 # Sections that go together: where one of the first list is, each of the second must be.
 TOGETHER = (
     (("beams", "lit"), ("beams", "lit")),
-    (("motions", "motion keys"), ("turns", "motions", "motion keys")),
+    (("motions", "motion keys"), ("placements", "motions", "motion keys")),
     (("light", "point lights", "levels"), ("light", "levels")),
     (("textures", "texels", "surfaces", "mapped faces", "face map", "normals of corners", "blend table"),
      ("surfaces", "mapped faces", "face map")),

@@ -6,7 +6,7 @@ import zlib
 
 from fixel.base import reading
 from fixel.image import (image_beam, image_billboard, image_cluster, image_header, image_keys, image_lens,
-                         image_light, image_models, image_surface, image_tables, image_turn)
+                         image_light, image_models, image_placement, image_surface, image_tables)
 from fixel.base.errors import ToolError
 from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_header import POSES, STRIDES
@@ -45,7 +45,7 @@ class SceneImage:
     beams: list = field(default_factory=list)
     lit: bytes = bytes(range(256))      # for each colour, the one that it has in a beam
     centre: tuple = None                # (x, y) of the lens in 16.16; None: the middle of the screen
-    turns: list = field(default_factory=list)       # of the last objects
+    placements: list = field(default_factory=list)  # of the last objects
     motions: list = field(default_factory=list)     # of the last of those
     light: image_light.Light = None                 # at run time
     surfaces: image_surface.Surfaces = None
@@ -74,7 +74,7 @@ def pack(image):
               "objects": [image_models.OBJECT.pack(*item.centre, item.model, item.layer, 0) for item in image.objects]}
     kind, entry = ("poses", image_tables.POSE) if image.path_kind == POSES else ("strides", image_tables.STRIDE)
     tables[kind] = [entry.pack(*one) for one in image.path]
-    tables |= image_models.tables(image.models) | image_turn.tables(image.turns, image.motions)
+    tables |= image_models.tables(image.models) | image_placement.tables(image.placements, image.motions)
     tables |= image_surface.tables(image.surfaces, image.models) | image_billboard.tables(image.billboards)
     tables["nodes"] = [node.pack() for node in image.tree.nodes] if image.tree else []
     tables["beams"] = [beam.pack() for beam in image.beams]
@@ -148,7 +148,7 @@ def unpack(blob):
     image_models.check_faces(tables["faces"], tables["corners"])
     models, extras = image_models.read_models(tables["models"], tables["vertices"], tables["corners"], tables["faces"])
     objects = image_models.read_objects(tables["objects"], models)
-    unturned = len(objects) - len(tables["turns"])
+    unturned = len(objects) - len(tables["placements"])
     image_models.check_extents(objects[:unturned], models)
     image_models.check_vertices(models)
     image_models.check_radii(models, extras)
@@ -156,13 +156,13 @@ def unpack(blob):
         check_planes(model, i)
     image_keys.check(models, [first for _, first, _ in extras], tables["keys"])
     radii = [extras[item.model][0] for item in objects]
-    turns = image_turn.read_turns(tables["turns"], objects, radii)
+    placements = image_placement.read_placements(tables["placements"], objects, radii)
     image_cluster.read(models, [first for *_, first in extras], tables["clusters"])
     tree = _tree(head, tables["nodes"], models, objects, unturned)
     beams = [image_beam.unpack(beam, i) for i, beam in enumerate(tables["beams"])]
     lit = bytes(tables["lit"][0]) if tables["lit"] else bytes(range(256))
     image_beam.check(beams, models)
-    motions = image_turn.read_motions(tables["motions"], tables["motion keys"], radii)
+    motions = image_placement.read_motions(tables["motions"], tables["motion keys"], radii)
     light = image_light.read(tables["light"], tables["point lights"], tables["levels"])
     kind = POSES if tables["poses"] else STRIDES
     path = tables["poses"] or tables["strides"]
@@ -171,7 +171,7 @@ def unpack(blob):
     billboards = image_billboard.read(tables, models, [radius for radius, *_ in extras])
     return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
                       tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
-                      centre, turns, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
+                      centre, placements, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
                       16 if head.target & image_header.RGB565 else 8, bool(head.target & image_header.BY_DISTANCE), head.dark,
                       size=head.image_size, crc=head.crc, unknown=unknown)
 

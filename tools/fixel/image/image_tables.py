@@ -99,9 +99,9 @@ def _check_counts(tables):
     for section in SECTIONS:
         if tables[section.name] and len(tables[section.name]) < section.least:
             fail("count", f"{len(tables[section.name])} {section.name} are fewer than {section.least}")
-    objects, turns, motions = len(tables["objects"]), len(tables["turns"]), len(tables["motions"])
-    if turns > objects or motions > turns:
-        fail("count", f"{objects} objects, {turns} turns and {motions} motions do not go together")
+    objects, placements, motions = len(tables["objects"]), len(tables["placements"]), len(tables["motions"])
+    if placements > objects or motions > placements:
+        fail("count", f"{objects} objects, {placements} placements and {motions} motions do not go together")
     if tables["face map"] and len(tables["face map"]) != len(tables["faces"]):
         fail("count", f"{len(tables['face map'])} entries of the face map for {len(tables['faces'])} faces")
     if tables["billboard map"] and len(tables["billboard map"]) != len(tables["models"]):

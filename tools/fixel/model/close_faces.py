@@ -28,7 +28,7 @@ def resolution(near, far, bits=16):
 
 def placed_faces(scene):
     """((object, face), unit normal, corners in world units), of objects that do not turn."""
-    for number, thing in enumerate(scene.objects[:len(scene.objects) - len(scene.turns)]):
+    for number, thing in enumerate(scene.objects[:len(scene.objects) - len(scene.placements)]):
         model = scene.models[thing.model]
         vertices = (numpy.array(model.vertices, dtype=float) + numpy.array(thing.centre, dtype=float)) / UNIT
         for index, face in enumerate(model.faces):

@@ -6,7 +6,7 @@ from fixel.base import output
 from fixel.image import image
 from fixel.base.progress import Progress
 
-STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light", "turn")
+STAGES = ("sphere", "clip", "clip_world", "transform", "project", "list", "fill", "cover", "split", "light", "placement")
 KEYS = ("stage", "input", "samples", "max", "mean", "unit", "measure", "bound", "beyond_bound", "mismatched")
 # A stage gets one random sample for this many samples of the report.
 SAMPLES_PER = 50

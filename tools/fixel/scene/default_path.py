@@ -16,7 +16,7 @@ MARGIN = Fraction(21, 20)
 def _spheres(scene):
     """(centre, radius) of each instance in 2^-32 of a world unit."""
     radii = [image.radius_of(model.vertices) for model in scene.models]
-    scales = [1 << 16] * (len(scene.objects) - len(scene.turns)) + [turn.scale for turn in scene.turns]
+    scales = [1 << 16] * (len(scene.objects) - len(scene.placements)) + [placement.scale for placement in scene.placements]
     return [(tuple(c << 16 for c in item.centre), radii[item.model] * scale) for item, scale in zip(scene.objects, scales)]
 
 

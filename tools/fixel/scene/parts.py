@@ -71,16 +71,16 @@ class Part:
     looks: tuple
 
     def placed(self, whole):
-        """The placement of this part of a placement."""
+        """The instance of this part."""
         (x, y, z), (along, up, ahead) = whole.centre, self.offset
         return type(whole)(**{**vars(whole), "shape": self.shape, "kind": self.kind, "colours": self.colours,
                               "looks": self.looks, "clusters": whole.clusters and self.kind == SORTED, "centre": (x + along, y + up, z + ahead)})
 
 
-def split(placement, counts, sorts):
-    """The parts of a placement. counts: of cells along x and z. A part is placed at the middle of its cell, at the height
+def split(instance, counts, sorts):
+    """The parts of an instance. counts: of cells along x and z. A part is placed at the middle of its cell, at the height
     of the whole. sorts: its faces are sorted even if it is convex."""
-    shape, moved = placement.shape
+    shape, moved = instance.shape
     cells, ends = _grouped(shape, counts)
     made = []
     for (row, column), numbers in sorted(cells.items()):
@@ -90,6 +90,6 @@ def split(placement, counts, sorts):
         part = _part(shape, numbers)
         convex = not sorts and is_convex(part.vertices, part.faces)
         made.append(Part((part, tuple(m + o for m, o in zip(moved, offset))), CONVEX if convex else SORTED, offset,
-                         tuple(placement.colours[number] for number in numbers),
-                         tuple(placement.looks[number] for number in numbers) if placement.looks else ()))
+                         tuple(instance.colours[number] for number in numbers),
+                         tuple(instance.looks[number] for number in numbers) if instance.looks else ()))
     return made

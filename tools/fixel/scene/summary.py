@@ -30,7 +30,7 @@ def summary(scene):
         "faces": sum(len(model.faces) for model in scene.models),
         "faces_placed": sum(len(scene.models[item.model].faces) for item in scene.objects),
         "clusters": sum(len(model.clusters) for model in scene.models),
-        "turned_objects": len(scene.turns), "moving_objects": len(scene.motions),
+        "turned_objects": len(scene.placements), "moving_objects": len(scene.motions),
         "motion_keys": sum(len(motion.keys) for motion in scene.motions),
         "textures": len(scene.surfaces.textures) if scene.surfaces else 0,
         "texel_bytes": sum(image_surface.texel_bytes(one) for one in scene.surfaces.textures) if scene.surfaces else 0,

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: MIT
-"""Turns and motions of a scene file's objects (docs/scenes.md): from the keys of an object to the records of an
+"""Placements and motions of a scene file's objects (docs/scenes.md): from the keys of an object to the records of an
 image. Whatever has such a key is a turned object."""
 
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 import math
 
-from fixel.image import image_turn
+from fixel.image import image_placement
 from fixel.model import quantity
 from fixel.base.errors import ToolError
-from fixel.image.image_turn import Key, Motion, Turn
+from fixel.image.image_placement import Key, Motion, Placement
 from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.turning import matrix, sine_cosine
 
 KEYS = {"turn", "size", "spin", "motion", "parent"}
 SIZE_MIN, SIZE_MAX = Fraction(1, 256), 256
-FRAMES_MAX = image_turn.FRAME_MAX
+FRAMES_MAX = image_placement.FRAME_MAX
 STEP_MAX = 120      # degrees between two keys of the image: less than half a turn, which is the short way
 _FINE = 1 << 156
 ZEROS = (Fraction(0),) * 3
@@ -180,17 +180,17 @@ def _key(stop, life, position):
     size = quantity.q16(life.size * stop.size)
     centre = [quantity.q16(p + o) for p, o in zip(position, stop.offset)]
     centre[1] += quantity.q16(life.rise * life.size * stop.size / 65536)
-    if not image_turn.SCALE_MIN <= size <= image_turn.SCALE_MAX:
+    if not image_placement.SCALE_MIN <= size <= image_placement.SCALE_MAX:
         quantity.in_range(life.size * stop.size, SIZE_MIN, SIZE_MAX, f"{life.where}: size")
-    if any(abs(c) > image_turn.PLACE_MAX for c in centre):
+    if any(abs(c) > image_placement.PLACE_MAX for c in centre):
         raise ToolError(f"{life.where}: a key's offset is out of range")
     angles = tuple(quantity.angle(a + b) for a, b in zip(life.turn, stop.turn))
     return Key(stop.frame, tuple(centre), angles, size)
 
 
-def _motion(placement, parent):
-    life = placement.life
-    keys = [_key(stop, life, placement.centre) for stop in _fine(life.stops)]
+def _motion(instance, parent):
+    life = instance.life
+    keys = [_key(stop, life, instance.centre) for stop in _fine(life.stops)]
     return Motion(keys, tuple(map(quantity.angle, life.steps)), life.axis or (0, 0, 0),
                   tuple(map(quantity.angle, life.spin)) if life.axis else (0, 0), quantity.q16(life.radius),
                   tuple(map(quantity.angle, life.circle)) if life.radius else (0, 0), parent, int(life.repeats))
@@ -242,27 +242,27 @@ def _in_2_30(rows):
     return tuple(quantity.q30(c) for row in rows for c in row)
 
 
-def _parent_of(placement, named):
-    """The placement that another is attached to; named: those before it, by name."""
-    name = placement.life.parent
+def _parent_of(instance, named):
+    """The instance that another is attached to; named: those before it, by name."""
+    name = instance.life.parent
     found = named.get(name, [])
     if not found:
-        raise ToolError(f"{placement.where}: parent: no object before this one has the name {quoted(name)} and one of "
+        raise ToolError(f"{instance.where}: parent: no object before this one has the name {quoted(name)} and one of "
                         f"{', '.join(sorted(KEYS))}")
     if len(found) > 1:
-        raise ToolError(f"{placement.where}: parent: {len(found)} objects have the name {quoted(name)}")
+        raise ToolError(f"{instance.where}: parent: {len(found)} objects have the name {quoted(name)}")
     return found[0]
 
 
 def _check_depth(item, parents, depths):
-    """Refuses more parents, one after the other, than an image may have; depths: those of the placements before."""
+    """Refuses more parents, one after the other, than an image may have; depths: those of the instances before."""
     depth = depths[id(item)] = 1 + depths[id(parents[id(item)])] if id(item) in parents else 0
-    if depth > image_turn.DEPTH_MAX:
-        raise ToolError(f"{item.where}: parent: it has more than {image_turn.DEPTH_MAX} parents, one after the other")
+    if depth > image_placement.DEPTH_MAX:
+        raise ToolError(f"{item.where}: parent: it has more than {image_placement.DEPTH_MAX} parents, one after the other")
 
 
 def _parents(lively):
-    """{id of a placement: its parent}; and those that move, themselves or as parents, in order."""
+    """{id of an instance: its parent}; and those that move, themselves or as parents, in order."""
     parents, named, depths, keys = {}, {}, {}, 0
     for item in lively:
         if item.life.parent is not None:
@@ -270,21 +270,21 @@ def _parents(lively):
         named.setdefault(item.name, []).append(item)
         _check_depth(item, parents, depths)
         keys += _count_keys(item.life.stops)
-        if keys > image_turn.KEYS_MAX:
-            raise ToolError(f"{item.where}: the motions have more than {image_turn.KEYS_MAX:,} keys together, with those that "
+        if keys > image_placement.KEYS_MAX:
+            raise ToolError(f"{item.where}: the motions have more than {image_placement.KEYS_MAX:,} keys together, with those that "
                             "large turns need; turn less between two keys, or give fewer objects keys")
     needed = {id(parent) for parent in parents.values()}
     return parents, [item for item in lively if item.life.moves or id(item) in needed]
 
 
-def settle(placements):
-    """The placements in the order of an image: those that stand still, those that are turned, those that move;
-    and the turns and motions of the last."""
-    lively = [item for item in placements if item.life is not None]
+def settle(instances):
+    """The instances in the order of an image: those that stand still, those that are turned, those that move;
+    and the placements and motions of the last."""
+    lively = [item for item in instances if item.life is not None]
     parents, moving = _parents(lively)
     known = {id(item) for item in moving}
-    ordered = [item for item in placements if item.life is None]
-    turns, motions, starts, numbers = [], [], [], {}
+    ordered = [item for item in instances if item.life is None]
+    placements, motions, starts, numbers = [], [], [], {}
     for item in [item for item in lively if id(item) not in known] + moving:
         above = numbers[id(parents[id(item)])] if id(item) in parents else None
         motion = _motion(item, 0 if above is None else above + 1)
@@ -293,6 +293,6 @@ def settle(placements):
             numbers[id(item)] = len(motions)
             motions.append(motion)
             starts.append(start)
-        turns.append(Turn(_in_2_30(start[1]), start[2]))
+        placements.append(Placement(_in_2_30(start[1]), start[2]))
         ordered.append(replace(item, centre=start[0]))
-    return ordered, turns, motions
+    return ordered, placements, motions

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Objects of a scene file: which mesh, where, how large, how turned, in which
-colours. Each becomes one or more placements of a coloured shape."""
+colours. Each becomes one or more instances of a coloured shape."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -22,12 +22,12 @@ KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "ins
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
         "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
 SCALE_MAX = 16384
-PLACEMENTS_MAX = 65535
+INSTANCES_MAX = 65535
 _UNTURNED = (Fraction(0),) * 3
 
 
 @dataclass
-class Placement:
+class Instance:
     """A model put somewhere: colours are still wishes, an int for a palette
     index and a tuple for red, green, blue."""
     shape: object
@@ -266,17 +266,17 @@ class Objects:
                             "use fewer copies or smaller models")
 
     def _places(self, table):
-        """(position, extra yaw) of every placement, in order."""
+        """(position, extra yaw) of every instance, in order."""
         count = toml_places.count(table)
-        room = PLACEMENTS_MAX - self.count
+        room = INSTANCES_MAX - self.count
         if count > room:
             raise ToolError(f"{table.where}: {count:,} copies are more than the limit allows: a scene has at most "
-                            f"{PLACEMENTS_MAX:,} objects, and {PLACEMENTS_MAX - room:,} stand before these")
+                            f"{INSTANCES_MAX:,} objects, and {INSTANCES_MAX - room:,} stand before these")
         self.count += count
         return toml_places.places(table)
 
-    def placements(self, data, number):
-        """All placements of the object that stands number-th in the file."""
+    def instances(self, data, number):
+        """All instances of the object that stands number-th in the file."""
         name = data.get("name") if isinstance(data, dict) else None
         where = f"{self.name}: object {number}" + (f" ({quoted(name)})" if name else "")
         has_billboard = isinstance(data, dict) and "billboard" in data
@@ -318,19 +318,19 @@ class Objects:
             rise = made.half_height if anchor == "base" else 0
             if life or turned:
                 own = (life or toml_motion.Life()).on_ring(yaw if turned else 0, rise)
-                result.append(Placement((made, moved), colours, kind, position, layer, True, clusters, place, name, looks,
+                result.append(Instance((made, moved), colours, kind, position, layer, True, clusters, place, name, looks,
                                         life=own))
                 continue
             centre = _centre(position, rise, ends, place)
-            result.append(Placement((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
+            result.append(Instance((made, moved), colours, kind, centre, layer, moves, clusters, place, name, looks))
             if division or fitting:
                 result += self._parts_of(result.pop(), division or fitting, table,
-                                         PLACEMENTS_MAX - self.count + len(places) - len(result))
+                                         INSTANCES_MAX - self.count + len(places) - len(result))
         self.count += len(result) - len(places)
         return result
 
     def _parts_of(self, whole, division, table, room):
-        """The placements of an object's parts, which are made once for each shape and colouring. room: how many more the
+        """The instances of an object's parts, which are made once for each shape and colouring. room: how many more the
         scene may have."""
         key = id(whole.shape[0]), whole.shape[1], id(whole.colours), id(whole.looks), division
         if key not in self.divided:
@@ -340,12 +340,12 @@ class Objects:
                                   f"faces became {len(self.divided[key])} objects")
         divided = self.divided[key]
         if len(divided) > room:
-            raise ToolError(f"{table.at('parts')}: the parts of all copies are more than the limit of {PLACEMENTS_MAX:,} "
+            raise ToolError(f"{table.at('parts')}: the parts of all copies are more than the limit of {INSTANCES_MAX:,} "
                             "objects of a scene; use fewer parts or copies")
         return [part.placed(whole) for part in divided]
 
     def _billboards(self, table, name):
-        """All placements of an object that shows a billboard. The colour of its face is the picture's mean."""
+        """All instances of an object that shows a billboard. The colour of its face is the picture's mean."""
         wish = toml_billboard.of_object(table, self.billboards)
         layer, moves, life = table.whole("layer", 0, 0, 255), table.switch("moves", False), toml_motion.read(table)
         if toml_places.ring_is_turned(table):
@@ -359,7 +359,7 @@ class Objects:
             place = table.where + (f", copy {i}" if i else "")
             self._count_placed(len(made.vertices), place)
             centre = position if life else _centre(position, 0, _ends(made, (0, 0, 0)), place)
-            result.append(Placement((made, (0, 0, 0)), colours, image.CONVEX, centre, layer, bool(life) or moves, False, place,
+            result.append(Instance((made, (0, 0, 0)), colours, image.CONVEX, centre, layer, bool(life) or moves, False, place,
                                     name, board=wish, life=life.on_ring(0, 0) if life else None))
         return result
 

@@ -56,14 +56,14 @@ def _repeated(base, step, count):
 
 
 def count(table):
-    """How many placements there are."""
+    """How many instances there are."""
     if "positions" in table and "position" in table:
         raise ToolError(f"{table.where}: both position and positions are given; keep one")
     return (len(table.rows("positions")) if "positions" in table else 1) * _ring_count(table) * math.prod(_repeat_count(table))
 
 
 def places(table):
-    """(position, extra yaw) of every placement, in order."""
+    """(position, extra yaw) of every instance, in order."""
     if "positions" in table:
         bases = [quantity.position(p, f"{table.at('positions')}[{i}]") for i, p in enumerate(table.rows("positions"))]
     else:

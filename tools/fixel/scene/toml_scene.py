@@ -266,19 +266,19 @@ def _blend(top):
     return top.table("palette", _PALETTE_KEYS).whole("blend", 8, 1, 16)
 
 
-def _texel_colours(placements):
-    looks = (look for looks in {id(p.looks): p.looks for p in placements}.values() for look in looks if look)
+def _texel_colours(instances):
+    looks = (look for looks in {id(p.looks): p.looks for p in instances}.values() for look in looks if look)
     return {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}
 
 
-def _count_colours(placements, lit):
-    wanted, times = {}, collections.Counter(id(placement.colours) for placement in placements)
-    for colours in {id(placement.colours): placement.colours for placement in placements}.values():
+def _count_colours(instances, lit):
+    wanted, times = {}, collections.Counter(id(instance.colours) for instance in instances)
+    for colours in {id(instance.colours): instance.colours for instance in instances}.values():
         for colour in colours:
             wanted[colour] = wanted.get(colour, 0) + times[id(colours)]
-    for colour in _texel_colours(placements):
+    for colour in _texel_colours(instances):
         wanted[colour] = wanted.get(colour, 0) + 1
-    for colour in {c for board in {placement.board for placement in placements if placement.board} for c in board.picture.colours}:
+    for colour in {c for board in {instance.board for instance in instances if instance.board} for c in board.picture.colours}:
         wanted[colour] = wanted.get(colour, 0) + 1
     if lit:
         for colour in [c for c in wanted if not isinstance(c, int)]:
@@ -286,33 +286,33 @@ def _count_colours(placements, lit):
     return wanted
 
 
-def _lit_table(placements, indices, lit):
+def _lit_table(instances, indices, lit):
     """For each colour of the palette, the one that it has in a beam."""
     table = list(range(256))
-    of_faces = {c for colours in {id(p.colours): p.colours for p in placements}.values() for c in colours}
-    for colour in of_faces | _texel_colours(placements):
+    of_faces = {c for colours in {id(p.colours): p.colours for p in instances}.values() for c in colours}
+    for colour in of_faces | _texel_colours(instances):
         if lit and not isinstance(colour, int):
             table[indices[colour]] = indices[lit(colour)]
     return bytes(table)
 
 
-def _palette(background, placements, reserved, light, lit):
+def _palette(background, instances, reserved, light, lit):
     """Palette, index of each wanted colour, number of colours that were merged or 0, and for each entry the one that it
     is in a beam. The ramp of light at run time goes into the light."""
     at_run_time = isinstance(light, toml_light.RunTime)
-    wanted = _count_colours(placements, None if at_run_time else lit)
+    wanted = _count_colours(instances, None if at_run_time else lit)
     if at_run_time:
         colours, indices, merged, light.image.ramp, in_beam = light_palette.allocate(background, wanted, reserved, light, lit)
         return colours, indices, merged, in_beam
     colours, indices, merged = palette.allocate(background, wanted, reserved)
-    return colours, indices, merged, _lit_table(placements, indices, lit)
+    return colours, indices, merged, _lit_table(instances, indices, lit)
 
 
-def _models(placements, indices, records):
+def _models(instances, indices, records):
     """Models, objects, and of each model its billboard or None; equal models are made once. An object's position in
     the list is its number in the order of drawing. records: a surfaces.Records."""
     numbers, models, objects, boards = {}, [], [], []
-    for item in placements:
+    for item in instances:
         made, moved = item.shape
         key = (id(made), moved, id(item.colours), id(item.looks), item.kind, item.clusters, item.board)
         if key not in numbers:
@@ -355,25 +355,25 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     pictures = texture.Pictures(folder)
     objects = Objects(name, files, light, notes, progress, toml_texture.read(top, pictures),
                       toml_billboard.read(top, pictures))
-    placements = []
+    instances = []
     for number, item in enumerate(top.rows("objects")):
         progress(f"{name}: object {number}")
-        placements += objects.placements(item, number)
+        instances += objects.instances(item, number)
     progress.stage(f"{name}: the palette and the models")
-    placements, turns, motions = toml_motion.settle(placements)
+    instances, placements, motions = toml_motion.settle(instances)
     try:
-        colours, indices, merged, in_beam = _palette(background, placements, reserved, light, lit)
+        colours, indices, merged, in_beam = _palette(background, instances, reserved, light, lit)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
     if merged:
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     records = Records(indices)
-    models, placed, boards = _models(placements, indices, records)
+    models, placed, boards = _models(instances, indices, records)
     scene = SceneImage(*lens[:-1], 0, colours, models, placed, kind, entries, start, gait)
     scene.centre = lens[-1]
     _target(top, scene)
     scene.layers = _layers(top)
-    scene.beams, scene.turns, scene.motions, scene.surfaces = beams, turns, motions, records.result(
+    scene.beams, scene.placements, scene.motions, scene.surfaces = beams, placements, motions, records.result(
         colours, _blend(top), light.image.ramp if isinstance(light, toml_light.RunTime) else [], in_beam)
     scene.billboards = toml_billboard.result(boards, indices)
     scene.lit = in_beam
@@ -385,8 +385,8 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         scene.path, more = default_path.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
-    scene.names = [item.name for item in placements]
-    scene.moving = tuple(i for i, item in enumerate(placements) if item.moves)
+    scene.names = [item.name for item in instances]
+    scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     return scene, list(dict.fromkeys(notes))
 
 

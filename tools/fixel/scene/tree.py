@@ -367,7 +367,7 @@ def plant(scene, layers, moving=(), progress=None):
     for vertex in vertices:
         check_coordinates([v + o for v, o in zip(vertex, origin)], "a vertex of the tree")
     _put(scene, members, Model(vertices, faces, SORTED), Object(origin, 0, max(layers)))
-    scene.tree = Tree(nodes, len(scene.objects) - len(scene.turns) - 1)
+    scene.tree = Tree(nodes, len(scene.objects) - len(scene.placements) - 1)
     return counts
 
 
@@ -384,5 +384,5 @@ def _put(scene, members, model, item):
         scene.billboards.model_map = [scene.billboards.model_map[old] for old in kept] + [0]
     scene.objects = [Object(o.centre, new[o.model], o.layer) for o in scene.objects]
     item.model = len(kept)
-    scene.objects.insert(len(scene.objects) - len(scene.turns), item)
-    scene.names.insert(len(scene.names) - len(scene.turns), None)
+    scene.objects.insert(len(scene.objects) - len(scene.placements), item)
+    scene.names.insert(len(scene.names) - len(scene.placements), None)

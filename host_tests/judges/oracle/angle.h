@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the claims about angles and orientations share. */
-#ifndef ORACLE_TURNS_H
-#define ORACLE_TURNS_H
+#ifndef ORACLE_ANGLE_H
+#define ORACLE_ANGLE_H
 
 #include <stdbool.h>
 

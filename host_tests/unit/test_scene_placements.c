@@ -1,34 +1,35 @@
 /* SPDX-License-Identifier: MIT */
-/* Turned instances and motions in a scene image: sections of turns, of motions and of their keys.
+/* Turned instances and motions in a scene image: sections of placements, of motions and of their
+ * keys.
  */
 #include "expect_scene.h"
 
 enum {
-    AT_TURNS = AT_MORE,
-    AT_MOTIONS = AT_TURNS + SECTION_BYTES,
+    AT_PLACEMENTS = AT_MORE,
+    AT_MOTIONS = AT_PLACEMENTS + SECTION_BYTES,
     AT_MOTION_KEYS = AT_MOTIONS + SECTION_BYTES,
-    TURN = 40,
+    PLACEMENT = 40,
     MOTION = 76,
     MOTION_KEY = 32
 };
 
-/* Tiny's image with two turns and one motion. */
+/* Tiny's image with two placements and one motion. */
 static tiny_image *make(void)
 {
-    static const fxl_placement turns[2] = {{FXL_ORIENTATION_NONE, FXL_UNITS(2)},
-                                           FXL_PLACEMENT_NONE};
+    static const fxl_placement placements[2] = {{FXL_ORIENTATION_NONE, FXL_UNITS(2)},
+                                                FXL_PLACEMENT_NONE};
     static const fxl_motion motion = {
         .yaw_step = 7, .scale_low = 65536, .scale_high = 65536, .key_count = 1};
     static const fxl_motion_key key = {.scale = 65536};
     tiny_image *image = tiny_image_make(false);
-    tiny_set_section(image, SECTION_TURNS, turns, 2, TURN);
+    tiny_set_section(image, SECTION_PLACEMENTS, placements, 2, PLACEMENT);
     tiny_set_section(image, SECTION_MOTIONS, &motion, 1, MOTION);
     tiny_set_section(image, SECTION_KEYS_OF_MOTIONS, &key, 1, MOTION_KEY);
     tiny_seal(image);
     return image;
 }
 
-static void turn_word(fxl_status status, uint32_t offset, uint32_t value)
+static void placement_word(fxl_status status, uint32_t offset, uint32_t value)
 {
     expect_image_word(status, make(), offset, value);
 }
@@ -38,7 +39,7 @@ static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t 
     expect_image_entry_word(status, make(), table, at, value);
 }
 
-void test_turns_are_used_in_place(void)
+void test_placements_are_used_in_place(void)
 {
     tiny_image *image = make();
     fxl_scene_image opened;
@@ -57,7 +58,7 @@ void test_turns_are_used_in_place(void)
     TEST_ASSERT_EQUAL_UINT32(0, opened.motion.motion_count);
 }
 
-void test_a_scene_may_have_turns_alone(void)
+void test_a_scene_may_have_placements_alone(void)
 {
     tiny_image *image = make();
     static const fxl_placement one = {FXL_ORIENTATION_NONE, FXL_UNITS(2)};
@@ -66,7 +67,7 @@ void test_a_scene_may_have_turns_alone(void)
     expect_opening(FXL_OK, image);
     /* One is that of the last instance. */
     fxl_scene_image opened;
-    tiny_set_section(image, SECTION_TURNS, &one, 1, TURN);
+    tiny_set_section(image, SECTION_PLACEMENTS, &one, 1, PLACEMENT);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(TINY_INSTANCES - 1, opened.scene.first_turned);
@@ -75,19 +76,19 @@ void test_a_scene_may_have_turns_alone(void)
 
 void test_every_instance_may_be_turned(void)
 {
-    static const fxl_placement turns[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
-                                                        FXL_PLACEMENT_NONE};
+    static const fxl_placement placements[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
+                                                             FXL_PLACEMENT_NONE};
     tiny_image *image = tiny_image_make(false);
     fxl_scene_image opened;
-    tiny_set_section(image, SECTION_TURNS, turns, TINY_INSTANCES, TURN);
+    tiny_set_section(image, SECTION_PLACEMENTS, placements, TINY_INSTANCES, PLACEMENT);
     tiny_seal(image);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_open(image->words, image->size, &opened, NULL));
     TEST_ASSERT_EQUAL_UINT32(0, opened.scene.first_turned);
 }
 
-void test_motions_their_keys_and_turns_go_together(void)
+void test_motions_their_keys_and_placements_go_together(void)
 {
-    static const uint16_t kinds[] = {SECTION_TURNS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS};
+    static const uint16_t kinds[] = {SECTION_PLACEMENTS, SECTION_MOTIONS, SECTION_KEYS_OF_MOTIONS};
     for (int i = 0; i < 3; i++) {
         tiny_image *image = make();
         tiny_set_section(image, kinds[i], NULL, 0, 0);
@@ -95,35 +96,36 @@ void test_motions_their_keys_and_turns_go_together(void)
     }
 }
 
-void test_tables_of_turns_are_checked(void)
+void test_tables_of_placements_are_checked(void)
 {
-    turn_word(FXL_E_COUNT, AT_TURNS + 4, 0);
-    turn_word(FXL_E_OFFSET, AT_TURNS + 4, 4);
-    turn_word(FXL_E_COUNT, AT_TURNS + 4, 65536);
-    turn_word(FXL_E_ALIGNMENT, AT_TURNS, 2);
-    turn_word(FXL_E_OFFSET, AT_TURNS, 0);
-    turn_word(FXL_E_COUNT, AT_MOTIONS + 4, 0);
-    turn_word(FXL_E_OFFSET, AT_MOTIONS, 4);
-    turn_word(FXL_E_OFFSET, AT_MOTION_KEYS, 4);
-    turn_word(FXL_E_COUNT, AT_MOTION_KEYS + 4, 1000001);
+    placement_word(FXL_E_COUNT, AT_PLACEMENTS + 4, 0);
+    placement_word(FXL_E_OFFSET, AT_PLACEMENTS + 4, 4);
+    placement_word(FXL_E_COUNT, AT_PLACEMENTS + 4, 65536);
+    placement_word(FXL_E_ALIGNMENT, AT_PLACEMENTS, 2);
+    placement_word(FXL_E_OFFSET, AT_PLACEMENTS, 0);
+    placement_word(FXL_E_COUNT, AT_MOTIONS + 4, 0);
+    placement_word(FXL_E_OFFSET, AT_MOTIONS, 4);
+    placement_word(FXL_E_OFFSET, AT_MOTION_KEYS, 4);
+    placement_word(FXL_E_COUNT, AT_MOTION_KEYS + 4, 1000001);
 }
 
-void test_there_are_no_more_motions_than_turns(void)
+void test_there_are_no_more_motions_than_placements(void)
 {
     tiny_image *image = make();
     static const fxl_motion motions[3];
     tiny_set_section(image, SECTION_MOTIONS, motions, 3, MOTION);
     expect_opening(FXL_E_COUNT, image);
     image = make();
-    static const fxl_placement turns[TINY_INSTANCES + 1];
-    tiny_set_section(image, SECTION_TURNS, turns, TINY_INSTANCES + 1, TURN); /* nor more turns */
+    static const fxl_placement placements[TINY_INSTANCES + 1];
+    tiny_set_section(image, SECTION_PLACEMENTS, placements, TINY_INSTANCES + 1,
+                     PLACEMENT); /* nor more placements */
     expect_opening(FXL_E_COUNT, image);
 }
 
 void test_entries_are_checked(void)
 {
-    entry_word(FXL_E_PLACEMENT, AT_TURNS, 4, 5);
-    entry_word(FXL_E_RANGE, AT_TURNS, 36, 0);
+    entry_word(FXL_E_PLACEMENT, AT_PLACEMENTS, 4, 5);
+    entry_word(FXL_E_RANGE, AT_PLACEMENTS, 36, 0);
     entry_word(FXL_E_RESERVED, AT_MOTIONS, 72, 1);
     entry_word(FXL_E_INDEX, AT_MOTIONS, 64, 1);
     entry_word(FXL_E_RANGE, AT_MOTION_KEYS, 4, 1);

@@ -14,18 +14,18 @@ DEPTH_MAX = 8
 PLACE_MAX = (1 << 30) - 1       # of a coordinate of a place, and of an axis
 SLACK = 32                      # FXL_PLACEMENT_SLACK
 TOLERANCE = 1 << 32             # 2^-28 in units of 2^-60
-TURN, MOTION, KEY = map(entry, ("turns", "motions", "motion keys"))
-assert (TURN.size, MOTION.size, KEY.size) == (40, 76, 32)
+PLACEMENT, MOTION, KEY = map(entry, ("placements", "motions", "motion keys"))
+assert (PLACEMENT.size, MOTION.size, KEY.size) == (40, 76, 32)
 
 
 @dataclass
-class Turn:
+class Placement:
     """How an object is turned and scaled."""
     rows: tuple         # nine entries in 2.30, row by row
     scale: int          # 16.16
 
     def pack(self):
-        return TURN.pack(*self.rows, self.scale)
+        return PLACEMENT.pack(*self.rows, self.scale)
 
 
 @dataclass
@@ -69,13 +69,13 @@ class Motion:
         return x + self.radius, y, z + self.radius
 
 
-def tables(turns, motions):
-    """Turns, motions and their keys as packed bytes, by name."""
+def tables(placements, motions):
+    """Placements, motions and their keys as packed bytes, by name."""
     packed, keys = [], []
     for motion in motions:
         packed.append(motion.pack(len(keys)))
         keys += [key.pack() for key in motion.keys]
-    return {"turns": [turn.pack() for turn in turns], "motions": packed, "motion keys": keys}
+    return {"placements": [placement.pack() for placement in placements], "motions": packed, "motion keys": keys}
 
 
 def _dot(a, b):
@@ -105,15 +105,15 @@ def _check_place(centre, scale, radius, what):
              f"{reach / 65536:.6g} leave -8191..8191")
 
 
-def read_turns(table, objects, radii):
-    """The turns of the last objects. radii: of each object's model."""
-    first, turns = len(objects) - len(table), []
+def read_placements(table, objects, radii):
+    """The placements of the last objects. radii: of each object's model."""
+    first, placements = len(objects) - len(table), []
     for i, (*rows, scale) in enumerate(table, first):
         _check_place(objects[i].centre, scale, radii[i], f"instance {i}")
         if not _is_rotation(rows):
-            fail("turn", f"instance {i}: the rows of its turn are those of no rotation")
-        turns.append(Turn(tuple(rows), scale))
-    return turns
+            fail("placement", f"instance {i}: the rows of its placement are those of no rotation")
+        placements.append(Placement(tuple(rows), scale))
+    return placements
 
 
 def _unpack(fields, number, keys, next_key):

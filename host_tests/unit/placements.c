@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "turns.h"
+#include "placements.h"
 
 #include <math.h>
 
@@ -9,7 +9,7 @@ static fxl_q2_30 rounded(double value)
 }
 
 /* From a unit quaternion a + bi + cj + dk. */
-fxl_orientation turns_orientation(void)
+fxl_orientation placements_orientation(void)
 {
     double q[4], length;
     do {
@@ -29,15 +29,15 @@ fxl_orientation turns_orientation(void)
                               rounded(1 - 2 * (b * b + c * c))}};
 }
 
-fxl_placement turns_any(void)
+fxl_placement placements_any(void)
 {
-    fxl_placement turn = {turns_orientation(), FXL_Q16_16_ONE};
+    fxl_placement placement = {placements_orientation(), FXL_Q16_16_ONE};
     const uint32_t kind = unit_random() % 8;
     if (kind == 0) {
-        turn.scale = unit_between(0, 1) ? FXL_SCALE_MIN : FXL_SCALE_MAX;
+        placement.scale = unit_between(0, 1) ? FXL_SCALE_MIN : FXL_SCALE_MAX;
     } else if (kind >= 3) {
-        turn.scale = unit_between(FXL_SCALE_MIN, FXL_SCALE_MAX) >> unit_between(0, 16);
-        turn.scale = turn.scale < FXL_SCALE_MIN ? FXL_SCALE_MIN : turn.scale;
+        placement.scale = unit_between(FXL_SCALE_MIN, FXL_SCALE_MAX) >> unit_between(0, 16);
+        placement.scale = placement.scale < FXL_SCALE_MIN ? FXL_SCALE_MIN : placement.scale;
     }
-    return turn;
+    return placement;
 }

@@ -21,8 +21,8 @@ static fxl_point any_vector(fuzz_input *in)
 
 static void demand_made(fxl_status status, const fxl_orientation *o, const fxl_orientation *before)
 {
-    const fxl_placement turn = {*o, FXL_Q16_16_ONE};
-    DEMAND(status == FXL_OK ? fxl_placement_check(&turn, &origin, 0) == FXL_OK
+    const fxl_placement placement = {*o, FXL_Q16_16_ONE};
+    DEMAND(status == FXL_OK ? fxl_placement_check(&placement, &origin, 0) == FXL_OK
                             : memcmp(o, before, sizeof *o) == 0);
     record_bytes(o, sizeof *o);
 }
@@ -55,28 +55,30 @@ static fxl_orientation any_orientation(fuzz_input *in)
 
 void fuzz_orientations(fuzz_input *in)
 {
-    fxl_placement parent, child, turn, before = FXL_PLACEMENT_NONE;
+    fxl_placement parent, child, placement, before = FXL_PLACEMENT_NONE;
     fxl_point centre = origin;
     parent.orientation = any_orientation(in);
     child.orientation = any_orientation(in);
     parent.scale = fuzz_below(in, 4) ? 1 + (fxl_q16_16)fuzz_bits(in, 2) : fuzz_any(in);
     child.scale = fuzz_below(in, 4) ? 256 + (fxl_q16_16)fuzz_bits(in, 2) : fuzz_any(in);
-    turn = before;
+    placement = before;
     demand_made(
-        fxl_orientation_multiply(&parent.orientation, &child.orientation, &turn.orientation),
-        &turn.orientation, &before.orientation);
+        fxl_orientation_multiply(&parent.orientation, &child.orientation, &placement.orientation),
+        &placement.orientation, &before.orientation);
     const fxl_point at = any_vector(in), local = any_vector(in);
-    turn = before;
-    const fxl_status status = fxl_placement_attach(&at, &parent, &local, &child, &centre, &turn);
-    record_bytes(&turn, sizeof turn);
+    placement = before;
+    const fxl_status status =
+        fxl_placement_attach(&at, &parent, &local, &child, &centre, &placement);
+    record_bytes(&placement, sizeof placement);
     record_bytes(&centre, sizeof centre);
     if (status == FXL_OK) {
-        DEMAND(fxl_placement_check(&turn, &centre, 0) == FXL_OK);
+        DEMAND(fxl_placement_check(&placement, &centre, 0) == FXL_OK);
     } else {
-        DEMAND(memcmp(&turn, &before, sizeof turn) == 0);
+        DEMAND(memcmp(&placement, &before, sizeof placement) == 0);
         DEMAND(memcmp(&centre, &origin, sizeof centre) == 0);
     }
-    DEMAND(fxl_placement_attach(&at, NULL, &local, &child, &centre, &turn) == FXL_E_ARGUMENT);
+    DEMAND(fxl_placement_attach(&at, NULL, &local, &child, &centre, &placement) == FXL_E_ARGUMENT);
     DEMAND(fxl_orientation_look_at(&at, &local, NULL) == FXL_E_ARGUMENT);
-    DEMAND(fxl_orientation_multiply(NULL, &child.orientation, &turn.orientation) == FXL_E_ARGUMENT);
+    DEMAND(fxl_orientation_multiply(NULL, &child.orientation, &placement.orientation) ==
+           FXL_E_ARGUMENT);
 }
