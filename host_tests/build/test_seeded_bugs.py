@@ -200,10 +200,10 @@ def compiler_says(bug):
     text = file.read_text(encoding="utf-8")
     if file.suffix == ".c":
         words = check(file, bug.seed(text), *warnings)
-    elif check(file, text):
+    elif check(file, text, *warnings, "-Wno-unused-function"):
         words = check_in_sources(file, bug.seed(text), *warnings)
     else:
-        words = check(file, bug.seed(text))
+        words = check(file, bug.seed(text), *warnings, "-Wno-unused-function")
     return f"{bug.name}: {words}" if words else ""
 
 
@@ -214,6 +214,19 @@ def test_each_bug_compiles():
     includers()   # once, not in each thread
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         assert "".join(pool.map(compiler_says, inputs)) == ""
+
+
+def test_a_bug_that_does_not_compile_is_named_and_ends_no_campaign(root, monkeypatch, capsys):
+    for name in ("make_copy", "check_unharmed"):
+        monkeypatch.setattr(seeded_bugs, name, lambda *_: None)
+    monkeypatch.setattr(seeded_bugs, "all_tests", lambda _: ["test_a"])
+    monkeypatch.setattr(seeded_bugs, "build_tests", lambda *_: "no such function")
+    copy = root / "build/seeded_bugs/0"
+    shutil.copytree(root / "lib", copy / "lib")
+    monkeypatch.setattr(seeded_bugs.shutil, "copytree", lambda *_: None)
+    assert seeded_bugs.main(["--root", str(root), "--build", str(root / "build"), "--jobs", "1"]) == 1
+    said = capsys.readouterr().out
+    assert "NOT COMPILED" in said and "lib/a.c: bug 'n' does not compile, so it shows nothing: no such function" in said
 
 
 def test_a_sample_depends_on_the_sources_alone():

@@ -7,7 +7,7 @@ Each bug of host_tests/build/seeded_bugs/bugs.toml must make a test fail; withou
 bug none may. --sample tries N bugs, chosen by what the library and its tests
 hold, so that the same sources give the same sample and other sources another.
 Works on copies under DIR/seeded_bugs and never in the checkout.
-Exit: 0 all caught, 1 a bug survived (or a test fails without one), 2 could not run.
+Exit: 0 all caught, 1 a bug survived or does not compile (or a test fails without one), 2 could not run.
 """
 
 import argparse
@@ -40,7 +40,8 @@ EQUALITY_THOUSANDS = 20
 
 @dataclasses.dataclass
 class Verdict:
-    """Which test failed with a bug, and its first words; None where the bug survived."""
+    """Which test failed with a bug, and its first words; None where the bug survived, or, with the
+    words of the compiler, where it does not compile, so that it shows nothing."""
     bug: records.Bug
     caught_by: str | None
     words: str = ""
@@ -109,7 +110,7 @@ def try_bug(folder, bug, tests, jobs):
         for group in (likely, [test for test in tests if test not in likely]):
             said = build_tests(folder, group, jobs) if group else None
             if said:
-                raise ToolError(f"bug '{bug.name}' does not compile, so it shows nothing", words=said)
+                return Verdict(bug, None, said)
             for test in group:
                 words = run_test(folder, test)
                 if words:
@@ -156,12 +157,14 @@ def try_all(bugs, copies, tests):
 
 def print_verdicts(verdicts):
     """For people."""
-    rows = [[verdict.bug.name, verdict.bug.kind, verdict.caught_by or coloured("SURVIVED", "red")]
+    rows = [[verdict.bug.name, verdict.bug.kind,
+             verdict.caught_by or coloured("NOT COMPILED" if verdict.words else "SURVIVED", "red")]
             for verdict in verdicts]
     print(table(rows, ["bug", "kind", "caught by"]))
     for verdict in verdicts:
         if verdict.caught_by is None:
-            print(f"{verdict.bug.file}: no test sees: {verdict.bug.why}")
+            print(f"{verdict.bug.file}: bug '{verdict.bug.name}' does not compile, so it shows nothing: {verdict.words}"
+                  if verdict.words else f"{verdict.bug.file}: no test sees: {verdict.bug.why}")
     caught = sum(verdict.caught_by is not None for verdict in verdicts)
     print(f"{caught} of {len(verdicts)} bugs caught")
 
