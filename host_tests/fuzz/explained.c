@@ -13,6 +13,9 @@ typedef struct {
     uint64_t memory[32], cells[8];
     uint16_t palette[257], pixels[17];
     fxl_pose eye;
+    fxl_model model;
+    fxl_instance instances[2];
+    fxl_placement placement; /* of the second */
 } explained;
 
 enum {
@@ -95,9 +98,14 @@ static void explain_targets(explained *state)
 
 static void demand_render(explained *state, const fxl_pose *eye, void *pixels, uint16_t stride)
 {
+    uint32_t number = UINT32_MAX;
     const fxl_status status = fxl_render(&state->renderer, eye, pixels, stride);
-    const char *said = fxl_render_explain(&state->renderer, eye, pixels, stride);
+    const char *said = fxl_render_explain(&state->renderer, eye, pixels, stride, &number);
     DEMAND((said == NULL) == (status == FXL_OK));
+    DEMAND(number == UINT32_MAX ||
+           (number == 1 && fxl_placement_check(&state->placement, &state->instances[1].centre,
+                                               state->model.radius) == status));
+    DEMAND(status != FXL_E_PLACEMENT || number == 1);
 }
 
 static void demand_band(explained *state, const fxl_band *band)
@@ -153,6 +161,33 @@ static void explain_frames(explained *state, const fxl_target *target)
     explain_bands(state);
 }
 
+static void explain_placements(explained *state)
+{
+    const fxl_placement none = FXL_PLACEMENT_NONE;
+    const fxl_q16_16 scales[] = {FXL_SCALE_MIN - 1, FXL_SCALE_MAX + 1, FXL_SCALE_MAX};
+    const fxl_q16_16 places[] = {FXL_UNITS(8191), FXL_UNITS(3), FXL_UNITS(-3)};
+    state->model.radius = FXL_UNITS(1);
+    state->scene.models = &state->model;
+    state->scene.model_count = 1;
+    state->scene.instances = state->instances;
+    state->scene.instance_count = state->scene.draw_list_needed = 2;
+    state->scene.placements = &state->placement;
+    state->scene.first_turned = 1;
+    state->scene.placement_code = &fxl_turned_instances;
+    state->config.target = &fxl_palette;
+    state->config.palette = NULL;
+    demand_config(state);
+    for (uint32_t i = 0; i < 3; i++) {
+        state->instances[1].centre.z = places[i];
+        state->placement = none;
+        demand_render(state, &state->eye, state->pixels, EXPLAINED_WIDTH);
+        state->placement.orientation.x.x = 0;
+        demand_render(state, &state->eye, state->pixels, EXPLAINED_WIDTH);
+        state->placement.scale = scales[i];
+        demand_render(state, &state->eye, state->pixels, EXPLAINED_WIDTH);
+    }
+}
+
 void fuzz_explained(const fxl_scene *scene)
 {
     static explained state;
@@ -160,11 +195,12 @@ void fuzz_explained(const fxl_scene *scene)
     state.scene = *scene;
     state.config = fxl_config_default(EXPLAINED_WIDTH, EXPLAINED_HEIGHT);
     demand_render(&state, &state.eye, state.pixels, EXPLAINED_WIDTH); /* never initialised */
-    DEMAND(fxl_render_explain(NULL, &state.eye, state.pixels, EXPLAINED_WIDTH) != NULL);
+    DEMAND(fxl_render_explain(NULL, &state.eye, state.pixels, EXPLAINED_WIDTH, NULL) != NULL);
     DEMAND(fxl_frame_explain(NULL, NULL) != NULL);
     explain_arguments(&state);
     explain_lenses(&state);
     explain_targets(&state);
     explain_frames(&state, &fxl_palette);
     explain_frames(&state, &fxl_rgb565);
+    explain_placements(&state);
 }

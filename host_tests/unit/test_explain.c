@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The sentences about refused calls: each mistake that a first program makes gets one that names the
- * argument and its range, and no call that succeeds gets one. */
+/* The sentences about refused calls: each mistake that a first program makes gets one that names
+ * the argument and its range, and no call that succeeds gets one. */
 #include <string.h>
 
 #include "tiny.h"
+#include "tiny_frames.h"
 #include "unit.h"
 
 enum {
@@ -28,8 +29,7 @@ void setUp(void)
     memset(&renderer, 0, sizeof renderer);
     config = fxl_config_default(WIDTH, HEIGHT);
     eye = (fxl_pose){.position = {0, 0, FXL_UNITS(-6)}};
-    band = (fxl_band){
-        .pixels = (uint8_t *)pixels, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
+    band = (fxl_band){.pixels = (uint8_t *)pixels, .width = WIDTH, .stride = WIDTH, .rows = HEIGHT};
 }
 
 void tearDown(void)
@@ -115,8 +115,7 @@ static void begin(const fxl_target *target)
 {
     config.target = target;
     config.palette = target->pixel_bits == 16 ? palette : NULL;
-    TEST_ASSERT_EQUAL(FXL_OK,
-                      fxl_renderer_init(&renderer, &scene, &config, block, sizeof block));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init(&renderer, &scene, &config, block, sizeof block));
     TEST_ASSERT_NULL(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block));
 }
 
@@ -124,13 +123,13 @@ static void refuse_render(const fxl_pose *from, void *to, uint16_t stride, const
                           const char *range)
 {
     TEST_ASSERT_NOT_EQUAL(FXL_OK, fxl_render(&renderer, from, to, stride));
-    expect_words(fxl_render_explain(&renderer, from, to, stride), argument, range);
+    expect_words(fxl_render_explain(&renderer, from, to, stride, NULL), argument, range);
 }
 
 void test_arguments_of_fxl_render(void)
 {
     refuse_render(&eye, pixels, WIDTH, "renderer", "fxl_renderer_init");
-    expect_words(fxl_render_explain(NULL, &eye, pixels, WIDTH), "renderer", "not be null");
+    expect_words(fxl_render_explain(NULL, &eye, pixels, WIDTH, NULL), "renderer", "not be null");
     begin(&fxl_palette);
     refuse_render(NULL, pixels, WIDTH, "eye", "not be null");
     refuse_render(&eye, NULL, WIDTH, "pixels", "rows");
@@ -144,7 +143,7 @@ void test_arguments_of_fxl_render(void)
     begin(&fxl_rgb565);
     refuse_render(&eye, (uint8_t *)pixels + 1, WIDTH, "pixels", "even address");
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
-    TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH));
+    TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL));
 }
 
 void test_two_things_that_do_not_go_together(void)
@@ -156,8 +155,51 @@ void test_two_things_that_do_not_go_together(void)
     begin(&fxl_palette_depth_16);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
     TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_render(&renderer, &eye, pixels, WIDTH));
-    expect_words(fxl_render_explain(&renderer, &eye, pixels, WIDTH), "renderer",
+    expect_words(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL), "renderer",
                  "fxl_renderer_conflict");
+}
+
+/* With a placement as the test has changed it, which is then as before. */
+static void refuse_placement(fxl_placement *placement, uint32_t number, const char *range)
+{
+    uint32_t found = UINT32_MAX;
+    const char *said;
+    TEST_ASSERT_NOT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
+    said = fxl_render_explain(&renderer, &eye, pixels, WIDTH, &found);
+    expect_words(said, "instance *number", range);
+    TEST_ASSERT_EQUAL_UINT32(number, found);
+    TEST_ASSERT_EQUAL_PTR(said, fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL));
+    *placement = (fxl_placement)FXL_PLACEMENT_NONE;
+}
+
+void test_the_placement_that_is_wrong(void)
+{
+    static fxl_placement placements[TINY_INSTANCES];
+    tiny_scene *tiny = tiny_make();
+    fxl_q16_16 *const z = &tiny->instances[2].centre.z;
+    const fxl_q16_16 before = *z;
+    uint32_t found = UINT32_MAX;
+    tiny_place_from(tiny, placements, 1);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    scene = tiny->scene;
+    begin(&fxl_palette);
+    placements[1].scale = FXL_SCALE_MIN - 1;
+    refuse_placement(&placements[1], 2, "1/256..256");
+    placements[0].scale = FXL_SCALE_MAX + 1;
+    refuse_placement(&placements[0], 1, "1/256..256");
+    *z = FXL_UNITS(8191);
+    refuse_placement(&placements[1], 2, "FXL_UNITS(8191)");
+    *z = FXL_UNITS(-1000); /* behind the eye, where no orientation is read */
+    placements[1].orientation.x.x = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
+    TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH, &found));
+    *z = before;
+    refuse_placement(&placements[1], 2, "a rotation");
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
+    TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH, &found));
+    TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, found);
+    eye.position.x = INT32_MAX;
+    refuse_render(&eye, pixels, WIDTH, "eye->position", "8191");
 }
 
 /* With the band as the test has changed it, which is then as before. */
@@ -176,10 +218,12 @@ static void refuse_band(const char *argument, const char *range)
 void test_arguments_of_fxl_frame_draw(void)
 {
     begin(&fxl_palette);
+    expect_words(fxl_frame_explain(NULL, &band), "renderer", "not be null");
+    expect_words(fxl_frame_explain(&renderer, NULL), "band must", "not be null");
     refuse_band("frame", "fxl_frame_begin");
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &eye));
     band.pixels = NULL;
-    refuse_band("band->pixels", "not be null");
+    refuse_band("band->pixels must", "not be null");
     band.width = WIDTH / 2;
     refuse_band("band->width", "config.width");
     band.stride = WIDTH - 1;

@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Sentences about calls that were refused. Each function looks at the arguments in the order in which
- * the call does. A file of its own, so that a program which asks for no sentence does not link it. */
+/* Sentences about calls that were refused. Each function looks at the arguments in the order in
+ * which the call does. A file of its own, so that a program which asks for no sentence does not
+ * link it. */
+#include "../math/arith.h"
 #include "../raster/columns.h"
 #include "../scene/lens.h"
-#include "../math/arith.h"
+#include "../scene/placement_code.h"
+#include "../view/outcode.h"
+#include "../view/view.h"
 #include "renderer.h"
 
-#define NOT_INITIALISED "renderer was never initialised: fxl_renderer_init must answer FXL_OK first"
+#define NULL_RENDERER    "renderer must not be null"
+#define NOT_INITIALISED  "renderer was never initialised: fxl_renderer_init must answer FXL_OK first"
 #define NOT_ALIGNED_TO_2 "pixels must begin at an even address: a pixel of RGB565 takes 2 bytes"
 
 static const char *explain_lens(const fxl_config *config, fxl_lens *lens)
@@ -75,7 +80,7 @@ const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *
 {
     fxl_lens lens;
     if (renderer == NULL) {
-        return "renderer must not be null";
+        return NULL_RENDERER;
     }
     if (scene == NULL) {
         return "scene must not be null";
@@ -107,7 +112,62 @@ const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *
     return wrong != NULL ? wrong : explain_order(config, scene);
 }
 
-static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *pose)
+static bool is_in_sight(const fxl_scene *scene, uint32_t number, const fxl_view *view)
+{
+    const fxl_instance *instance = &scene->instances[number];
+    const fxl_q16_16 radius = fxl_scaled_radius(fxl_placement_of(scene, number)->scale,
+                                                scene->models[instance->model].radius);
+    return fxl_sphere_planes(&view->camera, &view->view_frustum, &instance->centre, radius) !=
+           FXL_SPHERE_OUTSIDE;
+}
+
+/* Finds the first instance that fxl_frame_begin refuses with this status: without a view any
+ * instance, otherwise one in sight. Returns false if there is none: *number untouched. */
+static bool find_refused(const fxl_scene *scene, fxl_status refusal, const fxl_view *view,
+                         uint32_t *number)
+{
+    for (uint32_t i = fxl_first_turned(scene); i < scene->instance_count; i++) {
+        const fxl_instance *instance = &scene->instances[i];
+        if (fxl_placement_check(fxl_placement_of(scene, i), &instance->centre,
+                                scene->models[instance->model].radius) == refusal &&
+            (view == NULL || is_in_sight(scene, i, view))) {
+            *number = i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static const char *explain_place(const fxl_scene *scene, uint32_t *number)
+{
+    if (!find_refused(scene, FXL_E_RANGE, NULL, number)) {
+        return NULL;
+    }
+    const fxl_q16_16 scale = fxl_placement_of(scene, *number)->scale;
+    return scale < FXL_SCALE_MIN || scale > FXL_SCALE_MAX
+               ? "the scale in the placement of instance *number must be 1/256..256"
+               : "the sphere of instance *number, with the scale of its placement, must lie within "
+                 "FXL_UNITS(-8191)..FXL_UNITS(8191)";
+}
+
+static const char *explain_orientation(const fxl_renderer *renderer, const fxl_pose *pose,
+                                       uint32_t *number)
+{
+    const fxl_scene *scene = renderer->scene;
+    fxl_view view = renderer->frame.view;
+    if (fxl_first_turned(scene) == scene->instance_count ||
+        fxl_view_set_pose(&view, pose) != FXL_OK) {
+        return NULL;
+    }
+    return find_refused(scene, FXL_E_PLACEMENT, &view, number)
+               ? "the rows of the orientation in the placement of instance *number must be those "
+                 "of "
+                 "a rotation, to within 2^-28"
+               : NULL;
+}
+
+static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *pose,
+                                 uint32_t *number)
 {
     const fxl_scene *scene = renderer->scene;
     if (renderer->clipper == NULL || renderer->target == NULL) {
@@ -122,23 +182,25 @@ static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *p
     if (scene->instance_count > renderer->instance_capacity) {
         return "scene->instance_count must be at most renderer->instance_capacity";
     }
+    const char *wrong = explain_place(scene, number);
+    if (wrong != NULL) {
+        return wrong;
+    }
     if (pose == NULL) {
         return "eye must not be null";
     }
     if (!fxl_point_in_range(&pose->position)) {
         return "eye->position must be within FXL_UNITS(-8191)..FXL_UNITS(8191)";
     }
-    return scene->placements != NULL
-               ? "a placement of the scene must have a scale of 1/256..256 and a rotation, and its "
-                 "instance must lie within 8191 world units"
-               : NULL;
+    return explain_orientation(renderer, pose, number);
 }
 
 const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye,
-                               const void *pixels, uint16_t stride)
+                               const void *pixels, uint16_t stride, uint32_t *number)
 {
+    uint32_t found;
     if (renderer == NULL) {
-        return "renderer must not be null";
+        return NULL_RENDERER;
     }
     if (renderer->scene == NULL) {
         return NOT_INITIALISED;
@@ -152,13 +214,19 @@ const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye
     if (renderer->palette != NULL && ((uintptr_t)pixels & 1u) != 0) {
         return NOT_ALIGNED_TO_2;
     }
-    return explain_begin(renderer, eye);
+    return explain_begin(renderer, eye, number != NULL ? number : &found);
 }
 
 const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band)
 {
-    if (renderer == NULL || band == NULL || band->pixels == NULL) {
-        return "renderer, band and band->pixels must not be null";
+    if (renderer == NULL) {
+        return NULL_RENDERER;
+    }
+    if (band == NULL) {
+        return "band must not be null";
+    }
+    if (band->pixels == NULL) {
+        return "band->pixels must not be null: memory for band->rows rows of band->stride pixels";
     }
     const fxl_lens *lens = &renderer->frame.view.lens;
     if (renderer->frame.state == FXL_FRAME_NONE) {

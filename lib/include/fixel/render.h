@@ -199,11 +199,13 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2]);
  * range. Null: no argument is wrong. The arguments are those of fxl_renderer_init, of fxl_render
  * and of fxl_frame_draw; none is changed, and the sentence is constant. A program that does not
  * call these functions does not link them. Requires that the call was the last one with this
- * renderer. */
+ * renderer, and that the scene is still the one that the call saw.
+ * number: if the sentence is about the placement of an instance, *number becomes the number of that
+ * instance, the first that is wrong. May be null. */
 const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *scene,
                                  const fxl_config *config, const void *memory, size_t memory_size);
 const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye,
-                               const void *pixels, uint16_t stride);
+                               const void *pixels, uint16_t stride, uint32_t *number);
 const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band);
 
 /* --- the second level -------------------------------------------------------------------- */
