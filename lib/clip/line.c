@@ -184,21 +184,21 @@ static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negati
     return fxl_magnitude(*moved) < limit;
 }
 
-fxl_line_relation fxl_line_meet_plane(const fxl_view_point *from, const fxl_view_point *to,
+fxl_line_relation fxl_line_meet_plane(const fxl_view_point *first, const fxl_view_point *second,
                                       const fxl_half_space *plane, fxl_line_meeting *meeting)
 {
-    const exact at_from = distance_of(plane, from), at_to = distance_of(plane, to);
-    const exact change = difference(&at_from, &at_to);
+    const exact at_first = distance_of(plane, first), at_second = distance_of(plane, second);
+    const exact change = difference(&at_first, &at_second);
     if (is_zero(&change)) {
-        return is_zero(&at_from) ? FXL_LINE_LIES_IN : FXL_LINE_IS_PARALLEL;
+        return is_zero(&at_first) ? FXL_LINE_LIES_IN : FXL_LINE_IS_PARALLEL;
     }
-    const wide part = magnitude(&at_from), all = magnitude(&change);
-    const bool negative = (at_from.whole < 0) != (change.whole < 0);
+    const wide part = magnitude(&at_first), all = magnitude(&change);
+    const bool negative = (at_first.whole < 0) != (change.whole < 0);
     parameter t;
     fxl_view_point point;
-    if (!divide(&part, &all, &t) || !move(from->x, to->x, &t, negative, &point.x) ||
-        !move(from->y, to->y, &t, negative, &point.y) ||
-        !move(from->z, to->z, &t, negative, &point.z)) {
+    if (!divide(&part, &all, &t) || !move(first->x, second->x, &t, negative, &point.x) ||
+        !move(first->y, second->y, &t, negative, &point.y) ||
+        !move(first->z, second->z, &t, negative, &point.z)) {
         return FXL_LINE_MEETS_FAR;
     }
     const int64_t size = (int64_t)((uint64_t)t.whole << 32 | t.fraction >> 32);

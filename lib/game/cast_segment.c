@@ -50,16 +50,16 @@ static fxl_q16_16 between(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction)
     return from + (fxl_q16_16)fxl_round_shift(fxl_multiply_su32(to - from, fraction), 31);
 }
 
-fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const fxl_point *to,
+fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *start, const fxl_point *end,
                             fxl_hit *hit)
 {
-    if (scene == NULL || from == NULL || to == NULL || hit == NULL) {
+    if (scene == NULL || start == NULL || end == NULL || hit == NULL) {
         return FXL_E_ARGUMENT;
     }
     if (scene->draw_list_needed == 0) {
         return FXL_E_ORDER;
     }
-    if (!fxl_point_in_range(from) || !fxl_point_in_range(to)) {
+    if (!fxl_point_in_range(start) || !fxl_point_in_range(end)) {
         return FXL_E_RANGE;
     }
     const fxl_status turned = fxl_check_placements(scene);
@@ -68,15 +68,15 @@ fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const
     }
     nearest_hit nearest = {UINT64_MAX, FXL_HIT_NONE, 0};
     for (uint32_t i = 0; i < scene->instance_count; i++) {
-        if (fxl_segment_nears_instance(scene, &scene->instances[i], from, to, 0)) {
-            try_instance(scene, (uint16_t)i, from, to, &nearest);
+        if (fxl_segment_nears_instance(scene, &scene->instances[i], start, end, 0)) {
+            try_instance(scene, (uint16_t)i, start, end, &nearest);
         }
     }
     /* Rounded to 31 bits after the point; 1 is 2^31. */
     const fxl_q1_31 fraction = (fxl_q1_31)(((nearest.part >> 32) + 1) >> 1);
-    hit->point.x = between(from->x, to->x, fraction);
-    hit->point.y = between(from->y, to->y, fraction);
-    hit->point.z = between(from->z, to->z, fraction);
+    hit->point.x = between(start->x, end->x, fraction);
+    hit->point.y = between(start->y, end->y, fraction);
+    hit->point.z = between(start->z, end->z, fraction);
     hit->fraction = fraction;
     hit->instance = nearest.instance;
     hit->face = nearest.face;

@@ -44,15 +44,16 @@ bool fxl_line_is_within(const fxl_face_place *face, const fxl_point *from,
     return true;
 }
 
-/* With q = centre - from and d = to - from, the foot of the centre on the line is at the part
+/* With q = centre - start and d = end - start, the foot of the centre on the line is at the part
  * (q . d) / (d . d) of the segment. Beyond an end, that end is the nearest point. Otherwise the
  * squared distance is q . q - (q . d)^2 / (d . d). It is compared with the squared radius by the
  * two halves of products of 128 bits. Squares are below 2^62. */
-bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *from, const fxl_point *to)
+bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *start,
+                              const fxl_point *end)
 {
     fxl_point q, d, beyond;
-    fxl_subtract(&sphere->centre, from, &q);
-    fxl_subtract(to, from, &d);
+    fxl_subtract(&sphere->centre, start, &q);
+    fxl_subtract(end, start, &d);
     const int64_t along = fxl_dot_vectors(&q, &d);
     const uint64_t whole = fxl_square_of(&d), square = fxl_square_of(&q);
     const uint64_t reach = (uint64_t)fxl_multiply_s32(sphere->radius, sphere->radius);
@@ -63,7 +64,7 @@ bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *from, c
         return false;
     }
     if ((uint64_t)along >= whole) {
-        fxl_subtract(&sphere->centre, to, &beyond);
+        fxl_subtract(&sphere->centre, end, &beyond);
         return fxl_square_of(&beyond) <= reach;
     }
     const uint64_t most = (uint64_t)along, over = square - reach;

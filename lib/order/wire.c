@@ -210,21 +210,21 @@ static int32_t lesser(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
+void fxl_wire_line(const fxl_screen_point *start, const fxl_screen_point *end, uint8_t colour,
                    const fxl_band *band)
 {
-    const int32_t width = to->x - from->x, height = to->y - from->y; /* below 2^30 */
+    const int32_t width = end->x - start->x, height = end->y - start->y; /* below 2^30 */
     const bool upright = (height < 0 ? -height : height) > (width < 0 ? -width : width);
     if (upright) {
-        const fxl_screen_point *top = height < 0 ? to : from;
-        const major_line line = {top->y, height < 0 ? from->y : to->y, top->x,
+        const fxl_screen_point *top = height < 0 ? end : start;
+        const major_line line = {top->y, height < 0 ? start->y : end->y, top->x,
                                  height < 0 ? -width : width};
         draw_pixels(&line, greater(first_centre(line.from), band->first_row),
                     lesser(first_centre(line.to), band->first_row + band->rows), true, colour,
                     band);
     } else {
-        const fxl_screen_point *first = width < 0 ? to : from;
-        const major_line line = {first->x, width < 0 ? from->x : to->x, first->y,
+        const fxl_screen_point *first = width < 0 ? end : start;
+        const major_line line = {first->x, width < 0 ? start->x : end->x, first->y,
                                  width < 0 ? -height : height};
         draw_pixels(&line, greater(first_centre(line.from), 0),
                     lesser(first_centre(line.to), band->width), false, colour, band);

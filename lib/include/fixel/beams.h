@@ -14,8 +14,9 @@ extern "C" {
 
 /* Returns the bytes of workspace that the beams need, aligned to 8. One beam of 4, 5 or 8 planes
  * needs 1,296, 1,384 or 1,600 on a 32-bit core. Another workspace (fxl_workspace_init) needs 40
- * less for it. Returns 0 where fxl_beams_fit does not allow the beams, or beams is null. Requires
- * checked beams. */
+ * less for it. Returns 0 if beams is null, if beam_count is outside 1..FXL_BEAMS_MAX, or if not
+ * even a triangle fits: the vertices of a face, the planes of the first beam and twice the planes
+ * of each further beam may come to FXL_FACE_VERTICES_MAX. Requires checked beams. */
 uint32_t fxl_beam_light_workspace_size(const fxl_beam *beams, uint32_t beam_count);
 
 /* Beams, and what they make of colours. The caller's tables; they must outlive the renderer's use.
@@ -36,8 +37,9 @@ typedef struct {
  * FXL_E_ORDER: the renderer was never initialised.
  * FXL_E_COUNT: a count is out of its range.
  * The statuses of fxl_beam_check.
- * FXL_E_CAPACITY: memory is too small, or a face of the renderer's scene has too many vertices for
- * fxl_beams_fit.
+ * FXL_E_CAPACITY: memory is too small; or the vertices of a face of the renderer's scene, the
+ * planes of the first beam and twice the planes of each further beam come to more than
+ * FXL_FACE_VERTICES_MAX.
  * With each of these statuses: the renderer is untouched, except for refused_calls. */
 fxl_status fxl_attach_beams(fxl_renderer *renderer, const fxl_beam_set *set, void *memory,
                             uint32_t size);

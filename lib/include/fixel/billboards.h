@@ -95,8 +95,8 @@ fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites
  * begin anew; where set is null and there are none, a frame that has begun stays.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_ALIGNMENT: billboards.
- * And those of fxl_billboards_check.
+ * FXL_E_ALIGNMENT: billboards is not aligned to a pointer's size.
+ * The statuses of fxl_billboards_check.
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                  const fxl_billboard_set *set, const fxl_sprite_painter *painter);

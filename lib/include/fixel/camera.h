@@ -60,7 +60,7 @@ fxl_status fxl_lens_of_part(const fxl_lens *whole, int16_t x, int16_t y, uint16_
 /* Makes the lens of a window: the eye looks through a rectangle in the plane z = near_z, whose
  * sides lie at left < right and bottom < top, in world units. The screen shows the rectangle;
  * its pixels are square, so its height follows from its width and is rounded to whole pixels, and
- * the last row may show up to half a pixel more or less than the window.
+ * the last row may show up to half a pixel more or less than the window. The lens has no inset.
  * Requires |left|, |right|, |bottom|, |top| <= FXL_COORDINATE_MAX; a width in 1..FXL_SCREEN_MAX;
  * near_z and far_z as fxl_lens_from_fov.
  * FXL_E_ARGUMENT: a null pointer.

@@ -44,7 +44,8 @@ bool fxl_sphere_meets_box(const fxl_sphere *sphere, const fxl_box *box);
 
 /* Whether a sphere and the segment between two points have a point in common. Exact.
  * Requires a sphere within its range, and points within FXL_COORDINATE_MAX. */
-bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *from, const fxl_point *to);
+bool fxl_sphere_meets_segment(const fxl_sphere *sphere, const fxl_point *start,
+                              const fxl_point *end);
 
 /* The number that stands for no instance. */
 #define FXL_HIT_NONE 0xFFFFu
@@ -59,21 +60,21 @@ typedef struct {
 } fxl_hit;
 
 /* Finds the first face that the segment from one point to another passes from its front to its
- * back, or ends on. A face whose back is turned to `from`, or in whose plane `from` lies, is not
+ * back, or ends on. A face whose back is turned to `start`, or in whose plane `start` lies, is not
  * hit. The edges belong to the face, and whether the segment passes within them is exact: between
  * neighbours that share an edge there is no gap. Of faces at the same fraction, to within 2^-64,
- * the first of the scene is the result. Of an instance that is turned, its points and
- * normals in the world, each rounded once, are the faces. A sphere test, which is exact, passes
- * over instances that the segment does not come near. Error: half a unit of 2^-31 in `fraction`;
- * 0.75 units of 1/65536 in each coordinate of `point`. With no hit, *hit has `to`, a fraction of 1,
- * FXL_HIT_NONE and face 0. All placements are checked in each call.
+ * the first of the scene is the result. An instance that has a placement is tested by its points
+ * and normals in the world, each rounded once. A sphere test, which is exact, skips instances that
+ * the segment does not come near. Error: 0.51 units of 2^-31 in `fraction`; 0.75 units of 1/65536
+ * in each coordinate of `point`. With no hit, *hit has `end`, a fraction of 1, FXL_HIT_NONE and
+ * face 0. All placements are checked in each call.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the scene was not checked, or has placements without a placement_code.
  * FXL_E_PLACEMENT: the orientation of an instance is no rotation.
- * FXL_E_RANGE: a coordinate of `from` or `to` outside of FXL_COORDINATE_MAX; the scale or the
- * place of a turned instance.
+ * FXL_E_RANGE: a coordinate of `start` or `end` outside of FXL_COORDINATE_MAX; the scale or the
+ * centre of an instance with a placement is out of range.
  * With each of these statuses: *hit untouched. */
-fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *from, const fxl_point *to,
+fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *start, const fxl_point *end,
                             fxl_hit *hit);
 
 /* Ranges of fxl_slide_sphere, in world units: the radius is 1/64..256. The move is cut into steps

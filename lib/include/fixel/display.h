@@ -82,8 +82,9 @@ typedef struct fxl_display {
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns);
 
-/* Wakes the controller up, sets it up, makes the glass black and turns it on. The display keeps the
- * pointer to the port. The frame fills the glass. Takes some 300 ms.
+/* Wakes the controller up, sets it up, makes the glass black and turns it on. palette is 256 x red,
+ * green, blue, a byte each, and is only read. The display keeps the pointer to the port. The frame
+ * fills the glass. Takes some 300 ms.
  * FXL_E_ARGUMENT: a null pointer; a port without send or pause, or with start and no wait.
  * FXL_E_RANGE: no driver, or the glass is not in the controller's memory: fxl_display_config.
  * With each of these statuses: nothing was sent, *display untouched.
@@ -92,9 +93,10 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
                             const fxl_display_port *port, const uint8_t *palette);
 
 /* Puts a frame that is smaller than the glass into its middle; with an SSD1306 or SH1106, to a
- * multiple of eight rows above the middle. What is around it stays black.
+ * multiple of eight rows above the middle. What is around it stays black. width and height are
+ * those of the frame, in pixels, as the viewer sees it.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_RANGE: 0, or larger than the glass.
+ * FXL_E_RANGE: width or height is 0, or larger than that of the glass.
  * With each of these statuses: *display untouched. */
 fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height);
 

@@ -32,9 +32,10 @@ typedef struct {
  * beams: a beam's lit colours are those of the colours that the ramp gives.
  * FXL_E_ARGUMENT: renderer is null; or light or ramp, if there are settings.
  * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_COUNT: point_count or levels is out of range.
+ * FXL_E_COUNT: point_count is above FXL_LIGHT_POINTS_MAX, or levels is outside
+ * FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX: 2..64.
  * FXL_E_NORMAL: the direction is not of unit length.
- * FXL_E_RANGE: another number is out of range.
+ * FXL_E_RANGE: another number is out of the range of fxl_light_settings.
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings);
@@ -46,7 +47,7 @@ fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
  * itself. dark is what black, or fog, is: three bytes. It looks at 65536 * (levels - 1) pairs of
  * colours; a program with little time computes the ramp on the host, and keeps it in flash.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_COUNT: levels is out of range.
+ * FXL_E_COUNT: levels is outside FXL_LIGHT_LEVELS_MIN..FXL_LIGHT_LEVELS_MAX: 2..64.
  * With each of these statuses: ramp untouched. */
 fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
                                uint8_t *ramp);

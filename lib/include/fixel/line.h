@@ -37,7 +37,7 @@ typedef struct {
 /* A line between two points of the view. Its varyings are cut with it. */
 typedef struct {
     fxl_varying_vertex from, to;
-    uint8_t carried;
+    uint8_t carried; /* how many varyings of its ends are cut: 0..FXL_CARRIED_MAX */
 } fxl_clip_line;
 
 /* Clips a line plane by plane, in the order of the planes: moves an end that is outside onto the
@@ -78,7 +78,7 @@ typedef struct {
  * or a coordinate of the point 2^61 or more. Requires coordinates below 2^61. Error: the parameter
  * is rounded towards 0, so by less than 2^-32. The point is within 1.25 units of 2^-46 a coordinate
  * of the exact common point. Source: B1. */
-fxl_line_relation fxl_line_meet_plane(const fxl_view_point *from, const fxl_view_point *to,
+fxl_line_relation fxl_line_meet_plane(const fxl_view_point *first, const fxl_view_point *second,
                                       const fxl_half_space *plane, fxl_line_meeting *meeting);
 
 #ifdef __cplusplus

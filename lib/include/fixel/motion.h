@@ -30,8 +30,8 @@ typedef struct {
  * frame 0. Call it before fxl_renderer_init takes the scene.
  * Requires a scene that was checked, and a set that fxl_motion_check or tools/scene.py checked with
  * it. Set and memory must outlive the player and the scene.
- * Only what draws *scene moves: a world (fixel/world.h) has copies of the instances, which
- * the program moves (docs/extras/motion.md, section 5).
+ * The motions move the instances of *scene. A world (fixel/world.h) has copies of the instances,
+ * which the program moves (docs/extras/motion.md, section 5).
  * FXL_E_ARGUMENT: a null pointer, also in the memory; a scene without placements; a set that lacks
  * a table that it counts.
  * FXL_E_ORDER: the scene is that of a world.

@@ -12,52 +12,58 @@ extern "C" {
 
 /* The rows that these functions write are within 1.8 units of 2^-30 of unit length and of right
  * angles. Each function takes the orientations that fxl_placement_check takes. An output may be one
- * of the inputs. Errors are those of an entry, in units of 2^-30, against the exact rotation.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_PLACEMENT: an orientation that fxl_placement_check refuses.
- * With each status but FXL_OK: the output is untouched. */
+ * of the inputs. Errors are those of an entry, in units of 2^-30, against the exact rotation;
+ * docs/accuracy.md, section 3, has the claims that the report checks. */
 
-/* A model turned so looks where a camera with these angles looks: its z axis to the camera's
- * forward, its y axis to the camera's up, its x axis to the camera's right (fxl_camera_from_pose).
- * Takes any angles. Exact at quarter turns. Error: at most 4. */
+/* Makes the orientation whose axes are those of a camera with these angles: it rotates a model's z
+ * axis to the camera's forward, its y axis to the camera's up and its x axis to the camera's right
+ * (fxl_camera_from_pose). Takes any angles. Exact at quarter turns. Error: at most 4.
+ * FXL_E_ARGUMENT: a null pointer; nothing is written. */
 fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll,
                                        fxl_orientation *orientation);
 
-/* A turn by an angle about an axis, from x towards y about +z, from y towards z about +x, from z
- * towards x about +y. Takes any angle. The axis may have any length above 0; each coordinate is
- * below 2^30 in magnitude.
+/* Makes the rotation by an angle about an axis, from x towards y about +z, from y towards z about
+ * +x, from z towards x about +y. Takes any angle. The axis may have any length above 0; each
+ * coordinate is below 2^30 in magnitude.
+ * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: an axis of length 0, or a coordinate out of range.
+ * With each of these statuses: *orientation untouched.
  * Error: at most 4. */
 fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
                                      fxl_orientation *orientation);
 
-/* Turns a model's z axis to a direction, and its y axis as near to up as a right angle to the
- * direction allows. Both may have any length above 0; each coordinate is below 2^30 in magnitude.
- * The difference of two points of the world is such a direction.
+/* Makes the orientation that rotates a model's z axis to a direction, and its y axis as near to up
+ * as a right angle to the direction allows. Both may have any length above 0; each coordinate is
+ * below 2^30 in magnitude. The difference of two points of the world is such a direction.
+ * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: a vector of length 0, a direction parallel to up, or a coordinate out of range.
+ * With each of these statuses: *orientation untouched.
  * Error: at most 4, however near the direction is to up. */
 fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *up,
                                    fxl_orientation *orientation);
 
-/* The turn b and then the turn a: a point v goes to a . (b . v). The product's rows are brought to
- * unit length and to right angles again, so a chain of products of any length keeps within the
- * range that every function takes.
- * FXL_E_PLACEMENT: a or b is no rotation.
+/* Makes the rotation that applies b and then a: a point v goes to a . (b . v). The product's rows
+ * are brought to unit length and to right angles again, so a chain of products of any length keeps
+ * within the range that every function takes.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_PLACEMENT: a or b is no rotation, by the test of fxl_placement_check.
+ * With each of these statuses: *product untouched.
  * Error: at most 0.501 from the rotation nearest to the exact product. */
 fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
                                     fxl_orientation *product);
 
-/* An instance that is attached to a parent, as a wheel to a car. The centre and the placement of
- * the child are stated in the parent's model space: its centre in units of the parent's model, each
- * coordinate below 2^30 in magnitude. Writes the child's centre and placement in the world:
- *   centre      = parent's centre + parent's scale * (parent's orientation . child's centre)
- *   orientation = parent's orientation . child's orientation
- *   scale       = parent's scale * child's scale
- * A child may be the parent of another. docs/extras/orientation.md states the error by depth.
- * FXL_E_RANGE: an input or an output is out of range.
- * FXL_E_PLACEMENT: an input or an output is out of range.
- * The parent's centre and placement, and those that would be written, must be such as
+/* Places an instance that is attached to a parent, as a wheel to a car. The centre and the
+ * placement of the child are stated in the parent's model space: its centre in units of the
+ * parent's model, each coordinate below 2^30 in magnitude. Writes the child's centre and placement
+ * in the world: centre      = parent's centre + parent's scale * (parent's orientation . child's
+ * centre) orientation = parent's orientation . child's orientation scale       = parent's scale *
+ * child's scale A child may be the parent of another. docs/extras/orientation.md states the error
+ * by depth. The parent's centre and placement, and those that would be written, must be such as
  * fxl_placement_check takes with a radius of 0, and so must the child's placement.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: a centre or a scale, of an input or of the result, is out of range.
+ * FXL_E_PLACEMENT: the orientation of the parent or of the child is no rotation.
+ * With each of these statuses: *centre and *placement untouched.
  * Error: of the centre and of the scale half a unit of 1/65536, of the orientation that of
  * fxl_orientation_multiply. */
 fxl_status fxl_placement_attach(const fxl_point *parent_centre, const fxl_placement *parent,

@@ -20,20 +20,24 @@ extern "C" {
 /* The largest magnitude of a coordinate of fxl_draw_line, in pixels. */
 #define FXL_LINE_COORDINATE_MAX 536870911 /* 2^29 - 1 */
 
-/* All functions that draw:
- * FXL_E_ARGUMENT: a null pointer, also in a record.
- * FXL_E_RANGE: a band whose width is 0 or above FXL_SCREEN_MAX, whose columns are beyond it or its
- * stride, or that has no rows; and what the function states.
- * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
- * With each of these statuses: band untouched. */
+/* A band is wrong if its width is 0 or above FXL_SCREEN_MAX, if its columns are beyond its width or
+ * its stride, or if it has no rows. */
 
 /* Fills the pixels x <= column < x + width, y <= row < y + height. Takes any x, y, width and
- * height; a width or height of 0 or less covers nothing. */
+ * height; a width or height of 0 or less covers nothing.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the band is wrong.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * With each of these statuses: band untouched. */
 fxl_status fxl_draw_rectangle(const fxl_band *band, int32_t x, int32_t y, int32_t width,
                               int32_t height, uint8_t colour);
 
 /* Draws the outermost pixels of that rectangle: a border one pixel wide. Takes any x, y, width and
- * height. */
+ * height.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the band is wrong.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * With each of these statuses: band untouched. */
 fxl_status fxl_draw_border(const fxl_band *band, int32_t x, int32_t y, int32_t width,
                            int32_t height, uint8_t colour);
 
@@ -42,7 +46,10 @@ fxl_status fxl_draw_border(const fxl_band *band, int32_t x, int32_t y, int32_t w
  * floor(x + 1/2), where x is the line's exact place at the centre of the row, counted in pixel
  * centres. Another line has one pixel in each column from x0 to x1, in the row floor(y + 1/2). The
  * line has the same pixels in either direction. Exact.
- * FXL_E_RANGE: also a coordinate outside +-FXL_LINE_COORDINATE_MAX. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_RANGE: the band is wrong, or a coordinate is outside +-FXL_LINE_COORDINATE_MAX.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * With each of these statuses: band untouched. */
 fxl_status fxl_draw_line(const fxl_band *band, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                          uint8_t colour);
 
@@ -61,7 +68,10 @@ typedef struct {
 
 /* Draws a sprite whose top left pixel is at (x, y). Takes any x and y. The caller owns the record
  * and its tables, which are only read.
- * FXL_E_RANGE: also bits other than 1, 4 and 8. */
+ * FXL_E_ARGUMENT: a null pointer, also in the sprite, but for its colours.
+ * FXL_E_RANGE: the band is wrong, or the sprite's bits are other than 1, 4 and 8.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * With each of these statuses: band untouched. */
 fxl_status fxl_draw_sprite(const fxl_band *band, int32_t x, int32_t y, const fxl_sprite *sprite);
 
 /* A character of a font: a picture of 1 bit a pixel, laid out as a sprite's, in which 1 is drawn.
@@ -99,8 +109,11 @@ typedef struct {
 /* Draws text whose top left corner is at (x, y). The text ends at a zero byte; '\n' begins a new
  * line at x. A byte that the font does not have is drawn as the font's `unknown`. Pixels beside the
  * characters are untouched. Takes any x and y.
- * FXL_E_RANGE: also a font whose count is 0, whose first + count is above 256, or whose `unknown`
- * it does not have. */
+ * FXL_E_ARGUMENT: a null pointer, also in the style or in the font.
+ * FXL_E_RANGE: the band is wrong; or the font has a count of 0, a first + count above 256, or no
+ * character `unknown`.
+ * FXL_E_ALIGNMENT: a band of RGB565 whose pixels are at an odd address.
+ * With each of these statuses: band untouched. */
 fxl_status fxl_draw_text(const fxl_band *band, int32_t x, int32_t y, const char *text,
                          const fxl_text_style *style);
 
@@ -111,8 +124,8 @@ typedef struct {
 } fxl_text_size;
 
 /* Measures text as fxl_draw_text lays it out. Requires a text of less than 2^24 bytes.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_RANGE: a font as above.
+ * FXL_E_ARGUMENT: a null pointer, also in the style or in the font.
+ * FXL_E_RANGE: the font has a count of 0, a first + count above 256, or no character `unknown`.
  * With each of these statuses: *size untouched. */
 fxl_status fxl_measure_text(const char *text, const fxl_text_style *style, fxl_text_size *size);
 

@@ -28,7 +28,8 @@ typedef struct {
 /* Finds where a point of the world is on the screen of a view: &renderer->frame.view, or another
  * with a pose. The pixel that holds it is (at.x >> 16, at.y >> 16). Faces that hide the point are
  * not looked for. The near and the far plane are those of the lens, moved inward by the inset.
- * `depth` is exact given the camera, and each coordinate has the error of fxl_project_point.
+ * Given the camera, `depth` is exact, and each coordinate is at most 0.52 units of 1/65536 pixel
+ * from the exact one (docs/accuracy.md, section 1).
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: a view without a pose.
  * FXL_E_RANGE: a coordinate of the point outside of FXL_COORDINATE_MAX.

@@ -82,8 +82,10 @@ fxl_status fxl_pump_init(fxl_pump *pump, const fxl_pump_config *config, const fx
  * FXL_E_RANGE: a screen of another size than the pump's.
  * FXL_E_COMBINATION: a renderer of RGB565 and a pump of palette indices, or the other way round.
  * The statuses of fxl_frame_begin.
- * With each of these statuses: nothing was sent.
- * FXL_E_DISPLAY: the display failed; a part of the frame was sent. */
+ * With each of these statuses: nothing was sent; with those of fxl_frame_begin the frame before
+ * ends where it says so.
+ * FXL_E_DISPLAY: the display failed; a part of the frame was sent, and the frame ends here.
+ * The statuses of fxl_frame_draw and fxl_pump_send: the bands before the refused one were sent. */
 fxl_status fxl_pump_frame(fxl_pump *pump, fxl_renderer *renderer, const fxl_pose *eye);
 
 /* --- the same step by step, to draw more into a band -------------------------------------------
@@ -99,8 +101,12 @@ fxl_status fxl_pump_begin(fxl_pump *pump);
  * band of a frame, before the first frame, and after a failure, and for null. */
 const fxl_band *fxl_pump_band(const fxl_pump *pump);
 
-/* Converts the band of fxl_pump_band, waits for the transfer before, and starts to send.
- * FXL_E_ORDER: no band; nothing happens.
+/* Converts the band of fxl_pump_band, waits for the transfer before, and starts to send. Then
+ * fxl_pump_band has the next band.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_ORDER: there is no band.
+ * The statuses of fxl_pixels_convert, if the prepared pixels were changed after fxl_pump_init.
+ * With each of these statuses: nothing is sent, and the band stays the next one.
  * FXL_E_DISPLAY: the transfer before failed, or this one did not start; the frame ends here. */
 fxl_status fxl_pump_send(fxl_pump *pump);
 

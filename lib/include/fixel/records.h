@@ -253,8 +253,9 @@ typedef struct fxl_draw_entry {
 
 FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
 
-/* A scratch area of fxl_sort_faces: of the number of chains, less than what the scratch area
- * of a clipper takes. It keeps nothing from one call to the next. */
+/* A scratch area of fxl_sort_faces, which keeps nothing from one call to the next. Its size is that
+ * of its chains; there are so few that it is smaller than the scratch area of a clipper, with which
+ * it shares memory. */
 #define FXL_ORDER_CHAINS (FXL_POLYGON_CAPACITY >= 19 ? 512 : FXL_POLYGON_CAPACITY >= 9 ? 256 : 128)
 typedef struct {
     uint16_t chains[FXL_ORDER_CHAINS];

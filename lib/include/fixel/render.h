@@ -165,15 +165,17 @@ static inline fxl_config fxl_config_default(uint16_t width, uint16_t height)
  * every polygon. fxl_frame_begin with one band as large as the screen takes up to 20 % more
  * instructions with a display list than without: use fxl_render, or fxl_renderer_init_with and no
  * list.
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_ALIGNMENT: memory is not aligned.
+ * FXL_E_ARGUMENT: a null pointer; also a palette, a depth buffer or a tree that is needed.
+ * FXL_E_ALIGNMENT: memory, depth or tree is not aligned to 8 bytes, or palette to 2.
  * FXL_E_RANGE: a member of config is out of range.
- * FXL_E_ORDER: the scene was not checked.
- * With each of these statuses: renderer untouched. If it is the target's palette, or memory of the
- * target or of the order, that is null, not aligned or too small, the renderer cannot draw until it
- * is initialised.
- * FXL_E_CAPACITY: too little memory; the block is too small by renderer->memory_missing bytes;
- * nothing else is written, and the renderer cannot draw until it is initialised. */
+ * FXL_E_ORDER: the scene was not checked: its draw_list_needed is 0.
+ * FXL_E_CAPACITY: memory_size, depth_size or tree_size is too small, or instance_count was raised
+ * after the check.
+ * What a refused call leaves depends on the argument that is wrong:
+ *   palette, depth or tree    the renderer is initialised, but without an order and a target
+ *   memory_size               only renderer->memory_missing is written: the missing bytes
+ *   any other                 renderer untouched
+ * In the first two cases the renderer cannot draw until it is initialised. */
 fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
                              const fxl_config *config, void *memory, size_t memory_size);
 
@@ -181,11 +183,18 @@ fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
  * byte a pixel, or a uint16_t in RGB565, rows downward, row y at pixel y * stride. Requires memory
  * for height rows.
  * The display list is left empty, because one band is drawn in fewer instructions without it.
+ * docs/accuracy.md, section 1, has the bound of each stage.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_RANGE: eye or stride is out of range.
+ * FXL_E_RANGE: the eye is beyond FXL_COORDINATE_MAX; stride is less than the width of the screen;
+ * or the centre or the scale of an instance's placement is out of range.
+ * FXL_E_PLACEMENT: the orientation of an instance in sight is no rotation.
  * FXL_E_ALIGNMENT: an RGB565 target, and pixels at an odd address.
+ * FXL_E_ORDER: the renderer has no clipper or no target, or placements without a placement_code. A
+ * renderer that is all zeros has none of them.
+ * FXL_E_CAPACITY: scene->instance_count has grown beyond draw_list's room.
  * FXL_E_COMBINATION: two things that the renderer has do not go together.
- * With each of these statuses: pixels untouched; counted in refused_calls. */
+ * With each of these statuses: pixels untouched; counted in refused_calls. The frame before ends
+ * where fxl_frame_begin ends it, and where only the address of pixels is wrong. */
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride);
 
 /* Finds two things that do not go together: of a renderer's order, its target and what is attached
@@ -210,16 +219,16 @@ const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band
 
 /* --- the second level -------------------------------------------------------------------- */
 
-/* The same with a lens made by its function and tables of the caller's own. Zeroes the counters.
- * A display list that holds every polygon of a frame lets bands be drawn without a look
- * at the scene. If it is full, each band computes anew those of the others that reach it. Without
- * one every band traverses the scene, which is best where a frame is one band. The pixels are the
- * same.
+/* Initialises a renderer with a lens made by its function, and with tables of the caller's own.
+ * Zeroes the counters. A display list that holds every polygon of a frame lets bands be drawn
+ * without reading the scene. If the list has no room for some polygons, each band computes those of
+ * them that lie in its rows. Without a list every band traverses the scene, which is best where a
+ * frame is one band. The pixels are the same.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: draw_list or display_list is not aligned to 4 bytes, or cache to 8.
  * FXL_E_RANGE: a lens that is not valid.
  * FXL_E_ORDER: the scene was not checked: its draw_list_needed is 0.
- * FXL_E_CAPACITY: draw_list_capacity; or an instance_count that was raised after the check.
+ * FXL_E_CAPACITY: draw_list_capacity is too small, or instance_count was raised after the check.
  * With each of these statuses: renderer untouched. */
 fxl_status fxl_renderer_init_with(fxl_renderer *renderer, const fxl_scene *scene,
                                   const fxl_lens *lens, const fxl_memory *memory);
@@ -254,7 +263,8 @@ fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *c
  * moves. Then a frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_RANGE: what fxl_lens_set_centre answers it to.
+ * FXL_E_RANGE: the lens has an inset, or the centre is farther from the middle of the screen than
+ * fxl_lens_set_centre allows.
  * With each of these statuses: renderer untouched but for refused_calls. */
 fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16_16 y);
 
@@ -269,9 +279,11 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
  * a scene gets no placements without one.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no clipper, no target, or placements without a placement_code.
- * FXL_E_RANGE: pose, or an instance's placement.
+ * FXL_E_RANGE: the pose is beyond FXL_COORDINATE_MAX, or the centre or the scale of an instance's
+ * placement is out of range.
  * FXL_E_PLACEMENT: the orientation of an instance in sight is no rotation.
  * FXL_E_CAPACITY: scene->instance_count has grown beyond draw_list's room.
+ * FXL_E_COMBINATION: two things that the renderer has do not go together (fxl_renderer_conflict).
  * With each of these statuses: counted in refused_calls.
  * A refused call leaves the frame before current if the scene has no placements. If it has
  * placements, the frame before ends as by fxl_frame_end, because drawing would read placements and
@@ -279,14 +291,16 @@ fxl_status fxl_renderer_set_centre(fxl_renderer *renderer, fxl_q16_16 x, fxl_q16
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 
 /* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws.
- * What lies between width and stride is untouched. Requires a renderer that is initialised, and a
- * band that fxl_frame_draw takes; pixels of RGB565 at an odd address are left to fxl_frame_draw. */
+ * What lies between width and stride is untouched. If pixels of RGB565 are at an odd address, it
+ * sets none: fxl_frame_draw then answers FXL_E_ALIGNMENT. Exact.
+ * Requires a renderer with a target, and a band that fxl_frame_draw takes. Neither may be null. */
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
 
 /* Draws the frame's polygons over a band that the caller has cleared
  * (fxl_frame_fill): those of the display list that reach it, then the rest of the scene
  * where the list was full. The pixels are the same whatever bands a frame is cut
  * into. Faces that the list had no room for are counted by the first band alone.
+ * docs/accuracy.md, section 1, has the bound of each stage.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun; or a band whose pixels are not the target's: without a palette where
  * that is RGB565, or with one where it is not.
@@ -309,15 +323,17 @@ fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
 fxl_status fxl_frame_release_scene(fxl_renderer *renderer);
 
 /* Ends the frame: its last band is drawn, on every core. fxl_frame_draw then answers FXL_E_ORDER
- * until a frame begins. Only a world (fixel/world.h) needs to be told: it may change again. After
- * fxl_frame_release_scene it need not be told.
- * FXL_E_ARGUMENT: a null pointer. */
+ * until a frame begins. If no frame has begun, it changes nothing. A world (fixel/world.h) that the
+ * renderer is attached to may then change again; no other program needs this call, nor does one
+ * that calls fxl_frame_release_scene.
+ * FXL_E_ARGUMENT: a null pointer; nothing is changed. */
 fxl_status fxl_frame_end(fxl_renderer *renderer);
 
 /* --- several cores ------------------------------------------------------------------------ */
 
-/* Bytes of memory that another workspace needs at least, for the renderer's scene, clipper, order,
- * target and beams; 0 where the renderer is not set up. */
+/* Returns the bytes of memory that another workspace needs at least, for the renderer's scene,
+ * clipper, order, target and beams. Returns 0 if the renderer is null, or lacks a clipper, an order
+ * or a target. */
 size_t fxl_workspace_size(const fxl_renderer *renderer);
 
 /* Sets up a workspace beside the renderer's own, in one block of the caller's memory, aligned to 8

@@ -395,9 +395,11 @@ fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault);
 /* Checks a scene that may have clusters, a BSP tree and beams: these too. Otherwise as
  * fxl_scene_check. On FXL_OK scene->cluster_code is set too, and scene->placement_code where there
  * are placements.
- * FXL_E_CLUSTER: a cluster is not as it must be.
- * FXL_E_BSP: the tree is not as it must be.
- * The statuses of fxl_scene_check and fxl_beam_check. */
+ * FXL_E_CLUSTER: a face of a cluster may be seen from within the cluster's cone.
+ * FXL_E_BSP: the tree is too deep, or an instance may not be with it (docs/extras/bsp.md).
+ * The statuses of fxl_scene_check and fxl_beam_check.
+ * With each of these statuses: scene untouched, *fault written.
+ * On FXL_OK *fault is untouched. */
 fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault);
 
 /* Checks the motions of a scene that fxl_scene_check_all has checked: every count, index and range,
@@ -452,7 +454,8 @@ fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opene
  * not depend on the model.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: a scale outside FXL_SCALE_MIN..FXL_SCALE_MAX; a radius outside 0..FXL_RADIUS_MAX;
- * or a coordinate of the centre beyond FXL_COORDINATE_MAX less fxl_placement_radius.
+ * or |c| + r > FXL_COORDINATE_MAX for a coordinate c of the centre, where r is scale * radius,
+ * rounded up to 1/65536 unit, and 32/65536 unit more.
  * FXL_E_PLACEMENT: rows that are no rotation.
  * All six products of two rows may differ from those of a rotation by less than 2^-28; SPEC.md,
  * section 8.1, has the exact test. A mirror image is no rotation. */
@@ -467,9 +470,12 @@ fxl_status fxl_placement_check(const fxl_placement *placement, const fxl_point *
  * next. After them comes the window's own plane, through its first three corners; the beam
  * begins there, on the side away from the light. Each plane passes exactly through its side's
  * first corner (the window's own plane through the first one).
- * Error: a component of a normal 2 units of 2^-30 from the exact one's.
+ * Requires a window of count points. The light and the window are in world units, travel is in
+ * 2.30.
+ * Error: a component of a normal is at most 2 units of 2^-30 from the exact one.
+ * Source: "Realtime 3D Clipping" (C6).
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_COUNT: a count is out of its range.
+ * FXL_E_COUNT: a count outside 3..FXL_BEAM_PLANES_MAX - 1.
  * FXL_E_RANGE: a corner or a point beyond FXL_COORDINATE_MAX, a direction not of unit length.
  * FXL_E_DEGENERATE: the light lies in the plane of the window or of one of its sides, or the
  * window is not convex; all to within 2^-12 unit.
@@ -479,11 +485,11 @@ fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, 
 fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
                                    uint32_t count, fxl_beam *beam);
 
-/* Checks a beam that was written as a table.
+/* Checks a beam that was written as a table, and changes nothing.
  * FXL_E_ARGUMENT: it is null.
  * FXL_E_RESERVED: its kind is unknown, or an unused member is not 0.
- * FXL_E_COUNT: it has too few planes or too many.
- * FXL_E_RANGE: its point or a distance is out of range.
+ * FXL_E_COUNT: plane_count is outside 1..FXL_BEAM_PLANES_MAX.
+ * FXL_E_RANGE: its point is beyond FXL_COORDINATE_MAX, or a distance is 2^61 or more in magnitude.
  * FXL_E_NORMAL: a normal or a direction is not of unit length. */
 fxl_status fxl_beam_check(const fxl_beam *beam);
 

@@ -168,7 +168,7 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
  * *set. What else is attached, before or after, does not matter. The next frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * And those of fxl_surfaces_check, for the bits of the painter's pixels.
+ * The statuses of fxl_surfaces_check, for the bits of the painter's pixels.
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, const fxl_painter *painter);

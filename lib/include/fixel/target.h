@@ -85,8 +85,11 @@ extern const fxl_target fxl_rgb565_depth_32;
 #define FXL_RGB565(red, green, blue) \
     FXL_CAST(uint16_t, ((red) / 8u) << 11 | ((green) / 4u) << 5 | (blue) / 8u)
 
-/* Sets every pixel of a band of palette indices. The bytes between width and stride are untouched.
- * fxl_frame_fill (fixel/render.h) does it in the renderer's format. */
+/* Sets every pixel of a band of palette indices; of a band that has some columns alone, only
+ * theirs. The bytes between width and stride are untouched. Exact. fxl_frame_fill (fixel/render.h)
+ * does it in the renderer's format.
+ * Requires a band with at least one row, of palette indices: it would write bytes into RGB565.
+ * Nothing is null. */
 void fxl_fill_band(const fxl_band *band, uint8_t colour);
 
 #ifdef __cplusplus

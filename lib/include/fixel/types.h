@@ -124,8 +124,9 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
 #define FXL_NORMAL_SQUARE_MAX_ERROR (FXL_CAST(int64_t, 1) << 32)
 
 /* The result of a public function. If the input is wrong, the function returns a
- * status other than FXL_OK and changes nothing. A bug of the library itself is an
- * assertion (FXL_ASSERT in lib/math/arith.h). */
+ * status other than FXL_OK. Its documentation says what it has changed then: most
+ * functions nothing, but for the count of refused calls. A bug of the library
+ * itself is an assertion (FXL_ASSERT in lib/math/arith.h). */
 
 typedef enum {
     FXL_OK = 0,
@@ -170,8 +171,8 @@ const char *fxl_status_text(fxl_status status);
  *
  * If all vertices of a face are inside the frustum, the projected vertices are
  * the polygon; there is no fxl_view_polygon. The Black Book's clipper comes before
- * the transform: cull -> fxl_polygon -> clip -> fxl_polygon -> transform. clipper.h
- * is the interface that all clippers share, from a face to the screen.
+ * the transform: cull -> fxl_polygon -> clip -> fxl_polygon -> transform. All
+ * clippers share one interface from a face to the screen: fxl_clipper, in records.h.
  *
  * Axes: x right, y up, z forward, left-handed, in the world and in the view.
  * On the screen x goes right and y goes DOWN; pixel (i, j) covers
@@ -388,11 +389,12 @@ typedef struct {
 /* --- sines ------------------------------------------------------------------------------ */
 
 /* The sine of an angle, as 2.30. Takes any angle. sin(-a) == -sin(a) for every a.
- * Error: at most 0.51 unit of 2^-30; exact at the quarter turns. */
+ * Error: at most 0.51 unit of 2^-30 (docs/accuracy.md, section 1; the report claims 1); exact at
+ * the quarter turns. Source: the Taylor series, in lib/math/angle.c. */
 fxl_q2_30 fxl_sin(fxl_angle angle);
 
 /* The cosine of an angle, as 2.30: fxl_sin(angle + FXL_ANGLE_QUARTER). Takes any angle.
- * Error: at most 0.51 unit of 2^-30; exact at the quarter turns. */
+ * Error and source: as fxl_sin. */
 fxl_q2_30 fxl_cos(fxl_angle angle);
 
 #ifdef __cplusplus

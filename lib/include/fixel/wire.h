@@ -45,7 +45,8 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
 
 /* Begins a frame.
  * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_RANGE: pose, or an instance's placement.
+ * FXL_E_RANGE: the pose is beyond FXL_COORDINATE_MAX, or the centre or the scale of an instance's
+ * placement is out of range.
  * FXL_E_PLACEMENT: an orientation is no rotation.
  * FXL_E_ORDER: no scene, or placements without a placement_code.
  * The frame begun before stays current if the scene has no placements. If it has placements, that
@@ -56,7 +57,8 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 /* Draws the frame's lines over a band that the caller has cleared: of palette indices, or of RGB565
  * if the band has a palette. Each line has its face's colour. The order is that of the scene: by
  * instance, face and edge. The pixels do not depend on the bands into which the caller divides the
- * frame.
+ * frame. The ends of a line have the errors of a screen point, and where they are clipped those of
+ * fxl_line_by_planes (docs/accuracy.md, section 1); its pixels are exact, given the ends.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: no frame begun.
  * FXL_E_RANGE: a band that is not of this screen.
@@ -65,9 +67,9 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose);
 fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band);
 
 /* Draws one line by the rule of docs/extras/wire.md. Exact, so a line has the same pixels in
- * either direction. Requires points within FXL_SCREEN_COORDINATE_MAX and a band within
- * 0..FXL_SCREEN_MAX. */
-void fxl_wire_line(const fxl_screen_point *from, const fxl_screen_point *to, uint8_t colour,
+ * either direction. Requires points within FXL_SCREEN_COORDINATE_MAX, and a band
+ * of a screen of at most FXL_SCREEN_MAX by FXL_SCREEN_MAX pixels. */
+void fxl_wire_line(const fxl_screen_point *start, const fxl_screen_point *end, uint8_t colour,
                    const fxl_band *band);
 
 /* Colours of the palette, in which outlines are drawn. */
@@ -98,7 +100,7 @@ typedef struct {
  * attached, before or after, does not matter. The next frame must begin anew.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ORDER: the renderer was never initialised.
- * FXL_E_ALIGNMENT: outlines.
+ * FXL_E_ALIGNMENT: outlines is not aligned to 8 bytes.
  * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_attach_outlines(fxl_renderer *renderer, fxl_outlines *outlines,
                                const fxl_outline_style *style);

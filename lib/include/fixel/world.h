@@ -13,15 +13,15 @@ extern "C" {
 /* The most renderers that may draw one world at the same time. */
 #define FXL_WORLD_RENDERERS_MAX 4
 
-/* An instance of a world, by which the program names it. It goes stale when the instance is
- * removed: then every function that takes it answers FXL_E_STALE, until its slot has been given to
- * 2^31 - 1 others. A handle of zeros is always stale. */
+/* The handle by which a program names an instance of a world. It goes stale when the instance is
+ * removed. A stale handle stays stale until its slot has been given to 2^31 - 1 other instances. A
+ * handle of zeros is always stale. */
 typedef struct {
     uint32_t slot, generation;
 } fxl_handle;
 
-/* A slot of a world. Slot n has the place of the instance whose handle names it, and, apart from
- * that, the slot of the instance that is at place n. */
+/* A slot of a world. The table serves two searches: slot n has the place of the instance whose
+ * handle names slot n; and it has the slot of the instance that is at place n. */
 typedef struct {
     uint32_t generation; /* odd: that of the handle; even: the slot is free */
     uint16_t place;      /* in the table of instances; of a free slot: the next free one */
@@ -105,74 +105,104 @@ fxl_status fxl_world_detach(fxl_world *world, fxl_renderer *renderer);
 fxl_status fxl_world_set_colours(fxl_world *world, fxl_renderer *renderer,
                                  fxl_world_colours *colours);
 
-/* Of all functions below:
- * FXL_E_ARGUMENT: a null pointer.
- * FXL_E_STALE: the instance of the handle was removed.
- * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
- * With each status but FXL_OK: nothing is changed but refused_calls.
- * Their time does not depend on the number of instances.
+/* The time of the functions below does not depend on the number of instances.
  *
- * An instance must lie within the world: with r its model's radius, times its scale where it has a
- * placement, rounded up to 1/65536 and enlarged by FXL_PLACEMENT_SLACK, |c| + r <=
- * FXL_COORDINATE_MAX holds for each coordinate c of its centre. The scene's own instances may reach
- * beyond that; they are tested where they are moved, turned or given another model. Where the scene
- * has a BSP tree, its instance may be recoloured and nothing else, and no other instance may have
- * its model, or a sorted model in its layer.
- * FXL_E_RANGE: an instance would not lie within the world.
- * FXL_E_BSP: what the tree does not allow. */
+ * An instance must lie within the world: |c| + r <= FXL_COORDINATE_MAX for each coordinate c of its
+ * centre. r is its model's radius; if it has a placement, r is the radius times its scale, rounded
+ * up to 1/65536 unit, and 32/65536 unit more. The instances that fxl_world_init took over may reach
+ * beyond that; they are tested when they are moved, get a placement or get another model.
+ *
+ * If the scene has a BSP tree, its instance may be recoloured and changed in no other way. No other
+ * instance may have its model, and none in its layer may have a sorted model. */
 
 /* Adds an instance that is shown, and writes its handle. placement null: it has no placement. The
  * field recolour must be 0.
+ * FXL_E_ARGUMENT: a null pointer, but for placement.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
  * FXL_E_CAPACITY: there are as many as the memory has room for.
+ * FXL_E_RESERVED: recolour is not 0.
  * FXL_E_INDEX: there is no such model.
- * FXL_E_RESERVED: a reserved field or an enumeration has an unknown value.
- * FXL_E_RANGE: the place, or a placement's scale.
- * FXL_E_PLACEMENT: its orientation is no rotation.
- * FXL_E_BSP: what the tree does not allow. */
+ * FXL_E_RANGE: the instance would not lie within the world, or the scale is outside
+ * FXL_SCALE_MIN..FXL_SCALE_MAX.
+ * FXL_E_PLACEMENT: the orientation is no rotation.
+ * FXL_E_BSP: the model is that of the BSP tree, or a sorted one in the tree's layer.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance,
                            const fxl_placement *placement, fxl_handle *handle);
 
 /* Removes an instance. Its handle goes stale.
- * FXL_E_BSP: what the tree does not allow. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
+ * FXL_E_BSP: it is the instance of the BSP tree.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_remove(fxl_world *world, fxl_handle handle);
 
-/* Takes an instance out of the picture, and puts it back. An instance that is hidden may be changed
- * as others may. To hide what is hidden, or to show what is shown, changes nothing.
- * FXL_E_BSP: what the tree does not allow. */
+/* fxl_world_hide takes an instance out of the picture, and fxl_world_show puts it back. A hidden
+ * instance may be changed as others may. To hide a hidden instance, or to show a shown one, changes
+ * nothing.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
+ * FXL_E_BSP: it is the instance of the BSP tree.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_hide(fxl_world *world, fxl_handle handle);
 fxl_status fxl_world_show(fxl_world *world, fxl_handle handle);
 
 /* Moves the centre of an instance.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
  * FXL_E_RANGE: it would not lie within the world.
- * FXL_E_BSP: what the tree does not allow. */
+ * FXL_E_BSP: it is the instance of the BSP tree.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_move(fxl_world *world, fxl_handle handle, const fxl_point *centre);
 
-/* Turns and scales an instance; placement null: it has none any more.
- * FXL_E_CAPACITY: it had none, and turned_capacity is used up; or the other way round.
- * FXL_E_RANGE: it would not lie within the world.
+/* Gives an instance a placement, which rotates and scales it. placement null: the instance loses
+ * the one that it has.
+ * FXL_E_ARGUMENT: world is null.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
+ * FXL_E_CAPACITY: it has none, and turned_capacity is used up; or it loses it, and capacity is.
+ * FXL_E_RANGE: it would not lie within the world, or the scale is outside
+ * FXL_SCALE_MIN..FXL_SCALE_MAX.
  * FXL_E_PLACEMENT: the orientation is no rotation.
- * FXL_E_BSP: what the tree does not allow. */
+ * FXL_E_BSP: it is the instance of the BSP tree.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_set_placement(fxl_world *world, fxl_handle handle,
                                    const fxl_placement *placement);
 
 /* Gives an instance another model.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
  * FXL_E_INDEX: there is no such model.
  * FXL_E_RANGE: it would not lie within the world.
- * FXL_E_BSP: what the tree does not allow. */
+ * FXL_E_BSP: it is the instance of the BSP tree; or the model is the tree's, or a sorted one in the
+ * tree's layer.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_set_model(fxl_world *world, fxl_handle handle, uint16_t model);
 
 /* Puts an instance into another layer.
- * FXL_E_BSP: what the tree does not allow. */
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
+ * FXL_E_BSP: it is the instance of the BSP tree, or has a sorted model and the layer is the tree's.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_set_layer(fxl_world *world, fxl_handle handle, uint8_t layer);
 
-/* Draws an instance in the colours of table number - 1; number 0: in those of its model. It takes
- * fxl_world_set_colours for a renderer to do so.
- * FXL_E_INDEX: there is no such table. */
+/* Gives an instance the colours of table number - 1; number 0: those of its model. A renderer shows
+ * them if fxl_world_set_colours was called for it.
+ * FXL_E_ARGUMENT: a null pointer.
+ * FXL_E_STALE: the instance was removed.
+ * FXL_E_ORDER: a renderer that is attached draws a frame that was not released.
+ * FXL_E_INDEX: number is above colour_count.
+ * With each of these statuses: nothing is changed but refused_calls. */
 fxl_status fxl_world_recolour(fxl_world *world, fxl_handle handle, uint32_t number);
 
-/* The handle of an instance of the scene that fxl_world_init took over, by its number in that
- * scene. It may be stale already. Requires that the scene had as many instances. It is not the
- * handle of an instance of world->scene: for that there is fxl_world_handle_at. */
+/* Returns the handle of an instance that fxl_world_init took over, by its number in the scene that
+ * fxl_world_init was given. It is stale if that instance was removed. Requires a number below that
+ * scene's instance_count. fxl_world_handle_at takes the numbers of world->scene, which differ. */
 fxl_handle fxl_world_handle(uint32_t number);
 
 /* The handle of an instance that is shown, by its number in world->scene: that is how
