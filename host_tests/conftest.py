@@ -25,6 +25,9 @@ signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 os.environ["FIXEL_KEPT"] = "no"     # the tests compute everything (kept.py)
 
+from fixel.base import bounded
+bounded.start = warm_start.job_start(bounded.start)
+
 COUNTERS_OF_A_FRAME = (10, 3, 2, 1, 0, 4, 2, 0, 1)     # in == 3 + 2 + 1 + 0 + 4
 
 

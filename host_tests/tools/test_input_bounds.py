@@ -9,10 +9,9 @@ import os
 import random
 import re
 import resource
-import subprocess
-import sys
 
 import pytest
+import warm_start
 
 from conftest import CHECKOUT, LAUNCHER, environment
 from model_files import TETRAHEDRON, glb, gltf, png, stl
@@ -38,15 +37,10 @@ COMPILING = ("build", "export", "texture")
 def run_bounded(*arguments, cpu=CPU):
     """A command with these arguments, under limits: code and words."""
     limits = ["--cpu-limit", cpu, "--memory-limit", MEMORY] if arguments[0] in COMPILING else []
-    command = [sys.executable, str(LAUNCHER), *map(str, [*arguments, *limits])]
-
-    def limit():
-        """The tool itself does little more than its process that compiles."""
-        resource.setrlimit(resource.RLIMIT_CPU, (cpu + 10, cpu + 10))
-        resource.setrlimit(resource.RLIMIT_AS, (2 * MEMORY << 20,) * 2)
-    done = subprocess.run(command, cwd=CHECKOUT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          env=environment(), preexec_fn=limit, check=False)
-    words = done.stdout.decode(errors="replace")
+    # The tool itself does little more than its process that compiles.
+    own = [(resource.RLIMIT_CPU, cpu + 10), (resource.RLIMIT_AS, 2 * MEMORY << 20)]
+    done = warm_start.run([str(LAUNCHER), *map(str, [*arguments, *limits])], CHECKOUT, environment(), limits=own)
+    words = done.stdout + done.stderr
     assert "Traceback" not in words and "defect of the tool" not in words, words[-2000:]
     assert done.returncode in (0, 1, 2), f"{done.returncode}: {words[-2000:]}"
     assert len(re.findall(r"^(?:[\w. ]+: )?error: ", words, re.M)) == (done.returncode == 2), words[-2000:]

@@ -30,9 +30,71 @@ def test_what_is_refused(words):
 
 
 def test_a_result(tmp_path):
-    warm, cold = both([TOOLS / "scene.py", "build", CHECKOUT / "scenes/tiny.toml", "-o", "tiny.fxls"], folder=tmp_path)
-    warm, cold = ([*ended, without_progress(said)] for *ended, said in (warm, cold))
-    assert warm == cold == [0, "", ["tiny.fxls: 2,600 bytes, 5 objects, 16 frames"]] and (tmp_path / "tiny.fxls").exists()
+    found = []
+    for start in (warm_start.run, warm_start.cold):
+        done = start([str(TOOLS / "scene.py"), "build", str(CHECKOUT / "scenes/tiny.toml"), "-o", "tiny.fxls"], tmp_path, environment())
+        found.append([done.returncode, done.stdout, without_progress(done.stderr), (tmp_path / "tiny.fxls").read_bytes()])
+        (tmp_path / "tiny.fxls").unlink()
+    warm, cold = found
+    assert warm == cold and warm[:3] == [0, "", ["tiny.fxls: 2,600 bytes, 5 objects, 16 frames"]]
+
+
+JOB = """import json, os, signal, sys, threading
+print(json.dumps([sys.stdin.read(), [os.environ.get(name) for name in ("FIXEL_MARK", "OPENBLAS_NUM_THREADS")], os.getcwd(), len(sys.argv), threading.active_count(),
+                  [str(signal.getsignal(each)) for each in (1, 2, 13, 14, 15)], signal.getitimer(signal.ITIMER_REAL),
+                  len(os.listdir("/proc/self/fd"))]), flush=True)
+os.kill(os.getpid(), signal.SIGTERM)
+"""
+# As a tool does, whose signals and environment are not those that it began with.
+STARTED = """import os, signal, sys
+sys.path.insert(0, {tools!r})
+from fixel.base import bounded
+from fixel.base.errors import run_main
+def main(_):
+    with bounded.start({file!r}, bounded.Limits({limits})) as process:
+        process.stdin.write(b"asked")
+        process.stdin.close()
+        print(process.stdout.read().decode())
+    print(process.returncode)
+    return 3
+run_main(main)
+"""
+
+
+def test_a_job_begins_as_one_that_python_starts_from_nothing(tmp_path):
+    """In a tool from the server, whose jobs are forks; with a limit of memory, which makes it a process from nothing; and
+    in a tool from nothing."""
+    (tmp_path / "job.py").write_text(JOB)
+    fork, fresh = (STARTED.format(tools=str(TOOLS), file=str(tmp_path / "job.py"), limits=limits) for limits in ("", "memory=500"))
+    changed = environment(OPENBLAS_NUM_THREADS="1", FIXEL_MARK="here")
+    found = [start(["x"], tmp_path, changed, program) for start, program in
+             ((warm_start.run, fork), (warm_start.run, fresh), (warm_start.cold, fork))]
+    assert {(done.returncode, done.stderr) for done in found} == {(3, "")}, found
+    told, _, code = zip(*(done.stdout.partition("\n") for done in found))
+    assert told[0] == told[1] == told[2] and "asked" in told[0] and set(code) == {f"\n{-signal.SIGTERM}\n"}
+
+
+def test_a_job_of_a_test_sees_nothing_that_the_test_changes(tmp_path, monkeypatch):
+    from fixel.base import bounded
+    from fixel.board import judged_run
+    monkeypatch.setattr(judged_run, "PATTERNS", "changed")
+    (tmp_path / "job.py").write_text(f"import sys\nsys.path.insert(0, {str(TOOLS)!r})\n"
+                                     "from fixel.board import judged_run\nprint(judged_run.PATTERNS)\n")
+    for limits in (bounded.Limits(), bounded.Limits(memory=500)):
+        with bounded.start(str(tmp_path / "job.py"), limits) as process:
+            process.stdin.close()
+            assert "frame" in process.stdout.read().decode()
+        assert process.returncode == 0
+
+
+def test_a_job_of_a_test_can_be_killed(tmp_path):
+    from fixel.base import bounded
+    (tmp_path / "job.py").write_text("import time\nprint(1, flush=True)\ntime.sleep(600)\n")
+    with bounded.start(str(tmp_path / "job.py"), bounded.Limits()) as process:
+        assert process.stdout.readline() == b"1\n"
+        process.kill()
+    assert process.returncode == -signal.SIGKILL
+    assert bounded.start.__module__ == "warm_start"
 
 
 @pytest.mark.parametrize("program", [

@@ -144,6 +144,12 @@ class _Job:
         raise self._ended("its process ended without an answer")
 
 
+def start(program, _limits):
+    """The process of a job, with pipes."""
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}   # threads would reserve memory, for nothing
+    return children.start([sys.executable, "-I", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment)
+
+
 def run(program, request, subject, limits=None):
     """Runs a job and answers what it answers. program: a Python file that calls job.serve. request: what it is asked, as
     JSON holds it. subject: the file that the job is about, for messages."""
@@ -151,8 +157,7 @@ def run(program, request, subject, limits=None):
     job = _Job(subject, limits)
     asked = json.dumps({**request, "seconds": job.seconds, "bytes": job.bytes, "subject": os.fspath(subject),
                         "outside": limits.outside}).encode()
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}   # threads would reserve memory, for nothing
-    with children.start([sys.executable, "-I", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment) as process:
+    with start(program, limits) as process:
         try:
             _ask(process, asked)
             for line in process.stdout:

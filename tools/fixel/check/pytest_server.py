@@ -97,7 +97,10 @@ def run(asked):
 def end(asked):
     """Runs in a fork, and ends it."""
     if "report" not in asked:
-        sys.exit(run(asked))
+        code = run(asked)
+        if warm_start:
+            warm_start.end(code)
+        sys.exit(code)
     code = 3
     try:
         code = run(asked)
