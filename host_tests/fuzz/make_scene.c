@@ -309,7 +309,7 @@ static void spoil(made_scene *made, fuzz_input *in)
                                 &vertex->x,          &vertex->y,          &vertex->z,
                                 &model->radius};
     uint8_t *const bytes[] = {&face->count, &model->kind, &model->reserved, &instance->recolour};
-    uint16_t *const halves[] = {&face->reserved, &instance->model, corner, &model->first_cluster,
+    uint16_t *const halves[] = {&face->whole_count, &instance->model, corner, &model->first_cluster,
                                 &cluster->face_count};
     uint16_t *const links[] = {&node->front,      &node->back,       &node->parent,
                                &node->first_face, &node->face_count, &node->reserved};

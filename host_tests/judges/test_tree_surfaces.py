@@ -189,3 +189,25 @@ def test_a_cut_moves_no_texel(build, tmp_path, pixels, division, more, yaw):
     one, other = (pictures(drawn(build, made)) for made in (cut, whole))
     assert len(one) == 6 and all(map(numpy.array_equal, one, other))
     assert all(len(numpy.unique(picture)) >= 3 for picture in one)
+
+
+@pytest.mark.parametrize("pixels", TARGETS)
+def test_the_parts_of_a_face_without_a_surface_have_its_colour(build, tmp_path, pixels):
+    """Light takes the middle of the whole face: each frame has one colour. By their own middles the parts have others."""
+    text = SCREEN % pixels + FLOOR % ("16", "", "20", ", ".join(f"[0, -3, {0.7 * i + 1.5:.1f}]" for i in range(9)))
+    text = text.replace('texture = "stones"\ntexels_per_unit = 4\ndivision = 16\n', 'colour = "#d0c0b0"\n')
+    scene, cut = compiled(tmp_path, text, "all")
+    parts = [face for face in scene.models[scene.objects[scene.tree.object].model].faces if face.whole]
+    assert len({face.corners for face in parts if face.normal == (0, 1 << 30, 0)}) >= 4
+    assert [face.whole for face in image.load(cut).models[-1].faces] == \
+        [face.whole for face in scene.models[scene.objects[scene.tree.object].model].faces]
+    _, whole = compiled(tmp_path, text, "none")
+    one, other = (pictures(drawn(build, made)) for made in (cut, whole))
+    assert len(one) == 6 and all(map(numpy.array_equal, one, other))
+    assert all(len(numpy.unique(picture)) == 1 for picture in one)
+    run(build / "host" / "judge", cut, drawn(build, cut), "--json", tmp_path / "judge.json")
+    assert json.loads((tmp_path / "judge.json").read_text())["pixels_unexplained"] == 0
+    for face in parts:
+        face.whole = ()
+    cut.write_bytes(image.pack(scene))
+    assert any(len(numpy.unique(picture)) > 1 for picture in pictures(drawn(build, cut)))

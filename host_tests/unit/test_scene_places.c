@@ -91,9 +91,12 @@ void test_faults_name_the_last_element_as_well_as_the_first(void)
             expect_fault(FXL_E_RANGE, "instance", i, &tiny->scene);
         }
     }
-    tiny = tiny_make();
-    tiny->faces[11].reserved = 1;
-    expect_fault(FXL_E_RESERVED, "face", 11, &tiny->scene);
+    for (uint32_t i = 0; i < 3; i++) { /* 24 more indices than the last face has are past the end */
+        static const uint16_t counts[] = {2, 25, 24};
+        tiny = tiny_make();
+        tiny->faces[11].whole_count = counts[i];
+        expect_fault(i < 2 ? FXL_E_COUNT : FXL_E_INDEX, "face", 11, &tiny->scene);
+    }
     tiny = tiny_make();
     tiny->instances[2].recolour = 1;
     expect_fault(FXL_E_RESERVED, "instance", 2, &tiny->scene);

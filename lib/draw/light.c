@@ -28,6 +28,19 @@ static int32_t turn_middle(const fxl_direction *row, const fxl_point *box, fxl_q
     return (int32_t)fxl_round_shift(fxl_round_shift(sum, 22) * scale, 24);
 }
 
+/* The box of a face, of a part that of the whole face. */
+static fxl_point box_of(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
+{
+    const fxl_point *vertices = &scene->vertices[model->first_vertex];
+    const uint16_t *indices = &scene->indices[face->first_index];
+    uint32_t count = face->count;
+    if (face->whole_count != 0) {
+        indices += count;
+        count = face->whole_count;
+    }
+    return fxl_face_box(vertices, indices, count);
+}
+
 /* A face of an instance in the world. Coordinates are within FXL_COORDINATE_MAX, so doubled ones
  * are below 2^30, but for the rounding of a placement. */
 static void place_face(const fxl_scene *scene, const fxl_instance *instance, const fxl_face *face,
@@ -36,8 +49,7 @@ static void place_face(const fxl_scene *scene, const fxl_instance *instance, con
     const fxl_point *centre = &instance->centre;
     const uint32_t number = fxl_instance_number(scene, instance);
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
-    fxl_point box = fxl_face_box(&scene->vertices[scene->models[instance->model].first_vertex],
-                                 &scene->indices[face->first_index], face->count);
+    fxl_point box = box_of(scene, &scene->models[instance->model], face);
     place->normal = face->normal;
     if (turned != NULL) {
         const fxl_placement *placement = fxl_placement_of(scene, number);

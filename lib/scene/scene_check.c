@@ -40,17 +40,16 @@ static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const fxl_face *face = &scene->faces[i];
-        if (face->reserved != 0) {
-            return fxl_fault_at(fault, "face", i, FXL_E_RESERVED);
-        }
-        if (!count_in(face->count, 3, FXL_SCENE_FACE_VERTICES_MAX)) {
+        if (!count_in(face->count, 3, FXL_SCENE_FACE_VERTICES_MAX) ||
+            (face->whole_count != 0 &&
+             !count_in(face->whole_count, 3, FXL_SCENE_FACE_VERTICES_MAX))) {
             return fxl_fault_at(fault, "face", i, FXL_E_COUNT);
         }
         if (face->count > FXL_FACE_VERTICES_MAX) {
             return fxl_fault_at(fault, "face", i, FXL_E_CAPACITY);
         }
         if (face->first_index > scene->index_count ||
-            face->count > scene->index_count - face->first_index) {
+            (uint32_t)face->count + face->whole_count > scene->index_count - face->first_index) {
             return fxl_fault_at(fault, "face", i, FXL_E_INDEX);
         }
     }
@@ -62,7 +61,8 @@ static fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
-        for (uint32_t corner = 0; corner < face->count; corner++) {
+        const uint32_t count = (uint32_t)face->count + face->whole_count;
+        for (uint32_t corner = 0; corner < count; corner++) {
             if (scene->indices[face->first_index + corner] >= model->vertex_count) {
                 return fxl_fault_at(fault, "face", model->first_face + i, FXL_E_INDEX);
             }

@@ -121,7 +121,7 @@ FXL_STATIC_ASSERT(offsetof(fxl_face, normal) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_face, first_index) == 12, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_face, count) == 16, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_face, material) == 17, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_face, reserved) == 18, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_face, whole_count) == 18, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_model) == 28, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_model, first_vertex) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_model, kind) == 16, FXL_AS_DOCUMENTED);

@@ -119,6 +119,30 @@ static const uint8_t *model_of(const reader *r, const uint8_t *instance)
     return entry_of(r, r->models, get_u16(instance + 12), MODEL, "model");
 }
 
+/* Vertex i of the indices of a face. */
+static vector vertex_of(const reader *r, const uint8_t *model, const uint8_t *face, uint32_t i)
+{
+    uint64_t corner = (uint64_t)get_u32(face + 12) + i;
+    uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
+    vertex += get_u32(model);
+    return point_at(entry_of(r, r->vertices, vertex, VERTEX, "vertex"));
+}
+
+/* The middle of the bounding box of a face, of a part that of the whole face. */
+static vector middle_of(const reader *r, const uint8_t *model, const uint8_t *face)
+{
+    const uint32_t own = face[16], whole = get_u16(face + 18);
+    if (whole == 1 || whole == 2)
+        unusable("%s: a whole face of %u vertices", r->path, whole);
+    vector low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = whole ? own : 0; i < own + whole; i++) {
+        const vector at = vertex_of(r, model, face, i);
+        low = (vector){fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z)};
+        high = (vector){fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z)};
+    }
+    return vector_times(vector_plus(low, high), 0.5);
+}
+
 static void add_face(const reader *r, const placing *place, const uint8_t *model,
                      const uint8_t *face, uint8_t colour, world *w)
 {
@@ -126,23 +150,14 @@ static void add_face(const reader *r, const placing *place, const uint8_t *model
     *polygon = (world_polygon){.first = w->corner_count, .count = face[16], .colour = colour};
     if (polygon->count < 3)
         unusable("%s: a face of %u vertices", r->path, polygon->count);
-    vector low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint32_t i = 0; i < polygon->count; i++) {
-        uint64_t corner = (uint64_t)get_u32(face + 12) + i;
-        uint64_t vertex = get_u16(entry_of(r, r->corners, corner, CORNER, "index"));
-        vertex += get_u32(model);
-        const vector at = point_at(entry_of(r, r->vertices, vertex, VERTEX, "vertex"));
-        low = (vector){fmin(low.x, at.x), fmin(low.y, at.y), fmin(low.z, at.z)};
-        high = (vector){fmax(high.x, at.x), fmax(high.y, at.y), fmax(high.z, at.z)};
-        w->corners[w->corner_count++] = placing_point(place, at);
-    }
+    for (uint32_t i = 0; i < polygon->count; i++)
+        w->corners[w->corner_count++] = placing_point(place, vertex_of(r, model, face, i));
     placing turned = *place;
     turned.centre = (vector){0, 0, 0};
     turned.scale = 1;
     const vector normal = {get_i32(face), get_i32(face + 4), get_i32(face + 8)};
-    polygon->lit =
-        (light_face){placing_point(&turned, vector_times(normal, 1 / 1073741824.0)),
-                     placing_point(place, vector_times(vector_plus(low, high), 0.5)), face[17]};
+    polygon->lit = (light_face){placing_point(&turned, vector_times(normal, 1 / 1073741824.0)),
+                                placing_point(place, middle_of(r, model, face)), face[17]};
 }
 
 /* 1..255, by the numbers of an instance and of a face of its model. */

@@ -70,15 +70,17 @@ void ref_light_read(ref_light *light, const uint8_t *base, const uint8_t *points
     memcpy(light->ramp, ramp, (size_t)levels * sizeof light->ramp[0]);
 }
 
-/* The middle of the bounding box of a face: in the world, or, of an instance that is turned, of the
- * box in its model, turned and scaled. */
+/* The middle of the bounding box of a face, of a part that of the whole face: in the world, or, of
+ * an instance that is turned, of the box in its model, turned and scaled. */
 static ref_point middle_of(const ref_scene *scene, const ref_instance *instance,
                            const ref_face *face)
 {
     const ref_placement *placement = ref_placement_of(scene, instance);
     ref_lattice_point low = {INT32_MAX, INT32_MAX, INT32_MAX},
                       high = {INT32_MIN, INT32_MIN, INT32_MIN};
-    for (int i = 0; i < face->count; i++) {
+    const int first = face->whole_count ? face->count : 0;
+    const int end = face->count + face->whole_count;
+    for (int i = first; i < end; i++) {
         const ref_lattice_point at = placement ? ref_face_corner(scene, instance, face, i)
                                                : ref_face_vertex(scene, instance, face, i);
         low = (ref_lattice_point){at.x < low.x ? at.x : low.x, at.y < low.y ? at.y : low.y,

@@ -122,8 +122,11 @@ static bool read_geometry(const uint8_t *bytes, ref_scene *scene)
     }
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const uint8_t *p = faces + 20 * (size_t)i;
-        scene->faces[i] =
-            (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)}, ref_u32(p + 12), p[16], p[17]};
+        scene->faces[i] = (ref_face){{ref_i32(p), ref_i32(p + 4), ref_i32(p + 8)},
+                                     ref_u32(p + 12),
+                                     p[16],
+                                     p[17],
+                                     ref_u16(p + 18)};
     }
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const uint8_t *p = models + 28 * (size_t)i;
@@ -141,11 +144,13 @@ static bool faces_are_sound(const ref_scene *scene, const ref_model *model)
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const ref_face *face = &scene->faces[model->first_face + i];
-        if (face->count < 3 || face->count > REF_FACE_VERTICES_MAX ||
-            (uint64_t)face->first_index + face->count > scene->index_count) {
+        const uint32_t count = (uint32_t)face->count + face->whole_count;
+        if (face->count < 3 || face->count > REF_FACE_VERTICES_MAX || face->whole_count == 1 ||
+            face->whole_count == 2 || face->whole_count > REF_FACE_VERTICES_MAX ||
+            (uint64_t)face->first_index + count > scene->index_count) {
             return false;
         }
-        for (uint32_t k = 0; k < face->count; k++) {
+        for (uint32_t k = 0; k < count; k++) {
             if (scene->indices[face->first_index + k] >= model->vertex_count) {
                 return false;
             }

@@ -11,6 +11,7 @@ typedef struct {
     int32_t normal[3]; /* 2.30 */
     uint32_t first_index;
     uint8_t count, material;
+    uint16_t whole_count; /* of a part: the vertices of the whole face, behind its own; or 0 */
 } ref_face;
 
 enum {

@@ -43,13 +43,17 @@ extern "C" {
 
 /* A face. Its vertices are count entries of the scene's indices, from indices[first_index] on. Each
  * index is the number of a vertex within the model. The vertices go clockwise as seen from the
- * front. The normal points to the front; it alone decides which side is the front. */
+ * front. The normal points to the front; it alone decides which side is the front.
+ *
+ * A tool may cut a face into parts, as for a BSP tree. The indices of a part are then followed by
+ * those of the whole face, of which light at run time takes the middle. So all parts have one
+ * colour. */
 typedef struct {
     fxl_direction normal;
     uint32_t first_index;
-    uint8_t count;     /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
-    uint8_t material;  /* of a flat face: its palette index */
-    uint16_t reserved; /* 0 */
+    uint8_t count;        /* 3..24; a build draws up to FXL_FACE_VERTICES_MAX */
+    uint8_t material;     /* of a flat face: its palette index */
+    uint16_t whole_count; /* of a part: how many vertices the whole face has, 3..24; or 0 */
 } fxl_face;
 
 /* The plane and the bounding box of a face of a sorted model, precomputed: facing and order need
@@ -336,7 +340,8 @@ typedef struct {
     const fxl_placement
         *placements;       /* of each instance from first_turned on; null: no instance is turned */
     uint32_t first_turned; /* where there are placements: the first instance that has one */
-    const fxl_placement_code *placement_code; /* where there are placements: &fxl_turned_instances */
+    const fxl_placement_code
+        *placement_code;        /* where there are placements: &fxl_turned_instances */
     uint32_t instance_capacity; /* of a world (fixel/world.h): the most that instance_count becomes;
                                    else 0 */
 } fxl_scene;

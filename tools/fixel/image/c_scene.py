@@ -62,8 +62,8 @@ class _Tables:
         self.clusters += map(_cluster, model.clusters)
         self.vertices += [braces(*vertex) for vertex in model.vertices]
         for face in model.faces:
-            self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, 0))
-            self.indices += map(str, face.corners)
+            self.faces.append(braces(braces(*face.normal), len(self.indices), len(face.corners), face.colour, len(face.whole)))
+            self.indices += map(str, face.corners + face.whole)
             if model.kind == SORTED:
                 height, *box = image_keys.key_of(model, face)
                 self.bounds.append(braces(*split64(height), *box))

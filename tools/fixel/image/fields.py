@@ -105,7 +105,8 @@ SECTIONS = (
             4_000_000, 3, limit="FXL_SCENE_INDICES_MAX", documented="indices"),
     Section("faces", "face table", (
         Field("3i", "normal", "normal (2.30)"), Field("I", "first_index", "first index"), Field("B", "count", "count"),
-        Field("B", "material", "colour"), Field("H", "reserved", "reserved")),
+        Field("B", "material", "colour"),
+        Field("H", "whole_count", "vertices of the whole face that this one is a part of (0: it is whole)")),
             1_000_000, limit="FXL_SCENE_FACES_MAX", record="fxl_face"),
     Section("models", "model table", (
         Field("4I", "first_vertex", "first vertex, vertex count, first face, face count"),

@@ -25,6 +25,7 @@ class Face:
     corners: tuple      # numbers of vertices within the model, clockwise from the front
     colour: int
     mapped: image_surface.Mapped = None     # its surface
+    whole: tuple = ()   # of a part of a face that was cut: the corners of the whole face, which light takes
 
 
 @dataclass
@@ -58,8 +59,8 @@ def tables(models_of_scene):
                                  len(keys) if model.kind == SORTED else 0))
         vertices += [VERTEX.pack(*vertex) for vertex in model.vertices]
         for face in model.faces:
-            faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, 0))
-            corners += face.corners
+            faces.append(FACE.pack(*face.normal, len(corners), len(face.corners), face.colour, len(face.whole)))
+            corners += face.corners + face.whole
         if model.kind == SORTED:
             keys += [image_keys.KEY.pack(*key) for key in image_keys.keys_of(model)]
         clusters += [cluster.pack() for cluster in model.clusters]
@@ -104,12 +105,11 @@ def check_planes(model, number):
 
 
 def check_faces(faces, corners):
-    for i, (*_, first, count, _, reserved) in enumerate(faces):
-        if reserved:
-            fail("reserved", f"face {i}: a reserved field is not zero")
-        if not 3 <= count <= FACE_VERTICES_MAX:
-            fail("count", f"face {i}: {count} vertices are outside 3..{FACE_VERTICES_MAX}")
-        if first + count > len(corners):
+    for i, (*_, first, count, _, whole) in enumerate(faces):
+        for number in (count, whole or 3):
+            if not 3 <= number <= FACE_VERTICES_MAX:
+                fail("count", f"face {i}: {number} vertices are outside 3..{FACE_VERTICES_MAX}")
+        if first + count + whole > len(corners):
             fail("index", f"face {i} reaches past the table of indices")
 
 
@@ -129,12 +129,12 @@ def read_models(models, vertices, corners, faces):
         if vertex > len(vertices) or face > len(faces):
             fail("index", f"model {i} reaches past the vertices or the faces")
         own = []
-        for number, (*normal, first, count, colour, _) in \
+        for number, (*normal, first, count, colour, whole) in \
                 enumerate(faces[first_face:first_face + face_count], first_face):
-            outline = corners[first:first + count]
+            outline = corners[first:first + count + whole]
             if max(outline) >= vertex_count:
                 fail("index", f"face {number}: vertex {max(outline)} of {vertex_count}")
-            own.append(Face(tuple(normal), outline, colour))
+            own.append(Face(tuple(normal), outline[:count], colour, whole=outline[count:]))
         result.append(Model(vertices[first_vertex:first_vertex + vertex_count], own, kind))
         extras.append((radius, first_key, first_cluster))
     if (vertex, face) != (len(vertices), len(faces)):

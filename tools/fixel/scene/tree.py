@@ -344,8 +344,8 @@ def plant(scene, layers, moving=(), progress=None):
     """Merges the objects of some layers, but for those that may move, into one with a tree, on the
     last of them; answers the counts. Billboards of these layers go to the last, where the tree has a
     place for each. The others stay as they are; the new object is the last that
-    is not turned. The parts of a face that was cut share its surface, which lies as on the whole: its vertices
-    stay in the model."""
+    is not turned. The parts of a face that was cut share its surface, which lies as on the whole, and its light: its
+    vertices stay in the model."""
     members = _members(scene, layers, moving)
     for item in scene.objects:
         if item.layer in layers and _shows_billboard(scene, item):
@@ -353,13 +353,17 @@ def plant(scene, layers, moving=(), progress=None):
     _check_size("faces", sum(len(scene.models[scene.objects[group].model].faces) for group in members))
     origin, lines = _middle(scene, members), Lines()
     parts = parts_of(scene, members, origin, lines)
-    nodes, faces, _, counts = grow(parts, lines, progress, _most(scene.beams))
+    wholes = [tuple(part.ring) for part in parts]
+    nodes, faces, sources, counts = grow(parts, lines, progress, _most(scene.beams))
+    if scene.light:
+        tree_faces.add_wholes(faces, [wholes[source] for source in sources], lines.points)
     used = {}
     for face in faces:
         face.corners = tuple(used.setdefault(corner, len(used)) for corner in face.corners)
     for face in faces:
         if face.mapped:
             face.mapped = _renumbered(face.mapped, {vertex: used.setdefault(vertex, len(used)) for vertex in face.mapped.vertices})
+        face.whole = tuple(used.setdefault(corner, len(used)) for corner in face.whole)
     vertices = [lines.points[number] for number in used]
     counts.vertices_out = len(vertices)
     _check_size("vertices", len(vertices))

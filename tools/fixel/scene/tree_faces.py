@@ -68,6 +68,17 @@ def flat_face(lines, part):
                     "triangulate it in the model")
 
 
+def _box(points, corners):
+    return [(min(axis), max(axis)) for axis in zip(*(points[corner] for corner in corners))]
+
+
+def add_wholes(faces, wholes, points):
+    """To each face that has another box than its whole face the corners of that, since light takes the middle of the box."""
+    for face, whole in zip(faces, wholes):
+        if _box(points, face.corners) != _box(points, whole):
+            face.whole = whole
+
+
 def add_spheres(nodes, faces, points):
     """To each node a sphere about its faces and the spheres below, from the last up. Its centre is
     that of the box about all faces from the node down."""
