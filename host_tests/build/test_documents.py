@@ -62,6 +62,24 @@ def test_a_new_board_changes_no_other_file(tmp_path):
     assert not os.path.exists(tmp_path / "build" / "boards" / "own-board" / "walk.elf")
 
 
+def boards_named(page):
+    """The boards in the first column of the README's table of boards."""
+    table = page.split("\n## Boards\n", 1)[1].split("\n## ", 1)[0]
+    return {name for row in re.findall(r"^\| ([^|]*) \|", table, re.MULTILINE) for name in re.findall(r"`([\w-]+)`", row)}
+
+
+def test_the_pages_know_every_board():
+    boards = {file.parent.name for file in (CHECKOUT / "boards").glob("*/board.mk")}
+    assert boards_named((CHECKOUT / "README.md").read_text(encoding="utf-8")) == boards
+    count = re.search(r"is a whole program for (\w+) boards", (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8"))[1]
+    words = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+    assert words.index(count) == len(boards) - 1    # without the host
+
+
+def test_a_board_that_the_readme_does_not_name_is_seen():
+    assert boards_named("# F\n\n## Boards\n\n| board | core |\n| --- | --- |\n| `a`, `b-1` | `M3` |\n\n## Next\n| `c` |\n") == {"a", "b-1"}
+
+
 def test_the_reference_renderer_includes_its_own_headers_and_those_of_c():
     folder = CHECKOUT / "host_tests" / "judges" / "reference"
     included = {name for file in folder.glob("*.[ch]")

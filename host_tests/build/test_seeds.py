@@ -8,6 +8,7 @@ import tomllib
 
 import pytest
 
+from clipper_names import clipper_names
 from conftest import CHECKOUT, run_make
 
 from fixel.board import methods
@@ -77,8 +78,7 @@ def names_of(setting):
     """What CLIPPER= or VISIBILITY= may be."""
     if setting == "VISIBILITY":
         return list(methods.rows())
-    makefile = (CHECKOUT / "firmware" / "firmware.mk").read_text(encoding="utf-8")
-    return re.search(r"^CLIPPERS := (.*)$", makefile, re.MULTILINE)[1].split()
+    return clipper_names()
 
 
 def is_reachable(text, headers):

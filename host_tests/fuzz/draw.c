@@ -9,6 +9,7 @@
 #include "demand.h"
 #include "judge.h"
 #include "record.h"
+#include "../unit/clippers_list.h"
 
 enum {
     BACKGROUND = 0x11,
@@ -89,20 +90,22 @@ static fxl_clip_result checked_next(const fxl_model_view *model_view, fxl_clippe
     return cut;
 }
 
+uint32_t draw_clipper_count(void)
+{
+    return 2 + CLIPPERS;
+}
+
 /* One at a time. */
 static const fxl_clipper *checked(uint32_t number)
 {
     static const fxl_clipper checked_view = {.clip = checked_by_view, .by_clip_flags = true};
     static const fxl_clipper checked_world = {
         .clip = checked_by_world, .begin = fxl_view_set_world_frustum, .by_points = true};
-    static const fxl_clipper *const family[DRAW_CLIPPERS - 2] = {
-        &fxl_clipper_normalised, &fxl_clipper_once, &fxl_clipper_half_spaces,
-        &fxl_clipper_triangles,  &fxl_clipper_near, &fxl_clipper_left};
     static fxl_clipper made;
     if (number < 2) {
         return number == 1 ? &checked_world : &checked_view;
     }
-    of_family = family[number - 2];
+    of_family = clippers[number - 2];
     made = (fxl_clipper){.clip = checked_clip,
                          .next = of_family->next != NULL ? checked_next : NULL,
                          .workspace_size = of_family->workspace_size,

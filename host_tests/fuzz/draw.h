@@ -5,13 +5,12 @@
 
 #include "input.h"
 
-enum {
-    DRAW_CLIPPERS = 8
-};
+/* How many clippers there are. */
+uint32_t draw_clipper_count(void);
 
 /* Which clipper, and which rows of the screen are looked at. */
 typedef struct {
-    uint32_t clipper; /* 0 .. DRAW_CLIPPERS - 1 */
+    uint32_t clipper; /* 0 .. draw_clipper_count() - 1 */
     uint16_t first_row, rows;
 } draw_choice;
 

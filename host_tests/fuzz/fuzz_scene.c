@@ -78,7 +78,7 @@ static void draw_frame(const fxl_scene_image *opened, const fxl_pose *pose, uint
     }
     rows = rows > lens->height ? lens->height : rows;
     uint32_t first = frame % 2 == 0 ? 0 : frame * 7 % (lens->height - rows + 1u);
-    draw_choice choice = {fuzz_below(in, DRAW_CLIPPERS), (uint16_t)first, (uint16_t)rows};
+    draw_choice choice = {fuzz_below(in, draw_clipper_count()), (uint16_t)first, (uint16_t)rows};
     draw_scene(&opened->scene, lens, pose, &choice, in);
 }
 

@@ -6,6 +6,7 @@ import subprocess
 
 import pytest
 
+from clipper_names import clipper_names
 from fixel.scene import making
 
 WIDTH, HEIGHT, FRAMES = 320, 240, 3
@@ -45,7 +46,7 @@ def test_a_border_of_background_is_told(build, tmp_path, clipper):
         assert frame["pixels_unexplained"] > 0.9 * empty
 
 
-@pytest.mark.parametrize("clipper", ["view", "normalised", "once", "half-spaces", "triangles", "near"])
+@pytest.mark.parametrize("clipper", clipper_names(but=("world", "left")))
 def test_the_default_leaves_no_border(build, tmp_path, clipper):
     background, verdict = judged(build, tmp_path, "", clipper)
     assert background == [0] * FRAMES

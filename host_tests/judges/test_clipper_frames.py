@@ -9,12 +9,13 @@ import struct
 import subprocess
 
 import pytest
+from clipper_names import clipper_names
 from conftest import CHECKOUT, sampled
 
 from fixel.scene import making
 from fixel.image import image
 
-CLIPPERS = ("view", "world", "normalised", "once", "half-spaces", "triangles", "near", "near-box", "left")
+CLIPPERS = (*clipper_names(), "near-box")
 SCENES = ("tiny", "cube", "plaza", "w1", "w3", "adversarial", "beam")
 DISTANCE = 1 / 8192                                 # that explains a pixel (docs/accuracy.md, section 4)
 SPOT = CHECKOUT.parent / "shared" / "models" / "spot.obj"

@@ -5,6 +5,7 @@ import json
 import subprocess
 
 import pytest
+from clipper_names import clipper_names
 from conftest import CHECKOUT, run_cli, sampled
 
 from fixel.board import dump
@@ -73,7 +74,7 @@ def test_frames_are_those_of_the_reference(scene, build, tmp_path):
     assert verdict["texel_pixels"] <= verdict["pixels_differing"] < verdict["pixels"] / 40
 
 
-CLIPPERS = ("world", "normalised", "once", "half-spaces", "triangles", "near", "left")
+CLIPPERS = clipper_names(but=("view",))
 
 
 @pytest.mark.parametrize("clipper", sampled("texels", CLIPPERS, 3))

@@ -9,6 +9,7 @@ import sys
 
 import pytest
 
+from clipper_names import clipper_names
 from conftest import CHECKOUT, run_make
 from fixel.image import image, image_beam
 from fixel.scene import toml_scene
@@ -145,7 +146,7 @@ def test_the_scene_of_a_room_is_the_twins(tmp_path):
     assert summary["polygons"]["refused"] == 0
 
 
-@pytest.mark.parametrize("clipper", ["view", "normalised", "once", "triangles", "near", "left"])
+@pytest.mark.parametrize("clipper", clipper_names(but=("world", "half-spaces")))
 @pytest.mark.parametrize("hidden", ["sorted", "spans"])
 def test_every_way_draws_the_room(clipper, hidden, tmp_path, build_of_scene):
     frames, found = tmp_path / "frames.fxld", tmp_path / "found.json"

@@ -151,3 +151,8 @@ class Pages:
 # Of each driver of the library: a controller when power comes.
 MODELS = {"st7789": lambda: Colour(240, 320), "ili9341": lambda: Colour(240, 320), "st7735": lambda: Colour(128, 160),
           "ssd1306": lambda: Pages(128), "sh1106": lambda: Pages(132)}
+
+
+def is_mono(driver):
+    """Whether a driver's controller is black and white."""
+    return isinstance(MODELS[driver](), Pages)

@@ -16,7 +16,6 @@ NAME = "wires.bin"  # as boards write it, in the folder they start in
 HEAD = struct.Struct("<cI")
 # Of the glass of each driver, the longer side first. Only those of colour turn.
 GLASS = {"st7789": (320, 240), "ili9341": (320, 240), "st7735": (160, 128), "ssd1306": (128, 64), "sh1106": (128, 64)}
-MONO = ("ssd1306", "sh1106")
 
 
 def records(file):
@@ -62,18 +61,18 @@ def shown(driver, pixels, palette):
     """What the glass is to show of a frame: the frame in its middle, black around it."""
     height, width = pixels.shape
     long, short = GLASS[driver]
-    glass = numpy.zeros((long, short) if height > width and driver not in MONO else (short, long), numpy.uint16)
+    glass = numpy.zeros((long, short) if height > width and not controllers.is_mono(driver) else (short, long), numpy.uint16)
     top, left = ((outer - inner) // 2 for outer, inner in zip(glass.shape, pixels.shape))
-    top -= top % 8 if driver in MONO else 0
+    top -= top % 8 if controllers.is_mono(driver) else 0
     glass[top:top + height, left:left + width] = \
-        grey.levels(pixels, palette, 1) if driver in MONO else rgb565(palette)[pixels]
+        grey.levels(pixels, palette, 1) if controllers.is_mono(driver) else rgb565(palette)[pixels]
     return glass
 
 
 def check_size(driver, width, height):
     """Refuses frames that are larger than the glass."""
     long, short = GLASS[driver]
-    sides = (width, height) if driver in MONO else (max(width, height), min(width, height))
+    sides = (width, height) if controllers.is_mono(driver) else (max(width, height), min(width, height))
     if sides[0] > long or sides[1] > short:
         raise ToolError(f"frames of {width}x{height} do not fit the {long}x{short} of DRIVER={driver}: "
                         f"SCREEN={long}x{short} draws smaller ones")
