@@ -17,12 +17,13 @@ enum {
 static uint32_t sum_texels(const fxl_texture *texture)
 {
     const uint32_t least = texture->format == FXL_TEXTURE_4 ? 1 : 0;
+    const uint32_t doubles = texture->format == FXL_TEXTURE_565 ? 1 : 0;
     const uint8_t *texel = texture->texels;
     uint32_t sum = 0;
     for (uint32_t i = 0; i < texture->levels; i++) {
         const uint32_t wide = texture->log_width > i + least ? texture->log_width - i : least;
         const uint32_t high = texture->log_height > i ? texture->log_height - i : 0;
-        for (uint32_t k = 0; k < 1u << (wide + high) >> least; k++) {
+        for (uint32_t k = 0; k < 1u << (wide + high + doubles) >> least; k++) {
             sum += *texel++;
         }
     }
@@ -32,29 +33,50 @@ static uint32_t sum_texels(const fxl_texture *texture)
     return sum;
 }
 
+static const uint16_t palette[256] = {0xFFFF, 0x1234};
+
+/* Has a renderer draw a set: in frames of a palette, or in RGB565. */
+static void attach(fxl_renderer *renderer, fxl_surfaces *surfaces, const fxl_surface_set *set,
+                   bool is_wide)
+{
+    const fxl_config config = {
+        .order = &fxl_by_distance, .target = &fxl_rgb565, .palette = palette};
+    DEMAND(!is_wide || fxl_renderer_choose(renderer, &config) == FXL_OK);
+    DEMAND(fxl_attach_surfaces(renderer, surfaces, set,
+                               is_wide ? FXL_SURFACES_OF(fxl_rgb565)
+                                       : FXL_SURFACES_OF(fxl_palette)) == FXL_OK);
+}
+
+/* In frames of a palette if they can show the set. */
 static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
                       const fxl_pose *pose)
 {
     const fxl_scene *scene = &opened->scene;
+    const bool is_wide = fxl_surfaces_check(set, scene, 8, NULL) != FXL_OK;
     fxl_draw_entry *order = malloc(scene->draw_list_needed * sizeof *order);
     fxl_renderer *renderer = malloc(sizeof *renderer);
-    uint8_t *pixels = malloc((size_t)opened->lens.width * ROWS);
+    uint16_t *pixels = malloc((size_t)opened->lens.width * ROWS * sizeof *pixels);
     const fxl_memory memory = {.draw_list = order, .draw_list_capacity = scene->draw_list_needed};
     const uint16_t rows = opened->lens.height < ROWS ? opened->lens.height : ROWS;
-    const fxl_band band = {.pixels = pixels,
+    const fxl_band band = {.pixels = (uint8_t *)pixels,
                            .width = opened->lens.width,
                            .stride = opened->lens.width,
                            .first_row = (uint16_t)((opened->lens.height - rows) / 2),
-                           .rows = rows};
+                           .rows = rows,
+                           .palette = is_wide ? palette : NULL};
     fxl_surfaces surfaces;
     DEMAND(order != NULL && renderer != NULL && pixels != NULL);
     DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);
-    DEMAND(fxl_attach_surfaces(renderer, &surfaces, set, FXL_SURFACES_OF(fxl_palette)) == FXL_OK);
-    fxl_fill_band(&band, 0);
+    attach(renderer, &surfaces, set, is_wide);
+    fxl_frame_fill(renderer, &band, 0);
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     }
-    record_band(&band);
+    if (is_wide) {
+        record_bytes(pixels, (size_t)opened->lens.width * rows * sizeof *pixels);
+    } else {
+        record_band(&band);
+    }
     free(pixels);
     free(renderer);
     free(order);

@@ -20,7 +20,7 @@ SCENES = (("host_tests/fuzz/scenes/beam_surfaces", "all"), ("scenes/tiny", None)
           ("scenes/knot", "none"), ("scenes/knot", "all"), ("scenes/beam", "all"), ("host_tests/fuzz/scenes/clusters", None),
           ("host_tests/fuzz/scenes/placements", None), ("host_tests/fuzz/scenes/placements", "0"),
           ("host_tests/fuzz/scenes/light", None), ("host_tests/fuzz/scenes/surfaces", None),
-          ("host_tests/fuzz/scenes/billboards", None))
+          ("host_tests/fuzz/scenes/texels", None), ("host_tests/fuzz/scenes/billboards", None))
 # fxl_status of lib/include/fixel/types.h, as the checker in Python calls it.
 STATUSES = dict(enumerate(["ok", "argument", "range", "capacity", "degenerate", "order", "alignment", "size", "magic",
                            "version", "crc", "offset", "count", "index", "normal", "planarity", "reserved", "radius",
@@ -125,7 +125,7 @@ def test_both_take_or_refuse_images_with_several_faults(build, blob, tmp_path):
 
 
 # These have every table.
-@pytest.mark.parametrize("blob", [("scenes/beam", "all"), *SCENES[-5:-4], *SCENES[-3:]], indirect=True, ids=lambda item: item[0])
+@pytest.mark.parametrize("blob", [("scenes/beam", "all"), *SCENES[-6:-5], *SCENES[-4:]], indirect=True, ids=lambda item: item[0])
 def test_both_say_the_same_at_the_ends_of_ranges(build, blob, tmp_path):
     assert_agreement(build, [blob, *at_the_ends(blob)], tmp_path)
 

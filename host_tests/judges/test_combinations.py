@@ -22,6 +22,7 @@ if __name__ == "__main__":
     sys.path[:0] = [str(HERE.parent), str(HERE.parent / "boards"), str(HERE.parents[1] / "tools")]
 
 from board_programs import made
+from fixel.base.errors import ToolError
 from fixel.board import dump, emulator
 from fixel.image import image
 from fixel.scene import compiler
@@ -82,8 +83,11 @@ ATTRIBUTES = {
     "texture of 8 bits": (TEXTURE % ("stones", ""), 'texture = "t"'),
     "texture of 4 bits": (TEXTURE % ("bricks", "bits = 4"), 'texture = "t"'),
     "texture with holes": (TEXTURE % ("grille", ""), 'texture = "t"'),
+    "texture of RGB565": (TEXTURE % ("stones", "bits = 16\nlevels = 5"), 'texture = "t"'),
+    "texture of RGB565 with holes": (TEXTURE % ("grille", "bits = 16"), 'texture = "t"'),
     "stipple": ("", "opacity = 7"),
     "blend": ("", "blend = true"),
+    "added": ("", 'blend = "add"'),
     "lit flat": (LIGHT, ""),
     "lit smooth": (LIGHT, "smooth = true"),
     "fog": (LIGHT + "fog = { near = 2, far = 14 }\n", ""),
@@ -94,15 +98,24 @@ ATTRIBUTES = {
     "outlines": ("", ""),
 }
 
+# What only frames of RGB565 show, and how the tool calls it.
+OF_RGB565 = {"texture of RGB565": "texels of RGB565", "texture of RGB565 with holes": "texels of RGB565", "added": 'blend = "add"'}
+
 # How a frame is delivered: options of build/host/frames. The pixels are those of the whole frame.
 DELIVERIES = {"bands": ("--rows", "7"), "spilled list": ("--rows", "7", "--list", "60"), "two cores": ("--rows", "7", "--cores", "2"),
               "two cores, spilled list": ("--rows", "7", "--cores", "2", "--list", "60")}
 OVERLAY = ("--border", BORDER, "--rows", "7")
 
 
-def is_refused(order, bits, name):
-    """The outlines of docs/extras/combinations.md, section 2: the scene's subject moves, and a tree would cut it."""
-    return name == "outlines" and (bits > 0 or order == "tree")
+def is_refused(order, target, name):
+    """docs/extras/combinations.md, section 2, says so by FXL_E_COMBINATION. Of the outlines: the scene's subject moves, and a tree
+    would cut it."""
+    return name == "outlines" and (TARGETS[target][1] > 0 or order == "tree")
+
+
+def is_of_rgb565(target, name):
+    """Whether frames of a palette cannot show an attribute: no image of such a scene is made."""
+    return TARGETS[target][0] == "palette" and name in OF_RGB565
 
 
 def image_of(folder, order, target, name, tables, subject):
@@ -171,7 +184,7 @@ class Cell:
     """A cell of the table. per_cent: of the frames, that the attribute changes, or None where it is refused; crcs: of the pixels of
     the whole frames and of those with an overlay; refusal: what the library says instead."""
     per_cent: int | None
-    image: bytes
+    image: bytes        # none where the tool makes none
     has_outlines: bool
     crcs: tuple = ()
     refusal: str = ""
@@ -221,7 +234,11 @@ def cells_of(build, folder):
         plain = shown(frames_of(build, build_image(folder, order, target, "")))
         empty = numpy.broadcast_to(background_of(TARGETS[target][0]), plain.shape)
         for name in ATTRIBUTES:
-            if is_refused(order, TARGETS[target][1], name):
+            if is_of_rgb565(target, name):
+                with pytest.raises(ToolError, match=f"frames of a palette cannot show .*{OF_RGB565[name]}"):
+                    build_image(folder, order, target, name)
+                found[order, target, name] = Cell(None, b"", False)
+            elif is_refused(order, target, name):
                 scene = build_image(folder, order, target, name)
                 done = run(build, "frames", scene, folder / "none.fxld", "--outlines", LINE)
                 assert done.returncode == 2 and "do not go together" in done.stderr, (order, target, name)
@@ -244,7 +261,7 @@ def fixture_cells(build, tmp_path_factory):
 
 def test_each_attribute_changes_the_frame(cells):
     assert {key: cell.per_cent for key, cell in cells.items() if cell.per_cent is not None and cell.per_cent < LEAST} == {}
-    assert sum(cell.per_cent is None for cell in cells.values()) == 6
+    assert sum(cell.per_cent is None for cell in cells.values()) == 6 + 4 * len(OF_RGB565)
 
 
 def test_the_page_has_the_table(cells):
@@ -265,7 +282,7 @@ def words_of(options):
 def list_of(cells):
     """The list of scenes for that program, and the lines that it is to print."""
     words, lines = b"", []
-    for cell in cells.values():
+    for cell in (cell for cell in cells.values() if cell.image):
         ways = [(), *DELIVERIES.values(), OVERLAY] if cell.crcs else [()]
         numbers = [len(cell.image), LINE + 1 if cell.has_outlines else 0, len(ways), *(word for way in ways for word in words_of(way))]
         words += struct.pack(f"<{len(numbers)}I", *numbers) + cell.image + bytes(-len(cell.image) % 4)
@@ -286,7 +303,9 @@ def test_each_core_draws_the_cells_of_the_host(cells, program, tmp_path):
 
 
 # Where something is blended over a line, the reference, which draws no lines, cannot say what the pixel shows.
-NOT_JUDGED = ("blend", "outlines")
+NOT_JUDGED = {("blend", "outlines"), ("added", "outlines")}
+# Beams go neither with outlines nor with texels of RGB565, and a face is either blended or added.
+NOT_DRAWN = {("beams", "outlines"), ("texture of RGB565", "beams"), ("texture of RGB565 with holes", "beams"), ("blend", "added")}
 
 
 def extra_of(*names):
@@ -297,14 +316,15 @@ def extra_of(*names):
 def is_pair(first, second):
     """Whether a scene may have both attributes, and the reference can say what they show. Smooth light and fog have flat light."""
     is_part = all(mine in other for mine, other in zip(ATTRIBUTES[first], ATTRIBUTES[second]))
-    return not is_part and not second.startswith("texture") and (first, second) not in {("beams", "outlines"), NOT_JUDGED}
+    return not is_part and not second.startswith("texture") and (first, second) not in NOT_DRAWN | NOT_JUDGED
 
 
 def pairs():
     """(order, target, first, second) of all pairs of attributes that an object may have."""
     for first, second in itertools.combinations([name for name in ATTRIBUTES if name != "flat"], 2):
         if is_pair(first, second):
-            yield from ((order, target, first, second) for order, target in WAYS if not is_refused(order, TARGETS[target][1], second))
+            yield from ((order, target, first, second) for order, target in WAYS
+                        if not is_refused(order, target, second) and not any(is_of_rgb565(target, name) for name in (first, second)))
 
 
 def test_pairs_of_attributes_are_those_of_the_reference(build, tmp_path):

@@ -11,7 +11,8 @@ from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
 
-SCENES = ("gallery", "room", "car", "grove")    # textures, levels and smooth light; holes; blended glass; billboards
+# Textures, levels and smooth light; holes; blended glass; billboards; texels of RGB565, some added to what is beneath.
+SCENES = (*(f"scenes/{name}" for name in ("gallery", "room", "car", "grove")), "host_tests/fuzz/scenes/texels")
 METHODS = ((), ("--hidden", "depth"), ("--hidden", "depth-32"))
 BLENDED = """
 [screen]
@@ -44,9 +45,9 @@ orbit = { centre = [0, 0, 0], radius = 6, height = 2, frames = 6 }
 
 
 @pytest.mark.parametrize("method", METHODS, ids=lambda words: words[-1] if words else "by-distance")
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", SCENES, ids=lambda name: name.split("/")[-1])
 def test_each_pixel_is_explained(build, tmp_path, name, method):
-    image_file = built(CHECKOUT / "scenes" / f"{name}.toml", tmp_path)
+    image_file = built(CHECKOUT / f"{name}.toml", tmp_path)
     shown = drawn(build, image_file, "shown", "--pixels", "rgb565", "--frames", "3", *method)
     verdict = judged(build, image_file, shown, *method)
     assert verdict["pixels_unexplained"] == 0

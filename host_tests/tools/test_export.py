@@ -30,6 +30,7 @@ SCENES = {"cube": (CUBE, None), "plaza": (ROOT / "scenes" / "plaza.toml", None),
           "light": (ROOT / "host_tests" / "fuzz" / "scenes" / "light.toml", None),
           "sun": (ROOT / "host_tests" / "tools" / "sun.toml", None),
           "surfaces": (ROOT / "host_tests" / "tools" / "surfaces.toml", None),
+          "texels": (ROOT / "host_tests" / "fuzz" / "scenes" / "texels.toml", None),
           "billboards": (ROOT / "host_tests" / "fuzz" / "scenes" / "billboards.toml", None)}
 
 
@@ -123,7 +124,7 @@ int main(int argc, char **argv)
     fxl_surface_set set_of_image;
     const fxl_surface_set *ours = &OF(_surfaces), *theirs = &set_of_image;
     if (fxl_surfaces_open(&image, textures, 64, &set_of_image, NULL) != FXL_OK) { return 12; }
-    if (fxl_surfaces_check(ours, scene, 8, NULL) != FXL_OK) { return 13; }
+    if (fxl_surfaces_check(ours, scene, image.pixel_bits, NULL) != FXL_OK) { return 13; }
     if (ours->texture_count != theirs->texture_count || ours->surface_count != theirs->surface_count ||
         ours->face_count != theirs->face_count || ours->normal_count != theirs->normal_count ||
         ours->blend_first != theirs->blend_first || ours->blend_count != theirs->blend_count) { return 14; }
@@ -133,7 +134,7 @@ int main(int argc, char **argv)
     if (ours->blend_count > 0) { compare("blend", ours->blend, theirs->blend, 256 * ours->blend_count); }
     for (uint32_t i = 0; i < ours->texture_count; i++) {
         fxl_texture one = ours->textures[i], other = theirs->textures[i];
-        compare("texels", one.texels, other.texels, (size_t)1 << (one.log_width + one.log_height) >> (one.format == FXL_TEXTURE_4));
+        compare("texels", one.texels, other.texels, (size_t)1 << (one.log_width + one.log_height + (one.format == FXL_TEXTURE_565)) >> (one.format == FXL_TEXTURE_4));
         if (one.colours != NULL) { compare("colours", one.colours, other.colours, 16); }
         one.texels = other.texels;
         one.colours = other.colours;
@@ -184,7 +185,8 @@ int main(int argc, char **argv)
 
 def looks_of(scene):
     """What its programs are told of a scene's faces."""
-    return (["-DSURFACES"] if scene.surfaces else []) + (["-DBILLBOARDS"] if scene.billboards else [])
+    return (["-DSURFACES"] if scene.surfaces else []) + (["-DBILLBOARDS"] if scene.billboards else []) + \
+        [f"-DTARGET={'fxl_rgb565' if scene.pixel_bits == 16 else 'fxl_palette'}"]
 
 
 def test_a_header_holds_what_the_image_holds(exported):
@@ -275,7 +277,11 @@ static fxl_renderer renderer;
 static uint64_t memory[MEMORY];
 static fxl_status init(size_t units)
 {
-    return fxl_renderer_init(&renderer, &OF(_scene), &OF(_config), memory, units * sizeof memory[0]);
+    static const uint16_t palette[256];
+    fxl_config config = OF(_config);
+    config.target = &TARGET;
+    config.palette = palette;
+    return fxl_renderer_init(&renderer, &OF(_scene), &config, memory, units * sizeof memory[0]);
 }
 int main(void)
 {
@@ -290,11 +296,11 @@ int main(void)
     }
 #ifdef SURFACES
     static fxl_surfaces surfaces;
-    if (fxl_attach_surfaces(&renderer, &surfaces, &OF(_surfaces), FXL_SURFACES_OF(fxl_palette)) != FXL_OK) { return 6; }
+    if (fxl_attach_surfaces(&renderer, &surfaces, &OF(_surfaces), &JOIN(TARGET, _surfaces)) != FXL_OK) { return 6; }
 #endif
 #ifdef BILLBOARDS
     static fxl_billboards billboards;
-    if (fxl_attach_billboards(&renderer, &billboards, &OF(_billboards), FXL_SPRITES_OF(fxl_palette)) != FXL_OK) { return 7; }
+    if (fxl_attach_billboards(&renderer, &billboards, &OF(_billboards), &JOIN(TARGET, _sprites)) != FXL_OK) { return 7; }
 #endif
 #ifdef PATH
     unsigned most = 0;

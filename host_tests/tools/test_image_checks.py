@@ -70,6 +70,36 @@ def test_texels_and_colours_end_with_their_table():
     refuses("reserved", image_surface.read, surfaces(textures=[(0, 1, 1, 1, BITS_8, 0, 0, 1, 0)]), 0, MODELS)
 
 
+def test_texels_of_rgb565_are_for_an_image_of_rgb565():
+    """A key of their own, an even place, two bytes a texel."""
+    def wide(place, key=0, bits=16):
+        found = surfaces(textures=[(place, 0, 1, 1, image_surface.RGB565, image_surface.KEYED, key, 1, 0xFEDC)], texels=bytes(range(11)))
+        return image_surface.read, found, 0, MODELS, bits
+
+    read, *arguments = wide(2)
+    texture = read(*arguments).textures[0]
+    assert bytes(texture.texels) == bytes(range(2, 10)) and texture.key_565 == 0xFEDC
+    refuses("offset", *wide(4))
+    refuses("alignment", *wide(1))
+    refuses("reserved", *wide(2, key=1))
+    refuses("reserved", *wide(2, bits=8))
+    refuses("reserved", image_surface.read, surfaces(textures=[(0, 0, 1, 1, BITS_8, 0, 0, 1, 1)]), 0, MODELS)
+
+
+def test_colours_are_added_in_an_image_of_rgb565():
+    def looks(flags, bits):
+        return image_surface.read, surfaces(surfaces=[(0, 0, flags, 16, 0, 0, 0)]), 0, MODELS, bits
+
+    added, blended = image_surface.ADDED, image_surface.BLENDED
+    for flags in (added, added | image_surface.LIT, blended):   # which needs no table
+        read, *arguments = looks(flags, 16)
+        assert read(*arguments).surfaces[0].flags == flags
+    refuses("reserved", *looks(added, 8))
+    refuses("argument", *looks(blended, 8))
+    refuses("reserved", *looks(added | blended, 16))
+    refuses("reserved", *looks(8, 16))
+
+
 def test_a_blend_table_ends_with_the_palette():
     rows = [bytes(256)] * 6
     made = image_surface.read(surfaces(**{"blend table": rows}), 250, MODELS)

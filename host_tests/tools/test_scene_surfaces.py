@@ -333,6 +333,54 @@ def test_a_blend_table_has_the_nearest_entries(tmp_path):
         assert beneath == made.blend_first == shown or distances[shown] == min(distances)
 
 
+WIDE = '[view]\npixels = "rgb565"\n'
+
+
+def value_of(red, green, blue):
+    """Of docs/extras/pixels.md, section 1."""
+    return red // 8 << 11 | green // 4 << 5 | blue // 8
+
+
+def test_texels_of_rgb565_keep_every_colour(tmp_path):
+    """The palette has none of them; what is clear has a colour that no texel has."""
+    noise = np.random.default_rng(5).integers(0, 256, (32, 64, 4), dtype=np.uint8)
+    noise[..., 3] = 255
+    noise[3, 5] = noise[0, 0] = (0, 0, 0, 0)
+    noise[0, 1] = (0, 3, 1, 255)        # black: the first colour is taken
+    Image.fromarray(noise).save(tmp_path / "noise.png")
+    scene = build(tmp_path, WIDE + '[[textures]]\nname = "t"\nfile = "noise.png"\nbits = 16\nlevels = 2\n' + TILE +
+                  "shade = false\nopacity = 9\nblend = true\n")
+    [made] = scene.surfaces.textures
+    texels = np.frombuffer(made.texels, dtype="<u2").tolist()
+    pixels = noise.reshape(-1, 4).tolist()
+    assert texels[:64 * 32] == [value_of(*pixel[:3]) if pixel[3] else made.key_565 for pixel in pixels]
+    assert len(texels) == 64 * 32 + 32 * 16
+    assert made.key_565 > 0 and texels.count(made.key_565) == 2
+    assert (made.format, made.flags, made.key, made.levels) == (image_surface.RGB565, image_surface.KEYED, 0, 2)
+    assert scene.surfaces.blend == [] and {tuple(entry) for entry in scene.palette[2:]} == {(0, 0, 0)}    # the mean alone
+
+
+def test_the_tools_light_shades_texels_of_rgb565(tmp_path):
+    scene = build(tmp_path, WIDE + TEXTURE + "bits = 16\n" + BOX)
+    assert len({one.texels for one in scene.surfaces.textures}) == 6
+
+
+def test_holes_find_no_colour_where_all_are_taken():
+    with pytest.raises(ToolError, match="holes need one"):
+        image_surface.free_key([*range(1 << 16), None])
+    assert image_surface.free_key([None, *range(0xFFFF)]) == 0xFFFF
+
+
+def test_blend_says_whether_colours_are_mixed_or_added(tmp_path):
+    for value, flags in (("true", image_surface.BLENDED), ("false", 0), ('"add"', image_surface.ADDED)):
+        scene = build(tmp_path, WIDE + TEXTURE + TILE + f"blend = {value}\n")
+        assert {one.flags for one in scene.surfaces.surfaces} == {flags}
+        assert bool(scene.surfaces.blend) == (flags == image_surface.BLENDED)
+        assert [one.sixteenths for one in scene.surfaces.surfaces] == [8 if flags == image_surface.BLENDED else 0]
+    scene = build(tmp_path, WIDE + '[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\nblend = "add"\n')
+    assert {one.flags for one in scene.surfaces.surfaces} == {image_surface.ADDED}
+
+
 def test_the_faces_of_a_tree_keep_their_surfaces(tmp_path):
     done = run_cli("build", "scenes/room.toml", "-o", tmp_path / "room.fxls", "--tree", "all")
     assert done.returncode == 0 and "surfaces" not in done.stderr
@@ -358,7 +406,8 @@ def test_what_is_wrong_is_named(tmp_path):
             (own + 'pattern = "checker"\nsize = [16, 12]\n', ["size[1]", "12", "power of two"]),
             (own + 'pattern = "checker"\nsize = [512, 1]\n', ["size[0]", "512"]),
             (own + 'pattern = "checker"\ncolours = ["red"]\n', ["1 colours", "2"]),
-            (own + 'pattern = "checker"\nbits = 5\n', ["bits", "5"]),
+            (own + 'pattern = "checker"\nbits = 5\n', ["bits: 4, 8 or 16, found 5"]),
+            (own + 'file = "odd.png"\nbits = 16\nmost_colours = 9\n', ["most_colours", "RGB565 keep every colour"]),
             (own + 'pattern = "checker"\nsize = [1, 8]\nbits = 4\n', ["at least 2 wide"]),
             (own + 'pattern = "checker"\nmost_colours = 5\n', ["most_colours", "belongs to a file"]),
             (own + 'pattern = "checker"\nlevels = 10\n', ["levels = 10"]),
@@ -380,6 +429,8 @@ def test_what_is_wrong_of_an_object_is_named(tmp_path):
             ('textures = ["t"]\n', ["both texture and textures"]),
             ("division = 4\n", ["division", "4", '"affine"']),
             ("opacity = 0\n", ["opacity = 0", "1..16"]),
+            ('blend = "mix"\n', ["blend", 'expected true, false or "add", found "mix"']),
+            ("blend = 1\n", ["blend", 'expected true, false or "add", found 1']),
             ("tiles = [1]\n", ["tiles", "[across, down]"]),
             ("tiles = [1, 0]\n", ["tiles"]),
             ("tiles = [1, 1]\ntexels_per_unit = 2\n", ["both texels_per_unit and tiles"]),

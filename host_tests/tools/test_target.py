@@ -9,7 +9,7 @@ from conftest import CHECKOUT, assert_one_sentence, run_cli, run_make
 from fixel.base.errors import ToolError
 from fixel.board import dump, methods
 from fixel.image import image
-from fixel.scene import making
+from fixel.scene import making, scene_image
 from fixel.scene.target import Target
 
 TINY, KNOT = CHECKOUT / "scenes/tiny.toml", CHECKOUT / "scenes/knot.toml"
@@ -132,6 +132,43 @@ def test_the_tools_refuse_the_same(tmp_path, words, sentence):
 def test_a_depth_buffer_is_refused_beside_the_order_by_tree(tmp_path, asked, sentence):
     with pytest.raises(ToolError, match=sentence):
         built(tmp_path, KNOT, asked)
+
+
+TEXELS = CHECKOUT / "host_tests/fuzz/scenes/texels.toml"
+ADDED = 'view = { %s }\n[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\nblend = "add"\n'
+
+
+def test_frames_of_a_palette_cannot_show_texels_of_rgb565(tmp_path):
+    """One sentence names both, and the way out; so it does of an image that is built already."""
+    way_out = "leave PIXELS= out, or give PIXELS=rgb565 or bits = 8 in the texture$"
+    for scene, name in ((TEXELS, '"stones"'), (built(tmp_path, TEXELS), "0")):
+        with pytest.raises(ToolError, match=f"PIXELS=palette: frames of a palette cannot show texels of RGB565 .texture {name}., "
+                                            f"which .* has: {way_out}"):
+            scene_image.make_scene_image(scene, tmp_path, None, asked=Target("palette"))
+    plain = tmp_path / "plain.toml"
+    plain.write_text(TEXELS.read_text(encoding="utf-8").replace('pixels = "rgb565", ', ""), encoding="utf-8")
+    with pytest.raises(ToolError, match='plain.toml: frames of a palette cannot show texels .*: give pixels = "rgb565" under .view., or bits = 8'):
+        built(tmp_path, plain)
+    assert asked_of(image.load(built(tmp_path, plain, Target("rgb565", depth="32")))) == (16, 32, False)
+
+
+def test_frames_of_a_palette_cannot_add_colours(tmp_path):
+    scene = tmp_path / "added.toml"
+    scene.write_text(ADDED % "", encoding="utf-8")
+    with pytest.raises(ToolError, match='frames of a palette cannot show faces with blend = "add": give pixels = "rgb565" under .view., or blend'):
+        built(tmp_path, scene)
+    scene.write_text(ADDED % 'pixels = "rgb565"', encoding="utf-8")
+    assert asked_of(image.load(built(tmp_path, scene))) == (16, 0, False)
+    with pytest.raises(ToolError, match='PIXELS=palette: .* blend = "add", which .* has: leave PIXELS= out, or give PIXELS=rgb565 or blend = true'):
+        built(tmp_path, scene, Target("palette"))
+
+
+def test_beams_cannot_light_texels_of_rgb565(tmp_path):
+    scene = tmp_path / "lit.toml"
+    scene.write_text(TEXELS.read_text(encoding="utf-8").replace("[palette]", "[[beams]]\ndirection = [0, -1, 0]\nwindow = [[0, 2, 2], "
+                                                                "[0, 2, 4], [2, 2, 4]]\n[palette]"), encoding="utf-8")
+    with pytest.raises(ToolError, match='lit.toml: beams cannot light texels of RGB565 .texture "stones".: leave the beams out, or give bits = 8'):
+        built(tmp_path, scene)
 
 
 def test_the_order_by_tree_is_refused_beside_a_depth_buffer(tmp_path):

@@ -261,6 +261,55 @@ void test_what_a_texture_says_is_checked(void)
     }
 }
 
+/* The image asks for RGB565, or for a palette; its first texture has texels of RGB565, which begin
+ * at a place. */
+static void expect_565(fxl_status status, uint8_t target, uint32_t place, uint8_t key)
+{
+    tiny_image *image = make();
+    fxl_scene_texture record = records[0];
+    record.texels = place;
+    record.format = FXL_TEXTURE_565;
+    record.key = key;
+    record.key_565 = 0x4321;
+    memcpy(tiny_entry(image, AT_TEXTURES, 0, sizeof record), &record, sizeof record);
+    *tiny_at(image, AT_TARGET) = target;
+    expect_surfaces(status, status == FXL_OK ? "nothing" : "texture", image);
+}
+
+/* 4 x 2 and 2 x 1 texels take 20 bytes. */
+void test_an_image_that_asks_for_rgb565_may_have_its_texels(void)
+{
+    expect_565(FXL_OK, 4, TEXELS - 20, 0);
+    TEST_ASSERT_EQUAL_UINT8(FXL_TEXTURE_565, textures[0].format);
+    TEST_ASSERT_EQUAL_UINT16(0x4321, textures[0].key_565);
+    expect_565(FXL_OK, 6, 0, 0);
+    expect_565(FXL_E_RESERVED, 0, 0, 0);
+    expect_565(FXL_E_RESERVED, 4, 0, 1);
+    expect_565(FXL_E_ALIGNMENT, 4, 1, 0);
+    expect_565(FXL_E_OFFSET, 4, TEXELS - 18, 0);
+}
+
+/* A blended one needs no table there. */
+void test_an_image_that_asks_for_rgb565_may_add_colours(void)
+{
+    for (uint8_t target = 0; target <= 4; target += 4) {
+        tiny_image *image = make();
+        *tiny_at(image, AT_TARGET) = target;
+        tiny_entry(image, AT_SURFACES, 0, 8)[3] = FXL_SURFACE_ADD;
+        expect_surfaces(target == 4 ? FXL_OK : FXL_E_RESERVED, target == 4 ? "nothing" : "surface",
+                        image);
+    }
+    tiny_image *image = make();
+    *tiny_at(image, AT_TARGET) = 4;
+    tiny_entry(image, AT_SURFACES, 0, 8)[3] = FXL_SURFACE_ADD | FXL_SURFACE_BLEND;
+    expect_surfaces(FXL_E_RESERVED, "surface", image);
+    image = make();
+    *tiny_at(image, AT_TARGET) = 4;
+    tiny_set_section(image, SECTION_BLEND_TABLE, NULL, 0, 0);
+    tiny_put32(tiny_at(image, AT_BLEND_FIRST), 0);
+    expect_surfaces(FXL_OK, "nothing", image);
+}
+
 void test_the_rest_is_checked(void)
 {
     tiny_image *image = make();

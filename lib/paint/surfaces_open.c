@@ -15,16 +15,16 @@ static uint32_t level_side(uint32_t log_side, uint32_t level, uint32_t log_least
     return 1u << (log_side > level + log_least ? log_side - level : log_least);
 }
 
-/* Bytes of the texels of all levels: at most 9 times 2^16. */
+/* Bytes of the texels of all levels: at most 9 times 2^17. */
 static uint32_t texel_bytes(const fxl_scene_texture *texture)
 {
     const bool is_4 = texture->format == FXL_TEXTURE_4;
-    uint32_t bytes = 0;
+    uint32_t texels = 0;
     for (uint32_t i = 0; i < texture->levels; i++) {
-        bytes += level_side(texture->log_width, i, is_4 ? 1 : 0) *
-                 level_side(texture->log_height, i, 0) / (is_4 ? 2 : 1);
+        texels +=
+            level_side(texture->log_width, i, is_4 ? 1 : 0) * level_side(texture->log_height, i, 0);
     }
-    return bytes;
+    return texture->format == FXL_TEXTURE_565 ? 2 * texels : texels >> is_4;
 }
 
 static bool lies_in(uint32_t place, uint32_t bytes, uint32_t size)
@@ -59,7 +59,7 @@ static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, f
     to->flags = from->flags;
     to->key = from->key;
     to->levels = from->levels;
-    to->key_565 = from->reserved; /* 0, or it is refused */
+    to->key_565 = from->key_565;
 }
 
 fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
@@ -97,7 +97,7 @@ fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures
     found.blend = from->blend;
     found.blend_first = from->blend_first;
     found.blend_count = from->blend_count;
-    const fxl_status status = fxl_surfaces_check(&found, &image->scene, 8, fault);
+    const fxl_status status = fxl_surfaces_check(&found, &image->scene, image->pixel_bits, fault);
     if (status == FXL_OK) {
         *set = found;
     }

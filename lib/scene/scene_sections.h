@@ -199,7 +199,7 @@ FXL_STATIC_ASSERT(offsetof(fxl_scene_texture, log_width) == 8, FXL_AS_DOCUMENTED
 FXL_STATIC_ASSERT(offsetof(fxl_scene_texture, format) == 10, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_scene_texture, flags) == 11, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_scene_texture, key) == 12, FXL_AS_DOCUMENTED);
-FXL_STATIC_ASSERT(offsetof(fxl_scene_texture, reserved) == 14, FXL_AS_DOCUMENTED);
+FXL_STATIC_ASSERT(offsetof(fxl_scene_texture, key_565) == 14, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_direction) == 12, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(offsetof(fxl_direction, x) == 0, FXL_AS_DOCUMENTED);
 FXL_STATIC_ASSERT(sizeof(fxl_scene_billboard) == 32, FXL_AS_DOCUMENTED);

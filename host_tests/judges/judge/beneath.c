@@ -6,6 +6,35 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Ends the program: a pixel is beyond what the judge has room for. */
+static void give_up(const char *why)
+{
+    fprintf(stderr, "error: %s\n", why);
+    exit(2);
+}
+
+/* --- what a polygon shows ------------------------------------------------------------------- */
+
+void judge_showing_begin(judge_showing *found)
+{
+    found->clear = false;
+    found->part[0] = found->part[1] = 1;
+    found->count = 0;
+}
+
+void judge_showing_add(judge_showing *found, uint16_t colour)
+{
+    for (int i = 0; i < found->count; i++) {
+        if (found->colours[i] == colour) {
+            return;
+        }
+    }
+    if (found->count == JUDGE_COLOURS_MAX) {
+        give_up("a surface may show so many colours at one pixel that the judge has no room");
+    }
+    found->colours[found->count++] = colour;
+}
+
 /* --- ranges of RGB565 ----------------------------------------------------------------------- */
 
 static judge_range range_of_colour(uint16_t colour)
@@ -18,9 +47,8 @@ static judge_range range_of_colour(uint16_t colour)
 }
 
 /* What a texel, or a face's own colour, may become in the light that was found. */
-static judge_range range_shown(const judge_beneath *of, const judge_showing *found, int entry)
+static judge_range range_shown(const judge_beneath *of, const judge_showing *found, uint16_t colour)
 {
-    const uint16_t colour = of->rgb565->palette[entry];
     judge_range range = {.cost = 0};
     for (int i = 0; i < REF_CHANNELS; i++) {
         const double one = ref_rgb565_lit(of->rgb565, colour, i, found->part[0]);
@@ -64,6 +92,22 @@ static bool find_beneath(const judge_range *mixed, const judge_range *colour, in
     return found;
 }
 
+/* What is beneath a colour where the sum of both, at most the most of a channel, is within a range.
+ * False: nothing. */
+static bool find_added_to(const judge_range *sum, const judge_range *colour, judge_range *beneath)
+{
+    bool found = true;
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        const int most = ref_channel_most(i);
+        const int low = sum->low[i] - colour->high[i];
+        const int high = sum->high[i] >= most ? most : sum->high[i] - colour->low[i];
+        beneath->low[i] = low > 0 ? low : 0;
+        beneath->high[i] = high;
+        found = found && beneath->low[i] <= high;
+    }
+    return found;
+}
+
 /* Adds a range; a range that is there already keeps the smaller cost. */
 static void add_range(judge_beneath *to, const judge_range *range)
 {
@@ -76,8 +120,7 @@ static void add_range(judge_beneath *to, const judge_range *range)
         }
     }
     if (to->count == JUDGE_RANGES_MAX) {
-        fputs("error: so many surfaces are blended at one pixel that the judge has no room\n", stderr);
-        exit(2);
+        give_up("so many surfaces are blended at one pixel that the judge has no room");
     }
     to->ranges[to->count++] = *range;
 }
@@ -89,16 +132,17 @@ static void blend_ranges(judge_beneath *of, const ref_surface_view *look,
     const size_t size = (size_t)count * sizeof(judge_range);
     judge_range *before = malloc(size > 0 ? size : 1);
     if (!before) {
-        fputs("error: there is not enough memory\n", stderr);
-        exit(2);
+        give_up("there is not enough memory");
     }
     memcpy(before, of->ranges, size);
     judge_beneath_leave_out(of, made.out);
-    for (int c = 0; c < 256 && made.in <= 1; c++) {
-        const judge_range colour = found->colours[c] ? range_shown(of, found, c) : *before;
-        for (int i = 0; i < count && found->colours[c]; i++) {
+    for (int c = 0; c < found->count && made.in <= 1; c++) {
+        const judge_range colour = range_shown(of, found, found->colours[c]);
+        for (int i = 0; i < count; i++) {
             judge_range beneath = {.cost = fmax(before[i].cost, made.in)};
-            if (find_beneath(&before[i], &colour, look->surface->sixteenths, &beneath)) {
+            if (look->surface->adds
+                    ? find_added_to(&before[i], &colour, &beneath)
+                    : find_beneath(&before[i], &colour, look->surface->sixteenths, &beneath)) {
                 add_range(of, &beneath);
             }
         }
@@ -127,9 +171,10 @@ static void blend_colours(judge_beneath *of, const ref_surface_view *look,
     double before[256];
     memcpy(before, of->costs, sizeof before);
     judge_beneath_leave_out(of, made.out);
-    for (int c = 0; c < 256 && isfinite(made.in); c++) {
-        for (int beneath = 0; beneath < 256 && found->colours[c]; beneath++) {
-            const uint8_t mixed = ref_surface_over(look, (uint8_t)c, (uint8_t)beneath);
+    for (int c = 0; c < found->count && isfinite(made.in); c++) {
+        for (int beneath = 0; beneath < 256; beneath++) {
+            const uint8_t mixed =
+                ref_surface_over(look, (uint8_t)found->colours[c], (uint8_t)beneath);
             of->costs[beneath] = fmin(of->costs[beneath], fmax(before[mixed], made.in));
         }
     }
@@ -173,12 +218,12 @@ void judge_beneath_blend(judge_beneath *of, const ref_surface_view *look,
 double judge_beneath_shown(const judge_beneath *of, const judge_showing *found)
 {
     double least = INFINITY;
-    for (int c = 0; c < 256; c++) {
-        if (found->colours[c] && of->rgb565) {
-            const judge_range range = range_shown(of, found, c);
+    for (int c = 0; c < found->count; c++) {
+        if (of->rgb565) {
+            const judge_range range = range_shown(of, found, found->colours[c]);
             least = fmin(least, least_within(of, &range));
-        } else if (found->colours[c]) {
-            least = fmin(least, of->costs[c]);
+        } else {
+            least = fmin(least, of->costs[found->colours[c]]);
         }
     }
     return least;

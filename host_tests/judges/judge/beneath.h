@@ -8,16 +8,25 @@
 #include "reference/render.h"
 
 enum {
-    JUDGE_RANGES_MAX = 4096
+    JUDGE_RANGES_MAX = 4096,
+    JUDGE_COLOURS_MAX = 256 /* that one polygon may show at a pixel */
 };
 
 /* The colours that a polygon may show at a pixel that it covers, and whether it may be clear there.
- * In a palette they are lit; in RGB565 they are those of texels, and light leaves a part of them
- * from part[0] to part[1]. */
+ * In a palette they are entries, and lit; in RGB565 they are those of texels, and light leaves a
+ * part of them from part[0] to part[1]. */
 typedef struct {
-    bool colours[256], clear;
+    bool clear;
     double part[2];
+    int count;
+    uint16_t colours[JUDGE_COLOURS_MAX];
 } judge_showing;
+
+/* No colour, and all of it is left. */
+void judge_showing_begin(judge_showing *found);
+
+/* Adds a colour, once. */
+void judge_showing_add(judge_showing *found, uint16_t colour);
 
 /* What a choice costs: to show a polygon, to leave it out. */
 typedef struct {

@@ -79,10 +79,10 @@ static void add_texel(const ref_surface_view *look, const ref_place *place, doub
     if (texel == REF_CLEAR) {
         found->clear = true;
     } else if (look->rgb565) {
-        found->colours[ref_surface_entry(look, (uint8_t)texel)] = true; /* find_parts has the light */
+        judge_showing_add(found, ref_surface_full(look, texel)); /* find_parts has the light */
     } else {
         for (int64_t i = down(level - slack); i <= down(level + slack); i++) {
-            found->colours[ref_surface_lit(look, i, (uint8_t)texel)] = true;
+            judge_showing_add(found, ref_surface_lit(look, i, (uint8_t)texel));
         }
     }
 }
@@ -115,10 +115,11 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
 {
     const ref_surface_view *look = &drawn->look;
     ref_place place;
-    *found = (judge_showing){.part = {1, 1}};
+    judge_showing_begin(found);
     if (!look->surface) {
         const double brightness = 1 - drawn->shade;
-        found->colours[drawn->polygon.colour] = true;
+        judge_showing_add(found, question->rgb565 ? question->rgb565->palette[drawn->polygon.colour]
+                                                  : drawn->polygon.colour);
         found->part[0] = ref_rgb565_flat_part(fmax(brightness - REF_BRIGHTNESS_BOUND, 0));
         found->part[1] = ref_rgb565_flat_part(fmin(brightness + REF_BRIGHTNESS_BOUND, 1));
     } else if (!ref_stipple_draws(look->surface->opacity, question->x, question->y) ||
@@ -137,7 +138,7 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
 static double add_polygon(const ref_surface_view *look, const judge_showing *found,
                           judge_choice made, judge_beneath *beneath)
 {
-    if (look->surface && look->surface->blends) {
+    if (look->surface && ref_surface_mixes(look->surface)) {
         judge_beneath_blend(beneath, look, found, made);
         return INFINITY;
     }

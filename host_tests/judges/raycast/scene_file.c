@@ -79,8 +79,8 @@ static bool lets_through(const reader *r, uint64_t face)
     const uint8_t *mapped = entry_of(r, r->mapped, number - 1, MAPPED_FACE, "mapped face");
     const uint8_t *surface = entry_of(r, r->surfaces, get_u16(mapped), SURFACE, "surface");
     const uint32_t texture = get_u16(surface);
-    const bool is_blended = surface[3] & 2, has_pattern = surface[4] < OPAQUE;
-    return is_blended || has_pattern ||
+    const bool is_mixed = surface[3] & (2 | 4), has_pattern = surface[4] < OPAQUE;
+    return is_mixed || has_pattern ||
            (texture > 0 && entry_of(r, r->textures, texture - 1, TEXTURE, "texture")[11] & 2);
 }
 

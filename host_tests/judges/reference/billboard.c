@@ -51,7 +51,7 @@ static bool read_sprite(const sprite_source *from, ref_texture *texture)
     const size_t count = (size_t)from->width * (size_t)from->height;
     int *values = malloc((count + 1) * sizeof *values);
     bool used[256] = {false};
-    level->colours = malloc(count + 1);
+    level->colours = malloc((count + 1) * sizeof *level->colours);
     level->width = from->width;
     level->height = from->height;
     for (size_t i = 0; values && level->colours && i < count; i++) {

@@ -13,7 +13,7 @@ uint16_t ref_pixel_of(const ref_renderer *renderer, uint8_t colour)
 bool ref_lets_through(const ref_drawn *drawn)
 {
     const ref_surface *surface = drawn->look.surface;
-    return surface && (surface->blends || surface->opacity < REF_OPAQUE ||
+    return surface && (ref_surface_mixes(surface) || surface->opacity < REF_OPAQUE ||
                        (drawn->look.texture && drawn->look.texture->is_keyed));
 }
 
@@ -98,7 +98,7 @@ static void draw_near_span(const ref_renderer *renderer, const ref_drawn *drawn,
 
 bool ref_is_blended(const ref_drawn *drawn)
 {
-    return drawn->look.surface && drawn->look.surface->blends;
+    return drawn->look.surface && ref_surface_mixes(drawn->look.surface);
 }
 
 static void draw_polygon(const ref_renderer *renderer, const ref_drawn *drawn, const ref_band *band)

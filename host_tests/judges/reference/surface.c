@@ -270,7 +270,7 @@ int ref_surface_texel(const ref_surface_view *view, int64_t column, int64_t row)
     const ref_texture_level *level = view->level;
     const int64_t x = within(column, level->width, texture->clamps);
     const int64_t y = within(row, level->height, texture->clamps);
-    const uint8_t colour = level->colours[y * level->width + x];
+    const uint16_t colour = level->colours[y * level->width + x];
     return texture->is_keyed && colour == texture->key ? REF_CLEAR : colour;
 }
 
@@ -287,16 +287,28 @@ bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, do
     return true;
 }
 
-uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
-{
-    return ref_surface_entry(
-        view,
-        view->light ? view->light->ramp[within(level, view->light->levels, true)][colour] : colour);
-}
-
-uint8_t ref_surface_entry(const ref_surface_view *view, uint8_t colour)
+static uint8_t in_beam(const ref_surface_view *view, uint8_t colour)
 {
     return view->in_beam ? view->in_beam[colour] : colour;
+}
+
+uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour)
+{
+    return in_beam(view, view->light
+                             ? view->light->ramp[within(level, view->light->levels, true)][colour]
+                             : colour);
+}
+
+uint16_t ref_surface_full(const ref_surface_view *view, int texel)
+{
+    return view->texture && view->texture->is_565
+               ? (uint16_t)texel
+               : view->rgb565->palette[in_beam(view, (uint8_t)texel)];
+}
+
+bool ref_surface_mixes(const ref_surface *surface)
+{
+    return surface->blends || surface->adds;
 }
 
 uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath)
@@ -324,14 +336,15 @@ bool ref_stipple_draws(int opacity, int x, int y)
 static uint16_t colour_565(const ref_surface_view *view, const ref_place *place, int texel,
                            uint16_t beneath)
 {
-    const uint16_t colour = view->rgb565->palette[ref_surface_entry(view, (uint8_t)texel)];
     const double part =
         view->light ? ref_rgb565_part(view->light, place->values[REF_BRIGHTNESS]) : 1;
-    const uint16_t lit = ref_rgb565_shown(view->rgb565, colour, part);
+    const uint16_t lit = ref_rgb565_shown(view->rgb565, ref_surface_full(view, texel), part);
     const int own = view->surface->blends ? view->surface->sixteenths : 16;
     int channels[REF_CHANNELS];
     for (int i = 0; i < REF_CHANNELS; i++) {
-        channels[i] = (own * ref_channel(lit, i) + (16 - own) * ref_channel(beneath, i)) / 16;
+        const int mine = ref_channel(lit, i), other = ref_channel(beneath, i);
+        channels[i] = view->surface->adds ? (int)fmin(mine + other, ref_channel_most(i))
+                                          : (own * mine + (16 - own) * other) / 16;
     }
     return ref_colour_of(channels);
 }

@@ -28,12 +28,12 @@ enum {
 
 typedef struct {
     int width, height;
-    uint8_t *colours; /* of the texels, row by row: palette indices */
+    uint16_t *colours; /* of the texels, row by row: palette indices, or RGB565 */
 } ref_texture_level;
 
 typedef struct {
-    bool clamps, is_keyed;
-    uint8_t key;
+    bool clamps, is_keyed, is_565;
+    uint16_t key;
     int level_count;
     ref_texture_level levels[REF_TEXTURE_LEVELS];
 } ref_texture;
@@ -42,7 +42,7 @@ typedef struct {
     int texture; /* its number, counted from 1; 0: the face's own colour */
     int division, opacity;
     int sixteenths; /* that a blended colour shows of itself in RGB565 */
-    bool is_lit, blends;
+    bool is_lit, blends, adds;
 } ref_surface;
 
 typedef struct {
@@ -109,8 +109,11 @@ bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, do
  * view is that of a lit piece. */
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour);
 
-/* A texel, or the face's own colour, as a frame of 16 bits takes it: of a lit piece, in a beam. */
-uint8_t ref_surface_entry(const ref_surface_view *view, uint8_t colour);
+/* A texel, or the face's own colour, in RGB565, before light: of a lit piece, in a beam. */
+uint16_t ref_surface_full(const ref_surface_view *view, int texel);
+
+/* Whether what is beneath a surface has a part in what it shows. */
+bool ref_surface_mixes(const ref_surface *surface);
 
 /* What a colour shows over another one. */
 uint8_t ref_surface_over(const ref_surface_view *view, uint8_t colour, uint8_t beneath);

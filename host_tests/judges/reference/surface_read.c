@@ -10,21 +10,27 @@
 typedef struct {
     const uint8_t *texels;
     uint32_t bytes, at, colours;
-    bool is_4;
+    int bits; /* of a texel */
 } texel_source;
+
+/* The colour of texel i of a level that begins at a byte. */
+static uint16_t texel_at(const texel_source *from, uint32_t at, uint32_t i)
+{
+    return from->bits == 16 ? ref_u16(from->texels + at + 2 * (size_t)i)
+           : from->bits == 4
+               ? from->texels[from->colours + (from->texels[at + i / 2] >> 4 * (i % 2) & 15)]
+               : from->texels[at + i];
+}
 
 static bool read_level(const texel_source *from, uint32_t at, ref_texture_level *level)
 {
     const uint32_t count = (uint32_t)level->width * (uint32_t)level->height;
-    if ((uint64_t)at + (from->is_4 ? count / 2 : count) > from->bytes) {
+    if ((uint64_t)at + (uint64_t)count * (unsigned)from->bits / 8 > from->bytes) {
         return false;
     }
-    level->colours = malloc(count);
+    level->colours = malloc(count * sizeof *level->colours);
     for (uint32_t i = 0; level->colours && i < count; i++) {
-        level->colours[i] =
-            from->is_4
-                ? from->texels[from->colours + (from->texels[at + i / 2] >> 4 * (i % 2) & 15)]
-                : from->texels[at + i];
+        level->colours[i] = texel_at(from, at, i);
     }
     return level->colours != NULL;
 }
@@ -32,24 +38,31 @@ static bool read_level(const texel_source *from, uint32_t at, ref_texture_level 
 static bool read_texture(const uint8_t *p, const uint8_t *texels, uint32_t bytes,
                          ref_texture *texture)
 {
-    const texel_source from = {texels, bytes, ref_u32(p), ref_u32(p + 4), p[10] == 1};
-    if (p[8] > 8 || p[9] > 8 || p[10] > 1 || (from.is_4 && p[8] == 0) || p[13] < 1 ||
-        p[13] > REF_TEXTURE_LEVELS || (from.is_4 && from.colours + 16ull > bytes)) {
+    static const int bits[] = {8, 4, 16}; /* of the formats */
+    if (p[8] > 8 || p[9] > 8 || p[10] > 2 || p[13] < 1 || p[13] > REF_TEXTURE_LEVELS) {
         return false;
     }
-    *texture = (ref_texture){
-        .clamps = p[11] & 1, .is_keyed = p[11] >> 1 & 1, .key = p[12], .level_count = p[13]};
+    const texel_source from = {texels, bytes, ref_u32(p), ref_u32(p + 4), bits[p[10]]};
+    const int least = from.bits == 4 ? 2 : 1; /* texels in a row */
+    if (from.bits == 4 && (p[8] == 0 || from.colours + 16ull > bytes)) {
+        return false;
+    }
+    *texture = (ref_texture){.clamps = p[11] & 1,
+                             .is_keyed = p[11] >> 1 & 1,
+                             .is_565 = from.bits == 16,
+                             .key = from.bits == 16 ? ref_u16(p + 14) : p[12],
+                             .level_count = p[13]};
     uint32_t at = from.at;
     for (int i = 0; i < texture->level_count; i++) {
         ref_texture_level *level = &texture->levels[i];
         level->width = 1 << p[8] >> i;
-        level->width = level->width < (from.is_4 ? 2 : 1) ? (from.is_4 ? 2 : 1) : level->width;
+        level->width = level->width < least ? least : level->width;
         level->height = 1 << p[9] >> i;
         level->height = level->height < 1 ? 1 : level->height;
         if (!read_level(&from, at, level)) {
             return false;
         }
-        at += (uint32_t)level->width * (uint32_t)level->height / (from.is_4 ? 2 : 1);
+        at += (uint32_t)level->width * (uint32_t)level->height * (unsigned)from.bits / 8;
     }
     return true;
 }
@@ -86,7 +99,8 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
                                               .opacity = p[4],
                                               .sixteenths = p[5] != 0 ? p[5] : 8,
                                               .is_lit = p[3] & 1,
-                                              .blends = p[3] >> 1 & 1};
+                                              .blends = p[3] >> 1 & 1,
+                                              .adds = p[3] >> 2 & 1};
         if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE ||
             p[5] > REF_OPAQUE) {
             return false;

@@ -273,10 +273,10 @@ typedef struct {
  * pointers.
  */
 typedef struct {
-    uint32_t texels;  /* where in the image's texels its first byte is */
+    uint32_t texels;  /* where in the image's texels its first byte is; FXL_TEXTURE_565: even */
     uint32_t colours; /* FXL_TEXTURE_4: where in the image's texels its 16 colours are; else 0 */
     uint8_t log_width, log_height, format, flags, key, levels;
-    uint16_t reserved; /* 0 */
+    uint16_t key_565; /* FXL_TEXTURE_565: the key; else 0 */
 } fxl_scene_texture;
 
 typedef struct fxl_surface fxl_surface;

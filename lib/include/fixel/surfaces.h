@@ -151,7 +151,7 @@ fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene
 
 /* Makes a set of the surfaces of a scene image. textures: memory for its textures, which must
  * outlive *set, as the image must; it may be null if there are none. Checks that each texture lies
- * within the image's texels, and as fxl_surfaces_check.
+ * within the image's texels, and as fxl_surfaces_check for image->pixel_bits.
  * Requires an image that fxl_scene_open has opened; fault may be null.
  * FXL_E_ARGUMENT: a null pointer; an image without surfaces.
  * FXL_E_ALIGNMENT: textures are not aligned.

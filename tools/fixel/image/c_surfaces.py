@@ -3,12 +3,13 @@
 
 import collections
 import itertools
+import struct
 
 from fixel.image import image_surface
 from fixel.image.c_text import braces, record, table
 
 INCLUDE = "fixel/surfaces.h"
-FORMATS = {image_surface.BITS_8: "FXL_TEXTURE_8", image_surface.BITS_4: "FXL_TEXTURE_4"}
+FORMATS = {image_surface.BITS_8: "FXL_TEXTURE_8", image_surface.BITS_4: "FXL_TEXTURE_4", image_surface.RGB565: "FXL_TEXTURE_565"}
 
 
 def _numbers(blob):
@@ -16,21 +17,35 @@ def _numbers(blob):
 
 
 def _pieces(textures, name):
-    """Tables of texels and of colours, each once; {bytes: its name}."""
+    """Tables of texels and of colours, each once; {(whether they are of RGB565, bytes): its name}."""
     made, names, numbers = [], {}, collections.Counter()
     for texture in textures:
-        for blob, what in ((texture.texels, "texels"), (texture.colours, "texel_colours")):
-            if blob and blob not in names:
+        is_565 = texture.format == image_surface.RGB565
+        for blob, what in (((is_565, texture.texels), "texels"), ((False, texture.colours), "texel_colours")):
+            if blob[1] and blob not in names:
                 names[blob] = f"{name}_{what}_{numbers[what]}"
                 numbers[what] += 1
-                made.append(table("uint8_t", names[blob], _numbers(blob)))
+                made.append(table("uint16_t", names[blob], texels_565(struct.unpack(f"<{len(blob[1]) // 2}H", blob[1]))) if blob[0] else
+                            table("uint8_t", names[blob], _numbers(blob[1])))
     return made, names
 
 
+def texels_565(values):
+    """Texels of RGB565 as the numbers of a table."""
+    return [f"0x{value:04X}" for value in values]
+
+
+def as_bytes(name):
+    """The address of a table of texels of RGB565 as fxl_texture has it."""
+    return f"FXL_CAST(const uint8_t *, FXL_CAST(const void *, {name}))"
+
+
 def _texture(texture, names):
-    colours = names[texture.colours] if texture.colours else "NULL"
-    return braces(names[texture.texels], colours, texture.log_width, texture.log_height, FORMATS[texture.format],
-                  texture.flags, texture.key, texture.levels, 0)
+    colours = names[False, texture.colours] if texture.colours else "NULL"
+    is_565 = texture.format == image_surface.RGB565
+    texels = names[is_565, texture.texels]
+    return braces(as_bytes(texels) if is_565 else texels, colours, texture.log_width, texture.log_height, FORMATS[texture.format],
+                  texture.flags, texture.key, texture.levels, texture.key_565)
 
 
 def _mapped(mapped):
@@ -44,7 +59,7 @@ def _tables(scene, name, names):
     faces = [face.mapped for model in scene.models for face in model.faces]
     face_map = ["0" if each is None else str(numbers.setdefault(each, len(numbers) + 1)) for each in faces]
     rows = [("textures", "fxl_texture", [_texture(each, names) for each in surfaces.textures],
-             "Texels, colours, log2 of width and of height, format, flags, key, levels, reserved."),
+             "Texels, colours, log2 of width and of height, format, flags, key, levels, key of RGB565."),
             ("looks", "fxl_surface", [braces(each.texture, each.division, each.flags, each.opacity, each.sixteenths, braces(0, 0))
                                       for each in surfaces.surfaces], "Texture, division, flags, opacity, sixteenths, reserved."),
             ("mapped_faces", "fxl_mapped_face", [_mapped(each) for each in numbers],

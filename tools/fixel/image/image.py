@@ -167,12 +167,13 @@ def unpack(blob):
     kind = POSES if tables["poses"] else STRIDES
     path = tables["poses"] or tables["strides"]
     _check_path(kind, path, head.frame_count)
-    surfaces = image_surface.read(tables, head.blend_first, models)
+    pixel_bits = 16 if head.target & image_header.RGB565 else 8
+    surfaces = image_surface.read(tables, head.blend_first, models, pixel_bits)
     billboards = image_billboard.read(tables, models, [radius for radius, *_ in extras])
     return SceneImage(head.width, head.height, head.fov, head.near_z, head.far_z, head.inset, head.background,
                       tables["palette"], models, objects, kind, path, (*head.start, *head.start_yaw), gait, tree, beams, lit,
                       centre, placements, motions, light, surfaces, billboards, image_header.DEPTHS[head.target % image_header.RGB565],
-                      16 if head.target & image_header.RGB565 else 8, bool(head.target & image_header.BY_DISTANCE), head.dark,
+                      pixel_bits, bool(head.target & image_header.BY_DISTANCE), head.dark,
                       size=head.image_size, crc=head.crc, unknown=unknown)
 
 

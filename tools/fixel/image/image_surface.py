@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass, field
 
+from fixel.base.errors import ToolError
 from fixel.image.fields import entry
 from fixel.image.image_ranges import Ranges
 from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, fail
@@ -11,10 +12,10 @@ TABLE_MAX = 65535
 TEXELS_MAX = 16 << 20           # bytes of all textures
 LOG_MAX, LEVELS_MAX = 8, 9
 TEXEL_MAX = 16383 << 16         # of a texture coordinate, in 16.16
-BITS_8, BITS_4 = 0, 1           # formats
+BITS_8, BITS_4, RGB565 = 0, 1, 2    # formats
 CLAMP, KEYED = 1, 2             # flags of a texture
 DIVIDE_16, DIVIDE_8, DIVIDE_1, AFFINE = range(4)
-LIT, BLENDED = 1, 2             # flags of a surface
+LIT, BLENDED, ADDED = 1, 2, 4   # flags of a surface
 OPAQUE = 16
 
 TEXTURE, SURFACE, MAPPED, MAP, NORMAL = map(entry, ("textures", "surfaces", "mapped faces", "face map",
@@ -25,7 +26,7 @@ TABLES = ("textures", "texels", "surfaces", "mapped faces", "face map", "normals
 
 @dataclass(frozen=True)
 class Texture:
-    """Palette indices of all levels, one after the other, row by row."""
+    """Palette indices, or colours of RGB565, of all levels, one after the other, row by row."""
     log_width: int
     log_height: int
     texels: bytes               # as the image has them
@@ -34,6 +35,7 @@ class Texture:
     flags: int = 0
     key: int = 0                # palette index
     levels: int = 1
+    key_565: int = 0            # of RGB565
 
 
 @dataclass(frozen=True)
@@ -75,7 +77,16 @@ def level_size(texture, level):
 def texel_bytes(texture):
     """Bytes of all levels."""
     texels = sum(width * height for width, height in (level_size(texture, i) for i in range(texture.levels)))
-    return texels // 2 if texture.format == BITS_4 else texels
+    return texels // 2 if texture.format == BITS_4 else 2 * texels if texture.format == RGB565 else texels
+
+
+def free_key(values):
+    """The first colour of RGB565 that no texel has."""
+    taken = set(values)
+    if len(taken - {None}) > 0xFFFF:
+        raise ToolError("a texture with holes has a texel of each of the 65,536 colours of RGB565, and the holes need one: use a "
+                        "smaller picture")
+    return next(number for number in range(1 << 16) if number not in taken)
 
 
 def tables(surfaces, models):
@@ -93,7 +104,7 @@ def tables(surfaces, models):
 
     for one in surfaces.textures:
         textures.append(TEXTURE.pack(place(one.texels), place(one.colours) if one.colours else 0, one.log_width,
-                                     one.log_height, one.format, one.flags, one.key, one.levels, 0))
+                                     one.log_height, one.format, one.flags, one.key, one.levels, one.key_565))
     for face in (face for model in models for face in model.faces):
         face_map.append(MAP.pack(numbers.setdefault(face.mapped, len(numbers) + 1) if face.mapped else 0))
     mapped = [MAPPED.pack(one.surface, *one.vertices, *one.normals, 0, *(c for texel in one.texels for c in texel))
@@ -110,7 +121,7 @@ def tables(surfaces, models):
 # --- reading -------------------------------------------------------------------------------------
 
 def _read_texture(fields, number, texels):
-    at, colours, log_width, log_height, kind, flags, key, levels, reserved = fields
+    at, colours, log_width, log_height, kind, flags, key, levels, key_565 = fields
     what = f"texture {number}"
     if max(log_width, log_height) > LOG_MAX or not 1 <= levels <= LEVELS_MAX:
         fail("range", f"{what}: its size or its number of levels is out of range")
@@ -119,22 +130,27 @@ def _read_texture(fields, number, texels):
     if at + size > len(texels.blob) or kind == BITS_4 and colours + 16 > len(texels.blob):
         fail("offset", f"{what} reaches outside the texels of the image")
     if kind != BITS_4 and colours:
-        fail("reserved", f"{what} has 8 bits, but a place of colours")
+        fail("reserved", f"{what} has no texels of 4 bits, but a place of colours")
     return Texture(log_width, log_height, texels.at(at, size), texels.at(colours, 16) if kind == BITS_4 else b"",
-                   kind, flags, key, levels), reserved
+                   kind, flags, key, levels, key_565), at
 
 
-def _check_texture(texture, reserved, number):
-    """The library's check of a texture."""
+def _check_texture(texture, at, number, pixel_bits):
+    """The library's check of a texture. at: the place of its texels."""
     what = f"texture {number}"
-    if texture.format > BITS_4 or texture.flags > CLAMP | KEYED or reserved:
-        fail("reserved", f"{what}: a flag, a format or a reserved field is not what it may be")
+    if texture.format == RGB565 and pixel_bits == 8:
+        fail("reserved", f"{what} has texels of RGB565, and the image asks for frames of a palette")
+    unused = texture.key if texture.format == RGB565 else texture.key_565
+    if texture.format > RGB565 or texture.flags > CLAMP | KEYED or unused:
+        fail("reserved", f"{what}: a flag, a format or the key of another format is not what it may be")
     if texture.format == BITS_4 and not texture.log_width or \
             texture.levels > max(texture.log_width, texture.log_height) + 1:
         fail("range", f"{what}: it is too narrow, or has too many levels")
+    if texture.format == RGB565 and at % 2:
+        fail("alignment", f"{what} has texels of RGB565 at an odd place")
 
 
-def _read_surface(fields, number, textures, blend):
+def _read_surface(fields, number, textures, blend, pixel_bits):
     texture, division, flags, opacity, sixteenths, *reserved = fields
     if texture > textures:
         fail("index", f"surface {number}: texture {texture} of {textures}")
@@ -142,9 +158,12 @@ def _read_surface(fields, number, textures, blend):
         fail("range", f"surface {number}: an opacity of {opacity} is outside 1..{OPAQUE}")
     if sixteenths > OPAQUE:
         fail("range", f"surface {number}: {sixteenths} sixteenths of a colour are more than the colour")
-    if flags & BLENDED and not blend:
+    if flags & BLENDED and not blend and pixel_bits == 8:
         fail("argument", f"surface {number} is blended, and there is no blend table")
-    if division > AFFINE or flags > LIT | BLENDED or any(reserved) or sixteenths and not flags & BLENDED:
+    if flags & ADDED and pixel_bits == 8:
+        fail("reserved", f"surface {number} is added to what is beneath, and the image asks for frames of a palette")
+    if division > AFFINE or flags > LIT | BLENDED | ADDED or flags & BLENDED and flags & ADDED or any(reserved) or \
+            sixteenths and not flags & BLENDED:
         fail("reserved", f"surface {number}: a flag or a reserved field is not what it may be")
     return Surface(texture, division, flags, opacity, sixteenths)
 
@@ -172,8 +191,9 @@ def _read_mapped(fields, number, surfaces, model):
     return Mapped(surface, vertices, tuple(zip(coordinates[::2], coordinates[1::2])), normals)
 
 
-def read(found, blend_first, models):
-    """The surfaces of the tables of an image, None where there are none; gives the faces theirs. found: {name of a table: its entries}."""
+def read(found, blend_first, models, pixel_bits=8):
+    """The surfaces of the tables of an image, None where there are none; gives the faces theirs. found: {name of a table: its
+    entries}. pixel_bits: of the frames that the image asks for."""
     textures, texels, surfaces, mapped, face_map, normals, blend = (found[name] for name in TABLES)
     if not face_map:
         return None
@@ -181,10 +201,10 @@ def read(found, blend_first, models):
     placed = [_read_texture(fields, i, ranges) for i, fields in enumerate(textures)]
     if blend_first > 255 or len(blend) > 256 - blend_first:
         fail("count", f"a blend table of {len(blend)} colours from {blend_first} on")
-    for i, (texture, reserved) in enumerate(placed):
-        _check_texture(texture, reserved, i)
+    for i, (texture, at) in enumerate(placed):
+        _check_texture(texture, at, i, pixel_bits)
     made = Surfaces([texture for texture, _ in placed],
-                    [_read_surface(fields, i, len(placed), blend) for i, fields in enumerate(surfaces)], normals,
+                    [_read_surface(fields, i, len(placed), blend, pixel_bits) for i, fields in enumerate(surfaces)], normals,
                     blend_first, [list(row) for row in blend])
     for i, normal in enumerate(normals):
         if abs(sum(c * c for c in normal) - (1 << 60)) > NORMAL_SQUARE_MAX_ERROR:

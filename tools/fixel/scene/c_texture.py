@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 
-from fixel.image import c_scene, c_text, image_surface
+from fixel.image import c_scene, c_surfaces, c_text, image_surface
 from fixel.model import texture_image
 from fixel.scene import texture
 from fixel.image.c_text import record, table
@@ -29,8 +29,7 @@ def texels_of(levels):
     values, clear = codes >> 19 << 11 | (codes >> 10 & 63) << 5 | codes >> 3 & 31, codes < 0
     if not clear.any():
         return values.tolist(), None
-    taken = set(values[~clear].tolist())
-    key = next((number for number in range(1 << 16) if number not in taken), None)
+    key = image_surface.free_key(values[~clear].tolist())
     return [key if is_clear else value for value, is_clear in zip(values.tolist(), clear.tolist())], key
 
 
@@ -43,9 +42,9 @@ def header(file, name, size=None, levels=1, clamp=False):
     high, wide = made[0].shape
     about = f"{wide} x {high} texels of RGB565" + (f" and {len(made) - 1} smaller pictures" if len(made) > 1 else "") + \
         (f"; those of 0x{key:04X} are not drawn" if key is not None else "")
-    members = [f"FXL_CAST(const uint8_t *, FXL_CAST(const void *, {name}_texels))", "NULL", wide.bit_length() - 1,
+    members = [c_surfaces.as_bytes(f"{name}_texels"), "NULL", wide.bit_length() - 1,
                high.bit_length() - 1, "FXL_TEXTURE_565", flags, 0, len(made), key or 0]
     return c_text.header(f"Written by tools/scene.py from {c_scene.printable(os.path.basename(file))}.",
                          f"{name.upper()}_TEXTURE_H", ["fixel/surfaces.h"],
-                         [table("uint16_t", f"{name}_texels", [f"0x{texel:04X}" for texel in texels], about),
+                         [table("uint16_t", f"{name}_texels", c_surfaces.texels_565(texels), about),
                           record("fxl_texture", f"{name}_texture", [", ".join(map(str, members))])]), len(texels)

@@ -28,6 +28,7 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
     where, layers = (f"{scene}: --tree", layers) if layers else (f"{scene}: tree", compiled.layers)
     if asked:
         target.apply(compiled, layers != "none", asked, scene)
+    target.check(compiled, asked, scene)
     if layers != "none":
         report.stage("building the tree")
         notes = notes + [plant(compiled, layers, scene, where, report)]

@@ -33,7 +33,9 @@ def summary(scene):
         "turned_objects": len(scene.placements), "moving_objects": len(scene.motions),
         "motion_keys": sum(len(motion.keys) for motion in scene.motions),
         "textures": len(scene.surfaces.textures) if scene.surfaces else 0,
+        "rgb565_textures": sum(one.format == image_surface.RGB565 for one in scene.surfaces.textures) if scene.surfaces else 0,
         "texel_bytes": sum(image_surface.texel_bytes(one) for one in scene.surfaces.textures) if scene.surfaces else 0,
+        "added_surfaces": sum(bool(one.flags & image_surface.ADDED) for one in scene.surfaces.surfaces) if scene.surfaces else 0,
         "faces_with_surfaces": sum(face.mapped is not None for model in scene.models for face in model.faces),
         "billboards": len(scene.billboards.boards) if scene.billboards else 0,
         "sprite_bytes": sum(len(one.pixels) + len(one.colours) for one in scene.billboards.boards) if scene.billboards else 0,
@@ -69,7 +71,10 @@ def info(file, as_json):
               f"{data['motion_keys']:,} keys")
     if data["faces_with_surfaces"]:
         print(f"  surfaces of {data['faces_with_surfaces']:,} faces; {data['textures']} textures, "
-              f"{data['texel_bytes']:,} bytes of texels")
+              + (f"{data['rgb565_textures']} of them of RGB565, " if data["rgb565_textures"] else "")
+              + f"{data['texel_bytes']:,} bytes of texels")
+    if data["added_surfaces"]:
+        print(f"  added    to what is beneath: {data['added_surfaces']} surfaces")
     if data["billboards"]:
         print(f"  billboards {data['billboards']}, {data['sprite_bytes']:,} bytes of pixels and colours")
     if data["light_levels"]:

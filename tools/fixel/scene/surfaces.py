@@ -10,7 +10,7 @@ import functools
 from math import lcm
 
 from fixel.image import image_surface
-from fixel.scene import light_palette
+from fixel.scene import light_palette, palette
 from fixel.base.errors import ToolError
 from fixel.image.image import Face
 from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
@@ -42,6 +42,11 @@ class Look:
     corners: tuple
     texels: tuple
     normals: tuple = ()
+
+    @property
+    def is_565(self):
+        """Whether its texels are of RGB565: the palette has not their colours."""
+        return self.paint is not None and self.paint.bits == 16
 
 
 # --- coordinates ---------------------------------------------------------------------------------
@@ -214,12 +219,21 @@ def _pack_4(numbers):
     return bytes(low | high << 4 for low, high in zip(flat[::2], flat[1::2]))
 
 
+def _texels_565(values):
+    """(the bytes of texels of RGB565, their key). values: None is what is not drawn."""
+    key = image_surface.free_key(values) if None in values else 0
+    return b"".join((key if value is None else value).to_bytes(2, "little") for value in values), key
+
+
 def _texture(paint, entries):
-    """The record of a paint. entries: the palette index of each of its colours. What is clear has index 0, the
-    background's, which no colour has."""
+    """The record of a paint. entries: of each of its colours the palette index, or, of a paint of 16 bits, the colour of
+    RGB565. What is clear has index 0, the background's, which no colour has."""
     picture = paint.picture
     flags = (image_surface.CLAMP if paint.clamp else 0) | (image_surface.KEYED if picture.has_clear else 0)
     sides, count = (picture.width.bit_length() - 1, picture.height.bit_length() - 1), len(picture.levels)
+    if paint.bits == 16:
+        texels, key = _texels_565([None if n is None else entries[n] for level in picture.levels for row in level for n in row])
+        return Texture(*sides, texels, b"", image_surface.RGB565, flags, 0, count, key)
     if paint.bits == 4:
         clear = len(entries)        # the first number that no colour has
         texels = b"".join(_pack_4([[clear if n is None else n for n in row] for row in level]) for level in picture.levels)
@@ -251,7 +265,7 @@ class Records:
             return 0
         same = look.paint, id(look.colours)     # most faces of a paint share one object
         if same not in self.known:
-            entries = tuple(self.indices[colour] for colour in look.colours)
+            entries = tuple(palette.rgb565(colour[:3]) if look.is_565 else self.indices[colour] for colour in look.colours)
             key = look.paint, entries
             if key not in self.textures:
                 self.made.textures.append(_texture(look.paint, entries))
@@ -264,7 +278,7 @@ class Records:
         """The record of a face of this colour and these corners; None without a look."""
         if look is None:
             return None
-        if look.flags & image_surface.BLENDED:
+        if look.flags & image_surface.BLENDED and not look.is_565:     # which no table blends
             self.blended.update((colour, bool(look.flags & image_surface.LIT)) for colour in look.colours or (own,))
         surface = Surface(self._texture(look), look.division, look.flags, look.opacity)
         if surface not in self.surfaces:

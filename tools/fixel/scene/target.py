@@ -61,9 +61,36 @@ def apply(scene, has_tree, asked, name):
                         f"{'a depth buffer' if asked.order else 'the order by its tree'}: give {more} too")
 
 
+def _of_rgb565(scene):
+    """What of a SceneImage only frames of RGB565 can show, and what to do about it in a scene file; None without."""
+    from fixel.image import image_surface       # as in rewritten
+    surfaces = scene.surfaces
+    for number, one in enumerate(surfaces.textures if surfaces else ()):
+        if one.format == image_surface.RGB565:
+            name = surfaces.texture_names[number] if number < len(surfaces.texture_names) else number
+            return f"texels of RGB565 (texture {quoted(name)})", "bits = 8 in the texture"
+    if any(one.flags & image_surface.ADDED for one in (surfaces.surfaces if surfaces else ())):
+        return 'faces with blend = "add"', "blend = true in the object"
+    return None
+
+
+def check(scene, asked, name):
+    """Refuses a SceneImage of which some parts do not go together. asked: the Target that it has got, or None."""
+    found = _of_rgb565(scene)
+    if found and scene.pixel_bits == 8:
+        what, instead = found
+        if asked and asked.pixels:
+            raise ToolError(f"PIXELS=palette: frames of a palette cannot show {what}, which {name} has: leave PIXELS= out, or give "
+                            f"PIXELS=rgb565 or {instead}")
+        raise ToolError(f'{name}: frames of a palette cannot show {what}: give pixels = "rgb565" under [view], or {instead}')
+    if found and scene.beams and found[0].startswith("texels"):
+        raise ToolError(f"{name}: beams cannot light {found[0]}: leave the beams out, or give {found[1]}")
+
+
 def rewritten(blob, asked, name):
     """The bytes of a scene image, with what is asked for."""
     from fixel.image import image, image_header     # they need a package, and whoever reads options needs none
     scene = image.unpack(blob)
     apply(scene, scene.tree is not None, asked, name)
+    check(scene, asked, name)
     return image_header.retargeted(blob, scene)

@@ -14,7 +14,8 @@ from fixel.base.reading import Beside, quoted
 
 SIDE_MAX = 256
 FILE_MAX = 4 << 20          # bytes of a picture's file
-COLOURS_MAX = 255           # of a texture
+COLOURS_MAX = 255           # of a texture of palette entries
+EVERY_COLOUR = 1 << 24      # room for the colours of a texture of RGB565: none is merged
 CLEAR = None                # the colour of what is not drawn
 OPAQUE_FROM = 128           # of 255: what is more clear is not drawn
 DISTINCT_MAX = 2048         # colours of a picture's file, before they are merged
@@ -160,7 +161,7 @@ def from_pixels(pixels, name, most, any_side=False, key=None):
     codes = codes_of(pixels, pixels[..., 3] < OPAQUE_FROM)
     if key:
         codes[codes == (key[0] << 16 | key[1] << 8 | key[2])] = _CLEAR_CODE
-    return from_codes([coarser(codes)], most)
+    return from_codes([codes if most == EVERY_COLOUR else coarser(codes)], most)
 
 
 # --- patterns ------------------------------------------------------------------------------------

@@ -38,10 +38,27 @@ def picture(image, colour, size, most, levels, bits):
         scaled = _scaled(image, width, height)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
         codes = texture.codes_of(scaled, scaled[:, 3] < texture.OPAQUE_FROM).reshape(height, width)
-        own = most if levels == 1 else max(1, 3 * most // 4)     # the others are for the smaller levels
-        made = texture.from_codes([texture.coarser(codes)], own)
+        is_565 = bits == 16
+        own = most if levels == 1 or is_565 else max(1, 3 * most // 4)   # the others are for the smaller levels
+        made = texture.from_codes([codes if is_565 else texture.coarser(codes)], own)
         image.pictures[key] = texture.with_levels(made, levels, most, least) if levels > 1 else made
     return image.pictures[key]
+
+
+def texel_bits(row):
+    """Bits of a texel: 16 of RGB565, 8 or 4 of palette entries."""
+    bits = row.whole("bits", 8, 4, 16)
+    if bits not in (4, 8, 16):
+        raise ToolError(f"{row.at('bits')}: 4, 8 or 16, found {bits}")
+    return bits
+
+
+def _most(row, bits):
+    """How many colours a texture may have. Of 16 one is what is not drawn."""
+    if bits == 16 and "colours" in row:
+        raise ToolError(f"{row.at('colours')}: belongs to 4 and 8 bits; texels of RGB565 keep every colour")
+    return texture.EVERY_COLOUR if bits == 16 else row.whole("colours", 15 if bits == 4 else 32, 1,
+                                                             15 if bits == 4 else texture.COLOURS_MAX)
 
 
 def _row(table):
@@ -55,12 +72,8 @@ def _row(table):
     size = row.whole("size", 64, 1, texture.SIDE_MAX)
     if not texture.is_side(size):
         raise ToolError(f"{row.at('size')}: {size} is not a power of two from 1 to {texture.SIDE_MAX}")
-    bits = row.whole("bits", 8, 4, 8)
-    if bits not in (4, 8):
-        raise ToolError(f"{row.at('bits')}: 4 or 8, found {bits}")
-    # Of 16 colours one is what is not drawn.
-    colours = row.whole("colours", 15 if bits == 4 else 32, 1, 15 if bits == 4 else texture.COLOURS_MAX)
-    return size, colours, row.whole("levels", 1, 1, image_surface.LEVELS_MAX), bits
+    bits = texel_bits(row)
+    return size, _most(row, bits), row.whole("levels", 1, 1, image_surface.LEVELS_MAX), bits
 
 
 @dataclasses.dataclass(eq=False)    # equal only if the same: a file may have 65,535 faces, and as many objects

@@ -267,7 +267,7 @@ def _blend(top):
 
 
 def _texel_colours(instances):
-    looks = (look for looks in {id(p.looks): p.looks for p in instances}.values() for look in looks if look)
+    looks = (look for looks in {id(p.looks): p.looks for p in instances}.values() for look in looks if look and not look.is_565)
     return {c for colours in {id(look.colours): look.colours for look in looks}.values() for c in colours}
 
 

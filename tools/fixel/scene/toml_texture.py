@@ -36,24 +36,31 @@ def _pattern(row, pictures):
     return pictures.pattern(row, name, width, height)
 
 
+def _most(row, bits):
+    """How many colours a file's picture may have."""
+    if bits != 16:
+        return row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX)
+    if "most_colours" in row:
+        raise ToolError(f"{row.at('most_colours')}: belongs to 4 and 8 bits; texels of RGB565 keep every colour")
+    return texture.EVERY_COLOUR
+
+
 def _paint(data, where, pictures):
     """(name, Paint) of an entry of textures."""
     row = Table(data, where, _ROW_KEYS)
-    name, bits = row.text("name"), row.whole("bits", 8, 4, 8)
-    if bits not in (4, 8):
-        raise ToolError(f"{row.at('bits')}: 4 or 8, found {bits}")
+    name, bits = row.text("name"), toml_images.texel_bits(row)
     if row.only_one("file", "pattern") == "file":
         for key in ("size", "colours"):
             if key in row:
                 raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
-        picture = pictures.file(row, row.whole("most_colours", 15 if bits == 4 else 32, 1, texture.COLOURS_MAX))
+        picture = pictures.file(row, _most(row, bits))
     else:
         if "most_colours" in row:
             raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
         picture = _pattern(row, pictures)
     levels = row.whole("levels", 1, 1, image_surface.LEVELS_MAX)
     if levels > 1:
-        most = 16 - picture.has_clear if bits == 4 else max(len(picture.colours), _LEVEL_COLOURS)
+        most = {4: 16 - picture.has_clear, 8: max(len(picture.colours), _LEVEL_COLOURS), 16: texture.EVERY_COLOUR}[bits]
         picture = pictures.levels(picture, levels, most, 2 if bits == 4 else 1)
     if bits == 4 and (len(picture.colours) + picture.has_clear > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
@@ -91,7 +98,7 @@ class Wish:
         self.paints = images.paints if images else tuple(self._known(name, table, known) for name in names) or (None,)
         self.division = self._division(table)
         self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
-        self.blends = table.switch("blend", False)
+        self.mixes = self._mixing(table)
         self.smooth = table.switch("smooth", False)
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
@@ -123,6 +130,15 @@ class Wish:
             there = shortened(", ".join(sorted(known))) or "none"
             raise ToolError(f"{table.where}: there is no texture {quoted(name)}; the scene's textures: {there}")
         return known[name]
+
+    @staticmethod
+    def _mixing(table):
+        """The flag of how colours mix with those beneath; 0 where they do not."""
+        if table.data.get("blend") == "add":
+            return image_surface.ADDED
+        if isinstance(table.data.get("blend", False), bool):
+            return image_surface.BLENDED if table.switch("blend", False) else 0
+        raise ToolError(f"{table.at('blend')}: expected true, false or \"add\", found {quoted(table.data['blend'])}")
 
     @staticmethod
     def _division(table):
@@ -158,7 +174,7 @@ class Wish:
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
         return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
-                    self.blends, self.lit, self.smooth, self.by_file)
+                    self.mixes, self.lit, self.smooth, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
@@ -167,10 +183,10 @@ class Wish:
     def _has_plain_look(self):
         """Whether a face without a texture has a surface."""
         is_opaque = self.images.is_opaque if self.images else self.opacities == (image_surface.OPAQUE,)
-        return not is_opaque or self.blends or self.lit
+        return not is_opaque or bool(self.mixes) or self.lit
 
     def _flags(self):
-        return (image_surface.LIT if self.lit else 0) | (image_surface.BLENDED if self.blends else 0)
+        return (image_surface.LIT if self.lit else 0) | self.mixes
 
     def paint_of(self, source):
         """Of a face of the mesh."""
