@@ -22,6 +22,7 @@ if __name__ == "__main__":
     sys.path[:0] = [str(HERE.parent), str(HERE.parent / "boards"), str(HERE.parents[1] / "tools")]
 
 from board_programs import made
+from scene_head import head
 from fixel.base.errors import ToolError
 from fixel.board import dump, emulator
 from fixel.image import image
@@ -36,17 +37,8 @@ WIDTH, HEIGHT = 64, 48
 TARGETS = {f"{pixels}{f', depth {bits}' if bits else ''}": (pixels, bits) for pixels in ("palette", "rgb565") for bits in (0, 16, 32)}
 WAYS = [(order, name) for order in ("distance", "tree") for name in TARGETS if order == "distance" or not TARGETS[name][1]]
 
-BASE = """background = "#203040"
-%(top)s
-[screen]
-width = %(width)d
-height = %(height)d
-[view]
-pixels = "%(pixels)s"
-depth = %(depth)d
-near = 0.25
-far = 64
-%(tables)s
+BASE = 'background = "#203040"\n%(top)s\n' + head(WIDTH, HEIGHT, [
+    'pixels = "%(pixels)s"', "depth = %(depth)d", "near = 0.25", "far = 64"]) + """%(tables)s
 [[objects]]
 solid = "floor"
 cells = [3, 3]
@@ -122,7 +114,7 @@ def image_of(folder, order, target, name, tables, subject):
     """The image of the scene with tables and lines of its subject. name: of the file."""
     pixels, bits = TARGETS[target]
     file = folder / "scene.toml"
-    file.write_text(BASE % {"width": WIDTH, "height": HEIGHT, "top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
+    file.write_text(BASE % {"top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
                             "moves": "moves = true" if order == "tree" else "", "subject": subject})
     compiled, _ = compiler.compile_scene(str(file))
     made = folder / f"{name}.fxls"

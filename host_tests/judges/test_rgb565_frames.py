@@ -7,6 +7,7 @@ import zlib
 import numpy
 import pytest
 from conftest import CHECKOUT
+from scene_head import head
 from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
@@ -14,14 +15,7 @@ from fixel.board import dump
 # Textures, levels and smooth light; holes; blended glass; billboards; texels of RGB565, some added to what is beneath.
 SCENES = (*(f"scenes/{name}" for name in ("gallery", "room", "car", "grove")), "host_tests/fuzz/scenes/texels")
 METHODS = ((), ("--hidden", "depth"), ("--hidden", "depth-32"))
-BLENDED = """
-[screen]
-width = 64
-height = 48
-[view]
-pixels = "rgb565"
-near = 1
-far = 32
+BLENDED = head(64, 48, ['pixels = "rgb565"', "near = 1", "far = 32"]) + """
 %s
 [light]
 levels = 16

@@ -7,20 +7,14 @@ import subprocess
 import pytest
 from clipper_names import clipper_names
 from conftest import CHECKOUT, run_cli, sampled
+from scene_head import head
 
 from fixel.board import dump
 
 SCENES = ("scenes/room.toml", "host_tests/fuzz/scenes/surfaces.toml")
 FRAMES = "12"
 # A floor to the horizon, whose texels are two units wide each.
-FLOOR = """
-[screen]
-width = 96
-height = 64
-[[textures]]
-name = "t"
-pattern = "crate"
-size = [16, 16]
+FLOOR = head(96, 64, textures=[("t", "crate", 16)]) + """
 [[objects]]
 solid = "tile"
 scale = [64, 1, 64]

@@ -7,39 +7,21 @@ import subprocess
 import numpy
 import pytest
 from conftest import run_cli
+from scene_head import head
 
 from fixel.board import dump
 from fixel.image import image
 from fixel.scene import compiler
 
 TARGETS = ("palette", "rgb565")
-SCREEN = """background = "#203040"
-[screen]
-width = 128
-height = 96
-[view]
-pixels = "%s"
-near = 0.125
-far = 64
+TEXTURES = [("stones", "stones", 32), ("planks", "planks", 32, "bits = 4"), ("grille", "grille", 16)]
+SCREEN = 'background = "#203040"\n' + head(128, 96, ['pixels = "%s"', "near = 0.125", "far = 64"], TEXTURES) + """
 [light]
 levels = 16
 direction = [0.3, -1, 0.8]
 ambient = 0.35
 fog = { near = 4, far = 30 }
 points = [{ position = [1, 2, -2], range = 9, strength = 0.7 }]
-[[textures]]
-name = "stones"
-pattern = "stones"
-size = [32, 32]
-[[textures]]
-name = "planks"
-pattern = "planks"
-size = [32, 32]
-bits = 4
-[[textures]]
-name = "grille"
-pattern = "grille"
-size = [16, 16]
 """
 
 # Boxes through each other and through the floor, each with a surface of its own.

@@ -4,6 +4,8 @@ take."""
 
 import random
 
+import scene_head
+
 COUNT = 30
 FEATURES = ("surfaces", "light", "depth", "rgb565", "billboards", "tree")
 SOLIDS = {"box": "", "octahedron": "", "dodecahedron": "", "tetrahedron": "", "prism": "sides = {sides}\n",
@@ -22,13 +24,14 @@ def features_of(number, chance):
     return found
 
 
-def head(features, chance):
+def _head(features, chance):
     """All but the objects."""
     width, height = chance.choice([(96, 64), (128, 96), (160, 120), (200, 140), (240, 160)])
     view = [f"fov = {chance.randint(55, 85)}", "near = 0.25", "far = 48", 'inset = "4/65536"']
     view += ['pixels = "rgb565"'] * ("rgb565" in features) + ["depth = 16"] * ("depth" in features)
     text = 'background = "#1c2834"\n' + 'tree = "all"\n' * ("tree" in features)
-    text += f"\n[screen]\nwidth = {width}\nheight = {height}\n\n[view]\n" + "\n".join(view) + "\n"
+    textures = [(pattern, pattern, 32) for pattern in PATTERNS] if "surfaces" in features else ()
+    text += scene_head.head(width, height, view, textures)
     text += "\n[light]\ndirection = [0.5, -0.8, 0.6]\nambient = 0.3\n"
     if "light" in features:
         text += f'levels = {chance.choice([8, 16])}\nstrength = 0.6\ndark = "#141828"\n'
@@ -36,9 +39,6 @@ def head(features, chance):
             text += f"points = [{{ position = [{chance.randint(-4, 4)}, 3, {chance.randint(-4, 4)}], range = 10, strength = 1 }}]\n"
         if chance.random() < 0.4:
             text += "fog = { near = 4, far = 30 }\n"
-    if "surfaces" in features:
-        for pattern in PATTERNS:
-            text += f'\n[[textures]]\nname = "{pattern}"\npattern = "{pattern}"\nsize = [32, 32]\n'
     if "billboards" in features:
         text += ('\n[[billboards]]\nname = "fern"\npattern = "tree"\n'
                  f"pixels = [{chance.randint(20, 48)}, {chance.randint(24, 48)}]\nsize = [1.4, 1.8]\nbits = {chance.choice([4, 8])}\n")
@@ -67,7 +67,7 @@ def scene(number, seed):
     """(features, text) of a scene file."""
     chance = random.Random(f"{seed} {number}")
     features = features_of(number, chance)
-    text = head(features, chance)
+    text = _head(features, chance)
     if chance.random() < 0.7:
         text += ('\n[[objects]]\nsolid = "tile"\nscale = [18, 1, 18]\nlayer = 0\n' if "tree" not in features else
                  '\n[[objects]]\nsolid = "tile"\nscale = [18, 1, 18]\nlayer = 1\n')

@@ -6,6 +6,7 @@ import re
 
 import pytest
 from conftest import CHECKOUT, assert_one_sentence, run_cli
+from scene_head import head
 from test_surface_frames import built, drawn, judged
 
 from fixel.board import dump
@@ -17,13 +18,7 @@ from fixel.board.programs import HostPrograms
 from test_scene_mesh import ONE
 
 # A bar through a ball, and a ring about it.
-SOLIDS = """
-[screen]
-width = 96
-height = 72
-[view]
-near = 1
-far = 32
+SOLIDS = head(96, 72, ["near = 1", "far = 32"]) + """
 %s
 [[objects]]
 solid = "sphere"
@@ -40,13 +35,7 @@ colour = "teal"
 [path]
 orbit = { centre = [0, 0, 0], radius = 6, height = 2, frames = 12 }
 """
-ISLAND = """
-[screen]
-width = 96
-height = 72
-[view]
-near = 0.5
-far = 64
+ISLAND = head(96, 72, ["near = 0.5", "far = 64"]) + """
 [[objects]]
 solid = "island"
 cells = [12, 9]
