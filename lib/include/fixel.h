@@ -9,7 +9,7 @@
  *   - the caller owns all memory; integers only; no heap; no hidden state
  *   - the same input gives the same frame, bit for bit, on every core
  *   - a function refuses input outside its range with a status. Its documentation says what it
- *     has changed then: nothing, but for the count of refused calls.
+ *     has changed then: most functions nothing, but for the count of refused calls.
  * Far-to-near order is right only for convex instances that are far enough apart. Nothing is
  * promised about input that breaks a stated requirement of a function without a status.
  */

@@ -45,8 +45,9 @@ typedef struct {
     uint16_t instance; /* number in the scene, or FXL_PICK_NONE: nothing covers the pixel; in a
                           world, fxl_world_handle_at gives its handle */
     uint16_t face;     /* number within the model; 0 of a billboard, and without a face */
-    uint8_t colour;    /* a palette index: of a face as light and beams make it, in RGB565 as beams
-                          make it; of one with a surface its own colour, of a billboard that of the texel; 0 without a face */
+    uint8_t colour;    /* a palette index. Of a face: the colour after light and beams, in RGB565
+                          after beams alone. Of a face with a surface: the face's own colour. Of a
+                          billboard: that of the texel. 0 without a face */
 } fxl_picked;
 
 /* Finds what is shown at pixel (x, y) of the frame that was begun last: of the faces and billboards

@@ -68,8 +68,8 @@ fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, vo
 /* Swaps the two bytes of every pixel of a band of RGB565 where it lies: so displays on SPI take it,
  * the byte with red first, from a little-endian core. fxl_pixels_convert copies it so. The band is
  * for sending then, not for drawing on. A second call swaps them back. Exact.
- * Requires a band of RGB565 whose pixels are at an even address: it is not told by band->palette.
- * Nothing is null. */
+ * Requires a band that is not null and has pixels of RGB565 at an even address. It does not look at
+ * band->palette. */
 void fxl_swap_rgb565(const fxl_band *band);
 
 /* --- the parts, for a format of your own ------------------------------------------------------ */

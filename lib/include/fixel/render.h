@@ -293,7 +293,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
 /* Sets every pixel of a band to a colour of the palette, in the format that the renderer draws.
  * What lies between width and stride is untouched. If pixels of RGB565 are at an odd address, it
  * sets none: fxl_frame_draw then answers FXL_E_ALIGNMENT. Exact.
- * Requires a renderer with a target, and a band that fxl_frame_draw takes. Neither may be null. */
+ * Requires a renderer with a target and a band that fxl_frame_draw takes, neither of them null. */
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour);
 
 /* Draws the frame's polygons over a band that the caller has cleared

@@ -88,8 +88,8 @@ extern const fxl_target fxl_rgb565_depth_32;
 /* Sets every pixel of a band of palette indices; of a band that has some columns alone, only
  * theirs. The bytes between width and stride are untouched. Exact. fxl_frame_fill (fixel/render.h)
  * does it in the renderer's format.
- * Requires a band with at least one row, of palette indices: it would write bytes into RGB565.
- * Nothing is null. */
+ * Requires a band that is not null, has at least one row, and has pixels of palette indices: it
+ * writes one byte a pixel. */
 void fxl_fill_band(const fxl_band *band, uint8_t colour);
 
 #ifdef __cplusplus
