@@ -294,8 +294,6 @@ def test_each_core_draws_the_cells_of_the_host(cells, program, tmp_path):
     assert lines == [*expected, f"done {len(expected)}"]
 
 
-# Where something is blended over a line, the reference, which draws no lines, cannot say what the pixel shows.
-NOT_JUDGED = {("blend", "outlines"), ("added", "outlines")}
 # Beams go neither with outlines nor with texels of RGB565, and a face is either blended or added.
 NOT_DRAWN = {("beams", "outlines"), ("texture of RGB565", "beams"), ("texture of RGB565 with holes", "beams"), ("blend", "added")}
 
@@ -308,7 +306,7 @@ def extra_of(*names):
 def is_pair(first, second):
     """Whether a scene may have both attributes, and the reference can say what they show. Smooth light and fog have flat light."""
     is_part = all(mine in other for mine, other in zip(ATTRIBUTES[first], ATTRIBUTES[second]))
-    return not is_part and not second.startswith("texture") and (first, second) not in NOT_DRAWN | NOT_JUDGED
+    return not is_part and not second.startswith("texture") and (first, second) not in NOT_DRAWN
 
 
 def pairs():

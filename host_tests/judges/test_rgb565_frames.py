@@ -48,6 +48,42 @@ def test_each_pixel_is_explained(build, tmp_path, name, method):
     assert dump.read_dump(shown).frames[0].pixels.dtype.itemsize == 2
 
 
+OUTLINES = ("--outlines", "1")
+
+
+@pytest.mark.parametrize("blend", ("true", '"add"'), ids=("blended", "added"))
+def test_what_is_mixed_with_an_outline_is_explained_and_what_is_off_is_not(build, tmp_path, blend):
+    """The teal box is mixed with the edges of the golden one behind it, and with its own."""
+    scene = tmp_path / "outlined.toml"
+    scene.write_text((BLENDED % "").replace("blend = true", f"blend = {blend}"))
+    image_file = built(scene, tmp_path)
+    plain = dump.read_dump(drawn(build, image_file, "plain"))
+    shown = drawn(build, image_file, "shown", *OUTLINES)
+    assert judged(build, image_file, shown, *OUTLINES)["pixels_unexplained"] == 0
+    pixels = dump.read_dump(shown).frames[0].pixels
+    lines = pixels != plain.frames[0].pixels
+    values, counts = numpy.unique(pixels[lines], return_counts=True)
+    colour = int(values[counts.argmax()])
+    over = numpy.flatnonzero(lines & (pixels != colour))        # a line, and something over it
+    assert len(over) > 20 and (pixels[lines] == colour).sum() > 20
+    assert judged(build, image_file, shown)["pixels_unexplained"] > 20      # nobody speaks of outlines
+    nowhere = int(numpy.flatnonzero(~around(lines, 3))[0])
+    blob, size = shown.read_bytes(), dump.parse_head(shown.read_bytes(), "shown").frame_bytes
+    for place, change in ((int(over[len(over) // 2]), 4 << 11), (int(over[len(over) // 3]), 8 << 5),
+                          (nowhere, int(pixels.ravel()[nowhere]) ^ colour)):
+        other = tmp_path / "other.fxld"
+        other.write_bytes(with_pixel(blob, size, 0, place, change))
+        assert judged(build, image_file, other, *OUTLINES)["pixels_unexplained"] == 1, place
+
+
+def around(mask, distance):
+    """What is within so many pixels of a mask, along and across."""
+    height, width = mask.shape
+    padded = numpy.pad(mask, distance)
+    shifts = range(2 * distance + 1)
+    return numpy.any([padded[y:y + height, x:x + width] for y in shifts for x in shifts], axis=0)
+
+
 def test_bands_and_lists_make_no_difference(build, tmp_path):
     image_file = built(CHECKOUT / "scenes" / "gallery.toml", tmp_path)
     options = ("--pixels", "rgb565", "--frames", "2", "--hidden", "depth")

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "judge/beneath.h"
+#include "judge/outlined.h"
 #include "reference/scan.h"
 
 judge_box judge_box_of(const ref_screen_polygon *polygon)
@@ -147,6 +148,20 @@ static double add_polygon(const ref_surface_view *look, const judge_showing *fou
     return shown;
 }
 
+/* What it costs that the outline of a polygon explains the pixel. beneath: what must be below all
+ * that is drawn after it. */
+static double outline_shown(const ref_drawn *drawn, const judge_question *question,
+                            const judge_beneath *beneath)
+{
+    judge_showing line;
+    if (question->line < 0 || !judge_is_on_outline(&drawn->polygon, question->x, question->y)) {
+        return INFINITY;
+    }
+    judge_showing_begin(&line);
+    judge_showing_add(&line, (uint16_t)question->line);
+    return judge_beneath_shown(beneath, &line);
+}
+
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question)
 {
@@ -158,9 +173,11 @@ double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_b
         const ref_screen_polygon *least = judge_least(&drawn[i], question->doubt);
         const ref_screen_polygon *most = judge_most(&drawn[i], question->doubt);
         bool near = box_holds(&boxes[i], cx, cy);
-        if (!near && box_is_beyond(&boxes[i], cx, cy, best)) {
+        const double reach = question->line < 0 ? best : fmax(best, JUDGE_OUTLINE_REACH);
+        if (!near && box_is_beyond(&boxes[i], cx, cy, reach)) {
             continue;
         }
+        best = fmin(best, outline_shown(&drawn[i], question, &beneath));
         judge_showing found;
         find_showing(lens, &drawn[i], question, &found);
         const bool is_in = near && ref_scan_covers(most, cx, cy);

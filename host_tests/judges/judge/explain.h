@@ -25,6 +25,7 @@ typedef struct {
     uint16_t colour;          /* an entry of the palette, or of RGB565 */
     const ref_rgb565 *rgb565; /* of the frame; null: it is one of a palette */
     uint8_t background;
+    int line;    /* the colour of outlines, as `colour`; below 0: none are drawn */
     bool doubt;  /* near and far may leave more or less of a polygon; see below */
     bool texels; /* a face may show another texel within the bound of its coordinates */
 } judge_question;
@@ -48,7 +49,10 @@ typedef struct {
  * texels: of any texel and any level within their bounds (reference/surface.h). Where its texel is
  * clear, putting it out costs 0. Where it is blended, it shows what the table makes of its colour
  * and of the one beneath; so the cost is found for each colour that may be beneath
- * (judge/beneath.h). */
+ * (judge/beneath.h).
+ *
+ * Where outlines are drawn, that of a polygon comes right after it. At a pixel that it may cover,
+ * to show the line costs 0, and so does leaving it out. */
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question);
 

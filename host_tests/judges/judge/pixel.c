@@ -13,13 +13,17 @@ judge_box *judge_boxes_of(const ref_display_list *list)
 }
 
 judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, uint8_t background,
-                         int x, int y, uint16_t colour, double limit)
+                         int line, int x, int y, uint16_t colour, double limit)
 {
     const ref_display_list *list = &renderer->display_list;
     const double resolution = ref_depth_resolution(&renderer->lens, renderer->depth_bits);
     const int ways = renderer->scene->surfaces ? 4 : 2;
-    judge_question question = {
-        .x = x, .y = y, .colour = colour, .rgb565 = renderer->rgb565, .background = background};
+    judge_question question = {.x = x,
+                               .y = y,
+                               .colour = colour,
+                               .rgb565 = renderer->rgb565,
+                               .background = background,
+                               .line = line < 0 ? line : ref_pixel_of(renderer, (uint8_t)line)};
     judge_reason reason = {0};
     for (int way = 0; way < ways; way++) {
         question.doubt = way & 1;

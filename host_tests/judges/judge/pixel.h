@@ -20,8 +20,9 @@ typedef struct {
 judge_box *judge_boxes_of(const ref_display_list *list);
 
 /* Explains a colour at pixel (x, y) of the renderer's frame, which was begun with keeps_doubt. The
- * reason is within the bound if its distance is at most `limit`. */
+ * reason is within the bound if its distance is at most `limit`. line: the palette index of the
+ * outlines that were drawn; below 0: none. */
 judge_reason judge_pixel(const ref_renderer *renderer, const judge_box *boxes, uint8_t background,
-                         int x, int y, uint16_t colour, double limit);
+                         int line, int x, int y, uint16_t colour, double limit);
 
 #endif

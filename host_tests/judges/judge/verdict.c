@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "frames/moving_reference.h"
-#include "judge/outlined.h"
 #include "judge/pixel.h"
 #include "oracle/tie.h"
 #include "reference/fill.h"
@@ -62,8 +61,8 @@ static void count_pixel(judge_frame *frame, const judge_sample *pixel, double li
 static void explain(const job *work, const ref_renderer *renderer, const judge_box *boxes,
                     judge_sample *pixel, judge_frame *frame)
 {
-    const judge_reason reason = judge_pixel(renderer, boxes, work->image->background, pixel->x,
-                                            pixel->y, pixel->board, work->distance);
+    const judge_reason reason = judge_pixel(renderer, boxes, work->image->background, work->line,
+                                            pixel->x, pixel->y, pixel->board, work->distance);
     pixel->distance = reason.distance;
     frame->near_far += reason.near_far;
     frame->texels += reason.texels;
@@ -136,10 +135,6 @@ static bool compare_pixels(const job *work, const ref_renderer *renderer, const 
             const size_t place = (size_t)y * (size_t)work->dump->width + (size_t)x;
             const uint16_t board = judge_dump_pixel(work->dump, number, place);
             if (board == twin[place]) {
-                continue;
-            }
-            if (work->line >= 0 && board == ref_pixel_of(renderer, (uint8_t)work->line) &&
-                judge_is_on_outline(renderer, x, y)) {
                 continue;
             }
             if (!boxes && !(boxes = judge_boxes_of(&renderer->display_list))) {

@@ -11,8 +11,8 @@ $(BUILD)/host/objects/judges/live/%.o: host_tests/judges/live/%.c
 
 $(BUILD)/host/live: $(LIVE_OBJECTS) $(BUILD)/host/objects/judges/frames/read_file.o \
     $(BUILD)/host/objects/judges/frames/moving_reference.o $(BUILD)/host/objects/judges/judge/pixel.o \
-    $(BUILD)/host/objects/judges/judge/explain.o \
+    $(BUILD)/host/objects/judges/judge/explain.o $(BUILD)/host/objects/judges/judge/outlined.o \
     $(BUILD)/host/objects/judges/judge/beneath.o $(BUILD)/host/libreference.a \
-    $(call LIB_HOST_NEEDED,$(wildcard host_tests/judges/live/*.c) $(addprefix host_tests/judges/,frames/moving_reference.c judge/pixel.c judge/explain.c judge/beneath.c))
+    $(call LIB_HOST_NEEDED,$(wildcard host_tests/judges/live/*.c) $(addprefix host_tests/judges/,frames/moving_reference.c judge/pixel.c judge/explain.c judge/outlined.c judge/beneath.c))
 	$(SAY)
 	$(HOSTCC) $^ -lm -o $@

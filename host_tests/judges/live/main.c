@@ -168,7 +168,7 @@ static bool judge_board(session *run)
         run->verdict[i] = IS_EQUAL;
         if (board_pixel(run, i) != run->frame[i]) {
             const judge_reason reason =
-                judge_pixel(&run->renderer, boxes, run->image.background, (int)i % width,
+                judge_pixel(&run->renderer, boxes, run->image.background, -1, (int)i % width,
                             (int)i / width, board_pixel(run, i), JUDGE_DISTANCE);
             run->verdict[i] =
                 reason.distance <= JUDGE_DISTANCE ? IS_WITHIN_THE_BOUND : IS_BEYOND_THE_BOUND;
