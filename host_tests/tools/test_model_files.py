@@ -300,3 +300,31 @@ def test_images_on_more_faces_than_8192(tmp_path):
     data = glb(*gltf(points, triangles, uvs=[(x / 65, y / 65) for x, y, _ in points], image=CLOTH))
     made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.glb"\nimages = true\nmerge = false\n', m_glb=data)
     assert sum(len(model.faces) for model in made.models) == 8450 and made.surfaces
+
+
+GROUPED = QUADS.replace("usemtl red\n", "o left\nusemtl red\n").replace("usemtl cloth\n", "o right\nusemtl cloth\n")
+
+
+def test_an_object_takes_a_group_of_an_obj_file(tmp_path):
+    """Its faces alone, with their materials, and its own middle."""
+    files = {"m_obj": GROUPED, "paint_mtl": PAINT, "a__skin_png": png([[(255, 0, 0)]])}
+    made, _ = compiled(tmp_path, "".join(f'[[objects]]\nmodel = "m.obj"\ngroup = "{name}"\nanchor = "middle"\nshade = false\n'
+                                         for name in ("left", "right")), **files)
+    assert [len(model.faces) for model in made.models] == [1, 1] and len(made.objects) == 2
+    whole, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nshade = false\n')
+    assert colours(made) == colours(whole) and len(colours(made)) == 2
+    assert made.models[0].faces[0].colour != made.models[1].faces[0].colour
+
+
+@pytest.mark.parametrize("text, parts", [
+    ('model = "m.obj"\ngroup = "lefd"\n', ["group", "m.obj", 'has no group "lefd"', '"left"']),
+    ('model = "m.obj"\ngroup = "%s"\n' % ("x" * 9000), ["group", 'nearest name is "']),
+    ('model = "m.obj"\ngroup = 7\n', ["group"]),
+    ('model = "p.obj"\ngroup = "left"\n', ["group", "p.obj has no groups", "OBJ"]),
+    ('model = "m.stl"\ngroup = "left"\n', ["group", "m.stl has no groups", "OBJ"]),
+    ('solid = "box"\ngroup = "left"\n', ["group", "means nothing for a solid"])])
+def test_a_group_that_is_not_there_is_refused(tmp_path, text, parts):
+    with pytest.raises(ToolError) as caught:
+        compiled(tmp_path, "[[objects]]\n" + text, m_obj=GROUPED, paint_mtl="newmtl red\nKd 1 0 0\n", p_obj=QUADS, m_stl=stl())
+    said = str(caught.value)
+    assert all(part in said for part in parts) and "\n" not in said and len(said) < 400, said

@@ -58,7 +58,7 @@ def test_a_right_handed_cube_faces_outward_and_is_not_mirrored(tmp_path):
     assert shape.faces[0].normal == (0, 0, -(1 << 30))
     assert all(mesh.dot(f.normal, shape.vertices[f.corners[0]]) > 0 for f in shape.faces)
     assert any("z was negated" in note for note in notes)
-    assert any("1 x o" in note and "1 x usemtl" in note for note in notes)
+    assert any("1 x usemtl" in note for note in notes)
 
 
 def test_a_corner_that_is_named_twice_counts_once(tmp_path):
@@ -111,6 +111,45 @@ def test_a_byte_order_mark_and_display_attributes_are_skipped(tmp_path):
                        "c_interp on\nd_interp on\n")
     assert len(made.faces) == 6
     assert any("1 x lod" in note and "1 x bevel" in note and "1 x shadow_obj" in note for note in notes)
+
+
+GROUPS = """v 9 9 9
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+f 2 3 4
+o lower half
+g a b b c
+f 2 3 4
+o upper
+f 2 4 5
+f 3 4 5
+g
+f 2 3 5
+o empty
+o
+"""
+
+
+def test_o_and_g_name_groups_of_faces(tmp_path):
+    made, notes = read(tmp_path, GROUPS)
+    assert made.groups == {"lower half": [(1, 2)], "upper": [(2, 5)], "a": [(1, 4)], "b": [(1, 4)], "c": [(1, 4)]}
+    part = made.part("lower half")
+    assert part.faces == [[2, 1, 0]] and part.vertices == made.vertices[:3] and part.places == [made.places[1]]
+    assert len(made.part("a").faces) == 3 and len(made.part("a").vertices) == 4
+    assert not any("ignored" in note for note in notes)
+
+
+def test_a_g_with_many_names_keeps_the_first(tmp_path):
+    names = [f"n{i}" for i in range(20)]
+    made, _ = read(tmp_path, CUBE.replace("o cube", "g " + " ".join(names)))
+    assert list(made.groups) == names[:obj.GROUPS_MAX]
+
+
+def test_a_name_of_o_and_of_g_is_one_group(tmp_path):
+    made, _ = read(tmp_path, GROUPS.replace("g a b b c", "g upper"))
+    assert sorted(made.groups["upper"]) == [(1, 4), (2, 5)] and len(made.part("upper").faces) == 4
 
 
 def test_a_bare_model_is_seen_from_its_front_which_is_lit(tmp_path):

@@ -35,11 +35,29 @@ class Mesh:
     places: list = field(default_factory=list)  # where each face stands, for messages
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
     uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
+    groups: dict = field(default_factory=dict)  # {name: [(first face, behind the last)]}
 
     @cached_property
     def extent(self):
         """The length of the longest side of the box about its vertices."""
         return max(max(axis) - min(axis) for axis in zip(*self.vertices))
+
+    def part(self, group):
+        """The mesh of a group's faces."""
+        numbers = sorted({number for first, end in self.groups[group] for number in range(first, end)})
+        vertices, faces, _ = without_unused(self.vertices, [self.faces[number] for number in numbers])
+        return Mesh(vertices, faces, [self.places[number] for number in numbers],
+                    self.surfaces and self.surfaces.part(numbers), [self.uvs[number] for number in numbers])
+
+
+def without_unused(vertices, faces):
+    """Only those vertices that faces use, and how many were dropped."""
+    used = {corner for face in faces for corner in face}
+    if len(used) == len(vertices):
+        return vertices, faces, 0
+    numbers = {old: new for new, old in enumerate(sorted(used))}
+    return ([vertices[old] for old in numbers], [[numbers[corner] for corner in face] for face in faces],
+            len(vertices) - len(used))
 
 
 @dataclass

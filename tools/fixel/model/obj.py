@@ -17,7 +17,7 @@ import re
 
 from fixel.model import mtl, number_text
 from fixel.base.errors import ToolError
-from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
+from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
 from fixel.model.surface import Material, Surfaces
@@ -26,9 +26,10 @@ FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
 COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
-_IGNORED = {"g", "o", "s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod",
+_IGNORED = {"s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod",
             "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
 _PLAIN = re.compile(r"(-?)([0-9]{1,8})(?:\.([0-9]{1,18}))?")    # a number that needs no rounding
+GROUPS_MAX = 8              # names of one g
 _PLACES = 18                # of UNIT
 _UV_MAX = 1e6               # images across
 _LINES_A_WORD = 4096        # lines between two words about the progress
@@ -125,16 +126,6 @@ def _refuse_many_faces(name, count):
         raise ToolError(f"{name}: more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify the model")
 
 
-def _without_unused(vertices, faces):
-    """Only those vertices that faces use, and how many were dropped."""
-    used = {corner for face in faces for corner in face}
-    if len(used) == len(vertices):
-        return vertices, faces, 0
-    numbers = {old: new for new, old in enumerate(sorted(used))}
-    return ([vertices[old] for old in numbers], [[numbers[corner] for corner in face] for face in faces],
-            len(vertices) - len(used))
-
-
 class _Materials:
     """What usemtl and mtllib of a file say."""
 
@@ -175,6 +166,30 @@ class _Materials:
         return self.surfaces if self.reader.materials else None, notes
 
 
+class _Groups:
+    """The faces under each name of o and g, as runs."""
+
+    def __init__(self):
+        self.runs, self.open = {}, {"o": ((), 0), "g": ((), 0)}
+
+    def begin(self, word, rest, face):
+        """A statement o or g, of the faces from here on. The name of an o may have blanks; a g has several names."""
+        self._end(word, face)
+        names = [" ".join(rest)] if word == "o" and rest else rest[:GROUPS_MAX]
+        self.open[word] = tuple(dict.fromkeys(names)), face
+
+    def _end(self, word, face):
+        names, first = self.open[word]
+        for name in names if first < face else ():
+            self.runs.setdefault(name, []).append((first, face))
+
+    def result(self, count):
+        """{name: [(first face, behind the last)]} of a file of so many faces."""
+        for word in self.open:
+            self._end(word, count)
+        return self.runs
+
+
 class _Parser:
     """What a file says, line by line."""
 
@@ -182,7 +197,7 @@ class _Parser:
         self.name = name
         self.vertices, self.coordinates, self.faces, self.lines = [], [], [], []
         self.counts, self.ignored = {"v": 0, "vt": 0, "vn": 0}, {}
-        self.materials = _Materials(folder, name, sources)
+        self.materials, self.groups = _Materials(folder, name, sources), _Groups()
 
     def _add_face(self, rest, where):
         vertices, numbers = _face(rest, self.counts, where)
@@ -210,6 +225,8 @@ class _Parser:
             self.materials.library(rest, where)
         elif word == "usemtl":
             self.materials.use(rest)
+        elif word in ("o", "g"):
+            self.groups.begin(word, rest, len(self.faces))
         elif word in _IGNORED:
             self.ignored[word] = self.ignored.get(word, 0) + 1
         else:
@@ -229,7 +246,7 @@ def read(path, name=None, progress=None, sources=None):
         parser.line(word, rest, f"{name}:{number}")
     if not parser.faces:
         raise ToolError(f"{name}: there is no face in this file")
-    vertices, faces, unused = _without_unused(parser.vertices, parser.faces)
+    vertices, faces, unused = without_unused(parser.vertices, parser.faces)
     notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every "
              "outline reversed"]
     surfaces, more = parser.materials.result()
@@ -239,4 +256,5 @@ def read(path, name=None, progress=None, sources=None):
         notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs), notes + more
+    groups = parser.groups.result(len(faces))
+    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs, groups), notes + more

@@ -27,6 +27,10 @@ class Surfaces:
         self.of_face.append(material)
         self.uvs.append(uvs)
 
+    def part(self, faces):
+        """The surfaces of some faces."""
+        return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces])
+
     def colours(self):
         """The colour of each face, red, green and blue: with an image the mean of what lies on it. Computed once."""
         if len(self._colours) != len(self.of_face):

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: MIT
 """What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
 
+import difflib
 from fractions import Fraction
+import itertools
 import math
 
 from fixel.base import reading
 from fixel.model import merge, model_file
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, rounding_error, shape
-from fixel.base.reading import Beside, quoted
+from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
 
-KEYS = {"obj", "model", "fit", "mend", "merge"}
+KEYS = {"obj", "model", "group", "fit", "mend", "merge"}
+NEAR_MAX = 1000     # names of groups among which the nearest is looked for
 FIT_MAX = 16382
 
 
@@ -21,7 +24,7 @@ class Files:
 
     def __init__(self, folder):
         self.folder, self.sources = folder, Sources()
-        self.by_name, self.by_path, self.meshes = {}, {}, {}
+        self.by_name, self.by_path, self.meshes, self.parts = {}, {}, {}, {}
 
     def file(self, name):
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
@@ -44,9 +47,26 @@ class Files:
     def __setitem__(self, name, mesh):
         self.meshes[self._key(name)] = mesh
 
+    def part(self, name, group, where):
+        """The mesh of a group of a file that was read."""
+        key = self._key(name), group
+        if key not in self.parts:
+            _check_group(self[name], *key, where)
+            self.parts[key] = self[name].part(group)
+        return self.parts[key]
+
     def values(self):
         """The mesh of each file."""
         return self.meshes.values()
+
+
+def _check_group(mesh, file, group, where):
+    if not mesh.groups:
+        raise ToolError(f"{where}: {file} has no groups; o and g of an OBJ file name them")
+    if group not in mesh.groups:
+        names = list(itertools.islice(mesh.groups, NEAR_MAX))
+        near = difflib.get_close_matches(group[:QUOTE_MAX], names, 1, 0) or names
+        raise ToolError(f"{where}: {file} has no group {quoted(group)}; the nearest name is {quoted(near[0])}")
 
 
 def read(table, key, files, progress):

@@ -120,7 +120,10 @@ class Objects:
                 raise ToolError(f"{table.at(key)}: means nothing for a file")
         self.files[table.text(source)], name, notes = toml_model.read(table, source, self.files, self.progress)
         self.notes += notes
-        return self.files[name], name, (name,)
+        if "group" not in table:
+            return self.files[name], name, (name,)
+        group = table.text("group")
+        return self.files.part(name, group, table.at("group")), name, (name, group)
 
     def _look_of(self, table):
         """What an object says of its surfaces; one that says nothing has the same as all others that do not."""
@@ -205,7 +208,8 @@ class Objects:
         elif look.images and "colour" not in table:
             colours = look.images.colours
         elif "colour" not in table and "solid" not in table and self.mesh(table)[0].surfaces:
-            colours = self._shared((self.mesh(table)[1], None), lambda: self._of_file(self.mesh(table)[1]))
+            mesh, name, identity = self.mesh(table)
+            colours = self._shared((identity, None), lambda: self._of_file(mesh.surfaces, name, identity))
         else:
             own = palette.parse(table.data.get("colour", "#c8c0b0"), table.at("colour"))
             bases = (own,) if "colour" in table else tuple(p.picture.mean if p else own for p in look.paints)
@@ -220,15 +224,14 @@ class Objects:
             self.shared[key] = toml_images.Colours(make(), *covered)
         return self.shared[key]
 
-    def _of_file(self, name):
-        """The colours of a file's faces; the same object for the same file."""
-        if name not in self.surfaces:
-            surfaces = self.files[name].surfaces
-            self.surfaces[name] = tuple(surfaces.colours())
+    def _of_file(self, surfaces, name, identity):
+        """The colours of a file's faces; the same object for the same file and group."""
+        if identity not in self.surfaces:
+            self.surfaces[identity] = tuple(surfaces.colours())
             clear = sum(surfaces.materials[number].opacity < 1 for number in surfaces.of_face)
             if clear:
                 self.notes.append(f"{name}: faces that are partly transparent are drawn opaque: {clear:,}")
-        return self.surfaces[name]
+        return self.surfaces[identity]
 
     def _colours(self, made, wish, copy, clusters):
         """What colour each face of a shape wishes for; the same object for the same wish."""
