@@ -12,16 +12,17 @@ import socket
 
 import numpy
 import pytest
+import warm_start
 from fixel.view import recording
 from PIL import Image
-from conftest import assert_one_sentence, run_cli
+from conftest import TOOLS, assert_one_sentence, environment, run_cli
 
 from board_programs import ROOT, built
 from fixel.scene import making
 from fixel.view import browser
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError
-from viewers import HEIGHT, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board   # two are fixtures
+from viewers import BOARDS, HEIGHT, SCREEN, WIDTH, left, own_build, plaza_image, port_of, ready, ready_board   # two are fixtures
 
 MARK = (255, 0, 160)    # of a pixel that differs, in templates/view_picture.js
 LINE = (255, 211, 77)   # of an outline
@@ -36,6 +37,10 @@ SAME = {"KeyW": 1, "KeyS": 2, "KeyA": 4, "KeyD": 8, "PageUp": 16, "PageDown": 32
 # docs/extras/surfaces.md, which `make run` judges.
 TURNING = 10    # frames for which a key is held there: the model stays in sight
 SURFACES = {"landscape": 20, "gallery": 1000, "car": 50, "room": 1000}
+
+
+# For what the page does by itself: the board is one of the two.
+on_one_board = pytest.mark.parametrize("board", BOARDS[:1], indirect=True)
 
 
 @pytest.fixture(scope="module")
@@ -101,12 +106,12 @@ def around(degrees):
 
 def test_frames_and_figures(page, board):
     wait_for_frames(page, 5)
-    assert page.inner_text("#board") == board and "plaza.fxls, 320 × 240" in page.inner_text("#scene")
+    assert page.inner_text("#board") == board and "plaza.fxls, 160 × 120" in page.inner_text("#scene")
     assert figure(page, "board-rate") > 0 and figure(page, "page-rate") > 0
     assert 1e5 < figure(page, "instructions") < 1e8
     assert stand_still(page)["z"] == -32
     (frame,) = canvases(page, "fixed")
-    assert frame.shape == (240, 320, 3) and len(numpy.unique(frame.reshape(-1, 3), axis=0)) > 30
+    assert frame.shape == (*reversed(SCREEN), 3) and len(numpy.unique(frame.reshape(-1, 3), axis=0)) > 30
 
 
 def test_counters(page):
@@ -148,6 +153,7 @@ def test_a_key_moves_the_viewer_and_the_picture(page, key):
     assert numpy.mean((moved != picture).any(axis=2)) > 0.01
 
 
+@on_one_board
 def test_every_key_is_known_to_the_page(page):
     for key, bit in SAME.items():
         button = f"[data-bit='{bit}']"
@@ -198,10 +204,11 @@ def test_double(page):
     show_beside(page, "1", "double")
     fixed, double = canvases(page, "fixed", "other")
     differ = (fixed != double).any(axis=2).sum()
-    assert fixed.shape == double.shape and differ <= 20     # of 76,800; mostly none
+    assert fixed.shape == double.shape and differ <= 20     # of 19,200; mostly none
     assert len(numpy.unique(double.reshape(-1, 3), axis=0)) > 30
 
 
+@on_one_board
 def test_difference(page):
     show_beside(page, "2", "difference")
     (shown,) = canvases(page, "other")
@@ -210,13 +217,14 @@ def test_difference(page):
     assert (shown.max(axis=2) == shown.min(axis=2)).all() and len(numpy.unique(shown)) > 10
 
 
+@on_one_board
 def test_wireframe(page):
     stand_still(page)
     show_beside(page, "3", "wireframe")
     lines, (shown,) = numbers(page, "other-name")[0], canvases(page, "other")
     drawn = figure(page, "polygons tr[data-name='drawn'] td:nth-child(2)")
     assert abs(lines - drawn) <= 0.01 * drawn   # those that only one of the two draws have hardly an area
-    assert shown.shape[0] % 240 == 0 and (numpy.abs(shown.astype(int) - LINE).sum(axis=2) < 12).sum() > 1000
+    assert shown.shape[0] % SCREEN[1] == 0 and (numpy.abs(shown.astype(int) - LINE).sum(axis=2) < 12).sum() > 1000
 
 
 def test_nothing_beside_it(page, board, build):
@@ -302,6 +310,7 @@ def test_back_to_the_start(page):
     assert (pose["x"], pose["z"], pose["yaw"]) == (0, -32, 0)
 
 
+@on_one_board
 def test_a_page_that_comes_while_the_board_is_paused(paused, window, chromium):
     with browser.page(chromium, window[1], WIDTH, HEIGHT) as other:
         state(other, "paused")
@@ -315,21 +324,22 @@ PIXEL = re.compile(r"Pixel (\d+), (\d+): colour (\d+), RGB (\d+) (\d+) (\d+); (?
 
 
 def pixel_told(page, x, y):
-    """What the page says of pixel x, y of a frame of 320 x 240: (x, y), colour, RGB, (instance, face) or None."""
+    """What the page says of pixel x, y of a frame: (x, y), colour, RGB, (instance, face) or None."""
     width = page.eval_on_selector("#fixed", "canvas => canvas.getBoundingClientRect().width")
-    page.hover("#fixed", position={"x": (x + 0.5) * width / 320, "y": (y + 0.5) * width / 320})
+    page.hover("#fixed", position={"x": (x + 0.5) * width / SCREEN[0], "y": (y + 0.5) * width / SCREEN[0]})
     page.wait_for_function(f"words => /^Pixel {x}, {y}:.*(away|background)/.test(document.getElementById('pixel-words').textContent)")
     at_x, at_y, colour, *rest = (None if each is None else int(each)
                                  for each in PIXEL.match(page.inner_text("#pixel-words")).groups())
     return (at_x, at_y), colour, tuple(rest[:3]), None if rest[3] is None else tuple(rest[3:])
 
 
+@on_one_board
 def test_the_pixel_under_the_pointer(paused, scene):
     """The plaza has neither light nor surfaces: a pixel has the colour of the face that is told."""
     compiled = scene_image.load(scene)
     (frame,) = canvases(paused, "fixed")
     faces = set()
-    for x, y in ((160, 100), (10, 5), (60, 150), (309, 235), (0, 0), (200, 120)):
+    for x, y in ((80, 50), (5, 2), (30, 75), (154, 117), (0, 0), (100, 60)):
         place, colour, rgb, face = pixel_told(paused, x, y)
         assert place == (x, y) and rgb == tuple(frame[y, x]) == tuple(compiled.palette[colour])
         instance, number = face
@@ -339,9 +349,10 @@ def test_the_pixel_under_the_pointer(paused, scene):
     paused.mouse.move(0, 0)
 
 
+@on_one_board
 def test_zoom(paused):
     show_beside(paused, "1", "double")
-    before = pixel_told(paused, 100, 60)
+    before = pixel_told(paused, 50, 30)
     for factor in (2, 4, 8):
         paused.keyboard.press("+")
         assert paused.inner_text("#zoom") == f"{factor}×"
@@ -354,11 +365,12 @@ def test_zoom(paused):
     for _ in range(3):
         paused.click("#smaller")
     assert paused.inner_text("#zoom") == "1×" and paused.is_disabled("#smaller")
-    assert pixel_told(paused, 100, 60) == before
+    assert pixel_told(paused, 50, 30) == before
     paused.keyboard.press("0")
     paused.mouse.move(0, 0)
 
 
+@on_one_board
 def test_save_png(paused, board):
     (frame,) = canvases(paused, "fixed")
     with paused.expect_download() as download:
@@ -370,33 +382,40 @@ def test_save_png(paused, board):
 
 # --- the layout -----------------------------------------------------------------------
 
-@pytest.mark.parametrize("beside", ["0", "1", "2", "3"])
-def test_picture_and_keys_are_on_one_screen(page, board, build, beside):
-    """build/view/<board>-390.png is how the narrow page looked."""
-    page.keyboard.press(beside)
-    try:
-        for width, height in ((390, 844), (1280, 800)):
-            page.set_viewport_size({"width": width, "height": height})
-            wait_for_frames(page, 2)
-            boxes = [page.locator(name).bounding_box() for name in ("#fixed", "#bar", "#keys")]
-            assert all(box["x"] >= 0 and box["y"] >= 0 and box["x"] + box["width"] <= width
-                       and box["y"] + box["height"] <= height for box in boxes), boxes
-            assert page.evaluate("document.documentElement.scrollWidth") <= width
-            if (width, beside) == (390, "2"):
-                (build / "view").mkdir(exist_ok=True)
-                page.screenshot(path=build / "view" / f"{board}-390.png")
-        assert page.evaluate("document.documentElement.scrollHeight") <= HEIGHT
-    finally:
-        page.set_viewport_size({"width": WIDTH, "height": HEIGHT})
-        page.keyboard.press("0")
+def test_picture_and_keys_are_on_one_screen(chromium, build, tmp_path):
+    """Of a frame of 320 x 240, whatever is shown beside it, and wherever the scene is. build/view/mps2-an385-390.png is how the narrow page looked."""
+    ready("mps2-an385", build)
+    image = tmp_path / ("folder" * 20) / "plaza.fxls"
+    image.parent.mkdir()
+    making.build(str(ROOT / "scenes" / "plaza.toml"), str(image))
+    with browser.viewing("mps2-an385", image, build) as (_, address), \
+            browser.page(chromium, address, WIDTH, HEIGHT) as page:
+        page.set_default_timeout(0)
+        page.wait_for_function("() => document.getElementById('board-rate').textContent !== '–'")
+        for beside in "0123":
+            page.keyboard.press(beside)
+            for width, height in ((390, 844), (1280, 800)):
+                page.set_viewport_size({"width": width, "height": height})
+                wait_for_frames(page, 2)
+                boxes = [page.locator(name).bounding_box() for name in ("#fixed", "#bar", "#keys")]
+                assert all(box["x"] >= 0 and box["y"] >= 0 and box["x"] + box["width"] <= width
+                           and box["y"] + box["height"] <= height for box in boxes), boxes
+                assert page.evaluate("document.documentElement.scrollWidth") <= width
+                if (width, beside) == (390, "2"):
+                    (build / "view").mkdir(exist_ok=True)
+                    page.screenshot(path=build / "view" / "mps2-an385-390.png")
+            assert page.evaluate("document.documentElement.scrollHeight") <= HEIGHT
+        assert page.complaints == []
 
 
+@on_one_board
 def test_whose_rate_it_is(page):
     assert "rates of the emulator on this machine, not of a board" in page.inner_text("#choices")
 
 
 # --- others that look on ------------------------------------------------------------
 
+@on_one_board
 def test_another_tab_sees_and_walks_the_same(window, chromium):
     _, address, page = window
     before = stand_still(page)
@@ -408,6 +427,7 @@ def test_another_tab_sees_and_walks_the_same(window, chromium):
     assert stand_still(page)["z"] > before["z"]
 
 
+@on_one_board
 def test_it_listens_on_this_machine_alone(window):
     port = port_of(window[1])
     socket.create_connection(("127.0.0.1", port)).close()
@@ -415,11 +435,13 @@ def test_it_listens_on_this_machine_alone(window):
         socket.create_connection(("127.0.0.2", port))
 
 
+@on_one_board
 def test_another_viewer_has_a_port_of_its_own(window, board, scene, build):
     with browser.viewing(board, scene, build) as (_, address):
         assert address != window[1]
 
 
+@on_one_board
 def test_a_port_in_use_is_refused(window, board, scene, build, tmp_path):
     port, programs = port_of(window[1]), own_build(build, tmp_path)
     refused = run_cli("view", "--board", board, "--scene", scene, "--build", programs, "--port", port)
@@ -501,7 +523,7 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
     ready("mps2-an385", build)
     built("mps2-an385/game.elf")
     image = tmp_path / "game.fxls"
-    making.build(str(ROOT / "examples" / "game" / "game.toml"), str(image))
+    making.build(str(ROOT / "examples" / "game" / "game.toml"), str(image), None, (160, 120))
     with browser.viewing("mps2-an385", image, build, ("--program", "game")) as (_, address), \
             browser.page(chromium, address, WIDTH, HEIGHT) as page:
         page.set_default_timeout(0)
@@ -533,10 +555,23 @@ def test_the_game_is_played_in_it(chromium, build, tmp_path):
         assert page.complaints == []
 
 
+# The command with a small window and one format, a small one: pictures of the whole window and their colours take most of
+# its time.
+SMALL_RECORDING = """import sys
+sys.path.insert(0, {tools!r})
+from fixel import launcher
+from fixel.base.errors import run_main
+from fixel.view import recording
+recording.WIDTH, recording.HEIGHT, recording.FORMATS = 640, 400, [(240, 32)]
+run_main(launcher.main)
+"""
+
+
 def test_the_recording(scene, build, tmp_path):
     ready("mps2-an385", build)
     file = tmp_path / "window.gif"
-    done = run_cli("record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file)
+    words = ["record", "--board", "mps2-an385", "--scene", scene, "--build", build, "--out", file]
+    done = warm_start.run(["fixel", *map(str, words)], ROOT, environment(), SMALL_RECORDING.format(tools=str(TOOLS)))
     assert done.returncode == 0, done.stderr
     with Image.open(file) as recording:
         frames = []

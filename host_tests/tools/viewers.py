@@ -13,6 +13,7 @@ from board_programs import ROOT, built
 
 BOARDS = ("mps2-an385", "lm3s6965evb")
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
+SCREEN = (160, 120)         # of the plaza: a browser's driver copies each frame, so they are small
 
 
 def ready(board, build):
@@ -26,7 +27,7 @@ def ready(board, build):
 def plaza_image(tmp_path_factory):
     """The plaza as a scene image, so that not every viewer compiles it."""
     image = tmp_path_factory.mktemp("plaza") / "plaza.fxls"
-    making.build(str(ROOT / "scenes" / "plaza.toml"), str(image))
+    making.build(str(ROOT / "scenes" / "plaza.toml"), str(image), screen=SCREEN)
     return image
 
 

@@ -89,7 +89,8 @@ function greet(message) {
   hello = message;
   at("board").textContent = hello.board;
   at("cpu").textContent = hello.cpu;
-  at("scene").textContent = `${hello.scene}, ${hello.width} × ${hello.height}`;
+  at("scene").textContent = `${fileName(hello.scene)}, ${hello.width} × ${hello.height}`;
+  at("scene").title = hello.scene;
   at("beside-label").hidden = at("beside-choice").hidden = !hello.judged;
   at("state").textContent = "live";
   at("state").className = "live";
@@ -328,9 +329,14 @@ function point(pixel) {
   }
 }
 
+/** The last part of a path. */
+function fileName(path) {
+  return path.split(/[\\/]/).pop();
+}
+
 /** Hands the board's frame to the browser as a file. */
 function save() {
-  const scene = hello.scene.split(/[\\/]/).pop().replace(/[.][^.]*$/, "");
+  const scene = fileName(hello.scene).replace(/[.][^.]*$/, "");
   const link = document.createElement("a");
   link.download = `${hello.board}-${scene}-${newest.number}.png`;
   at("fixed").toBlob((blob) => {
