@@ -25,7 +25,8 @@ import threading
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 PRELOADED = ("numpy", "PIL.Image", "elftools.elf.elffile", "fixel.scene.summary", "fixel.scene.texture",
-             "fixel.board.judged_run", "fixel.board.flashing", "fixel.scene.worker")
+             "fixel.board.judged_run", "fixel.board.flashing", "fixel.scene.worker",
+             "fixel.scene.command")
 PR_SET_PDEATHSIG = 1     # of Linux
 REQUEST_MAX = 100_000    # characters
 # MiB. A fork has up to 100 MiB of address space more than a process that Python starts from nothing, so a job that is
