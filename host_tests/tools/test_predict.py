@@ -41,18 +41,18 @@ direction = [0.6, -0.64, 0.48]
 window = [[-4, 1, -2], [-4, 4, -2], [-4, 4, 2], [-4, 1, 2]]
 """
 PUT = {"depth": ("[view]\n", "[view]\nvisibility = \"depth\"\n"), "ferns": ("\n[path]", FERNS + "\n[path]"),
-       "beam": ("\n[[objects]]", BEAM + "\n[[objects]]"), "rgb565": ("[view]\n", "[view]\npixels = \"rgb565\"\n")}
+       "texels": ('name = "bricks"\n', 'name = "bricks"\nbits = 16\n'), "beam": ("\n[[objects]]", BEAM + "\n[[objects]]"), "rgb565": ("[view]\n", "[view]\npixels = \"rgb565\"\n")}
 # A scene of the repository, and what is put into it.
 KINDS = {
     "mps2-an385": ("scenes/gallery.toml", "scenes/car.toml", "scenes/knot-moving.toml depth", "scenes/room.toml depth",
                    "scenes/grove.toml", "scenes/room.toml ferns", "scenes/spin.toml ferns",
                    "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml beam",
                    "scenes/beam.toml depth ferns", "scenes/grove.toml depth beam",
-                   "scenes/gallery.toml rgb565", "scenes/room.toml rgb565", "scenes/lit.toml rgb565", "scenes/grove.toml depth rgb565",
+                   "scenes/gallery.toml rgb565", "scenes/room.toml rgb565", "scenes/room.toml rgb565 texels", "scenes/lit.toml rgb565", "scenes/grove.toml depth rgb565",
                    "scenes/knot.toml", "scenes/knot.toml rgb565"),
     "microbit": ("scenes/car.toml", "scenes/knot-moving.toml depth", "scenes/grove.toml", "scenes/knot-moving.toml ferns",
                  "scenes/beam.toml", "scenes/knot-moving.toml beam", "scenes/grove.toml depth beam",
-                 "scenes/room.toml rgb565", "scenes/grove.toml rgb565", "scenes/car.toml rgb565")}
+                 "scenes/room.toml rgb565", "scenes/room.toml rgb565 texels", "scenes/grove.toml rgb565", "scenes/car.toml rgb565")}
 MEASURED = (*((board, scene) for board in BOARDS for scene in SCENES), *LOOKS,
             *((board, scene) for board, scenes in KINDS.items() for scene in scenes))
 FRAMES = 12
@@ -245,7 +245,7 @@ def test_every_count_counts(tmp_path):
     plain = ("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml", "bench/costs_surfaces.toml",
              "bench/costs_lights.toml", "bench/costs_turned_lit.toml", "bench/costs_billboards.toml", "bench/costs_glass.toml",
              "bench/costs_all.toml", "bench/costs_tree.toml")
-    wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml")
+    wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml", "bench/costs_texels.toml")
     for number, (source, pixels) in enumerate([*((source, "palette") for source in plain), *((source, "rgb565") for source in wide)]):
         image = tmp_path / f"{number}.fxls"
         making.build(str(ROOT / source), image, 12 if number < 2 else None, asked=target.Target(pixels))

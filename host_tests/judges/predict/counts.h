@@ -103,6 +103,8 @@
     X(wide_texels) \
     X(wide_lit) \
     X(wide_blended) \
+    X(wide_repeated) \
+    X(wide_repeated_lit) \
     X(wide_billboard_drawn)
 
 typedef struct {

@@ -20,6 +20,7 @@
 #include "paint/light_level.h"
 #include "paint/rgb565_colour.h"
 #include "paint/segments.h"
+#include "paint/texture_level.h"
 
 predict_counts counted;
 bool is_wide;
@@ -336,9 +337,22 @@ static bool suffices(const fxl_paint *paint, const fxl_paint_row *row, int32_t f
     return (a < b ? a : b) >= least;
 }
 
+/* Opaque texels of RGB565 that repeat have a loop of their own. */
+static bool is_repeated(const fxl_paint *paint)
+{
+    return paint->opacity >= 16 && paint->of_565.sixteenths == 0 && !paint->of_565.adds &&
+           paint->level.flags == FXL_LEVEL_565;
+}
+
 /* Pixels of 16 bits that are painted, and what each of them takes. */
 static void count_wide(const fxl_paint *paint, double pixels, bool linear)
 {
+    if (linear && is_repeated(paint)) {
+        counted.wide_segments += 1;
+        *(paint->of_565.part_of_level != 0 ? &counted.wide_repeated_lit : &counted.wide_repeated) +=
+            pixels;
+        return;
+    }
     *(linear ? &counted.wide_painted : &counted.wide_divided) += pixels;
     counted.wide_segments += linear;
     counted.wide_values += pixels * paint->gradients->count;

@@ -16,7 +16,7 @@ from fixel.base.errors import ToolError
 from fixel.base.table import table
 
 OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_turned", "_turned_lit", "_depth", "_depth_textures", "_glass",
-       "_billboards", "_wood", "_beams", "_tree", "_all")
+       "_billboards", "_wood", "_beams", "_tree", "_texels", "_all")
 MORE = (*(f"bench/costs{name}.toml" for name in OWN), "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
         "scenes/landscape.toml")
 # Scenes of these drawn as something else: RGB565, and by a tree of all their layers.

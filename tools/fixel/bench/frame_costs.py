@@ -69,6 +69,7 @@ NAMES = {
     "wide_texture_rows": "a row of a surface in RGB565", "wide_segments": "8 or 16 columns of a surface in RGB565",
     "wide_painted": "a pixel of a surface in RGB565", "wide_divided": "such a pixel that is divided by itself",
     "wide_values": "an attribute of such a pixel", "wide_texels": "a texel in RGB565", "wide_lit": "a lit pixel of RGB565",
+    "wide_repeated": "a pixel of opaque texels of RGB565", "wide_repeated_lit": "a lit one of them",
     "wide_blended": "a blended pixel of RGB565", "wide_billboard_drawn": "a pixel of a billboard in RGB565"}
 
 
