@@ -267,6 +267,12 @@ static void note_rows(const fxl_renderer *of, fxl_workspace *workspace, const fx
     begun[begun_count++ % 64] = band->rows;
 }
 
+static fxl_status draw_noted_rows(const fxl_renderer *of, fxl_workspace *workspace,
+                                  const fxl_band *band)
+{
+    return fxl_band_split_draw(of, workspace, band, note_rows);
+}
+
 static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
                           uint8_t colour, const fxl_band *band)
 {
@@ -283,8 +289,7 @@ void test_how_a_band_is_halved(void)
 {
     static const fxl_target picky = {.pixel_bits = 8,
                                      .fill = fxl_fill_band,
-                                     .draw_band = fxl_band_split_draw,
-                                     .begin_band = note_rows,
+                                     .draw_band = draw_noted_rows,
                                      .flat = is_low_enough};
     static choice method;
     static const uint32_t rows[][20] = {

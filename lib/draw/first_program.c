@@ -110,5 +110,5 @@ fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
         return status;
     }
     renderer->target->fill(&whole, renderer->frame.background);
-    return fxl_draw_valid_band(renderer, &renderer->workspace, &whole);
+    return renderer->target->draw_band(renderer, &renderer->workspace, &whole);
 }

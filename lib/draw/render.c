@@ -51,17 +51,19 @@ static bool measures_rows(const fxl_renderer *renderer)
            renderer->order == &fxl_by_distance;
 }
 
-/* band: null where a frame begins. */
-static inline fxl_submit_mode mode_of(const fxl_renderer *renderer, const fxl_band *band)
+/* How faces are submitted while a frame begins. */
+static inline fxl_submit_mode mode_of_begin(const fxl_renderer *renderer)
 {
-    if (FXL_IS_SMALL || renderer->clipper->next != NULL) {
-        return FXL_SUBMIT_ANY;
-    }
-    if (band == NULL) {
-        return FXL_IS_COMPACT ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND;
-    }
-    return renderer->target->draws_over && FXL_DRAWS_COLUMNS(band) ? FXL_SUBMIT_DRAW
-                                                                   : FXL_SUBMIT_ANY;
+    return FXL_IS_COMPACT || renderer->clipper->next != NULL ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND;
+}
+
+/* How faces are submitted to a band. */
+static inline fxl_submit_mode mode_of_band(const fxl_renderer *renderer, const fxl_band *band)
+{
+    return !FXL_IS_SMALL && renderer->target->draws_over && renderer->clipper->next == NULL &&
+                   FXL_DRAWS_COLUMNS(band)
+               ? FXL_SUBMIT_DRAW
+               : FXL_SUBMIT_ANY;
 }
 
 /* find_visible for a scene without placements. */
@@ -135,7 +137,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                                      .band = NULL,
                                      .resume = &frame->resume,
                                      .counters = &workspace->counters,
-                                     .mode = mode_of(renderer, NULL)};
+                                     .mode = mode_of_begin(renderer)};
     frame->state = FXL_FRAME_BEGUN;
     if (!renderer->order->submit(&traversal) && measures_rows(renderer)) {
         fxl_extents_measure(&traversal, frame);
@@ -281,9 +283,8 @@ static inline bool submit_rest(const fxl_traversal *traversal)
                : renderer->order->submit(traversal);
 }
 
-/* The polygons of the display list that reach the band,
-    all flat. False where the target's memory is
- * full. */
+/* The polygons of the display list that reach the band, all flat. False where the target's memory
+ * is full. */
 static inline bool draw_display_list(const fxl_traversal *traversal)
 {
     const fxl_target *target = traversal->renderer->target;
@@ -302,7 +303,8 @@ static inline bool draw_display_list(const fxl_traversal *traversal)
     return true;
 }
 
-bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                         const fxl_band *band)
 {
     fxl_resume_point resume = renderer->frame.resume;
     fxl_counters uncounted;
@@ -317,17 +319,14 @@ bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const
                                      .resume = &resume,
                                      .counters = workspace->rest_counted ? &uncounted
                                                                          : &workspace->counters,
-                                     .mode = mode_of(renderer, band)};
-    if (renderer->target->begin_band != NULL) {
-        renderer->target->begin_band(renderer, workspace, band);
-    }
+                                     .mode = mode_of_band(renderer, band)};
     if (!(renderer->draw_display_list != NULL ? renderer->draw_display_list(&traversal)
                                               : draw_display_list(&traversal)) ||
         !submit_rest(&traversal)) {
-        return false;
+        return FXL_E_CAPACITY;
     }
     workspace->rest_counted = true;
-    return true;
+    return FXL_OK;
 }
 
 void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t colour)
@@ -345,16 +344,6 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 static bool has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
 {
     return (band->palette != NULL) == (renderer->palette != NULL);
-}
-
-fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
-                               const fxl_band *band)
-{
-    if (renderer->target->draw_band != NULL) {
-        return renderer->target->draw_band(renderer, workspace, band);
-    }
-    (void)fxl_draw_band(renderer, workspace, band);
-    return FXL_OK;
 }
 
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
@@ -377,8 +366,9 @@ fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *work
     if (workspace->frame_number != frame->view.frame) {
         begin_workspace(workspace, &frame->view, true);
     }
-    const fxl_band from_0 = fxl_band_from_column_0(band);
-    return fxl_draw_valid_band(renderer, workspace, &from_0);
+    fxl_band from_0 = *band;
+    fxl_band_begin_at_column_0(&from_0);
+    return renderer->target->draw_band(renderer, workspace, &from_0);
 }
 
 fxl_status fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)

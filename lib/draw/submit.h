@@ -77,13 +77,11 @@ bool fxl_submit_by_distance(const fxl_traversal *traversal);
 const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry,
                                       fxl_model_view *model_view);
 
-/* The display list, then the rest of the scene, into a band of a frame. False where the
- * target's workspace is full: what was counted must then be forgotten. */
-bool fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band);
-
-/* fxl_frame_draw_with for a band of this screen, whose pixels are those from column 0 on. */
-fxl_status fxl_draw_valid_band(const fxl_renderer *renderer, fxl_workspace *workspace,
-                               const fxl_band *band);
+/* The display list, then the rest of the scene, into a band of a frame: fxl_target.draw_band of a
+ * target whose `flat` always returns true. FXL_E_CAPACITY: the target's memory is full; what was
+ * counted must then be forgotten. */
+fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                         const fxl_band *band);
 
 /* What draws models with clusters. */
 struct fxl_cluster_code {

@@ -258,8 +258,7 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
         return fxl_refuse(workspace, status);
     }
     workspace->dark = renderer->dark;
-    (void)fxl_draw_band(renderer, workspace, band);
-    return FXL_OK;
+    return fxl_draw_band(renderer, workspace, band);
 }
 
 #endif
@@ -298,6 +297,8 @@ const fxl_target FXL_TARGET = {
 #endif
 #if FXL_TARGET_PIXEL_BITS == 16 || FXL_TARGET_DEPTH_BITS != 0
     .draw_band = draw_band,
+#else
+    .draw_band = fxl_draw_band,
 #endif
     .flat = flat,
 #if FXL_TARGET_DEPTH_BITS != 0

@@ -276,7 +276,8 @@ static bool set_pixel(fxl_workspace *workspace, const fxl_screen_point *points, 
     return true;
 }
 
-static const fxl_target probe_target = {.pixel_bits = 8, .flat = set_pixel};
+static const fxl_target probe_target = {
+    .pixel_bits = 8, .draw_band = fxl_draw_band, .flat = set_pixel};
 
 /* The target in which a pick looks: without outlines. */
 static const fxl_target *target_of(const fxl_renderer *renderer)
@@ -357,11 +358,7 @@ static void draw_frame(probe *of)
     frame->state = FXL_FRAME_BEGUN;
     workspace->rest_counted = true;
     forget_faces(workspace);
-    if (renderer->target->draw_band != NULL) {
-        (void)renderer->target->draw_band(renderer, workspace, &of->band);
-    } else {
-        (void)fxl_draw_band(renderer, workspace, &of->band);
-    }
+    (void)renderer->target->draw_band(renderer, workspace, &of->band);
     forget_faces(workspace);
     workspace->rest_counted = rest_counted;
     frame->state = state;

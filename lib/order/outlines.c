@@ -11,11 +11,12 @@
  * cut: 1/256 pixel. A clipped vertex is less than 1/512 pixel from the side. */
 #define SIDE 256
 
-/* All workspaces draw with the outlines of the renderer. */
-static void begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+/* fxl_target.draw_band. All workspaces draw with the outlines of the renderer. */
+static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                            const fxl_band *band)
 {
-    (void)band;
     workspace->target_memory = renderer->workspace.target_memory;
+    return fxl_painted_target(renderer)->draw_band(renderer, workspace, band);
 }
 
 static bool are_beside(fxl_q16_16 a, fxl_q16_16 b, int32_t size)
@@ -89,7 +90,7 @@ static void change_target(fxl_renderer *renderer, fxl_outlines *outlines)
         outlines->extras = extras;
         outlines->target = *target;
         outlines->target.draws_over = false;
-        outlines->target.begin_band = begin;
+        outlines->target.draw_band = draw_band;
         outlines->target.flat = paint;
         outlines->target.extras = &outlines->extras;
         renderer->target = &outlines->target;

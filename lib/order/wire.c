@@ -137,7 +137,8 @@ fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
     if (band->palette != NULL && ((uintptr_t)band->pixels & 1u) != 0) {
         return FXL_E_ALIGNMENT;
     }
-    const fxl_band from_0 = fxl_band_from_column_0(band);
+    fxl_band from_0 = *band;
+    fxl_band_begin_at_column_0(&from_0);
     const fxl_scene *scene = wire->scene;
     memset(&wire->counters, 0, sizeof wire->counters);
     for (uint32_t i = 0; i < scene->instance_count; i++) {

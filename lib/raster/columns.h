@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The columns of a band. What draws works with columns of the frame, in a band whose pixels are
- * those from column 0 on: fxl_band_from_column_0. Internal. */
+ * those from column 0 on: fxl_band_begin_at_column_0. Internal. */
 #ifndef FXL_COLUMNS_H
 #define FXL_COLUMNS_H
 
@@ -28,14 +28,12 @@ static inline bool fxl_band_is_within(const fxl_band *band, uint32_t width, uint
            band->rows >= 1 && (uint32_t)band->first_row + band->rows <= height;
 }
 
-/* The same pixels, counted from column 0 of the frame. No pixel before
- * the first column is read or written: the address is that of none. */
-static inline fxl_band fxl_band_from_column_0(const fxl_band *band)
+/* Has the address of a band's pixels be that of column 0 of the frame. No pixel before the first
+ * column is read or written: the address is that of none. */
+static inline void fxl_band_begin_at_column_0(fxl_band *band)
 {
-    fxl_band from = *band;
     const uint32_t bytes = (uint32_t)band->first_column << (band->palette != NULL);
-    from.pixels = (uint8_t *)((uintptr_t)band->pixels - bytes);
-    return from;
+    band->pixels = (uint8_t *)((uintptr_t)band->pixels - bytes);
 }
 
 #ifdef __cplusplus

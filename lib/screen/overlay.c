@@ -52,7 +52,8 @@ fxl_status fxl_draw_line(const fxl_band *band, int32_t x0, int32_t y0, int32_t x
     if (!in_range(x0, y0) || !in_range(x1, y1)) {
         return FXL_E_RANGE;
     }
-    const fxl_band from_0 = fxl_band_from_column_0(band);
+    fxl_band from_0 = *band;
+    fxl_band_begin_at_column_0(&from_0);
     const int32_t width = x1 - x0, height = y1 - y0; /* below 2^30 */
     if ((height < 0 ? -height : height) > (width < 0 ? -width : width)) {
         const pixel_line line = {height < 0 ? y1 : y0, height < 0 ? y0 : y1, height < 0 ? x1 : x0,

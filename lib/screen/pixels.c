@@ -47,7 +47,8 @@ fxl_status fxl_pixels_convert(const fxl_pixels *pixels, const fxl_band *band, vo
     if (size < fxl_pixels_size(pixels->format, (uint16_t)fxl_band_columns(band), band->rows)) {
         return FXL_E_CAPACITY;
     }
-    const fxl_band from_0 = fxl_band_from_column_0(band);
+    fxl_band from_0 = *band;
+    fxl_band_begin_at_column_0(&from_0);
     pixels->format->convert(pixels, &from_0, (uint8_t *)out);
     return FXL_OK;
 }

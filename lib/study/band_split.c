@@ -3,7 +3,7 @@
 #include "target_spans.h"
 
 fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
-                               const fxl_band *band)
+                               const fxl_band *band, fxl_band_begin *begin)
 {
     const uint32_t end = (uint32_t)band->first_row + band->rows;
     fxl_band part = *band;
@@ -11,7 +11,8 @@ fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *work
     while (part.first_row < end) {
         const fxl_counters before = workspace->counters;
         part.rows = (uint16_t)(end - part.first_row < rows ? end - part.first_row : rows);
-        if (fxl_draw_band(renderer, workspace, &part)) {
+        begin(renderer, workspace, &part);
+        if (fxl_draw_band(renderer, workspace, &part) == FXL_OK) {
             part.first_row = (uint16_t)(part.first_row + part.rows);
             part.pixels += (size_t)part.rows * part.stride;
         } else {

@@ -19,4 +19,5 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     return true;
 }
 
-const fxl_target fxl_palette_box = {.pixel_bits = 8, .fill = fxl_fill_band, .flat = paint};
+const fxl_target fxl_palette_box = {
+    .pixel_bits = 8, .fill = fxl_fill_band, .draw_band = fxl_draw_band, .flat = paint};

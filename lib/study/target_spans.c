@@ -8,12 +8,19 @@ uint32_t fxl_spans_workspace_size(const fxl_lens *lens)
     return FXL_SPAN_BUFFER_BYTES_LEAST(lens->width, lens->height);
 }
 
-void fxl_spans_begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
+/* fxl_band_begin. */
+static void begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
     fxl_span_buffer *buffer =
         fxl_span_buffer_make(workspace->target_memory, workspace->target_memory_size,
                              renderer->frame.view.lens.height);
     fxl_span_buffer_begin(buffer, band);
+}
+
+fxl_status fxl_spans_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
+                               const fxl_band *band)
+{
+    return fxl_band_split_draw(renderer, workspace, band, begin);
 }
 
 static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,

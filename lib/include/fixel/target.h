@@ -48,14 +48,11 @@ typedef struct fxl_target {
     fxl_status (*choose)(fxl_renderer *renderer, const struct fxl_config *config);
     /* The least size of a workspace's memory for the target, in bytes. Null: it needs none. */
     uint32_t (*memory_size)(const fxl_lens *lens);
-    /* Draws a band, in parts if the memory is too small for the whole. Returns FXL_OK, or a status
-     * that it has counted in refused_calls, with the band untouched. Null: the renderer draws the
-     * band at once. */
+    /* Draws a band of this screen, whose pixels are those from column 0 on, in parts if the memory
+     * is too small for the whole. Returns FXL_OK, or a status that it has counted in refused_calls,
+     * with the band untouched. */
     fxl_status (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
                             const fxl_band *band);
-    /* Begins a band of which nothing was drawn. Null: there is nothing to begin. */
-    void (*begin_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
-                       const fxl_band *band);
     /* Draws an outline of one colour that reaches rows of the screen; the band may hold none of
      * them. Returns false if the memory is full: then some of the outline may have been drawn. */
     bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
