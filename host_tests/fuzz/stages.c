@@ -100,7 +100,6 @@ static void draw_listed(const fxl_screen_polygon *polygon, const fxl_band *drawn
     fxl_rows rows = fxl_scan_rows(polygon, FXL_SCREEN_MAX);
     fxl_rows wanted = {band.first_row, (uint16_t)(band.first_row + band.rows)};
     fxl_display_list list = {NULL, FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count), 0};
-    fxl_display_list_record record;
     fxl_scan scan;
     uint32_t place = 0;
     list.words = malloc(list.capacity * sizeof *list.words);
@@ -110,8 +109,9 @@ static void draw_listed(const fxl_screen_polygon *polygon, const fxl_band *drawn
         DEMAND(fxl_display_list_append(&list, polygon, rows));
         DEMAND(!fxl_display_list_append(&list, polygon, rows));
     }
-    if (fxl_display_list_next(&list, wanted, &place, &record)) {
-        fxl_scan_outline(record.points, record.count, &band, &scan);
+    const fxl_screen_polygon *record = fxl_display_list_next(&list, wanted, &place);
+    if (record != NULL) {
+        fxl_scan_outline(record->points, record->count, &band, &scan);
         draw_spans(&scan, &band);
     }
     for (uint32_t row = 0; row < band.rows; row++) {

@@ -31,7 +31,7 @@ static fxl_rows measure_rows(stages_tally *tally, const fxl_screen_polygon *poly
     return rows;
 }
 
-static int same(const fxl_display_list_record *record, const ref_drawn *drawn)
+static int same(const fxl_screen_polygon *record, const ref_drawn *drawn)
 {
     int equal = record->count == drawn->polygon.count && record->colour == drawn->polygon.colour;
     for (int i = 0; equal && i < record->count; i++) {
@@ -45,12 +45,12 @@ static int same(const fxl_display_list_record *record, const ref_drawn *drawn)
 static int plays_alike(const fxl_display_list *list, const ref_display_list *twin, fxl_rows wanted)
 {
     ref_rows rows = {wanted.first, wanted.end};
-    fxl_display_list_record record;
+    const fxl_screen_polygon *record;
     uint32_t place = 0;
     size_t twin_place = 0;
-    while (fxl_display_list_next(list, wanted, &place, &record)) {
+    while ((record = fxl_display_list_next(list, wanted, &place)) != NULL) {
         const ref_drawn *drawn = ref_display_list_next(twin, rows, &twin_place);
-        if (!drawn || !same(&record, drawn)) {
+        if (!drawn || !same(record, drawn)) {
             return 0;
         }
     }

@@ -27,14 +27,13 @@ static void count_and_fill(uint8_t *pixel, uint8_t *end, uint32_t four)
 #include "study/targets.h"
 #include "study/span_buffer.h"
 
-static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                  uint8_t colour, const fxl_band *band)
+static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_scan *scan = &workspace->work.scan;
     const fxl_trapezoid *trapezoid;
-    fxl_scan_outline(points, count, band, scan);
+    fxl_scan_outline(polygon->points, polygon->count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        if (!counted_span_buffer_draw(workspace->target_memory, trapezoid, colour, band)) {
+        if (!counted_span_buffer_draw(workspace->target_memory, trapezoid, polygon->colour, band)) {
             return false;
         }
     }

@@ -12,14 +12,13 @@ static struct {
 
 typedef void paint_span(const fxl_span *span, uint8_t colour, const fxl_band *band);
 
-static bool paint(paint_span *one, const fxl_screen_point *points, uint32_t count, uint8_t colour,
-                  const fxl_band *band)
+static bool paint(paint_span *one, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_scan_box scan;
     fxl_span span;
-    fxl_scan_box_begin(points, count, band, &scan);
+    fxl_scan_box_begin(polygon->points, polygon->count, band, &scan);
     while (fxl_scan_box_next(&scan, &span)) {
-        one(&span, colour, band);
+        one(&span, polygon->colour, band);
     }
     return true;
 }
@@ -32,11 +31,11 @@ static void span_under(const fxl_span *span, uint8_t colour, const fxl_band *ban
     }
 }
 
-static bool paint_under(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                        uint8_t colour, const fxl_band *band)
+static bool paint_under(fxl_workspace *workspace, const fxl_screen_polygon *polygon,
+                        const fxl_band *band)
 {
     (void)workspace;
-    return paint(span_under, points, count, colour, band);
+    return paint(span_under, polygon, band);
 }
 
 const fxl_target *painter_under(uint8_t background)
@@ -57,11 +56,11 @@ static void count_span(const fxl_span *span, uint8_t colour, const fxl_band *ban
     }
 }
 
-static bool paint_counting(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                           uint8_t colour, const fxl_band *band)
+static bool paint_counting(fxl_workspace *workspace, const fxl_screen_polygon *polygon,
+                           const fxl_band *band)
 {
     (void)workspace;
-    return paint(count_span, points, count, colour, band);
+    return paint(count_span, polygon, band);
 }
 
 const fxl_target *painter_counting(uint8_t *times, uint32_t width, uint8_t colour_max)

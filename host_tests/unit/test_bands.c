@@ -90,7 +90,6 @@ void test_what_does_not_fit_is_counted(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
     fxl_counters counters = draw_whole(&pose, &fxl_clipper_view);
-    fxl_display_list_record record;
     TEST_ASSERT_TRUE(counters.spilled > 3);
     for (uint32_t words = 0; words <= WORDS; words++) {
         uint32_t place = 0, held = 0;
@@ -100,8 +99,7 @@ void test_what_does_not_fit_is_counted(void)
             TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.spilled);
         }
         draw_rows(other, 8, 8);
-        while (fxl_display_list_next(&renderer.frame.display_list, (fxl_rows){0, HEIGHT}, &place,
-                                     &record)) {
+        while (fxl_display_list_next(&renderer.frame.display_list, (fxl_rows){0, HEIGHT}, &place)) {
             held++;
         }
         TEST_ASSERT_EQUAL_UINT32(counters.spilled, held + renderer.workspace.counters.spilled);

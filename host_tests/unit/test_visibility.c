@@ -124,20 +124,20 @@ void test_front_to_back_is_the_exact_reverse(void)
         const way spans = {&choice_spans, LIST_WORDS, INTERVALS};
         const fxl_rows all = {0, HEIGHT};
         fxl_pose pose = tiny_pose_before();
-        fxl_display_list_record record;
+        const fxl_screen_polygon *record;
         uint32_t count = 0, place = 0;
         start(&sorted);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        while (fxl_display_list_next(&renderer.frame.display_list, all, &place, &record)) {
-            firsts[count++] = record.points[0];
+        const fxl_display_list *list = &renderer.frame.display_list;
+        while ((record = fxl_display_list_next(list, all, &place)) != NULL) {
+            firsts[count++] = record->points[0];
         }
         start(&spans);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         compared += count > 1;
-        for (place = 0;
-             fxl_display_list_next(&renderer.frame.display_list, all, &place, &record);) {
+        for (place = 0; (record = fxl_display_list_next(list, all, &place)) != NULL;) {
             TEST_ASSERT_TRUE(count > 0);
-            TEST_ASSERT_EQUAL_MEMORY(&firsts[--count], &record.points[0], sizeof firsts[0]);
+            TEST_ASSERT_EQUAL_MEMORY(&firsts[--count], &record->points[0], sizeof firsts[0]);
         }
         TEST_ASSERT_EQUAL_UINT32(0, count);
     }
@@ -273,13 +273,11 @@ static fxl_status draw_noted_rows(const fxl_renderer *of, fxl_workspace *workspa
     return fxl_band_split_draw(of, workspace, band, note_rows);
 }
 
-static bool is_low_enough(fxl_workspace *by, const fxl_screen_point *points, uint32_t count,
-                          uint8_t colour, const fxl_band *band)
+static bool is_low_enough(fxl_workspace *by, const fxl_screen_polygon *polygon,
+                          const fxl_band *band)
 {
     (void)by;
-    (void)points;
-    (void)count;
-    (void)colour;
+    (void)polygon;
     return band->rows <= rows_at_most;
 }
 

@@ -27,23 +27,17 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
     return true;
 }
 
-bool fxl_display_list_next(const fxl_display_list *list, fxl_rows rows, uint32_t *place,
-                           fxl_display_list_record *record)
+const fxl_screen_polygon *fxl_display_list_next(const fxl_display_list *list, fxl_rows rows,
+                                                uint32_t *place)
 {
     while (*place < list->used) {
-        const uint32_t *from = list->words + *place;
-        fxl_rows reached = {(uint16_t)from[0], (uint16_t)(from[0] >> 16)};
-        const uint8_t *head = (const uint8_t *)(from + 1); /* colour, count, kind, shade */
-        *place += FXL_DISPLAY_LIST_WORDS((uint32_t)head[1]);
+        const uint32_t *record = list->words + *place;
+        const fxl_rows reached = {(uint16_t)record[0], (uint16_t)(record[0] >> 16)};
+        const fxl_screen_polygon *polygon = (const fxl_screen_polygon *)(const void *)(record + 1);
+        *place += FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count);
         if (fxl_rows_meet(reached, rows)) {
-            record->rows = reached;
-            record->colour = head[0];
-            record->count = head[1];
-            record->kind = head[2];
-            record->shade = head[3];
-            record->points = (const fxl_screen_point *)(const void *)(from + 2);
-            return true;
+            return polygon;
         }
     }
-    return false;
+    return NULL;
 }

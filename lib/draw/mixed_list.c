@@ -10,23 +10,21 @@ bool fxl_mixed_draw_list(const fxl_traversal *traversal)
     const fxl_band *band = traversal->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
-    fxl_display_list_record record;
+    const fxl_screen_polygon *record;
     uint32_t place = 0;
-    while (fxl_display_list_next(&renderer->frame.display_list, wanted, &place, &record)) {
-        if (record.kind == FXL_POLYGON_FLAT) {
-            traversal->workspace->screen.shade = record.shade;
-            if (!renderer->target->flat(traversal->workspace, record.points, record.count,
-                                        record.colour, band)) {
+    while ((record = fxl_display_list_next(&renderer->frame.display_list, wanted, &place)) != NULL) {
+        if (record->kind == FXL_POLYGON_FLAT) {
+            if (!renderer->target->flat(traversal->workspace, record, band)) {
                 return false;
             }
-        } else if (record.kind == FXL_POLYGON_SURFACE) {
-            surfaces->painter->draw(surfaces, traversal->workspace, &record, band);
-            fxl_outline_polygon(traversal, record.points, fxl_surface_polygon_points(&record));
-        } else if (record.kind == FXL_POLYGON_DEPTH) {
-            renderer->target->extras->flat(traversal->workspace, &record, band);
+        } else if (record->kind == FXL_POLYGON_SURFACE) {
+            surfaces->painter->draw(surfaces, traversal->workspace, record, band);
+            fxl_outline_polygon(traversal, record->points, fxl_surface_polygon_points(record));
+        } else if (record->kind == FXL_POLYGON_DEPTH) {
+            renderer->target->extras->flat(traversal->workspace, record, band);
         } else {
             const fxl_billboards *billboards = renderer->billboards;
-            billboards->painter->paint(renderer, traversal->workspace, record.points, band);
+            billboards->painter->paint(renderer, traversal->workspace, record->points, band);
         }
     }
     return true;

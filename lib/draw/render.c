@@ -166,8 +166,7 @@ static fxl_outcome emit(const fxl_traversal *traversal)
         fxl_rows_add(traversal->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
-    return traversal->renderer->target->flat(workspace, screen->points, screen->count,
-                                             screen->colour, traversal->band)
+    return traversal->renderer->target->flat(workspace, screen, traversal->band)
                ? FXL_OUTCOME_SPILLED
                : FXL_OUTCOME_FULL;
 }
@@ -290,13 +289,12 @@ static inline bool draw_display_list(const fxl_traversal *traversal)
     const fxl_target *target = traversal->renderer->target;
     const fxl_band *band = traversal->band;
     const fxl_rows wanted = {band->first_row, (uint16_t)(band->first_row + band->rows)};
-    fxl_display_list_record record;
+    const fxl_display_list *list = &traversal->renderer->frame.display_list;
+    const fxl_screen_polygon *polygon;
     uint32_t place = 0;
-    while (
-        fxl_display_list_next(&traversal->renderer->frame.display_list, wanted, &place, &record)) {
-        FXL_ASSERT(record.kind == FXL_POLYGON_FLAT);
-        traversal->workspace->screen.shade = record.shade;
-        if (!target->flat(traversal->workspace, record.points, record.count, record.colour, band)) {
+    while ((polygon = fxl_display_list_next(list, wanted, &place)) != NULL) {
+        FXL_ASSERT(polygon->kind == FXL_POLYGON_FLAT);
+        if (!target->flat(traversal->workspace, polygon, band)) {
             return false;
         }
     }

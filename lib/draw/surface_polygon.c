@@ -90,7 +90,7 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     return true;
 }
 
-uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
+uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record,
                                   fxl_surface_polygon *polygon)
 {
     fxl_gradients *gradients = &polygon->gradients;

@@ -47,7 +47,7 @@ struct fxl_painter {
     const fxl_shader_code *code;
     /* Draws a record of the kind FXL_POLYGON_SURFACE into a band. */
     void (*draw)(const fxl_surfaces *surfaces, fxl_workspace *workspace,
-                 const fxl_display_list_record *record, const fxl_band *band);
+                 const fxl_screen_polygon *record, const fxl_band *band);
     /* Submits a piece of a mapped face; model_view: of the piece's points. */
     fxl_outcome (*submit_piece)(const fxl_mapped_surface *of, const fxl_model_view *model_view,
                                 const fxl_face *piece, const fxl_traversal *traversal);
@@ -70,10 +70,10 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
                                 fxl_rows rows, const fxl_surface_polygon *polygon);
 
 /* How many points of a record of the kind FXL_POLYGON_SURFACE or FXL_POLYGON_DEPTH are the
- * outline's: a byte in front of them. */
-static inline uint32_t fxl_surface_polygon_points(const fxl_display_list_record *record)
+ * outline's: the byte that is the shade of others. */
+static inline uint32_t fxl_surface_polygon_points(const fxl_screen_polygon *record)
 {
-    return ((const uint8_t *)(const void *)record->points)[-1];
+    return record->shade;
 }
 
 /* The target of a renderer as painters know it, with outlines or without. */
@@ -96,7 +96,7 @@ static inline void fxl_outline_polygon(const fxl_traversal *traversal,
 
 /* Reads a record of the kind FXL_POLYGON_SURFACE or FXL_POLYGON_DEPTH. Returns how many of its
  * points are the outline's. */
-uint32_t fxl_surface_polygon_read(const fxl_display_list_record *record,
+uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record,
                                   fxl_surface_polygon *polygon);
 
 /* How a polygon that has a surface is painted. */

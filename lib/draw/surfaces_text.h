@@ -275,7 +275,7 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
 }
 
 static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
-                 const fxl_display_list_record *record, const fxl_band *band)
+                 const fxl_screen_polygon *record, const fxl_band *band)
 {
     fxl_surface_polygon polygon;
     const uint32_t count = fxl_surface_polygon_read(record, &polygon);

@@ -22,13 +22,13 @@
 #if FXL_TARGET_DEPTH_BITS == 0 && FXL_TARGET_PIXEL_BITS == 8
 
 /* A face goes from the clipper straight to the scan where it can (render.c); others come here. */
-static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                 uint8_t colour, const fxl_band *band)
+static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_scan *scan = &workspace->work.scan;
-    scan->colour = colour;
-    (void)(FXL_DRAWS_COLUMNS(band) ? fxl_draw_outline(points, count, band, scan)
-                                   : fxl_draw_by_active_edges(points, count, band, scan));
+    scan->colour = polygon->colour;
+    (void)(FXL_DRAWS_COLUMNS(band)
+               ? fxl_draw_outline(polygon->points, polygon->count, band, scan)
+               : fxl_draw_by_active_edges(polygon->points, polygon->count, band, scan));
     return true;
 }
 
@@ -111,15 +111,15 @@ static void paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
 
 /* fxl_target.flat: what has no depth is at infinity. Front to back, the first of these to cover a
  * pixel is seen, as in a span buffer; far to near, the last one. */
-static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                 uint8_t colour, const fxl_band *band)
+static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     static const fxl_depth_plane infinity = {{0, 0, 0}, 0};
-    paint_flat(workspace, &infinity, points, count, colour, workspace->screen.shade, band);
+    paint_flat(workspace, &infinity, polygon->points, polygon->count, polygon->colour,
+               polygon->shade, band);
     return true;
 }
 
-static void flat_with_depth(fxl_workspace *workspace, const fxl_display_list_record *record,
+static void flat_with_depth(fxl_workspace *workspace, const fxl_screen_polygon *record,
                             const fxl_band *band)
 {
     fxl_surface_polygon polygon;
@@ -242,11 +242,10 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
     fxl_fill_pixels(pixels + x0, pixels + x1, *(const fxl_filling *)with);
 }
 
-static bool flat(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                 uint8_t colour, const fxl_band *band)
+static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
-    fxl_filling filling = fxl_filling_of(band, colour, workspace->screen.shade, workspace->dark);
-    paint_rows(points, count, band, &workspace->work.scan, paint_row, &filling);
+    fxl_filling filling = fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark);
+    paint_rows(polygon->points, polygon->count, band, &workspace->work.scan, paint_row, &filling);
     return true;
 }
 

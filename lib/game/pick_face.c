@@ -267,12 +267,11 @@ static bool take_instance(const fxl_traversal *traversal, const fxl_draw_entry *
 /* --- the pick ------------------------------------------------------------------------------- */
 
 /* fxl_target.flat of a target of the study. */
-static bool set_pixel(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                      uint8_t colour, const fxl_band *band)
+static bool set_pixel(fxl_workspace *workspace, const fxl_screen_polygon *polygon,
+                      const fxl_band *band)
 {
     (void)workspace;
-    (void)count;
-    band->pixels[points[0].x >> 16] = colour;
+    band->pixels[polygon->points[0].x >> 16] = polygon->colour;
     return true;
 }
 

@@ -57,17 +57,27 @@ static void draw_edges(fxl_workspace *workspace, const fxl_screen_point *points,
     }
 }
 
-static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                  uint8_t colour, const fxl_band *band)
+/* fxl_target.flat. A polygon that is filled in another colour is changed in the workspace. A clipper
+ * that has not cut the whole face keeps its colour there. */
+static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     const fxl_outlines *outlines = (const fxl_outlines *)workspace->target_memory;
     const fxl_outline_style *style = &outlines->style;
+    fxl_screen_polygon *screen = &workspace->screen;
+    const uint8_t colour = screen->colour;
     if (!style->keeps_colours) {
-        workspace->screen.shade = 0;
+        if (polygon != screen) {
+            memcpy(screen, polygon,
+                   offsetof(fxl_screen_polygon, points) +
+                       polygon->count * sizeof polygon->points[0]);
+        }
+        screen->colour = style->fill;
+        screen->shade = 0;
+        polygon = screen;
     }
-    (void)outlines->extras.outlined->flat(workspace, points, count,
-                                          style->keeps_colours ? colour : style->fill, band);
-    draw_edges(workspace, points, count, band);
+    (void)outlines->extras.outlined->flat(workspace, polygon, band);
+    screen->colour = colour;
+    draw_edges(workspace, polygon->points, polygon->count, band);
     return true;
 }
 

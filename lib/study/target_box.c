@@ -6,15 +6,14 @@
 #include "targets.h"
 #include "scan_box.h"
 
-static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                  uint8_t colour, const fxl_band *band)
+static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_scan_box scan;
     fxl_span span;
     (void)workspace;
-    fxl_scan_box_begin(points, count, band, &scan);
+    fxl_scan_box_begin(polygon->points, polygon->count, band, &scan);
     while (fxl_scan_box_next(&scan, &span)) {
-        fxl_fill_span(band, &span, colour);
+        fxl_fill_span(band, &span, polygon->colour);
     }
     return true;
 }

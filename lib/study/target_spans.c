@@ -23,8 +23,7 @@ fxl_status fxl_spans_draw_band(const fxl_renderer *renderer, fxl_workspace *work
     return fxl_band_split_draw(renderer, workspace, band, begin);
 }
 
-static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                  uint8_t colour, const fxl_band *band)
+static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_span_buffer *buffer = fxl_spans_of(workspace);
     fxl_scan *scan = &workspace->work.scan;
@@ -32,9 +31,9 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     if (buffer->open_rows == 0) {
         return true;
     }
-    fxl_scan_outline(points, count, band, scan);
+    fxl_scan_outline(polygon->points, polygon->count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        if (!fxl_span_buffer_draw(buffer, trapezoid, colour, band)) {
+        if (!fxl_span_buffer_draw(buffer, trapezoid, polygon->colour, band)) {
             return false;
         }
     }

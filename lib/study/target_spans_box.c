@@ -3,8 +3,7 @@
 #include "target_spans.h"
 #include "../draw/renderer.h"
 
-static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                  uint8_t colour, const fxl_band *band)
+static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_span_buffer *buffer = fxl_spans_of(workspace);
     fxl_scan_box scan;
@@ -12,10 +11,10 @@ static bool paint(fxl_workspace *workspace, const fxl_screen_point *points, uint
     if (buffer->open_rows == 0) {
         return true;
     }
-    fxl_scan_box_begin(points, count, band, &scan);
+    fxl_scan_box_begin(polygon->points, polygon->count, band, &scan);
     while (fxl_scan_box_next(&scan, &span)) {
         const fxl_trapezoid row = fxl_trapezoid_of_span(&span);
-        if (!fxl_span_buffer_draw(buffer, &row, colour, band)) {
+        if (!fxl_span_buffer_draw(buffer, &row, polygon->colour, band)) {
             return false;
         }
     }

@@ -140,13 +140,12 @@ WRAPPED(bool, fxl_display_list_append,
     return __real_fxl_display_list_append(list, polygon, rows);
 }
 
-WRAPPED(bool, fxl_display_list_next,
-        (const fxl_display_list *list, fxl_rows rows, uint32_t *place,
-         fxl_display_list_record *record))
+WRAPPED(const fxl_screen_polygon *, fxl_display_list_next,
+        (const fxl_display_list *list, fxl_rows rows, uint32_t *place))
 {
-    const bool found = __real_fxl_display_list_next(list, rows, place, record);
-    counted.list_reads += found;
-    counted.list_scanned += found ? 0 : list->used; /* at the end of each band's pass */
+    const fxl_screen_polygon *found = __real_fxl_display_list_next(list, rows, place);
+    counted.list_reads += found != NULL;
+    counted.list_scanned += found != NULL ? 0 : list->used; /* at the end of each band's pass */
     return found;
 }
 
@@ -275,7 +274,7 @@ WRAPPED(bool, fxl_surface_polygon_append,
 }
 
 WRAPPED(uint32_t, fxl_surface_polygon_read,
-        (const fxl_display_list_record *record, fxl_surface_polygon *polygon))
+        (const fxl_screen_polygon *record, fxl_surface_polygon *polygon))
 {
     counted.surfaces_read += 1;
     return __real_fxl_surface_polygon_read(record, polygon);

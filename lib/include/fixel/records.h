@@ -273,15 +273,6 @@ typedef struct {
     uint32_t capacity, used;
 } fxl_display_list;
 
-/* A polygon of a display list. Its points lie in the list itself. */
-typedef struct fxl_display_list_record {
-    fxl_rows rows;
-    uint8_t colour, count;
-    uint8_t kind;  /* FXL_POLYGON_FLAT */
-    uint8_t shade; /* as of fxl_screen_polygon */
-    const fxl_screen_point *points;
-} fxl_display_list_record;
-
 #ifdef __cplusplus
 }
 #endif

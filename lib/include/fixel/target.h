@@ -11,17 +11,16 @@ extern "C" {
 #endif
 
 typedef struct fxl_renderer fxl_renderer;
-struct fxl_workspace;           /* fixel/render.h */
-struct fxl_display_list_record; /* fixel/records.h */
-struct fxl_config;              /* fixel/render.h */
-struct fxl_traversal;           /* lib/draw/submit.h, which is internal */
+struct fxl_workspace; /* fixel/render.h */
+struct fxl_config;    /* fixel/render.h */
+struct fxl_traversal; /* lib/draw/submit.h, which is internal */
 
 /* What a target has beside that flat faces do not need. */
 typedef struct fxl_target_extras {
     /* With a depth buffer: fxl_renderer.draw_display_list of a renderer that draws into it. */
     bool (*draw_display_list)(const struct fxl_traversal *traversal);
     /* With a depth buffer: draws a record of the display list that has a depth and no surface. */
-    void (*flat)(struct fxl_workspace *workspace, const struct fxl_display_list_record *record,
+    void (*flat)(struct fxl_workspace *workspace, const fxl_screen_polygon *record,
                  const fxl_band *band);
     /* With a depth buffer: the last shader of the renderer. It takes faces and pieces that no
      * attachment has drawn. Else null. */
@@ -53,10 +52,10 @@ typedef struct fxl_target {
      * with the band untouched. */
     fxl_status (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
                             const fxl_band *band);
-    /* Draws an outline of one colour that reaches rows of the screen; the band may hold none of
-     * them. Returns false if the memory is full: then some of the outline may have been drawn. */
-    bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
-                 uint8_t colour, const fxl_band *band);
+    /* Draws a polygon of one colour that reaches rows of the screen; the band may hold none of
+     * them. Returns false if the memory is full: then some of it may have been drawn. */
+    bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_polygon *polygon,
+                 const fxl_band *band);
     const struct fxl_target_extras *extras; /* null: only flat faces */
 } fxl_target;
 
