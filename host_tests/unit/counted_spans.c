@@ -6,7 +6,6 @@
 
 #include <string.h>
 
-
 static const uint8_t *counted_pixels;
 static uint8_t *counted_writes;
 

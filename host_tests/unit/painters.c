@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "painters.h"
 
+#include "draw/submit.h"
 #include "study/study.h"
 
 static struct {
@@ -40,9 +41,11 @@ static bool paint_under(fxl_workspace *workspace, const fxl_screen_polygon *poly
 
 const fxl_target *painter_under(uint8_t background)
 {
-    static const fxl_target under = {
-        .pixel_bits = 8, .near_first = true, .fill = fxl_fill_band, .draw_band = fxl_draw_band,
-        .flat = paint_under};
+    static const fxl_target under = {.pixel_bits = 8,
+                                     .near_first = true,
+                                     .fill = fxl_fill_band,
+                                     .draw_band = fxl_draw_band,
+                                     .flat = paint_under};
     painter.background = background;
     return &under;
 }

@@ -128,14 +128,14 @@ void test_front_to_back_is_the_exact_reverse(void)
         uint32_t count = 0, place = 0;
         start(&sorted);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        const fxl_display_list *list = &renderer.frame.display_list;
-        while ((record = fxl_display_list_next(list, all, &place)) != NULL) {
+        const fxl_display_list *drawn = &renderer.frame.display_list;
+        while ((record = fxl_display_list_next(drawn, all, &place)) != NULL) {
             firsts[count++] = record->points[0];
         }
         start(&spans);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
         compared += count > 1;
-        for (place = 0; (record = fxl_display_list_next(list, all, &place)) != NULL;) {
+        for (place = 0; (record = fxl_display_list_next(drawn, all, &place)) != NULL;) {
             TEST_ASSERT_TRUE(count > 0);
             TEST_ASSERT_EQUAL_MEMORY(&firsts[--count], &record->points[0], sizeof firsts[0]);
         }

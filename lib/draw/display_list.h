@@ -25,8 +25,8 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
                              fxl_rows rows);
 
 /* Finds the next polygon, from *place on, that reaches one of the given rows, and moves *place
- * behind it. *place is a number of words; begin with 0. The polygon lies in the list, which holds no
- * more of its points than its count. Returns null if there is none. Exact. */
+ * behind it. *place is a number of words; begin with 0. The polygon lies in the list, which holds
+ * no more of its points than its count. Returns null if there is none. Exact. */
 const fxl_screen_polygon *fxl_display_list_next(const fxl_display_list *list, fxl_rows rows,
                                                 uint32_t *place);
 

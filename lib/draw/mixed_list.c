@@ -12,7 +12,8 @@ bool fxl_mixed_draw_list(const fxl_traversal *traversal)
     const fxl_surfaces *surfaces = fxl_surfaces_of(renderer);
     const fxl_screen_polygon *record;
     uint32_t place = 0;
-    while ((record = fxl_display_list_next(&renderer->frame.display_list, wanted, &place)) != NULL) {
+    while ((record = fxl_display_list_next(&renderer->frame.display_list, wanted, &place)) !=
+           NULL) {
         if (record->kind == FXL_POLYGON_FLAT) {
             if (!renderer->target->flat(traversal->workspace, record, band)) {
                 return false;

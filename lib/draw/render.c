@@ -202,17 +202,17 @@ bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint
         }
         return false;
     }
+    uint32_t *count = &counters->outside;
     if (outcome & (1u << FXL_CLIP_CAPACITY | 1u << FXL_CLIP_RANGE)) {
-        counters->refused += 1;
+        count = &counters->refused;
     } else if (outcome & (1u << FXL_CLIP_INSIDE | 1u << FXL_CLIP_CUT | 1u << FXL_CLIP_BETWEEN)) {
-        counters->drawn += 1;
+        count = &counters->drawn;
         counters->clipped += outcome >> FXL_CLIP_CUT & 1u;
         counters->spilled += (outcome & FXL_OUTCOME_SPILLED) != 0;
     } else if (outcome & 1u << FXL_CLIP_DEGENERATE) {
-        counters->degenerate += 1;
-    } else {
-        counters->outside += 1;
+        count = &counters->degenerate;
     }
+    *count += 1;
     return true;
 }
 
@@ -341,7 +341,7 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
  * 16 bits where its target is RGB565, and a band has one where its pixels are of 16 bits. */
 static bool has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
 {
-    return (band->palette != NULL) == (renderer->palette != NULL);
+    return !band->palette == !renderer->palette;
 }
 
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,

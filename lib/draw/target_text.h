@@ -162,8 +162,8 @@ static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_f
                                    const fxl_traversal *traversal)
 {
     fxl_surface_polygon polygon;
-    return fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, NULL, &polygon,
-                                     false);
+    return fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, NULL,
+                                     &polygon, false);
 }
 
 /* Whether the renderer draws into this target. A pick looks for a face in one of its own. */

@@ -57,8 +57,8 @@ static void draw_edges(fxl_workspace *workspace, const fxl_screen_point *points,
     }
 }
 
-/* fxl_target.flat. A polygon that is filled in another colour is changed in the workspace. A clipper
- * that has not cut the whole face keeps its colour there. */
+/* fxl_target.flat. A polygon that is filled in another colour is changed in the workspace. A
+ * clipper that has not cut the whole face keeps its colour there. */
 static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     const fxl_outlines *outlines = (const fxl_outlines *)workspace->target_memory;

@@ -11,9 +11,8 @@ uint32_t fxl_spans_workspace_size(const fxl_lens *lens)
 /* fxl_band_begin. */
 static void begin(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band)
 {
-    fxl_span_buffer *buffer =
-        fxl_span_buffer_make(workspace->target_memory, workspace->target_memory_size,
-                             renderer->frame.view.lens.height);
+    fxl_span_buffer *buffer = fxl_span_buffer_make(
+        workspace->target_memory, workspace->target_memory_size, renderer->frame.view.lens.height);
     fxl_span_buffer_begin(buffer, band);
 }
 

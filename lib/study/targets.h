@@ -15,10 +15,10 @@ extern "C" {
 extern const fxl_target fxl_palette_box;
 
 /* Near to far into a span buffer (lib/study/span_buffer.h). Each pixel is drawn once, by the first
- * polygon that covers it, so the frame is that of fxl_palette. `depth` of a configuration has at least
- * FXL_SPAN_BUFFER_BYTES_LEAST of the screen. If a band has more intervals than it holds, the band is
- * drawn again in halves, and these in halves if need be; each time counts in split_bands. The least
- * memory holds any one row, so the frame never depends on its size. */
+ * polygon that covers it, so the frame is that of fxl_palette. `depth` of a configuration has at
+ * least FXL_SPAN_BUFFER_BYTES_LEAST of the screen. If a band has more intervals than it holds, the
+ * band is drawn again in halves, and these in halves if need be; each time counts in split_bands.
+ * The least memory holds any one row, so the frame never depends on its size. */
 extern const fxl_target fxl_palette_spans;
 
 /* The span buffer, with every pixel of a polygon's bounding box tested (lib/study/scan_box.h). */

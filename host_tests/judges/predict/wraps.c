@@ -357,8 +357,7 @@ static void count_wide(const fxl_paint *paint, double pixels, bool linear)
     counted.wide_values += pixels * paint->gradients->count;
     counted.wide_texels += paint->level.texels != NULL ? pixels : 0;
     counted.wide_lit += paint->of_565.part_of_level != 0 ? pixels : 0;
-    counted.wide_blended +=
-        paint->of_565.sixteenths != 0 || paint->of_565.adds ? pixels : 0;
+    counted.wide_blended += paint->of_565.sixteenths != 0 || paint->of_565.adds ? pixels : 0;
 }
 
 /* The pixels x0 <= x < x1 of a row, which the kernel does not paint: how often they are divided. */

@@ -60,20 +60,24 @@ enum {
     FXL_FRAME_RELEASED = 3  /* it has begun, and is drawn from the display list alone */
 };
 
-/* What fxl_frame_begin works out, and drawing only reads. */
+/* What fxl_frame_begin works out, and drawing only reads. An instruction of Thumb reaches only the
+ * first words of a record in 16 bits: the members that are used most come first. */
 typedef struct {
-    fxl_view view;
+    uint16_t visible_count;    /* instances in sight */
+    uint8_t background;        /* palette index that fxl_render clears to */
+    uint8_t state;             /* FXL_FRAME_... */
     fxl_draw_entry *draw_list; /* instances in sight, in the order of drawing; the caller's */
     fxl_display_list display_list;
     fxl_resume_point resume; /* the first face that the display list had no room for */
-    uint16_t visible_count;  /* instances in sight */
-    uint8_t background;      /* palette index that fxl_render clears to */
-    uint8_t state;           /* FXL_FRAME_... */
+    fxl_view view;
 } fxl_frame;
 
 /* What drawing works in, and may change: each core that draws has its own. The renderer's own is
  * within it; fxl_workspace_init sets up others. */
 typedef struct fxl_workspace {
+    bool face_rows_known; /* face_list has the rows that the faces reach */
+    bool rest_counted;    /* faces that are not in the display list have been counted */
+    uint16_t dark;        /* the renderer's, while an RGB565 band is drawn */
     fxl_counters counters;
     uint32_t frame_number;     /* fxl_view.frame of the frame that this workspace last drew */
     fxl_draw_entry *face_list; /* front faces of one sorted model, in the order of drawing */
@@ -81,13 +85,10 @@ typedef struct fxl_workspace {
     uint16_t front_count;      /* how many of its faces face the eye */
     uint16_t sorted_count;     /* how many are in the order: fewer, where some were dropped */
     uint16_t settings_version; /* of the renderer when this was set up */
+    void *target_memory;       /* the target's, of the caller's memory; or null */
     fxl_vertex_cache cache;
-    void *target_memory; /* the target's, of the caller's memory; or null */
     uint32_t target_memory_size;
     fxl_screen_polygon screen;
-    bool face_rows_known; /* face_list has the rows that the faces reach */
-    bool rest_counted;    /* faces that are not in the display list have been counted */
-    uint16_t dark;        /* the renderer's, while an RGB565 band is drawn */
     union { /* faces are sorted before any is clipped; a clipped polygon is then scanned */
         fxl_sort_work sort;
         fxl_clipper_work clip;
