@@ -4,7 +4,7 @@
 
 #include "math/core.h"
 #include "raster/edge_divide.h"
-#include "view/estimate.h"
+#include "view/cull.h"
 
 #define JOIN(side, name)   side##name
 #define EXPAND(side, name) JOIN(side, name)

@@ -3,7 +3,7 @@
 
 #include "demand.h"
 #include "draw.h"
-#include "game/box.h"
+#include "game/exact.h"
 #include "record.h"
 
 enum {

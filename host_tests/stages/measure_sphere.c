@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "game/box.h"
+#include "game/exact.h"
 #include "reference/box.h"
 #include "reference/sphere.h"
 #include "reference/transform.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Divisions and the square root by what they promise, up to the ends of their ranges. */
 #include "../../lib/math/arith.h"
-#include "../../lib/math/unit_vector.h"
+#include "../../lib/math/plane.h"
 #include "unit.h"
 
 void setUp(void)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "game/box.h"
+#include "game/exact.h"
 #include "view_planes.h"
 
 static fxl_camera camera;

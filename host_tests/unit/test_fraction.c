@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A part of a whole, to the last of 64 bits. */
 #include "math/arith.h"
-#include "math/unit_vector.h"
+#include "math/plane.h"
 #include "raster/edge_divide.h"
 #include "unit.h"
 #include "wide.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What stages hand on inside the library is the same, bit for bit, on every core: hashes on record,
  * as in test_surface_hashes.c. */
-#include "../../lib/draw/depth.h"
+#include "../../lib/draw/surface_polygon.h"
 #include "../../lib/paint/gradients.h"
 #include "../../lib/paint/lit_pieces.h"
 #include "clip_views.h"

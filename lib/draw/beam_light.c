@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../scene/beam.h"
+#include "../scene/scene_check.h"
 #include "../scene/placement_code.h"
 #include "fixel/beams.h"
 

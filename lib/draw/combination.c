@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* What is attached to a renderer is looked at together, once before the next frame begins. So the
  * sequence in which it was attached does not matter. */
-#include "combination.h"
-
 #include "renderer.h"
+
 #include "submit.h"
 #include "surface_polygon.h"
-#include "surface_light.h"
 #include "../paint/billboard_paint.h"
 
 /* --- attaching ------------------------------------------------------------------------------ */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The names of what does not go together. A file of its own, so that a program which does not ask for
  * them does not link them. */
-#include "combination.h"
+#include "renderer.h"
 
 bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
 {

@@ -3,7 +3,7 @@
  * is seen at distance z = (n . P) focal / (n . D). So the depth near_z / z is the gradient of n .
  * D, times near_z / ((n . P) focal). */
 #include "../view/view.h"
-#include "depth.h"
+#include "surface_polygon.h"
 
 #include "../math/arith.h"
 #include "submit.h"

@@ -2,7 +2,7 @@
 #include "../view/cull.h"
 #include "../view/model_view.h"
 #include "display_list.h"
-#include "extents.h"
+#include "submit.h"
 
 #include "../scene/placement_code.h"
 #include "submit_sorted.h"

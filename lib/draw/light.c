@@ -4,7 +4,7 @@
 #include "renderer.h"
 #include "submit.h"
 #include "../math/arith.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "../scene/face_bounds.h"
 #include "../scene/placement_code.h"
 #include "../paint/light_level.h"

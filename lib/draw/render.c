@@ -18,7 +18,7 @@
 #include "../view/order.h"
 #include "../view/view.h"
 #include "display_list.h"
-#include "extents.h"
+#include "submit.h"
 #include "renderer.h"
 #include "submit_sorted.h"
 

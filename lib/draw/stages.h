@@ -11,7 +11,7 @@
 #include "../math/plane.h"
 #include "../raster/fill.h"
 #include "../raster/scan.h"
-#include "../scene/beam.h"
+#include "../scene/scene_check.h"
 #include "../scene/lens.h"
 #include "../scene/placement_code.h"
 #include "../view/cull.h"

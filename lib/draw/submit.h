@@ -134,8 +134,8 @@ bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint
  * or not at all. The caller owns it. */
 typedef struct fxl_pieces fxl_pieces;
 
-/* Takes a piece that beams made, in place of the shader after them: that it is dark or lit. False where
- * there is no room. */
+/* Takes a piece that beams made, in place of the shader after them: that it is dark or lit. False
+ * where there is no room. */
 typedef bool fxl_piece_taker(fxl_pieces *pieces, const fxl_point *points, uint32_t count,
                              bool is_lit);
 
@@ -238,13 +238,34 @@ bool fxl_submit_piece_by(fxl_pieces *pieces, const fxl_shader *shader, const fxl
 bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_face *face,
                             const fxl_point *points, uint32_t count, uint8_t colour);
 
-/* fxl_shader_code.face, of beams, or of a shader that has beams split its faces: the face's polygon of the
- * world, split, counted once. */
+/* fxl_shader_code.face, of beams, or of a shader that has beams split its faces: the face's polygon
+ * of the world, split, counted once. */
 bool fxl_submit_split_face(const fxl_model_view *model_view, const fxl_face *face,
                            const fxl_traversal *traversal, const fxl_shader *shader);
 
 /* fxl_shader_code.face: the face in another colour, to the next shader or to the clipper. */
 bool fxl_submit_coloured_face(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, const fxl_shader *shader);
+
+/* --- the rows that faces reach ------------------------------------------------------------- */
+
+/* Which rows of the screen the instances reach that are not in the display list, and which rows
+ * their faces reach. They are found once, when a frame begins, and kept where the sort has left
+ * memory that nobody needs any more: in the entries of the order, and behind the last of them. A
+ * band then passes over what does not reach it. What is left of that memory becomes a cache of
+ * vertices, if the caller gave none. A library for size keeps the rows of instances and those of a
+ * sorted model's faces, not those of other faces. */
+
+/* Goes on where `filling`, the traversal that filled the display list, had no more room: measures
+ * the rows, and counts the faces. Requires that the traversal was fxl_submit_by_distance's. */
+void fxl_extents_measure(const fxl_traversal *filling, fxl_frame *frame);
+
+/* Takes back the memory of the order that a frame before has lent to the workspace as a cache of
+ * vertices. */
+void fxl_extents_take_back(const fxl_renderer *renderer, fxl_workspace *workspace);
+
+/* fxl_submit_by_distance into a band, of a frame whose rows were measured. It counts nothing that
+ * the measuring has counted: traversal->counters are thrown away. */
+bool fxl_extents_submit(const fxl_traversal *traversal);
 
 #endif

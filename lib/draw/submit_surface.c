@@ -7,7 +7,6 @@
 #include "../view/model_view.h"
 #include "renderer.h"
 #include "submit.h"
-#include "surface_light.h"
 #include "surface_polygon.h"
 
 bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,

@@ -6,7 +6,7 @@
 #include "../view/outcode.h"
 #include "../view/placement.h"
 #include "../view/view.h"
-#include "extents.h"
+#include "submit.h"
 #include "submit_instance.h"
 
 /* --- the scene ----------------------------------------------------------------------------- */

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* A file of its own: a renderer whose surfaces are not lit does not link it. */
-#include "surface_light.h"
+#include "surface_polygon.h"
 
 #include "renderer.h"
 #include "submit.h"
 #include "../math/arith.h"
 #include "../scene/placement_code.h"
 #include "../paint/light_level.h"
-#include "surface_polygon.h"
 
 /* A corner and its normal in the world. Points of the world are within FXL_COORDINATE_MAX, so
  * doubled ones are below 2^30. */

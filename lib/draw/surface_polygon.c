@@ -5,7 +5,6 @@
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "scratch.h"
-#include "surface_light.h"
 #include "../paint/texture_level.h"
 
 /* A record: what every record begins with, whose count is that of all pairs of words after it and

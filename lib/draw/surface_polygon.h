@@ -4,6 +4,8 @@
 #ifndef FXL_SURFACE_POLYGON_H
 #define FXL_SURFACE_POLYGON_H
 
+#include "../raster/scan.h"
+#include "submit_sorted.h"
 #include "submit.h"
 #include "fixel/surfaces.h"
 #include "../paint/depth_code.h"
@@ -13,6 +15,22 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* --- light at the corners of faces --------------------------------------------------------- */
+
+/* What a renderer with lit surfaces links. */
+typedef struct fxl_surface_light_code {
+    /* The light at the three vertices of a mapped face: levels of the ramp in 16.16, and a half, so
+     * that rounding them down gives the nearest. From 32768 to levels - 1/2. */
+    void (*light_corners)(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                          const fxl_instance *instance, const fxl_mapped_face *mapped,
+                          int32_t values[3]);
+} fxl_surface_light_code;
+
+static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)
+{
+    return (surface->flags & FXL_SURFACE_LIT) && surfaces->light != NULL;
+}
 
 #define FXL_NO_SURFACE UINT16_MAX
 FXL_STATIC_ASSERT(FXL_SURFACES_MAX <= FXL_NO_SURFACE, "no surface has this number");
@@ -96,8 +114,7 @@ static inline void fxl_outline_polygon(const fxl_traversal *traversal,
 
 /* Reads a record of the kind FXL_POLYGON_SURFACE or FXL_POLYGON_DEPTH. Returns how many of its
  * points are the outline's. */
-uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record,
-                                  fxl_surface_polygon *polygon);
+uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_polygon *polygon);
 
 /* How a polygon that has a surface is painted. */
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
@@ -117,8 +134,8 @@ const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
 bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                         const fxl_point *points, uint32_t count);
 
-/* The mapped face of a face that is to be submitted whole. Null: the face has been submitted, in pieces of
- * beams, or by the next shader, and *fitted is whether there was room. */
+/* The mapped face of a face that is to be submitted whole. Null: the face has been submitted, in
+ * pieces of beams, or by the next shader, and *fitted is whether there was room. */
 const fxl_mapped_face *fxl_surfaces_take(const fxl_surfaces *surfaces,
                                          const fxl_model_view *model_view, const fxl_face *face,
                                          const fxl_traversal *traversal, bool *fitted);
@@ -135,6 +152,85 @@ static inline const fxl_surfaces *fxl_surfaces_of(const fxl_renderer *renderer)
                ? (const fxl_surfaces *)(const void *)first
                : NULL;
 }
+
+/* --- polygons of a face -------------------------------------------------------------------- */
+
+/* The polygons of a face that have more than an outline, to the display list or into the band. The
+ * callers differ in what that is, and in what paints it; both are inlined. */
+
+/* Finds what a face's polygons have beside their outlines; what: the finder's own. */
+typedef void fxl_polygon_finder(const void *what, const fxl_model_view *model_view,
+                                const fxl_face *face, const fxl_traversal *traversal,
+                                fxl_surface_polygon *polygon);
+
+/* Paints a polygon in a band; what: as above. */
+typedef void fxl_polygon_painter(const void *what, fxl_workspace *workspace,
+                                 const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                                 uint32_t count, const fxl_band *band);
+
+static inline __attribute__((always_inline)) fxl_outcome
+fxl_emit_polygon(const fxl_traversal *traversal, const fxl_surface_polygon *polygon,
+                 fxl_polygon_painter *paint, const void *what)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_screen_polygon *screen = &workspace->screen;
+    const fxl_rows rows = fxl_scan_rows(screen, traversal->renderer->frame.view.lens.height);
+    if (rows.first == rows.end) {
+        return 0;
+    }
+    if (traversal->display_list != NULL) {
+        return fxl_surface_polygon_append(traversal->display_list, screen, rows, polygon)
+                   ? 0
+                   : FXL_OUTCOME_FULL;
+    }
+    if (traversal->mode == FXL_SUBMIT_MEASURE) {
+        fxl_rows_add(traversal->reached, rows);
+    } else {
+        paint(what, workspace, polygon, screen->points, screen->count, traversal->band);
+        fxl_outline_polygon(traversal, screen->points, screen->count);
+    }
+    return FXL_OUTCOME_SPILLED;
+}
+
+/* All polygons of a face: fxl_submit_polygons. Once one of them is left, it is found what they
+ * have, unless *polygon has it already. */
+static inline __attribute__((always_inline)) fxl_outcome
+fxl_submit_found_polygons(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *traversal, fxl_polygon_finder *find,
+                          fxl_polygon_painter *paint, const void *what,
+                          fxl_surface_polygon *polygon, bool found)
+{
+    fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
+    fxl_outcome outcome = (fxl_outcome)1 << cut;
+    while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
+        if (!found) {
+            find(what, model_view, face, traversal, polygon);
+            found = true;
+        }
+        outcome |= fxl_emit_polygon(traversal, polygon, paint, what);
+        if (traversal->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
+            break;
+        }
+        cut = fxl_next_polygon(model_view, traversal);
+        outcome |= (fxl_outcome)1 << cut;
+    }
+    return outcome;
+}
+
+/* --- depth --------------------------------------------------------------------------------- */
+
+/* The plane through the face's first corner with the face's normal.
+ * A face that is seen edge-on, to within the rounding of its normal, is at infinity.
+ * Error: the normal is off by less than 2^-28, and the depth of the plane relatively by less than
+ * 2^-27. */
+void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *traversal, fxl_depth_plane *plane);
+
+/* fxl_target.draw_band: as many rows at a time as the workspace has cells for. Far to near
+ * each part is drawn in two passes: what is opaque, then what is blended. A cell and a pixel have
+ * so many bytes. */
+void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace,
+                          const fxl_band *band, uint32_t cell_bytes, uint32_t pixel_bytes);
 
 #ifdef __cplusplus
 }

@@ -12,7 +12,7 @@
 #include "../paint/paint_polygon.h"
 #include "../paint/texture_level.h"
 #include "../view/model_view.h"
-#include "submit_polygons.h"
+#include "surface_polygon.h"
 #include "pixel_row.h"
 
 #if FXL_TARGET_PIXEL_BITS == 8
@@ -110,7 +110,6 @@ static inline void find_depth(const fxl_model_view *model_view, const fxl_face *
 
 #else
 
-#include "depth.h"
 #include "../paint/depth_row.h"
 
 #define SCRATCH 16 /* pixels */

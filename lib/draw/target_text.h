@@ -64,9 +64,8 @@ static inline __attribute__((always_inline)) void paint_rows(const fxl_screen_po
 
 #if FXL_TARGET_DEPTH_BITS != 0
 
-#include "depth.h"
+#include "surface_polygon.h"
 #include "../paint/depth_row.h"
-#include "submit_polygons.h"
 
 /* A polygon of one colour, and its depth. */
 typedef struct {

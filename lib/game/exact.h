@@ -3,6 +3,7 @@
 #ifndef FXL_EXACT_H
 #define FXL_EXACT_H
 
+#include "fixel/records.h"
 #include "../math/arith.h"
 #include "../scene/placement_code.h"
 #include "fixel/collide.h"
@@ -85,5 +86,23 @@ bool fxl_line_is_within(const fxl_face_place *face, const fxl_point *from,
 /* Whether the sphere of the model, turned or not, about an instance's centre meets the segment. */
 bool fxl_segment_nears_instance(const fxl_scene *scene, const fxl_instance *instance,
                                 const fxl_point *from, const fxl_point *to, fxl_q16_16 margin);
+
+/* --- a bounding box against the frustum ---------------------------------------------------- */
+
+/* A box is tighter than a sphere about a long or flat instance, and costs more. The renderer itself
+ * tests spheres. Source: chapter 65 (A9). */
+
+/* Finds the planes that a box may cross. Returns a bit for each such plane (1 << FXL_PLANE_...):
+ * 0 where the box lies inside all planes, FXL_SPHERE_OUTSIDE alone where it lies outside one, as
+ * fxl_sphere_planes does. The box is outside a plane if all eight corners are more than 2^-9
+ * unit outside it. It is inside a plane if all eight corners are at least 2^-9 unit inside it.
+ * Otherwise it may cross the plane. The test is exact on the integers of the world's planes. The
+ * margin of 2^-9 unit covers the difference between the planes of the world and those of the
+ * view, and the rounding of every clipper. The test is therefore conservative. If the result is
+ * FXL_SPHERE_OUTSIDE, no clipper draws a face whose vertices all lie in the box. If a plane's
+ * bit is not set, every vertex in the box is inside that plane.
+ * Requires a frustum made by its function, and corners within FXL_COORDINATE_MAX. Costs at most
+ * twelve sums of three 32 x 32 -> 64 bit products. */
+uint32_t fxl_box_planes(const fxl_frustum *frustum, const fxl_box *box);
 
 #endif

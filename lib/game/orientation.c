@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Orientations from angles and from products. */
 #include "../math/arith.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "fixel/camera.h"
 #include "fixel/orientation.h"
 

@@ -6,7 +6,6 @@
 #include "../scene/face_bounds.h"
 #include "../scene/placement_code.h"
 #include "../view/outcode.h"
-#include "box.h"
 #include "exact.h"
 
 /* The sum of the radii is below 2^32, so its square is below 2^64. */

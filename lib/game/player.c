@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/arith.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "../scene/scene_check.h"
 #include "fixel/camera.h"
 #include "fixel/player.h"

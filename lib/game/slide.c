@@ -2,7 +2,7 @@
 /* A sphere that slides. Each position that is accepted was found free of every face: the faces are
  * then at least the radius away from its centre. Two such positions are at most the radius apart,
  * so on the way between them the centre keeps half the radius from every face. */
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "../scene/placement_code.h"
 #include "exact.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "arith.h"
 #include "plane.h"
-#include "unit_vector.h"
 
 fxl_plane fxl_plane_from_point(const fxl_point *point, const fxl_direction *normal,
                                fxl_q16_16 inset)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The blend table of a palette. A file of its own: a program that has its table in flash does not
  * link it. */
-#include "../math/mix_colours.h"
+#include "rgb565_colour.h"
 #include "fixel/surfaces.h"
 
 fxl_status fxl_blend_make_table(const uint8_t *palette, uint32_t sixteenths, uint32_t first,

@@ -2,8 +2,8 @@
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
  * or within 2^-29 where its instance has no placement; that is its own, and no error. */
 #include "../math/arith.h"
-#include "../math/mix_colours.h"
-#include "../math/unit_vector.h"
+#include "rgb565_colour.h"
+#include "../math/plane.h"
 #include "fixel/light.h"
 #include "light_level.h"
 

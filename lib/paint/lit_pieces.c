@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../clip/split.h"
 #include "../math/plane.h"
-#include "../scene/beam.h"
+#include "../scene/scene_check.h"
 #include "lit_pieces.h"
 
 #include "../math/arith.h"

@@ -10,7 +10,7 @@
 #ifndef FXL_PAINT_ROW_H
 #define FXL_PAINT_ROW_H
 
-#include "attribute.h"
+#include "segments.h"
 #include "paint.h"
 
 /* Neighbouring pixels whose attributes are linear: those of the first one, and the steps. */

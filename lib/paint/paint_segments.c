@@ -2,7 +2,6 @@
 #include "segments.h"
 
 #include "../math/family.h"
-#include "attribute.h"
 
 #if !FXL_KERNELS_ARMV7M
 
@@ -112,6 +111,32 @@ void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, 
         fxl_paint_texels(face, &run, row->pixels + x0, count);
         x0 += (int32_t)count;
         ends[0] = ends[1];
+    }
+}
+
+#endif
+
+#if !FXL_KERNELS_ARMV7M && !FXL_KERNELS_ARMV6M
+
+static inline uint8_t texel(const fxl_segment_face *face, uint32_t position)
+{
+    const uint32_t column = position >> (32u - face->log_width);
+    return face->texels[(position >> face->row_drop & face->rows_mask) + column];
+}
+
+void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, uint8_t *pixels,
+                      uint32_t count)
+{
+    const uint8_t *end = pixels + count;
+    uint32_t position = run->position, light = run->light;
+    if (face->ramp == NULL) {
+        for (; pixels != end; position += run->step) {
+            *pixels++ = texel(face, position);
+        }
+        return;
+    }
+    for (; pixels != end; position += run->step, light += run->light_step) {
+        *pixels++ = face->ramp[(light & ~255u) + texel(face, position)];
     }
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Colours of 16 bits between two others. Internal. */
+/* Colours between two others: of 16 bits, and in a palette. Internal. */
 #ifndef FXL_RGB565_COLOUR_H
 #define FXL_RGB565_COLOUR_H
 
@@ -22,8 +22,8 @@ static inline uint32_t fxl_spread_565(uint32_t colour)
     return (colour | colour << 16) & FXL_SPREAD_565;
 }
 
-/* (colour * sixteenths + beneath * (16 - sixteenths)) / 16 of each channel, rounded down. The sum is
- * 16 times a channel's largest value at most: in the uppermost place below 63 * 2^25. Requires
+/* (colour * sixteenths + beneath * (16 - sixteenths)) / 16 of each channel, rounded down. The sum
+ * is 16 times a channel's largest value at most: in the uppermost place below 63 * 2^25. Requires
  * sixteenths <= 16. */
 static inline uint16_t fxl_blend_565(uint32_t colour, uint32_t beneath, uint32_t sixteenths)
 {
@@ -67,6 +67,41 @@ static inline uint16_t fxl_mix_565(uint32_t colour, uint32_t dark, uint32_t part
 
 /* Sets the pixels from one (included) to an end (not included). */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour);
+
+/* --- in a palette -------------------------------------------------------------------------- */
+
+/* The number of the entry of a palette that is nearest to a colour: by the sum of the squared
+ * differences; of those at the same distance the first. */
+static inline uint8_t fxl_nearest_colour(const uint8_t *palette, const int32_t *colour)
+{
+    int32_t least = 3 * 255 * 255 + 1;
+    uint32_t found = 0;
+    for (uint32_t i = 0; i < 256; i++) {
+        int32_t distance = 0;
+        for (uint32_t k = 0; k < 3; k++) {
+            const int32_t difference = palette[3 * i + k] - colour[k];
+            distance += difference * difference;
+        }
+        if (distance < least) {
+            least = distance;
+            found = i;
+        }
+    }
+    return (uint8_t)found;
+}
+
+/* The number of the entry that is nearest to from + (to - from) * part / whole, each of the three
+ * rounded to nearest, halves upward. Requires 0 <= part <= whole, 1 <= whole <= 63. The quotient's
+ * numerator is below 2 * 255 * 63 + 64; its offset makes it positive. */
+static inline uint8_t fxl_mix_colours(const uint8_t *palette, const uint8_t *from,
+                                      const uint8_t *to, int32_t part, int32_t whole)
+{
+    int32_t colour[3];
+    for (uint32_t k = 0; k < 3; k++) {
+        colour[k] = (2 * (from[k] * (whole - part) + to[k] * part) + whole) / (2 * whole);
+    }
+    return fxl_nearest_colour(palette, colour);
+}
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The surfaces of a scene image (docs/formats.md, section 1.12). */
 #include "../math/memory.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "../scene/scene_check.h"
 #include "fixel/surfaces.h"
 #include "surface_sections.h"

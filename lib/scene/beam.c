@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "../math/plane.h"
-#include "beam.h"
+#include "scene_check.h"
 #include "fixel/scene.h"
 
 #include "../math/arith.h"
-#include "../math/unit_vector.h"
 #include "../math/memory.h"
 
 /* How exactly the side of a plane on which a window's corner lies is known, in units of 2^-46. A

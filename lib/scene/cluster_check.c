@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene_check.h"
 
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "face_bounds.h"
 #include "scene_check.h"
 

@@ -2,7 +2,7 @@
 /* The settings of a light: those of a scene image, and the check of all. */
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "scene_check.h"
 
 static bool is_fraction(fxl_q2_30 value)

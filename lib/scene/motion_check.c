@@ -3,7 +3,7 @@
  * keys, so that the reach of a chain of parents takes a step a parent, and no key. */
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "scene_check.h"
 #include "placement_code.h"
 

@@ -6,7 +6,7 @@
 
 #include "../math/arith.h"
 #include "../math/memory.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "face_bounds.h"
 #include "scene_check.h"
 #include "placement_code.h"

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The check of a scene that may have clusters, a BSP tree, beams and placements. It is a file of
  * its own, so that a program whose scene has none of them does not link these checks. */
-#include "beam.h"
-#include "fixel/scene.h"
 #include "scene_check.h"
+#include "fixel/scene.h"
 
 static fxl_status check_beams(const fxl_scene *scene, fxl_scene_fault *fault)
 {

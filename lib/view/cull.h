@@ -4,13 +4,147 @@
 #ifndef FXL_CULL_H
 #define FXL_CULL_H
 
+#include "../math/family.h"
+#include "outcode.h"
 #include "../math/arith.h"
-#include "estimate.h"
 #include "fixel/records.h"
 #include "model_view.h"
 
 #ifdef __cplusplus
 extern "C" {
+#endif
+
+/* --- estimates ----------------------------------------------------------------------------- */
+
+/* Estimates of sums of products, inline: they decide a comparison before the exact sum is computed,
+ * where a family's exact products are slow. The others compute the exact sum. */
+
+/* Whether direction . (x, y, z) is negative, from all bits, for an inline kernel: a call keeps its
+ * caller's frame on the stack small. Requires what fxl_dot requires. */
+bool fxl_exact_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y, int32_t z);
+
+#if !FXL_KERNELS_ARMV6M
+
+/* Whether direction . (x, y, z) is negative. Requires what fxl_dot requires. Exact. */
+static inline bool fxl_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y,
+                                       int32_t z)
+{
+    return fxl_dot(direction, x, y, z) < 0;
+}
+
+/* Of fxl_sphere_planes, where an estimate does not decide the result. */
+#define FXL_SPHERE_UNDECIDED UINT32_MAX
+
+/* The result of fxl_sphere_planes, or FXL_SPHERE_UNDECIDED. from_eye is the centre less the eye,
+ * each coordinate below 2^30; reach is the radius with its slack in units of 2^-12. */
+static inline uint32_t fxl_estimated_sphere(const fxl_axes *axes, const fxl_view_frustum *frustum,
+                                            const fxl_point *from_eye, int32_t reach)
+{
+    (void)axes, (void)frustum, (void)from_eye, (void)reach;
+    return FXL_SPHERE_UNDECIDED;
+}
+
+#else
+
+/* By products of 16 by 16 bits, for a core without long products.
+ *
+ * They serve points less than 256 units away: |e| <= 2^24. Let n be a component of a direction,
+ *   n = 2^15 n' + f, 0 <= f < 2^15, and e = 2^9 e' + g, 0 <= g < 2^9. Then
+ *   n e = 2^24 n' e' + 2^15 n' g + f e.
+ * |n'| sums up to less than 1.74 2^15 over the components and |e'| is at most 2^15. So a sum of
+ * products n' e' is below 2^31, its unit is 2^-22 world units, and what it lacks is below
+ * (1.74 + 3) 2^15 of these, which is less than FXL_ESTIMATE_ERROR. */
+
+#define FXL_ESTIMATE_ERROR (5 << 15)
+
+/* Whether each of three coordinates is within -2^24..2^24 - 1. */
+static inline bool fxl_can_estimate(int32_t x, int32_t y, int32_t z)
+{
+    const uint32_t half = 1u << 24;
+    return (((uint32_t)x + half) | ((uint32_t)y + half) | ((uint32_t)z + half)) >> 25 == 0;
+}
+
+/* x, y and z are e'. */
+static inline int32_t fxl_estimated_dot(const fxl_direction *direction, int32_t x, int32_t y,
+                                        int32_t z)
+{
+    return (direction->x >> 15) * x + (direction->y >> 15) * y + (direction->z >> 15) * z;
+}
+
+static inline bool fxl_dot_is_negative(const fxl_direction *direction, int32_t x, int32_t y,
+                                       int32_t z)
+{
+    if (fxl_can_estimate(x, y, z)) {
+        int32_t sum = fxl_estimated_dot(direction, x >> 9, y >> 9, z >> 9);
+        if (sum >= FXL_ESTIMATE_ERROR || sum <= -FXL_ESTIMATE_ERROR) {
+            return sum < 0;
+        }
+    }
+    return fxl_exact_dot_is_negative(direction, x, y, z);
+}
+
+#define FXL_SPHERE_UNDECIDED UINT32_MAX
+
+/* Where a sphere lies whose centre has the given distance from a plane: FXL_SPHERE_OUTSIDE, 1 if it
+ * crosses the plane, 0 if it is inside, or FXL_SPHERE_UNDECIDED. Requires an error of the distance
+ * of less than `error`. All are in units of 2^-12. */
+static inline uint32_t fxl_estimated_place(int32_t distance, int32_t reach, int32_t error)
+{
+    if (distance >= reach + error) {
+        return 0;
+    }
+    if (distance < -reach - error) {
+        return FXL_SPHERE_OUTSIDE;
+    }
+    return distance >= error - reach && distance < reach - error ? 1u : FXL_SPHERE_UNDECIDED;
+}
+
+/* Adds the place at a plane to planes, or returns it if it is the result. */
+#define FXL_ESTIMATE_PLANE(plane, distance, error) \
+    do { \
+        uint32_t place = fxl_estimated_place(distance, reach, error); \
+        if (place >= FXL_SPHERE_OUTSIDE) { \
+            return place; \
+        } \
+        planes |= place << (plane); \
+    } while (0)
+
+/* The same sums as in sphere.c, from estimates. A coordinate in the view, floored to units of
+ * 2^-12, has an error below 5 2^15 2^-10 + 1 = 161; so have the distances from near and far, and
+ * the floors of those planes add 1.
+ *
+ * For a side plane the coordinate is floored to units of 2^-6, which adds 64; it is then below
+ * 2^15. The component of the normal is floored to units of 2^-15, which moves the product by less
+ * than 2^15 2^-15 of these units, 64 of 2^-12. So each product has an error below 290, floors
+ * included. Two of them, the inset, and the 3 by which sphere.c differs from the exact sum are
+ * below 600. */
+static inline uint32_t fxl_estimated_sphere(const fxl_axes *axes, const fxl_view_frustum *frustum,
+                                            const fxl_point *from_eye, int32_t reach)
+{
+    int32_t x = from_eye->x, y = from_eye->y, z = from_eye->z;
+    if (!fxl_can_estimate(x, y, z)) {
+        return FXL_SPHERE_UNDECIDED;
+    }
+    x >>= 9;
+    y >>= 9;
+    z >>= 9;
+    uint32_t planes = 0;
+    int32_t along = fxl_estimated_dot(&axes->forward, x, y, z);
+    FXL_ESTIMATE_PLANE(FXL_PLANE_NEAR, (along >> 10) - (int32_t)(frustum->near_z >> 34), 170);
+    FXL_ESTIMATE_PLANE(FXL_PLANE_FAR, (int32_t)(frustum->far_z >> 34) - (along >> 10), 170);
+    along >>= 16;
+    int32_t inset = (int32_t)(frustum->inset >> 34);
+    int32_t apart = (frustum->x_side >> 15) * (fxl_estimated_dot(&axes->right, x, y, z) >> 16) >> 9;
+    int32_t ahead = ((frustum->x_depth >> 15) * along >> 9) - inset;
+    FXL_ESTIMATE_PLANE(FXL_PLANE_LEFT, ahead + apart, 600);
+    FXL_ESTIMATE_PLANE(FXL_PLANE_RIGHT, ahead - apart, 600);
+    apart = (frustum->y_side >> 15) * (fxl_estimated_dot(&axes->up, x, y, z) >> 16) >> 9;
+    ahead = ((frustum->y_depth >> 15) * along >> 9) - inset;
+    FXL_ESTIMATE_PLANE(FXL_PLANE_BOTTOM, ahead + apart, 600);
+    FXL_ESTIMATE_PLANE(FXL_PLANE_TOP, ahead - apart, 600);
+    return planes;
+}
+
 #endif
 
 /* Whether a face of an instance is turned towards the eye:

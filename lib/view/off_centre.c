@@ -10,7 +10,7 @@
  * a) and of (f, b), so neither row is longer than 1, and everything that holds of a centred view
  * holds of this one: no coordinate, product or sum is larger. */
 #include "../math/arith.h"
-#include "../math/unit_vector.h"
+#include "../math/plane.h"
 #include "../scene/lens.h"
 #include "project.h"
 #include "view.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A file of its own, so that the compiler does not spend registers of the loop on the choice. */
+#include "../math/family.h"
 #include "../math/arith.h"
 #include "../scene/face_bounds.h"
 #include "../scene/placement_code.h"
@@ -155,3 +156,24 @@ uint32_t fxl_list_instances(const fxl_scene *scene, const fxl_camera *camera,
                ? scene->placement_code->list_instances(scene, camera, frustum, entries, left_out)
                : fxl_list_still_instances(scene, camera, frustum, entries, left_out);
 }
+
+#if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
+
+fxl_draw_entry *fxl_front_faces(const fxl_face *faces, const fxl_face_bounds *bounds,
+                                const fxl_point *eye, fxl_draw_entry *entry, uint32_t count,
+                                uint32_t end)
+{
+    const fxl_point from = *eye;
+    for (uint32_t i = 0; i < count; i++) {
+        const fxl_face_bounds *face_bounds = &bounds[i];
+        if (fxl_dot(&faces[i].normal, from.x, from.y, from.z) >
+            fxl_face_bounds_height(face_bounds)) {
+            uint64_t distance =
+                fxl_box_distance(face_bounds->box_x, face_bounds->box_y, face_bounds->box_z, &from);
+            *entry++ = fxl_draw_entry_of(distance, (uint16_t)(end - count + i), 0);
+        }
+    }
+    return entry;
+}
+
+#endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_project_inside for Armv6-M: products of 32 bits, no division, no CLZ.
- * lib/view/project_inside.c defines the letters and shows that nothing
+ * lib/view/project.c defines the letters and shows that nothing
  * overflows. The reciprocal of 16 bits is that of core.h. */
 #include "../math/family.h"
 #include "../math/offsets.h"

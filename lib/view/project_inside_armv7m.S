@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_project_inside for Armv7-M and Armv8-M Mainline: UMULL, UDIV, CLZ.
- * lib/view/project_inside.c defines the letters and shows that nothing overflows.
+ * lib/view/project.c defines the letters and shows that nothing overflows.
  *
  * Sides are shifted by multiplication, which takes two instructions for 64 bits. Their product
  * with F is accumulated onto half the depth. The comparison that decides the rounding leaves

@@ -22,7 +22,7 @@
  * so at least 8 remain for the errors. So the test never rejects an instance of which a
  * face would be drawn. */
 
-#include "estimate.h"
+#include "cull.h"
 #include "model_view.h"
 #include "outcode.h"
 

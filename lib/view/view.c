@@ -3,7 +3,6 @@
  * out, the sums take 116 bytes more on a Cortex-M3. */
 #include "../math/arith.h"
 #include "../math/plane.h"
-#include "../math/unit_vector.h"
 #include "fixel/camera.h"
 #include "view.h"
 #include "../scene/lens.h"

@@ -6,7 +6,7 @@
 #include "clip/clip_view.h"
 #include "clip/intersection.h"
 #include "draw/display_list.h"
-#include "draw/extents.h"
+#include "draw/submit.h"
 #include "predict/wrapped.h"
 #include "raster/draw_outline.h"
 #include "raster/scan.h"

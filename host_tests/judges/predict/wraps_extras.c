@@ -2,7 +2,7 @@
 /* Counts of what a scene may ask for: a depth buffer, billboards, beams of light; and of turned
  * faces that are placed in the world for those and for light. */
 #include "clip/split.h"
-#include "draw/depth.h"
+#include "draw/surface_polygon.h"
 #include "draw/submit.h"
 #include "math/plane.h"
 #include "paint/billboard_paint.h"
@@ -12,7 +12,7 @@
 #include "paint/lit_pieces.h"
 #include "predict/wrapped.h"
 #include "raster/scan.h"
-#include "scene/beam.h"
+#include "scene/scene_check.h"
 #include "view/model_view.h"
 #include "view/placement.h"
 
