@@ -112,7 +112,7 @@ def test_any_gltf_file(data):
 
 
 @fuzzed(0.03)
-@given(gltf_files(), st.sampled_from(["images = true", "images = { size = 2, levels = 3 }", "images = { size = 1, bits = 4, levels = 2 }", "merge = true\nmend = true\nfit = 3"]))
+@given(gltf_files(), st.sampled_from(["images = true", "images = { size = 2, levels = 3 }", "images = { size = 1, bits = 4, levels = 2 }", "images = { bits = 16 }", "merge = true\nmend = true\nfit = 3"]))
 def test_any_gltf_file_in_a_scene(data, keys):
     check("scene.toml", f'[[objects]]\nmodel = "model.glb"\n{keys}\n'.encode(), ("model.glb", data))
 
@@ -225,7 +225,7 @@ SOUND_VALUES = {
     "motion": ["{ circle = 3, degrees = 4 }", "{ by = [1, 0, 0], frames = 9, back = true }", "{ keys = [{ frames = 2 }, { turn = 9 }] }"],
     "texture": ['"t"'], "lit": ["true"], "smooth": ["true"], "mapping": ['"box"'], "tiles": ["[2, 2]"], "opacity": ["8", "4"],
     "division": ['"affine"', "8"], "texels_per_unit": ["4"], "texel_offset": ["[1, 2]"], "file": ['"t.png"'],
-    "pattern": ['"bricks"', '"tree"'], "pixels": ["[8, 8]"], "most_colours": ["8"], "bits": ["4", "8"], "wrap": ['"repeat"', '"clamp"'],
+    "pattern": ['"bricks"', '"tree"'], "pixels": ["[8, 8]", '"rgb565"'], "most_colours": ["8"], "bits": ["4", "8", "16"], "blend": ["true", '"add"'], "wrap": ['"repeat"', '"clamp"'],
     "levels": ["1", "8"], "axis": ["[1, 2, 3]"], "degrees": ["5"], "start": ["30", "{ position = [0, 1, 0] }"], "yaw": ["1"], "pitch": ["2"], "roll": ["3"],
     "circle": ["4"], "by": ["[2, 0, 0]"], "key": ['"#010203"', '"origin"'], "sides": ["5"], "cells": ["[2, 2]"], "seed": ["3"], "obj": ['"t.obj"'], "group": ['"g"', '"t"'],
     "keys": ["[{ position = [0, 0, 0] }, { position = [1, 0, 0], frames = 3 }]", "[{ frames = 3 }, {}]"],

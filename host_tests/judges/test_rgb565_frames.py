@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Frames of RGB565: what the library draws on the host is explained by the reference renderer, and what is one off is not."""
 
+import json
 import struct
 import zlib
 
 import numpy
 import pytest
-from conftest import CHECKOUT
+from conftest import CHECKOUT, run_cli
 from scene_head import head
 from test_surface_frames import built, drawn, judged
 
@@ -46,6 +47,17 @@ def test_each_pixel_is_explained(build, tmp_path, name, method):
     verdict = judged(build, image_file, shown, *method)
     assert verdict["pixels_unexplained"] == 0
     assert dump.read_dump(shown).frames[0].pixels.dtype.itemsize == 2
+
+
+@pytest.mark.parametrize("pixels", ("palette", "rgb565"))
+def test_a_scene_is_judged_of_which_all_is_seen_through(build, tmp_path, pixels):
+    """No ray meets anything, and the faces are the reference's to judge."""
+    scene = tmp_path / "glass.toml"
+    scene.write_text((BLENDED % "").replace("smooth = true", "smooth = true\nopacity = 9", 1).replace("rgb565", pixels))
+    done = run_cli("run", "--board", "host", "--scene", scene, "--frames", 2, "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["pixels_unexplained"] == 0 and summary["frames"] == 2
 
 
 OUTLINES = ("--outlines", "1")

@@ -191,7 +191,8 @@ static world world_of(const reader *r, uint32_t frame)
             }
         }
         if (pass == 0) {
-            if (faces == 0 || faces > 50000000 || corners > 500000000)
+            const bool may_be_empty = r->names == SCENE_NAMES_OPAQUE; /* all may let through */
+            if ((faces == 0 && !may_be_empty) || faces > 50000000 || corners > 500000000)
                 unusable("%s: %llu polygons", r->path, (unsigned long long)faces);
             w.polygons = allocate(faces, sizeof *w.polygons);
             w.corners = allocate(corners, sizeof *w.corners);

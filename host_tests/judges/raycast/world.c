@@ -240,7 +240,7 @@ static void walk_nodes(const search *s, world_hit *hit, int colour)
     } stack[DEPTH_STACK];
     stack[0].node = 0;
     stack[0].entry = box_entry(s, &s->w->nodes[0], hit->z);
-    int height = stack[0].entry < (double)INFINITY;
+    int height = s->w->polygon_count > 0 && stack[0].entry < (double)INFINITY;
     while (height) {
         height--;
         if (stack[height].entry > hit->z)
