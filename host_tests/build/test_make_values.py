@@ -138,8 +138,8 @@ def test_no_recipe_names_a_users_variable():
 
 # --- names of files, with the real tools --------------------------------------------
 
-NAMES = ["bob's scene", "dollar$HOME", "a  b", 'double"quote', "per%cent", "has#hash", "new\nline", "-dash", "back\\slash",
-         "$(shell exit)", "semi;colon"]
+# Each character that a shell or make reads in its own way is in one of them.
+NAMES = ["bob's  scene", 'has#hash double"quote', "-dash per%cent", "new\nline $(shell exit)", "back\\slash; $HOME"]
 
 
 @pytest.fixture
@@ -160,7 +160,7 @@ def test_a_scene_of_any_name_is_drawn(build, tmp_path, named, name):
     assert again.returncode == 0 and (tmp_path / f"compared{name}" / "compare.json").exists(), again.stderr
 
 
-@pytest.mark.parametrize("name", ["bob's scene", "dollar$HOME", "a  b", "new\nline"])
+@pytest.mark.parametrize("name", ["bob's  $HOME", "new\nline"])
 def test_other_commands_take_such_a_name(build, tmp_path, named, name):
     scene = named(name)
     for command, *settings in (("wire", f"OUT={tmp_path / name}"), ("predict", f"JSON={tmp_path / name}.json"), ("flash",)):
