@@ -14,6 +14,7 @@ from conftest import CHECKOUT, LAUNCHER, environment, sampled
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
 from test_input_bounds import PATH, assert_ended, run_bounded
 from fixel.model import gltf_check, model_file, sources
+from fixel.scene import making
 from fixel.base.reading import QUOTE_MAX, Beside
 
 CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
@@ -287,10 +288,8 @@ def test_names_that_are_no_text_are_printed_escaped(tmp_path, arguments):
     write(tmp_path, t_png=png([[(1, 2, 3)] * 4] * 4))
     (tmp_path / f"{name}.toml").write_text(PATH + '[[objects]]\nsolid = "box"\n')
     (tmp_path / f"{name}.obj").write_text(CORNERS + FACES)
-    command = [sys.executable, str(LAUNCHER)]
-    subprocess.run([*command, "build", "scenes/tiny.toml", "-o", str(tmp_path / f"{name}.fxls")], cwd=CHECKOUT, check=True,
-                   capture_output=True)
-    done = subprocess.run([*command, *(each.format(name=name) for each in arguments)], cwd=tmp_path, capture_output=True,
-                          check=False, env=environment(PYTHONIOENCODING="utf-8:strict"))
+    making.build(CHECKOUT / "scenes" / "tiny.toml", tmp_path / f"{name}.fxls")
+    done = subprocess.run([sys.executable, str(LAUNCHER), *(each.format(name=name) for each in arguments)], cwd=tmp_path,
+                          capture_output=True, check=False, env=environment(PYTHONIOENCODING="utf-8:strict"))
     assert done.returncode == (2 if "none" in arguments[1] else 0) and b"Traceback" not in done.stderr, done.stderr
     assert b"\\udcff" in done.stdout + done.stderr
