@@ -6,7 +6,7 @@ import subprocess
 
 import numpy
 import pytest
-from conftest import run_cli
+from conftest import CHECKOUT, run_cli
 from scene_head import head
 
 from fixel.board import dump
@@ -139,6 +139,17 @@ def test_a_board_draws_the_host_s_frames(build, tmp_path, pixels):
     summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
     assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0 and summary["frames"] == 3
     assert summary["pixels_differing"] < summary["pixels"] / 20
+
+
+@pytest.mark.parametrize("pixels", TARGETS)
+def test_the_stack_of_the_smallest_board_holds_the_deepest_scene(tmp_path, pixels):
+    """Beams on lit textures, some of which move among a tree; the board notices an overflow."""
+    text = (CHECKOUT / "bench" / "costs_deepest_tree.toml").read_text(encoding="utf-8")
+    (tmp_path / "scene.toml").write_text(text.replace("[view]", f'[view]\npixels = "{pixels}"'))
+    done = run_cli("run", "--board", "microbit", "--scene", tmp_path / "scene.toml", "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stdout + done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["host_frames_equal"] and summary["pixels_unexplained"] == 0 and summary["frames"] == 4
 
 
 def test_parts_share_the_record_of_the_whole(tmp_path):

@@ -26,7 +26,7 @@ TREES = (*(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_l
          "scenes/w1.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
 STACK_LOOKS = ("bench/costs_lights.toml", "bench/costs_surfaces.toml", "bench/costs_all.toml", "bench/costs_glass.toml",
-               "bench/costs_beams.toml", "bench/costs_tree.toml", "bench/costs_deepest.toml")
+               "bench/costs_beams.toml", "bench/costs_tree.toml", "bench/costs_deepest.toml", "bench/costs_deepest_tree.toml")
 STACK_FRAMES = 4
 
 
