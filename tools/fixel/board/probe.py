@@ -67,7 +67,8 @@ def run(program, words):
                 print(f"  {line.rstrip()}", file=sys.stderr, flush=True)
                 seen += [mark for mark in (STARTED, VERIFIED) if mark in line]
     except KeyboardInterrupt:
-        judge(program, process.wait() or 130, seen)
+        # It may have begun to program: its words may not have been read yet.
+        judge(program, process.wait() or 130, [*seen, STARTED])
         raise
     return process.returncode, seen
 
