@@ -14,4 +14,9 @@
                    #name " is declared otherwise"); \
     result __wrap_##name parameters
 
+/* A record of the library in whose place another is, for callers of a function in its own file. */
+#define WRAPPED_RECORD(type, name) \
+    extern const type __wrap_##name; \
+    const type __wrap_##name
+
 #endif

@@ -88,17 +88,18 @@ WRAPPED(bool, fxl_extents_submit, (const fxl_traversal *traversal))
 
 /* --- clip ----------------------------------------------------------------------------------- */
 
-WRAPPED(fxl_clip_result, fxl_clip_by_view,
-        (const fxl_model_view *model_view, const fxl_face *face, fxl_clipper_work *work,
-         fxl_screen_polygon *screen))
+static fxl_clip_result clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
+                                    fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
     counted.faces_clipped += 1;
     counted.corners += face->count;
-    const fxl_clip_result result = __real_fxl_clip_by_view(model_view, face, work, screen);
+    const fxl_clip_result result = fxl_clip_by_view(model_view, face, work, screen);
     counted.faces_outside += result == FXL_CLIP_OUTSIDE;
     counted.faces_between += result == FXL_CLIP_BETWEEN;
     return result;
 }
+
+WRAPPED_RECORD(fxl_clipper, fxl_clipper_view) = {.clip = clip_by_view, .by_clip_flags = true};
 
 WRAPPED(void, fxl_transform_vertex,
         (const fxl_model_view *model_view, uint32_t number, fxl_cached_vertex *entry))
