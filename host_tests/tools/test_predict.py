@@ -117,6 +117,16 @@ def drawn(tmp_path_factory):
     return found
 
 
+def test_what_is_counted_is_called_from_other_files(build):
+    """--wrap finds no call of a function within its own file: what joins files takes such calls from the counts."""
+    text = "".join(file.read_text(encoding="utf-8") for file in sorted((ROOT / "host_tests/judges/predict").glob("wraps*.c")))
+    wrapped = set(re.findall(r"^WRAPPED[_A-Z]*\([a-z0-9_ *]*, (fxl_[a-z0-9_]*)", text, re.MULTILINE))
+    callers = [build / "host/libfixel.a", build / "host/objects/judges/frames/session.o"]
+    done = subprocess.run(["nm", "--undefined-only", "--format=posix", *callers], capture_output=True, text=True, check=True)
+    called = {line.split()[0] for line in done.stdout.splitlines() if line.endswith("U") or " U " in line}
+    assert len(wrapped) > 30 and wrapped <= called, wrapped - called
+
+
 def test_the_scenes_are_not_in_the_fit():
     fitted = costs_renewal.scenes_of(bench_plan.Plan("build"))
     judged = {scene.split()[0] for _, scene in MEASURED}
