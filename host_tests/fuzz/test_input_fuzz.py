@@ -112,9 +112,11 @@ def test_any_gltf_file(data):
 
 
 @fuzzed(0.03)
-@given(gltf_files(), st.sampled_from(["images = true", "images = { size = 2, levels = 3 }", "images = { size = 1, bits = 4, levels = 2 }", "images = { bits = 16 }", "merge = true\nmend = true\nfit = 3"]))
+@given(gltf_files(), st.sampled_from(["images = true", "images = { size = 2, levels = 3 }",
+                                      "images = { size = 1, bits = 4, levels = 2 }", "images = { bits = 16 }", "merge = true\nmend = true\nfit = 3"]))
 def test_any_gltf_file_in_a_scene(data, keys):
-    check("scene.toml", f'[[objects]]\nmodel = "model.glb"\n{keys}\n'.encode(), ("model.glb", data))
+    view = '[view]\npixels = "rgb565"\n' if "bits = 16" in keys else ""
+    check("scene.toml", f'{view}[[objects]]\nmodel = "model.glb"\n{keys}\n'.encode(), ("model.glb", data))
 
 
 @fuzzed(0.015)
