@@ -163,10 +163,13 @@ static void explain_frames(explained *state, const fxl_target *target)
 
 static void explain_placements(explained *state)
 {
+    static const fxl_point vertex = {0, 0, 0};
     const fxl_placement none = FXL_PLACEMENT_NONE;
     const fxl_q16_16 scales[] = {FXL_SCALE_MIN - 1, FXL_SCALE_MAX + 1, FXL_SCALE_MAX};
     const fxl_q16_16 places[] = {FXL_UNITS(8191), FXL_UNITS(3), FXL_UNITS(-3)};
     state->model.radius = FXL_UNITS(1);
+    state->scene.vertices = &vertex;
+    state->scene.vertex_count = 1;
     state->scene.models = &state->model;
     state->scene.model_count = 1;
     state->scene.instances = state->instances;

@@ -160,8 +160,6 @@ void test_reserved_fields_and_kinds(void)
 {
     expect_word(FXL_E_RESERVED, AT_BSP_INSTANCE, 1); /* there is no tree */
     expect_word(FXL_E_RESERVED, AT_BLEND_FIRST, 1);  /* nor a blend table */
-    expect_entry_byte(FXL_E_RESERVED, AT_FACES, 3, FACE, 18, 1);
-    expect_entry_byte(FXL_E_RESERVED, AT_FACES, 3, FACE, 19, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 16, 2);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 17, 1);
     expect_entry_byte(FXL_E_RESERVED, AT_MODELS, 1, MODEL, 19, 1);
@@ -288,6 +286,9 @@ void test_counts_of_every_table(void)
     }
     static const uint8_t palette[255][3];
     tiny_image *image = tiny_image_make(false);
+    expect_entry_byte(FXL_E_COUNT, AT_FACES, 3, FACE, 18, 1); /* vertices of a whole face */
+    expect_entry_byte(FXL_E_COUNT, AT_FACES, 3, FACE, 18, 25);
+    expect_entry_byte(FXL_E_COUNT, AT_FACES, 3, FACE, 19, 1);
     tiny_set_section(image, SECTION_PALETTE, palette, 255, sizeof palette[0]);
     expect_opening(FXL_E_COUNT, image);
 }

@@ -164,7 +164,7 @@ void test_an_image_without_a_path(void)
 
 void test_an_entry_of_a_table(void)
 {
-    expect_entry_name(FXL_E_RESERVED, "face", AT_FACES, 4, FACE, 16, 1u << 16 | 4);
+    expect_entry_name(FXL_E_COUNT, "face", AT_FACES, 4, FACE, 16, 1u << 16 | 4);
     expect_entry_name(FXL_E_COUNT, "face", AT_FACES, 4, FACE, 16, 2);
     expect_entry_name(FXL_E_INDEX, "face", AT_FACES, 4, FACE, 12, 46);
     expect_entry_name(FXL_E_NORMAL, "face", AT_FACES, 4, FACE, 0, 1u << 29);
