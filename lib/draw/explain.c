@@ -161,8 +161,7 @@ static const char *explain_orientation(const fxl_renderer *renderer, const fxl_p
     }
     return find_refused(scene, FXL_E_PLACEMENT, &view, number)
                ? "the rows of the orientation in the placement of instance *number must be those "
-                 "of "
-                 "a rotation, to within 2^-28"
+                 "of a rotation, to within 2^-28"
                : NULL;
 }
 
