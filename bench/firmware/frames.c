@@ -61,6 +61,21 @@ static __attribute__((noinline)) bool measured_frame(const fxl_pose *pose, const
     return drawn;
 }
 
+/* Sets every pixel of the frame to the scene's background, in the scene's pixel format. */
+static void clear(const fxl_scene_image *image, const fxl_band *band)
+{
+    const uint8_t *colour = image->palette + 3u * image->background;
+    uint16_t *const wide = (uint16_t *)(void *)pixels;
+
+    if (image->pixel_bits == 8) {
+        fxl_fill_band(band, image->background);
+        return;
+    }
+    for (uint32_t i = 0; i < (uint32_t)band->width * band->rows; i++) {
+        wide[i] = FXL_RGB565(colour[0], colour[1], colour[2]);
+    }
+}
+
 static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t number,
                      uint32_t *stack)
 {
@@ -79,7 +94,7 @@ static int one_frame(const fxl_scene_image *image, walk_path *path, uint32_t num
     if (!journal_begin(number, &path->viewer.pose)) {
         return SYSTEM_EXIT_JOURNAL;
     }
-    fxl_fill_band(&band, image->background);
+    clear(image, &band);
     if (!measured_frame(&path->viewer.pose, &band, stack)) {
         return SYSTEM_EXIT_RENDER;
     }

@@ -6,7 +6,7 @@ import tomllib
 
 from fixel.base import output
 from fixel.scene import making
-from fixel.bench import bench_textured, bench_turned
+from fixel.bench import bench_changes, bench_turned
 from fixel.image import image
 from fixel.base.errors import ToolError
 
@@ -70,13 +70,14 @@ class Plan:
 def compile_scene(workload, folder):
     """A workload's scene image in a folder: (file, scene)."""
     file = pathlib.Path(folder) / f"{workload['name']}.fxls"
+    if "with" in workload:
+        compiled = bench_changes.compile_file(workload["scene"], workload["with"], folder)
+        save_scene(compiled, file)
+        return file, compiled
     making.build(workload["scene"], file)
     compiled = image.load(file)
     if "turned" in workload:
         compiled = bench_turned.turned(compiled, workload["turned"])
-        save_scene(compiled, file)
-    if workload.get("textured", False):
-        compiled = bench_textured.compile_file(workload["scene"])
         save_scene(compiled, file)
     return file, compiled
 

@@ -7,7 +7,7 @@ import pathlib
 import re
 import tomllib
 
-from fixel.bench import thumb
+from fixel.bench import cycles, thumb
 
 # Groups of kinds, for people.
 GROUPS = {"multiply": ("multiply", "multiply add"),
@@ -34,16 +34,14 @@ def stem_of(file):
 
 @dataclasses.dataclass
 class Sum:
-    """Instructions, and estimated cycles {model: [least, most]}."""
+    """Instructions, and estimated cycles {model: one for each of cycles.FIGURES}."""
     instructions: int = 0
     cycles: dict = dataclasses.field(default_factory=dict)
 
     def add(self, times, cycles):
         self.instructions += times
-        for name, (least, most) in cycles.items():
-            total = self.cycles.setdefault(name, [0, 0])
-            total[0] += least
-            total[1] += most
+        for name, figures in cycles.items():
+            self.cycles[name] = [old + new for old, new in zip(self.cycles.get(name, [0] * len(figures)), figures)]
 
 
 class Stages:
@@ -98,8 +96,8 @@ class Profile:
         for function in code.functions:
             lines.file_of(function.name, function.start)
         paths = self._paths(counts)
-        for node, block, times, left in counts.visits:
-            self._add_block(paths[node], counts.blocks[block], times, left)
+        for node, *executed in cycles.blocks(code, counts):
+            self._add(paths[node], *executed)
 
     def _paths(self, counts):
         """{node: names from the root inward}: functions, and what was inlined about each call."""
@@ -110,29 +108,22 @@ class Profile:
             paths[node] = (*paths[parent], *about, self.code.functions[function].name if known else "?")
         return paths
 
-    def _add_block(self, path, block, times, left):
-        address, sizes = block
-        for place, size in enumerate(sizes):
-            self._add(path, address, times, left if place + 1 == len(sizes) else 0)
-            address += size
-
     def _inlined_at(self, address):
         if address not in self.scopes:
             self.scopes[address] = tuple(f"{name} {INLINED}" for name in self.debug.inlined(address))
         return self.scopes[address]
 
-    def _add(self, path, address, times, left):
-        instruction = self.code.instruction(address)
-        cycles = {name: model.cycles(instruction, times, left) for name, model in self.models.items()}
-        self.total.add(times, cycles)
+    def _add(self, path, address, instruction, before, times, left):
+        taken = {name: model.cycles(instruction, times, left, before) for name, model in self.models.items()}
+        self.total.add(times, taken)
         self.groups[GROUP_OF.get(instruction.kind, "other")] += times
         if instruction.kind == "branch conditional":
             self.taken["taken"] += left
             self.taken["not taken"] += times - left
         stack = path + self._inlined_at(address)
-        self.stacks[stack].add(times, cycles)
+        self.stacks[stack].add(times, taken)
         names = [name.removesuffix(f" {INLINED}") for name in stack]
-        self.own[names[-1]].add(times, cycles)
+        self.own[names[-1]].add(times, taken)
         if address in self.starts:
             self.entered[path[-1]] += times
         if stack[-1].endswith(INLINED):
@@ -141,9 +132,9 @@ class Profile:
         self.stages[stage] += times
         self.staged[stage, names[-1]] += times
         for name in set(names):
-            self.inclusive[name].add(times, cycles)
+            self.inclusive[name].add(times, taken)
         line = self.debug.line(address)
-        self.lines[line or f"{path[-1]} (no source)"].add(times, cycles)
+        self.lines[line or f"{path[-1]} (no source)"].add(times, taken)
 
 
 def in_order(pipeline, names):

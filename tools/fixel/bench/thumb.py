@@ -18,10 +18,12 @@ RETURNS = {"branch exchange", "pop to pc", "load to pc"}
 
 @dataclasses.dataclass(frozen=True)
 class Instruction:
-    """An instruction: bytes, kind, and how many registers it moves where it moves several."""
+    """An instruction: bytes, kind, how many registers it moves where it moves several, whether it loads from beside
+    the code."""
     size: int
     kind: str
     registers: int = 0
+    is_literal: bool = False
 
 
 def size_of(first):
@@ -39,7 +41,7 @@ def decode(first, second=0):
 def _narrow(h):
     top = h >> 12
     if top == 4:
-        return Instruction(2, _narrow_four(h))
+        return Instruction(2, _narrow_four(h), is_literal=h >> 11 == 0b01001)
     if top == 5:
         return Instruction(2, "store" if (h >> 9) & 7 < 3 else "load")
     if top in (6, 7, 8, 9):
@@ -129,7 +131,7 @@ def _wide_single(a, b):
         return Instruction(4, "store")
     if b >> 12 == 15:
         return Instruction(4, "load to pc" if a & 0xFF70 == 0xF850 else "system")
-    return Instruction(4, "load")
+    return Instruction(4, "load", is_literal=a & 15 == 15)
 
 
 def _wide_multiply(a, b):
