@@ -38,7 +38,7 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # The program's own objects, beside region, start and text, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
-BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-native fixel-target listing-double listing-float memset kernels
+BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-native fixel-rgb565-bands fixel-native-bands fixel-target listing-double listing-float memset kernels
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c looks.c surfaces.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
@@ -53,6 +53,13 @@ BENCH_OBJECTS.fixel-bands := draw_bands $(BENCH_FRAMES)
 BENCH_OBJECTS.fixel-rgb565 := draw_rgb565 looks surfaces $(BENCH_FRAMES)
 # Into RGB565 itself: the scene's image must ask for 16 bits a pixel.
 BENCH_OBJECTS.fixel-native := native/draw_fixel looks surfaces $(BENCH_FRAMES)
+# Both in bands of eight rows, as a board draws that sends one band while it draws the next.
+BENCH_OBJECTS.fixel-rgb565-bands := bands/draw_rgb565 looks surfaces $(BENCH_FRAMES)
+BENCH_OBJECTS.fixel-native-bands := native-bands/draw_fixel looks surfaces $(BENCH_FRAMES)
+BENCH_BANDS := -DDRAW_BAND_ROWS=8u -DDRAW_LIST_WORDS=8192u
+BENCH_DRAWS.native := -DDRAW_RGB565
+BENCH_DRAWS.bands := $(BENCH_BANDS)
+BENCH_DRAWS.native-bands := -DDRAW_RGB565 $(BENCH_BANDS)
 # As PIXELS=, ORDER= and DEPTH= ask for: a program of make costs with what 512 KiB of RAM hold. Its band is the frame, and
 # a depth buffer holds some 100 rows of it.
 BENCH_OBJECTS.fixel-target = target/draw_costs $(COSTS_WALK) frames $(COSTS_LIB)
@@ -124,8 +131,10 @@ $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
 $(BENCH_OUT)/$(1)/target/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(call COSTS_FLAGS,TARGET) -DDRAW_ORDER_ENTRIES=3072u -DDRAW_ROOM_BYTES=196608u)
-$(BENCH_OUT)/$(1)/native/draw_fixel.o: bench/firmware/draw_fixel.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding -DDRAW_RGB565)
+$(foreach way,native bands native-bands,
+$(BENCH_OUT)/$(1)/$(way)/%.o: bench/firmware/%.c bench/bench.mk
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_DRAWS.$(way)))
+)
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)

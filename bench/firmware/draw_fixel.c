@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Draws with Fixel, the frame in one band, so it needs no display list. With DRAW_RGB565 it draws
- * into RGB565, else into palette indices. */
+/* Draws with Fixel, the frame in one band, so it needs no display list; or in bands of
+ * DRAW_BAND_ROWS, with a list of DRAW_LIST_WORDS. With DRAW_RGB565 it draws into RGB565, else into
+ * palette indices. */
+#include "bands.h"
 #include "contract/system.h"
 #include "draw.h"
 #include "fixel/surfaces.h"
@@ -10,6 +12,14 @@
 #define ORDER_ENTRIES 8192u /* a terrain of 8,000 faces in one model takes 8001 */
 #define CACHE_ENTRIES 256u  /* at most */
 #define LOOKS_BYTES   4096u
+
+#ifdef DRAW_BAND_ROWS
+static uint32_t list[DRAW_LIST_WORDS];
+#define LIST_WORDS DRAW_LIST_WORDS
+#else
+static uint32_t *const list = NULL;
+#define LIST_WORDS 0u
+#endif
 
 #ifdef DRAW_RGB565
 #define PLAIN               fxl_rgb565
@@ -90,7 +100,7 @@ int draw_open(const fxl_scene_image *image)
 {
     cache_used = cache_entries(&image->scene);
     draw_list_needed = image->scene.draw_list_needed;
-    const fxl_memory memory = {order, draw_list_needed, NULL, 0, cache, cache_used};
+    const fxl_memory memory = {order, draw_list_needed, list, LIST_WORDS, cache, cache_used};
 
     if (draw_list_needed > ORDER_ENTRIES) {
         text_with_number("bench: order entries needed", "", ": ", draw_list_needed);
@@ -111,14 +121,18 @@ bool draw_frame(const fxl_pose *pose, const fxl_band *whole)
 #else
     const fxl_band *band = whole;
 #endif
+#ifdef DRAW_BAND_ROWS
+    return draw_in_bands(&renderer, pose, band, DRAW_BAND_ROWS, NOT_CLEARED);
+#else
     return fxl_frame_begin(&renderer, pose) == FXL_OK && fxl_frame_draw(&renderer, band) == FXL_OK;
+#endif
 }
 
 uint32_t draw_memory(void)
 {
     return (uint32_t)(sizeof renderer + cache_used * sizeof cache[0] +
                       draw_list_needed * sizeof order[0]) +
-           looks_used + cells_used;
+           4u * LIST_WORDS + looks_used + cells_used;
 }
 
 const fxl_counters *draw_counters(void)

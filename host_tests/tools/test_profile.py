@@ -98,6 +98,15 @@ def test_kinds_of_what_the_assembler_makes(tmp_path, flags, text):
         == [(code, kind, registers) for kind, registers, code in wanted]
 
 
+def test_a_load_from_beside_the_code_is_known(tmp_path):
+    code = "ldr r0, [pc, #4]; ldr.w r0, [pc, #8]; ldrb.w r0, [pc, #8]; ldr r0, [r1]; ldr.w r8, [r1, #4]; ldr r0, [sp, #8]"
+    (tmp_path / "code.s").write_text(".syntax unified\n.thumb\n.text\n.type f, %function\nf:\n" + code.replace("; ", "\n") + "\n")
+    subprocess.run([f"{CROSS}gcc", "-mcpu=cortex-m3", "-nostdlib", "-Wl,-Ttext=0x100,-e,f", "code.s", "-o", "code.elf"], cwd=tmp_path,
+                   check=True)
+    found = [each.is_literal for _, each in MachineCode(tmp_path / "code.elf").each_instruction()]
+    assert found[:6] == [True, True, True, False, False, False]
+
+
 def test_sizes_are_those_of_the_disassembler():
     elf = CHECKOUT / "build/bench/m3/fixel.elf"
     text = subprocess.run([f"{CROSS}objdump", "-dz", str(elf)], capture_output=True, text=True, check=True).stdout
@@ -115,21 +124,36 @@ def test_every_core_has_models_but_the_m55_of_which_the_manual_has_no_table():
         "m3": ["cortex-m3", "cortex-m4"], "m4f": ["cortex-m4"], "m55": []}
 
 
-@pytest.mark.parametrize("core, model, instruction, times, left, wanted", [
-    ("m0", "cortex-m0plus", Instruction(2, "other"), 10, 0, (10, 10)),
-    ("m0", "cortex-m0plus", Instruction(2, "multiply"), 10, 0, (10, 10)),
-    ("m0", "cortex-m0plus-small", Instruction(2, "multiply"), 10, 0, (320, 320)),
-    ("m0", "cortex-m0plus-small", Instruction(2, "load"), 10, 0, (20, 20)),
-    ("m0", "cortex-m0plus", Instruction(2, "load multiple", 4), 10, 0, (50, 50)),
-    ("m0", "cortex-m0plus", Instruction(2, "branch conditional"), 10, 7, (17, 17)),
-    ("m3", "cortex-m3", Instruction(4, "long multiply"), 10, 0, (30, 50)),
-    ("m3", "cortex-m3", Instruction(4, "divide"), 1, 0, (2, 12)),
-    ("m3", "cortex-m3", Instruction(2, "branch conditional"), 10, 7, (17, 31)),
-    ("m3", "cortex-m4", Instruction(4, "long multiply"), 10, 0, (10, 10)),
-    ("m4f", "cortex-m4", Instruction(4, "float divide"), 2, 0, (28, 28)),
+@pytest.mark.parametrize("core, model, instruction, times, left, before, wanted", [
+    ("m0", "cortex-m0plus", Instruction(2, "other"), 10, 0, None, (10, 10)),
+    ("m0", "cortex-m0plus", Instruction(2, "multiply"), 10, 0, None, (10, 10)),
+    ("m0", "cortex-m0plus-small", Instruction(2, "multiply"), 10, 0, None, (320, 320)),
+    ("m0", "cortex-m0plus-small", Instruction(2, "load"), 10, 0, "load", (20, 20)),
+    ("m0", "cortex-m0plus", Instruction(2, "load multiple", 4), 10, 0, None, (50, 50)),
+    ("m0", "cortex-m0plus", Instruction(2, "branch conditional"), 10, 7, None, (17, 31)),
+    ("m3", "cortex-m3", Instruction(4, "long multiply"), 10, 0, None, (40, 40)),
+    ("m3", "cortex-m3", Instruction(4, "divide"), 1, 0, None, (7, 7)),
+    ("m3", "cortex-m3", Instruction(2, "load"), 10, 0, None, (20, 20)),
+    ("m3", "cortex-m3", Instruction(2, "load"), 10, 0, "load", (10, 10)),
+    ("m3", "cortex-m3", Instruction(2, "load"), 10, 0, "load multiple", (20, 20)),
+    ("m3", "cortex-m3", Instruction(2, "load", is_literal=True), 10, 0, None, (20, 40)),
+    ("m3", "cortex-m3", Instruction(2, "branch conditional"), 10, 7, None, (24, 38)),
+    ("m3", "cortex-m3", Instruction(2, "branch"), 10, 0, None, (30, 50)),
+    ("m3", "cortex-m3", Instruction(4, "call"), 10, 10, None, (30, 50)),
+    ("m3", "cortex-m3", Instruction(2, "pop to pc", 3), 10, 10, None, (70, 90)),
+    ("m3", "cortex-m3", Instruction(4, "load multiple", 2), 10, 0, None, (30, 30)),
+    ("m3", "cortex-m4", Instruction(4, "long multiply"), 10, 0, None, (10, 10)),
+    ("m4f", "cortex-m4", Instruction(4, "float divide"), 2, 0, None, (28, 28)),
 ])
-def test_cycles_by_hand(core, model, instruction, times, left, wanted):
-    assert cycles.models(core)[model].cycles(instruction, times, left) == wanted
+def test_cycles_by_hand(core, model, instruction, times, left, before, wanted):
+    assert cycles.models(core)[model].cycles(instruction, times, left, before) == wanted
+
+
+def test_loads_in_a_row_are_those_of_one_block():
+    """Two loads and a branch that is always taken, then a load by itself."""
+    code = types.SimpleNamespace(instruction=lambda address: Instruction(2, "branch" if address == 0x104 else "load"))
+    counts = counter.Counts(blocks={0: (0x100, [2, 2, 2]), 1: (0x200, [2])}, visits=[(1, 0, 10, 10), (1, 1, 10, 0)])
+    assert cycles.models("m3")["cortex-m3"].total(code, counts) == (20 + 10 + 30 + 20, 20 + 10 + 50 + 20)
 
 
 def test_a_kind_without_a_cost_is_refused():
@@ -191,7 +215,7 @@ def test_every_instruction_has_one_function_one_line_one_stack_and_one_stage():
     data = places.as_json(taken, 5)
     assert data["frames"] == 5 and data["stages"] == [{"stage": "project", "instructions": 50}]
     # 40 plain ones, 10 conditional branches of which 4 were followed.
-    assert data["cycles_estimate"]["cortex-m3"] == [40 + 6 + 4 * 2, 40 + 6 + 4 * 4]
+    assert data["cycles_estimate"]["cortex-m3"] == [40 + 6 + 4 * 3, 40 + 6 + 4 * 5]
 
 
 @pytest.mark.parametrize("back, about", [(0x104, ("small (inlined)",)), (0x102, ()), (0x106, ())])

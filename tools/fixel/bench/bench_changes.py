@@ -65,7 +65,7 @@ def _half_a_pixel(data):
 
 
 # Of a workload's `with`, in its order. SCREENS change the screen, with the same field of view.
-CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="depth"),
+CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="depth"), "rgb565": _of_view(pixels="rgb565"),
            "affine": _of_objects(division="affine"), "divided": _of_objects(division=1),
            "128x32": _of_textures(size=[128, 32]), "32x128": _of_textures(size=[32, 128]),
            "256x256": _of_textures(size=[256, 256]), "levels": _of_textures(levels=4), "clamp": _of_textures(wrap="clamp"),

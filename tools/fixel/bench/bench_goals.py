@@ -4,6 +4,7 @@
 import pathlib
 import tomllib
 
+from fixel.bench import bench_rgb565, cycles
 from fixel.base.errors import ToolError
 
 GOALS = pathlib.Path(__file__).resolve().parents[3] / "bench" / "goals.toml"
@@ -120,6 +121,42 @@ def _growth(result, goal):
     return slopes[-1] / slopes[0], f"{slopes[0]:,.2f}, then {slopes[-1]:,.2f} for each {places[:-1]} more"
 
 
+def _with_cycles(row, model):
+    """How a frame was made, and an ESTIMATE of its cycles on a model."""
+    return "; ".join([row["way"], *[f"{each:,} cycles {name}" for each, name in zip(row["cycles"][model], cycles.FIGURES)]])
+
+
+def _rgb565(result, goal):
+    """A whole frame in the way that takes the fewest instructions."""
+    row = bench_rgb565.best(result, goal["workload"], goal["core"])
+    return row and (row["frame"], _with_cycles(row, next(iter(row["cycles"]))))
+
+
+def _rgb565_cycles(result, goal):
+    """Cycles of the same frame without wait states."""
+    row = bench_rgb565.best(result, goal["workload"], goal["core"])
+    return row and (row["cycles"][goal["model"]][0], _with_cycles(row, goal["model"]))
+
+
+def _cycles(result, goal):
+    """Cycles of a frame of palette indices without wait states."""
+    for row in result["cycles_estimate"]:
+        if all(row[key] == goal[key] for key in ("workload", "core", "model")):
+            return row["cycles"][0], f"{row['cycles'][1]:,} {cycles.FIGURES[1]}"
+    return None
+
+
+def _rgb565_variants(result, goal):
+    """The largest share of variants of a workload's goal, and whose it is; None where none was drawn."""
+    shares = {}
+    for workload, most in result["rgb565_goals"].items():
+        for variant in goal["variants"]:
+            row = bench_rgb565.best(result, bench_rgb565.named(workload, variant), goal["core"])
+            if row:
+                shares[row["workload"]] = row["frame"] / most / bench_rgb565.pixels_of(variant)
+    return _worst_of(shares)
+
+
 def _size(result, goal):
     for size in result["sizes"]:
         if (size["core"], size["renderer"], size["flags"]) == (goal["core"], OURS, goal["flags"]):
@@ -155,7 +192,8 @@ def _renderer(result, goal):
 
 
 FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
-           "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "code": _code,
+           "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "rgb565": _rgb565, "rgb565 cycles": _rgb565_cycles, "rgb565 variants": _rgb565_variants,
+           "cycles": _cycles, "code": _code,
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 
 
@@ -164,11 +202,15 @@ def measure(result, path=GOALS):
     measured, say for want of a board."""
     with open(path, "rb") as file:
         goals = tomllib.load(file)["goals"]
+    result = {**result, "rgb565_goals": {goal["workload"]: goal["most"] for goal in goals
+                                         if goal["figure"] == "rgb565" and goal["core"] == bench_rgb565.CORE}}
     rows = []
     for goal in goals:
         if goal["figure"] not in FIGURES:
             raise ToolError(f"{path}: '{goal['figure']}' is no figure; there are: {', '.join(FIGURES)}")
         figure, note = FIGURES[goal["figure"]](result, goal) or (None, None)
+        if figure is None and goal["figure"] == "rgb565 variants":
+            continue
         rows.append({"goal": goal["name"], "most": goal["most"],
                      "figure": round(figure, 4) if isinstance(figure, float) else figure,
                      "met": None if figure is None else figure <= goal["most"], "note": note,

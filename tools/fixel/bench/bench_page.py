@@ -5,7 +5,7 @@ import json
 import pathlib
 import re
 
-from fixel.bench import bench_goals, cycles, places
+from fixel.bench import bench_goals, bench_rgb565, cycles, places
 from fixel.bench.bench_plan import NAMES
 from fixel.base.errors import ToolError
 from fixel.base.table import coloured, table
@@ -56,6 +56,7 @@ def terminal(plan, result):
                         table(_growth_cells(result), ["growth", "times", "instances", "faces", "pixels",
                                                       "a frame", "times"])
                         if result["growth"] else "",
+                        table(bench_rgb565.cells(result), bench_rgb565.HEADER) if result["rgb565"] else "",
                         goals_terminal(result)]).rstrip()
 
 
@@ -309,9 +310,9 @@ def _share(part, whole):
 
 def estimates_markdown(_, result):
     """An ESTIMATE of cycles of a mean frame."""
-    rows = [[f"{row['workload']}, code for {NAMES[row['core']]}", row["title"], f"{row['least']:,} to {row['most']:,}"]
+    rows = [[f"{row['workload']}, code for {NAMES[row['core']]}", row["title"], *map(_number, row["cycles"])]
             for row in result["cycles_estimate"]]
-    return markdown_table(["a frame", "on", "ESTIMATE of cycles"], rows, left=(0, 1))
+    return markdown_table(["a frame", "on", *(f"ESTIMATE of cycles, {name}" for name in cycles.FIGURES)], rows, left=(0, 1))
 
 
 def costs_markdown(_, __):
@@ -324,9 +325,13 @@ def costs_markdown(_, __):
 def _cost(cost):
     if cost is None:
         return "-"
-    least, most, *each = cost
-    text = f"{least}" if least == most else f"{least} to {most}"
-    return text + (f" + {each[0]} a register" if each else "")
+    return f"{cost[0]} + {cost[1]} a register" if isinstance(cost, list) else f"{cost}"
+
+
+def rgb565_markdown(_, result):
+    """Whole frames as pixels of RGB565."""
+    return markdown_table(bench_rgb565.HEADER, [[NAMES.get(cell, cell) if isinstance(cell, str) else _number(cell) for cell in row]
+                                                for row in bench_rgb565.cells(result)], left=(0, 1, 2))
 
 
 def growth_markdown(_, result):
@@ -381,10 +386,10 @@ def tools_markdown(_, result):
 
 # What docs/performance.md has; the report has all.
 DOCUMENT = {"tools": tools_markdown, "frames": frames_markdown, "range": range_markdown, "peers": peers_markdown,
-            "smallpeers": smallpeers_markdown, "variants": variants_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown}
+            "smallpeers": smallpeers_markdown, "variants": variants_markdown, "rgb565": rgb565_markdown, "kernels": kernels_markdown, "sizes": sizes_markdown}
 SECTIONS = {"tools": tools_markdown, "goals": goals_markdown, "frames": frames_markdown, "ratios": ratios_markdown,
             "range": range_markdown, "peers": peers_markdown, "smallpeers": smallpeers_markdown, "stages": stages_markdown, "functions": functions_markdown, "kernels": kernels_markdown,
-            "sizes": sizes_markdown, "files": files_markdown, "variants": variants_markdown,
+            "sizes": sizes_markdown, "files": files_markdown, "variants": variants_markdown, "rgb565": rgb565_markdown,
             "equality": equality_markdown, "growth": growth_markdown,
             "pictures": pictures_markdown, "estimates": estimates_markdown, "costs": costs_markdown}
 

@@ -27,7 +27,10 @@ class Plan:
         self.renderers = {each["name"]: each for each in data["renderers"]}
         self.kernels = {each["name"]: each for each in data["kernels"]}
         self.variants = {each["name"]: each for each in data["variants"]}
+        self.rgb565 = {each["name"]: each for each in data["rgb565"]}
+        self.rgb565_variants = data["rgb565_variants"]
         self.peers = data["peers"]
+        self.kept = False
         self.growth, self.stages = data["growth"], data["stages"]
 
     @property
@@ -42,12 +45,14 @@ class Plan:
     def workload(self, name):
         """A workload by its name, or a ToolError that says which there are."""
         if name not in self.workloads:
-            raise ToolError(f"there is no workload '{name}'; the workloads are: {', '.join(self.workloads)}")
+            raise ToolError(f"there is no workload '{name}'; the workloads are: {', '.join([*self.workloads, *self.rgb565])}")
         return self.workloads[name]
 
     def keep(self, names):
-        """Leaves out all workloads but these."""
-        self.workloads = {name: self.workload(name) for name in names}
+        """Leaves out all workloads but these, of frames in RGB565 too."""
+        self.workloads = {name: self.workload(name) for name in names if name not in self.rgb565}
+        self.rgb565 = {name: entry for name, entry in self.rgb565.items() if name in names}
+        self.kept = True
 
     def runs(self, cores):
         """(core, workload, renderer) of everything to be drawn."""

@@ -105,11 +105,11 @@ def stages(profiles):
 
 
 def estimates(profiles):
-    """[{core, workload, model, title, least, most}]: an ESTIMATE of cycles of a mean frame, on each
-    model by the code of the nearest core that was profiled."""
+    """[{core, workload, model, title, cycles}]: an ESTIMATE of cycles (cycles.FIGURES) of a mean frame, on each model by the
+    code of the nearest core that was profiled."""
     cores = {core for core, _ in profiles}
     return [{"core": core, "workload": workload, "model": name, "title": model.title,
-             "least": round(taken.total.cycles[name][0] / frames), "most": round(taken.total.cycles[name][1] / frames)}
+             "cycles": [round(each / frames) for each in taken.total.cycles[name]]}
             for (core, workload), (taken, frames) in profiles.items() for name, model in taken.models.items()
             if core == next(each for each in model.code if each in cores)]
 

@@ -5,7 +5,7 @@ import pathlib
 import sys
 
 from fixel.base import output, scratch
-from fixel.bench import bench_plan, bench_run, flame, places
+from fixel.bench import bench_plan, bench_run, cycles, flame, places
 from fixel.board import qemu
 from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
@@ -23,9 +23,9 @@ def take(plan, workload, core, renderer, frames):
         return bench_run.profile(plan, core, renderer, image, frames)
 
 
-def estimate(value, frames):
-    """A range of cycles a frame, for people."""
-    return "-" if not value else f"{round(value[0] / frames):,} to {round(value[1] / frames):,}"
+def estimate(figures, frames):
+    """Cycles a frame without and with wait states, for people."""
+    return "-" if not figures else ", ".join(f"{round(each / frames):,} {name}" for each, name in zip(figures, cycles.FIGURES))
 
 
 def print_profile(data, models):
@@ -46,13 +46,13 @@ def print_profile(data, models):
                 ["stage", "a frame", "share"]))
     first = next(iter(models), None)
     header = ["function", "itself", "share", "with calls", "of itself inlined", "calls", "of each"] + \
-        ([f"ESTIMATE of cycles, {first}"] if first else [])
+        ([f"ESTIMATE of cycles, {first}, {cycles.FIGURES[0]}"] if first else [])
     print()
     print(table([[row["function"], round(row["instructions"] / frames),
                   f"{100 * row['instructions'] / total:.1f} %", round(row["inclusive"] / frames),
                   round(row["inlined"] / frames), round(row["entered"] / frames, 1) or None,
                   round(row["inclusive"] / row["entered"]) if row["entered"] else None,
-                  *([estimate(row["cycles_estimate"].get(first), frames)] if first else [])]
+                  *([round(row["cycles_estimate"].get(first, [0])[0] / frames)] if first else [])]
                  for row in data["functions"][:ROWS]], header))
     print()
     print(table([[row["line"], round(row["instructions"] / frames),
