@@ -14,7 +14,9 @@ SHOWN_BY = {"paving": "stones", "columns": "stones", "feet": "stones", "stairs":
 TEXELS_PER_UNIT = 12
 LIGHT = {"levels": 32, "ambient": 0.3, "strength": 0.7, "direction": [0.5, -0.7, 0.5], "dark": "#000000"}
 ROLL = 37           # degrees
-SCREENS = {"240x135": (240, 135), "480x320": (480, 320)}
+SCREENS = {"240x135": (240, 135), "480x320": (480, 320), "320x64": (320, 64), "32x64": (32, 64), "32x32": (32, 32)}
+# Lights at the eye, of a model 3 units away: within its range, behind the model, and of too small a range.
+POINTS = {"a point": [(0, 8)], "four points": [(0, 8)] * 4, "a point behind": [(6, 8)], "a point far away": [(0, 0.5)]}
 
 
 def texture_of(name):
@@ -55,6 +57,20 @@ def _lit(data):
         thing["lit"] = True
 
 
+def _plain(data):
+    """No textures."""
+    del data["textures"]
+    for thing in data["objects"]:
+        for key in ("texture", "texels_per_unit", "division"):
+            thing.pop(key, None)
+
+
+def _points(places):
+    def change(data):
+        data["light"]["points"] = [{"position": [0, 0, depth], "range": far, "strength": 0.2} for depth, far in places]
+    return change
+
+
 def _rolled(data):
     for key in data["path"]["keys"]:
         key["roll"] = key.get("roll", 0) + ROLL
@@ -70,7 +86,8 @@ CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="dep
            "128x32": _of_textures(size=[128, 32]), "32x128": _of_textures(size=[32, 128]),
            "256x256": _of_textures(size=[256, 256]), "levels": _of_textures(levels=4), "clamp": _of_textures(wrap="clamp"),
            "4 bits": _of_textures(bits=4), "16 bits": _of_textures(bits=16), "key": _of_textures(pattern="grille"),
-           "stipple": _of_objects(opacity=8), "rolled": _rolled, "half a pixel": _half_a_pixel}
+           "stipple": _of_objects(opacity=8), "rolled": _rolled, "half a pixel": _half_a_pixel,
+           "plain": _plain, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
 
 
 def compile_file(path, names, folder):

@@ -146,6 +146,12 @@ def _cycles(result, goal):
     return None
 
 
+def _budget(result, goal):
+    """What a step costs; the goal has the budget's name."""
+    figure = result["budgets"].get(goal["name"])
+    return None if figure is None else (figure, None)
+
+
 def _rgb565_variants(result, goal):
     """The largest share of variants of a workload's goal, and whose it is; None where none was drawn."""
     shares = {}
@@ -193,7 +199,7 @@ def _renderer(result, goal):
 
 FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
            "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "rgb565": _rgb565, "rgb565 cycles": _rgb565_cycles, "rgb565 variants": _rgb565_variants,
-           "cycles": _cycles, "code": _code,
+           "cycles": _cycles, "budget": _budget, "code": _code,
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 
 

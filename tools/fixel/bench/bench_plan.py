@@ -30,6 +30,7 @@ class Plan:
         self.rgb565 = {each["name"]: each for each in data["rgb565"]}
         self.rgb565_variants = data["rgb565_variants"]
         self.peers = data["peers"]
+        self.budgets = data["budgets"]
         self.kept = False
         self.growth, self.stages = data["growth"], data["stages"]
 
