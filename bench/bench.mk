@@ -19,6 +19,10 @@ BENCH_FLAGS.m3 := -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -mno-unaligned-access
 BENCH_FLAGS.m4f := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -mno-unaligned-access
 BENCH_FLAGS.m55 := -mcpu=cortex-m55 -mthumb -mfloat-abi=hard -mno-unaligned-access
 
+# Their board has the memory for a larger screen.
+BENCH_SCREEN.m0 := "-DDRAW_PIXELS_MAX=(480u * 320u)"
+BENCH_SCREEN.m3 := $(BENCH_SCREEN.m0)
+
 BENCH_OPTIMISE := -O2
 BENCH_SMALL := -Os -DFXL_SMALL
 BENCH_CFLAGS := $(WARNINGS) -Wdouble-promotion -g -ffunction-sections -fdata-sections -fstack-usage \
@@ -38,7 +42,9 @@ $(BENCH_COUNTER): $(wildcard bench/plugin/*.[ch])
 # The program's own objects, beside region, start and text, which all have. A program
 # has the memory functions that firmware has, compiled for its core as all that
 # is measured, or those of the C library.
-BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-native fixel-rgb565-bands fixel-native-bands fixel-target listing-double listing-float memset kernels
+BENCH_PROGRAMS := calibration fixel fixel-os fixel-small fixel-bands fixel-rgb565 fixel-target listing-double listing-float memset kernels
+# Whole frames as pixels of RGB565, on the cores whose board has the memory.
+BENCH_PROGRAMS_OF = $(BENCH_PROGRAMS) $(if $(BENCH_SCREEN.$(1)),fixel-native fixel-rgb565-bands fixel-native-bands)
 BENCH_NEEDED := $(call LIB_NEEDED,$(wildcard bench/firmware/*.c bench/listing/*.c) $(addprefix firmware/walk/,path.c looks.c surfaces.c) \
     $(foreach core,$(BENCH_CORES_HERE),$(BOARD_SOURCES.$(BENCH_BOARD.$(core)))))
 BENCH_LIB := $(BENCH_NEEDED:%=lib/%)
@@ -117,7 +123,7 @@ BENCH_CC.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_OPTIMISE) $(BENCH_CFLAG
 $(if $(findstring =hard,$(BENCH_FLAGS.$(1))),$(BENCH_OUT)/$(1)/parts/%.o \
     $(patsubst %,$(BENCH_OUT)/$(1)/%.o,start text frames kernels calibration): \
     FLAGS_OF_FILE := -mgeneral-regs-only)
-BENCH_PROGRAMS.$(1) := $(BENCH_PROGRAMS:%=$(BENCH_OUT)/$(1)/%.elf)
+BENCH_PROGRAMS.$(1) := $(patsubst %,$(BENCH_OUT)/$(1)/%.elf,$(call BENCH_PROGRAMS_OF,$(1)))
 
 $(BENCH_OUT)/$(1)/parts/%.o: %.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding $$(FLAGS_OF_FILE) $$(call BOARD_DEFINES,$(BENCH_BOARD.$(1))))
@@ -128,18 +134,18 @@ $(BENCH_OUT)/$(1)/$(part).o: firmware/walk/$(part).c bench/bench.mk
 $(BENCH_OUT)/$(1)/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -ffreestanding -fno-tree-loop-distribute-patterns)
 $(BENCH_OUT)/$(1)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(FLAGS_OF_FILE))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $$(FLAGS_OF_FILE))
 $(BENCH_OUT)/$(1)/target/draw_costs.o: bench/firmware/draw_costs.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $$(call COSTS_FLAGS,TARGET) -DDRAW_ORDER_ENTRIES=3072u -DDRAW_ROOM_BYTES=196608u)
 $(foreach way,native bands native-bands,
 $(BENCH_OUT)/$(1)/$(way)/%.o: bench/firmware/%.c bench/bench.mk
-	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_DRAWS.$(way)))
+	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) $$(BENCH_CC_FAMILY.$(1)) -ffreestanding $(BENCH_SCREEN.$(1)) $(BENCH_DRAWS.$(way)))
 )
 $(foreach real,double float,
 $(BENCH_OUT)/$(1)/$(real)/%.o: bench/listing/%.c bench/bench.mk
 	$$(call FIRMWARE_COMPILE,$$(BENCH_CC.$(1)) -DLISTING_$(real)=1)
 )
-$(if $(BUILT_GOALS),$(foreach program,$(BENCH_PROGRAMS),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline)))
+$(if $(BUILT_GOALS),$(foreach program,$(call BENCH_PROGRAMS_OF,$(1)),$(call BENCH_PROGRAM_RULES,$(1),$(program))$(newline)$(newline)))
 endef
 
 # $(1): the core, $(2): what its flags are called here, $(3): a folder.

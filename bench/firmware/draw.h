@@ -7,7 +7,9 @@
 #include "fixel/render.h"
 
 /* The largest screen of a workload, in pixels. */
-#define DRAW_PIXELS_MAX (480u * 320u)
+#ifndef DRAW_PIXELS_MAX
+#define DRAW_PIXELS_MAX (320u * 240u)
+#endif
 
 /* Prepares for a scene, which must stay valid; not measured. Returns a SYSTEM_EXIT_... code. */
 int draw_open(const fxl_scene_image *image);
