@@ -5,7 +5,7 @@ import pathlib
 import sys
 
 from fixel.base import bounded, kept, output, scratch, spent
-from fixel.report import (report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
+from fixel.report import (report_averages, report_claims, report_frames, report_page, report_plots, report_scale, report_shards,
                           report_stages)
 from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError, one_line
@@ -42,8 +42,9 @@ def gather(options, work):
     scales = report_scale.measure(programs, options.board, w1, work)
     report = {
         "samples": options.samples, "seed": options.seed, "board": options.board,
-        "claims": report_claims.judge(shards, frames, pixels, scales, options.build,
-                                      options.samples < report_shards.SAMPLES or bool(options.scene)),
+        "claims": report_averages.hold(report_claims.judge(
+            shards, frames, pixels, scales, options.build,
+            options.samples < report_shards.SAMPLES or bool(options.scene)), options.seed),
         "stages": [{**row, "measure": each["measure"]} for each in about["stages"]
                    for row in report_shards.merge_stage(options.build, each, shards[each["stage"]])],
         "sweeps": [row for each in about["sweeps"] for row in
@@ -58,7 +59,8 @@ def measure_only(options):
     wanted = [kind for kind in report_shards.CLAIMS if kind.what in options.only]
     shards = report_shards.run_shards(pathlib.Path(options.build), wanted, options.samples, options.seed, options.processes)
     return {"samples": options.samples, "seed": options.seed,
-            "claims": report_claims.judge_only(shards, options.build, options.samples < report_shards.SAMPLES)}
+            "claims": report_averages.hold(report_claims.judge_only(shards, options.build, options.samples < report_shards.SAMPLES),
+                                           options.seed)}
 
 
 def complaints(report):

@@ -2,6 +2,7 @@
 """The claims of Fixel, and whether the measurements satisfy them."""
 
 import dataclasses
+import math
 
 from fixel.report import report_shards
 
@@ -150,6 +151,8 @@ def _why(claim):
     """The reason why a claim fails that is not its bound."""
     if is_short(claim):
         return f"; {claim['samples']:,} samples are fewer than the {claim['samples_claimed']:,} that it is about"
+    if claim.get("mean", 0) > claim.get("mean_most", math.inf):
+        return f"; the mean is {claim['mean']:.6g}, and the record's is {claim['mean_most']:.6g}"
     if claim.get("pixels_unexplained"):
         return f"; {claim['pixels_unexplained']:,} pixels are unexplained"
     if claim.get("instructions_percent", 0) > INSTRUCTIONS_PERCENT:
