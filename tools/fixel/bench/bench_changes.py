@@ -90,6 +90,11 @@ CHANGES = {"textured": _textured, "lit": _lit, "depth": _of_view(visibility="dep
            "plain": _plain, "smooth": _of_objects(smooth=True), **{name: _points(places) for name, places in POINTS.items()}}
 
 
+def has_textures(path):
+    """Whether a scene file has any."""
+    return "textures" in toml_table.read(path)
+
+
 def compile_file(path, names, folder):
     """The scene of a file, changed. folder: for the models that are generated."""
     data = toml_table.read(path)

@@ -5,10 +5,8 @@ Counted is from the pose to the pixels. The clear of the colours is not counted,
 """
 
 from fixel.base import parallel, scratch
-from fixel.bench import bench_plan, counter, cycles
-from fixel.bench.bench_changes import SCREENS
+from fixel.bench import bench_changes, bench_plan, counter, cycles
 from fixel.bench.machine_code import MachineCode
-from fixel.scene import toml_table
 
 TEXELS = "16 bits"
 # The program, and what is changed in the scene. Pixels of a palette are converted after they are drawn.
@@ -26,14 +24,14 @@ def named(workload, variant=None):
 
 def pixels_of(variant):
     """How many times the pixels of a frame of the workload a variant of it has, at least 1."""
-    width, height = SCREENS.get(variant, (320, 240))
+    width, height = bench_changes.SCREENS.get(variant, (320, 240))
     return max(1, width * height / (320 * 240))
 
 
 def _jobs(plan, cores):
     """(core, entry, variant, way) of what is drawn."""
     for entry in plan.rgb565.values():
-        textured = "textures" in toml_table.read(entry["scene"])
+        textured = bench_changes.has_textures(entry["scene"])
         variants = [*plan.rgb565_variants["moved"], *(plan.rgb565_variants["textured"] if textured else ())] \
             if plan.kept else ()
         for core in entry.get("cores", [CORE]):
