@@ -472,7 +472,7 @@ def test_the_cores_that_are_asked_for_are_measured_or_all(monkeypatch, asked, co
 def test_the_document_s_tables_are_made_from_the_baseline(baseline, plan):
     text = DOCUMENT.read_text(encoding="utf-8")
     assert bench_page.replace_tables(text, plan, baseline, bench_page.DOCUMENT) == text
-    assert set(re.findall("bench: ([a-z]+) ", text)) == {*bench_page.DOCUMENT, "end"}
+    assert set(re.findall("bench: ([a-z0-9]+) ", text)) == {*bench_page.DOCUMENT, "end"}
 
 
 def test_tables_of_estimates_and_of_growth_by_hand():
