@@ -359,7 +359,8 @@ bench-baseline: ## take the last make bench as the baseline, and renew the table
 	@$(FIXEL) bench-diff --current $(BENCH_OUT)/bench.json --accept
 
 PROFILE_CORE := $(if $(filter CORE,$(GIVEN)),$(call ONE_OF,$(CORE),$(BENCH_CORES)),m3)
-PROFILE_PROGRAM := $(filter %/$(or $(call ONE_OF,$(RENDERER),$(BENCH_PROGRAMS)),fixel).elf,$(BENCH_PROGRAMS.$(PROFILE_CORE)))
+PROFILE_NAMES := $(or $(call ONE_OF,$(RENDERER),$(call BENCH_PROGRAMS_OF,$(PROFILE_CORE))),fixel fixel-native)
+PROFILE_PROGRAM := $(filter $(PROFILE_NAMES:%=$(BENCH_OUT)/$(PROFILE_CORE)/%.elf),$(BENCH_PROGRAMS.$(PROFILE_CORE)))
 profile: ## show where a workload's instructions go: functions, lines, flame graph [WORKLOAD=w1 CORE=m3 RENDERER= FRAMES=]
 	@tools/setup.sh run
 	@$(MAKE) $(BENCH_COUNTER) $(PROFILE_PROGRAM)

@@ -326,10 +326,19 @@ def test_the_command_says_what_there_is(workload, core, words):
     assert_one_sentence(run_cli("profile", "--workload", workload, "--core", core), *words)
 
 
+def test_what_is_drawn_to_rgb565_is_profiled_as_it_is_drawn():
+    plan = bench_plan.Plan(CHECKOUT / "build")
+    for renderer, named, change in ((None, "fixel-native", ["rgb565"]), ("fixel-rgb565", "fixel-rgb565", [])):
+        workload, taken = profiling.chosen(plan, types.SimpleNamespace(workload="tqpl", renderer=renderer))
+        assert (taken, workload["with"]) == (named, ["lit", *change])
+    workload, taken = profiling.chosen(plan, types.SimpleNamespace(workload="w1", renderer=None))
+    assert (taken, workload["name"]) == ("fixel", "w1")
+
+
 def test_the_command_says_which_renderers_there_are(monkeypatch):
     monkeypatch.setattr(profiling.qemu, "find_qemu", None)    # nothing is run
     options = types.SimpleNamespace(build=CHECKOUT / "build", workload="w1", core="m3", renderer="fixed")
-    with pytest.raises(ToolError, match="no renderer 'fixed'; the renderers are: .*fixel"):
+    with pytest.raises(ToolError, match="no renderer 'fixed' of w1; the renderers are: .*fixel"):
         profiling.command(options)
 
 

@@ -22,6 +22,11 @@ def named(workload, variant=None):
     return f"{workload}, {variant}" if variant else workload
 
 
+def changes_of_programs():
+    """{program: changes of the scene}: of its first way."""
+    return {program: changes for program, changes in reversed(WAYS.values())}
+
+
 def pixels_of(variant):
     """How many times the pixels of a frame of the workload a variant of it has, at least 1."""
     width, height = bench_changes.SCREENS.get(variant, (320, 240))

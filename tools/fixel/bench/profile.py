@@ -14,7 +14,7 @@ def parser():
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     made.add_argument("--workload", required=True)
     made.add_argument("--core", required=True)
-    made.add_argument("--renderer", default="fixel")
+    made.add_argument("--renderer", help="default: fixel, or fixel-native for what is drawn to RGB565")
     made.add_argument("--frames", type=int, help="number of frames (default: the whole path)")
     made.add_argument("--out", help="folder for the results")
     made.add_argument("--build", default="build", help="folder that make builds in")

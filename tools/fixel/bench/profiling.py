@@ -5,7 +5,7 @@ import pathlib
 import sys
 
 from fixel.base import output, scratch
-from fixel.bench import bench_plan, bench_run, cycles, flame, places
+from fixel.bench import bench_plan, bench_rgb565, bench_run, cycles, flame, places
 from fixel.board import qemu
 from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
@@ -66,24 +66,32 @@ def folded(stacks):
     return "\n".join(lines) + "\n"
 
 
+def chosen(plan, options):
+    """(workload, renderer). What is drawn to RGB565 is changed as the renderer's way wants it."""
+    is_rgb565 = options.workload in plan.rgb565
+    workload = plan.rgb565[options.workload] if is_rgb565 else plan.workload(options.workload)
+    changes = bench_rgb565.changes_of_programs() if is_rgb565 else dict.fromkeys(plan.renderers, [])
+    renderer = options.renderer or ("fixel-native" if is_rgb565 else "fixel")
+    if renderer not in changes:
+        raise ToolError(f"there is no renderer '{renderer}' of {options.workload}; the renderers are: {', '.join(changes)}")
+    return {**workload, "with": [*workload.get("with", ()), *changes[renderer]]}, renderer
+
+
 def command(options):
     """The command; its exit code."""
     plan = bench_plan.Plan(options.build)
-    workload = plan.workload(options.workload)
     if options.core not in bench_plan.CORES:
         raise ToolError(f"there is no core '{options.core}'; the cores are: {', '.join(bench_plan.CORES)}")
-    if options.renderer not in plan.renderers:
-        raise ToolError(f"there is no renderer '{options.renderer}'; the renderers are: "
-                        f"{', '.join(plan.renderers)}")
+    workload, renderer = chosen(plan, options)
     qemu.find_qemu()
-    taken, frames = take(plan, workload, options.core, options.renderer, options.frames)
-    data = {"workload": options.workload, "core": options.core, "renderer": options.renderer,
+    taken, frames = take(plan, workload, options.core, renderer, options.frames)
+    data = {"workload": options.workload, "core": options.core, "renderer": renderer,
             **places.as_json(taken, frames)}
-    title = f"{options.workload}, {options.renderer}, {bench_plan.NAMES[options.core]}"
+    title = f"{options.workload}, {renderer}, {bench_plan.NAMES[options.core]}"
     graph = flame.svg({names: each.instructions for names, each in taken.stacks.items()}, title,
                       f"executed instructions, {frames} frames together: {data['instructions']:,}; "
                       "dashed: inlined into the function below", places.INLINED)
-    out = options.out or f"{options.build}/profile/{options.workload}-{options.core}-{options.renderer}"
+    out = options.out or f"{options.build}/profile/{options.workload}-{options.core}-{renderer}"
     with output.replaced_folder(out, PATTERNS) as folder:
         (folder / "flame.svg").write_text(graph, encoding="utf-8")
         (folder / "stacks.txt").write_text(folded(taken.stacks), encoding="utf-8")
