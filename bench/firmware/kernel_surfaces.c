@@ -59,8 +59,14 @@ static void quad(const kernel_inputs *in, const uint8_t depths[3], bool lit, uin
                              .levels_less_1 = LEVELS - 1,
                              .opacity = 16};
     fxl_segment_face segments;
-    fxl_paint_polygon(&paint, fxl_segments_find(&paint, &segments) ? &segments : NULL, whole, 4,
-                      &screen, 1, &scan, fxl_paint_simply, NULL);
+    const bool found = fxl_segments_find(&paint, &segments);
+    if (found && !lit) {
+        fxl_paint_plain_polygon(&paint, &segments, whole, 4, &screen, 1, &scan, fxl_paint_rows,
+                                fxl_paint_pixels);
+    } else {
+        fxl_paint_polygon(&paint, found ? &segments : NULL, whole, 4, &screen, 1, &scan,
+                          fxl_paint_simply, NULL);
+    }
 }
 
 static void affine(const kernel_inputs *in)

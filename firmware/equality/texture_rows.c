@@ -4,14 +4,24 @@
 #include "texture_rows.h"
 
 #include "equality.h"
-#include "paint/segments.h"
+#include "paint/plain_rows.h"
 #include "sides.h"
 
 #define COLUMNS 96u
 #define LEVELS  32u
 
-static uint8_t texels[65536], ramp[256u * LEVELS];
-static uint8_t by_core[COLUMNS + 32u], by_portable[COLUMNS + 32u];
+#define ROWS 6u
+
+typedef void row_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                        int32_t x1);
+typedef bool rows_kernel(fxl_plain_rows *rows);
+
+/* Texels of 8 or of 16 bits. */
+static FXL_ALIGN_8 uint8_t texels[2u * 65536u];
+static uint8_t ramp[256u * LEVELS];
+static uint16_t palette[256];
+static FXL_ALIGN_8 uint8_t by_core[ROWS][2u * (COLUMNS + 32u)];
+static FXL_ALIGN_8 uint8_t by_portable[ROWS][2u * (COLUMNS + 32u)];
 
 /* A number below 2^30 and above -2^30, of any length. */
 static int64_t any_value(void)
@@ -20,18 +30,100 @@ static int64_t any_value(void)
     return any_32() >> 9 & 1u ? value : -value;
 }
 
+static bool is_same(void)
+{
+    bool same = true;
+    for (uint32_t y = 0; y < ROWS; y++) {
+        for (uint32_t i = 0; i < sizeof by_core[0]; i++) {
+            same &= by_core[y][i] == by_portable[y][i];
+            by_core[y][i] = by_portable[y][i] = 0xA5;
+        }
+    }
+    return same;
+}
+
+static void compare_row(const fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1,
+                        row_kernel *core, row_kernel *portable)
+{
+    row->pixels = by_core[1] + 32;
+    core(face, row, x0, x1);
+    row->pixels = by_portable[1] + 32;
+    portable(face, row, x0, x1);
+    equality_case(is_same());
+}
+
+static bool paint_rows(const fxl_plain_rows *rows, uint8_t pixels[ROWS][2u * (COLUMNS + 32u)],
+                       rows_kernel *kernel, fxl_plain_rows *after)
+{
+    *after = *rows;
+    after->row.pixels = pixels[0] + 32;
+    const bool stopped = kernel(after);
+    after->row.pixels -= (uintptr_t)pixels;
+    return stopped;
+}
+
+/* Rows whose edges lie within the columns, from x0 and x1 on. */
+static void compare_rows(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                         int32_t x1, rows_kernel *core, rows_kernel *portable)
+{
+    fxl_plain_rows rows, after[2];
+    rows.row = *row;
+    rows.row.segments = face;
+    rows.row.y = (int32_t)(any_32() >> 25);
+    rows.end_row = rows.row.y + 1 + (int32_t)((any_32() >> 5) % ROWS);
+    rows.stride = (uint32_t)sizeof by_core[0];
+    rows.downs[0] =
+        (int64_t)(any_64() >> 10 >> (any_32() >> 7) % 30u) * (any_32() >> 9 & 1u ? 1 : -1);
+    rows.downs[1] = any_value() >> 3;
+    rows.downs[2] = any_value() >> 3;
+    for (uint32_t i = 0; i < 2; i++) {
+        fxl_edge *edge = &rows.edges[i];
+        const int32_t x = i == any_32() >> 31 ? x0 : x1;
+        edge->x = x;
+        edge->step = x < 8 ? 0 : x > 80 ? -1 : (int32_t)((any_32() >> 7) % 3u) - 1;
+        edge->step_fraction = any_32();
+        edge->fraction = any_32();
+    }
+    const bool stopped = paint_rows(&rows, by_core, core, &after[0]);
+    bool same = paint_rows(&rows, by_portable, portable, &after[1]) == stopped && is_same();
+    same &= after[0].row.weight == after[1].row.weight && after[0].row.y == after[1].row.y &&
+            after[0].row.pixels == after[1].row.pixels &&
+            after[0].edges[0].x == after[1].edges[0].x &&
+            after[0].edges[1].fraction == after[1].edges[1].fraction;
+    equality_case(same);
+}
+
+/* A line has more bits than a segment's coordinates; so its least weight is larger, or its drops.
+ */
 static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    row->pixels = by_core + 16;
-    fxl_paint_segments(face, row, x0, x1);
-    row->pixels = by_portable + 16;
-    portable_paint_segments(face, row, x0, x1);
-    bool same = true;
-    for (uint32_t i = 0; i < sizeof by_core; i++) {
-        same &= by_core[i] == by_portable[i];
-        by_core[i] = by_portable[i] = 0xA5;
+    if (face->is_constant && face->ramp == NULL) {
+        face->u_drop += FXL_ROW_BITS;
+        face->v_drop += FXL_ROW_BITS;
     }
-    equality_case(same);
+    compare_row(face, row, x0, x1, fxl_paint_segments, portable_paint_segments);
+    if (face->ramp != NULL) {
+        return;
+    }
+    const uint32_t form = face->form;
+    face->palette = any_32() >> 13 & 1u ? palette : NULL;
+    face->in_beam = any_32() >> 19 & 1u && face->palette != NULL ? ramp : NULL;
+    face->form = (uint8_t)(face->in_beam != NULL ? 0 : form);
+    compare_row(face, row, x0, x1, fxl_paint_segments_565, portable_paint_segments_565);
+    compare_rows(face, row, x0, x1, fxl_paint_rows_565, portable_paint_rows_565);
+    face->form = (uint8_t)form;
+    compare_rows(face, row, x0, x1, fxl_paint_rows, portable_paint_rows);
+}
+
+/* Segments of all lengths: the least weights lie about those of the row. */
+static void choose_least(fxl_segment_face *face, const fxl_paint_row *row, uint32_t least)
+{
+    const uint32_t weight = (uint32_t)(row->weight >> 32);
+    face->least[3] = least;
+    for (uint32_t i = 3; i-- > 0;) {
+        const uint32_t more = face->least[i + 1] + (any_32() >> 5) % (weight / 3u + 1u);
+        face->least[i] = face->ramp != NULL ? least : more > INT32_MAX ? INT32_MAX : more;
+    }
 }
 
 /* A texture of any size that the kernel takes. */
@@ -48,7 +140,7 @@ static void choose_texture(fxl_segment_face *face, uint32_t log_width, uint32_t 
 /* The weight rises or falls between two weights that the face allows, from column 0 to the last. */
 static void choose_weights(fxl_segment_face *face, fxl_paint_row *row, int64_t at, int64_t end)
 {
-    face->weight_step = (end - at) / (int64_t)(COLUMNS / 16u);
+    face->weight_step = (end - at) / (int64_t)COLUMNS * 16;
     face->is_constant = face->weight_step == 0;
     row->weight = at;
 }
@@ -95,6 +187,7 @@ static void sizes(void)
                 choose_coordinates(&face, &row);
                 choose_drops(&face, -21, 40);
                 choose_light(&face, &row, i % 3u == 0 ? 0 : LEVELS - i % LEVELS);
+                choose_least(&face, &row, 1u << 20);
                 compare(&face, &row, x0, x1);
             }
         }
@@ -123,6 +216,7 @@ static void weights(void)
             choose_coordinates(&face, &row);
             choose_drops(&face, zeros + 1 - 32, i & 4u ? 1 : 60);
             choose_light(&face, &row, i & 8u ? LEVELS : 0);
+            choose_least(&face, &row, (uint32_t)(less >> 32));
             compare(&face, &row, (int32_t)(i & 15u), (int32_t)COLUMNS - (int32_t)(i >> 1));
         }
     }
@@ -136,6 +230,9 @@ void test_texture_rows(uint32_t rounds)
     for (uint32_t i = 0; i < sizeof ramp; i++) {
         ramp[i] = (uint8_t)(any_32() >> 11);
     }
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = (uint16_t)(any_32() >> 11);
+    }
     sizes();
     weights();
     for (uint32_t i = 0; i < rounds; i++) {
@@ -148,7 +245,8 @@ void test_texture_rows(uint32_t rounds)
                        (int64_t)(any_64() >> 2 | (uint64_t)1 << (32u + least)));
         choose_coordinates(&face, &row);
         choose_drops(&face, -1 - (int32_t)least, 50);
-        choose_light(&face, &row, (any_32() >> 5) % (LEVELS + 1u));
+        choose_light(&face, &row, (any_32() >> 5) % 3u == 0 ? 0 : (any_32() >> 5) % (LEVELS + 1u));
+        choose_least(&face, &row, 1u << least);
         compare(&face, &row, x0, x0 + 1 + (int32_t)((any_32() >> 7) % 63u));
     }
 }

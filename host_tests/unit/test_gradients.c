@@ -212,8 +212,20 @@ static double twist_of(int number, double row, double *slack)
     return fabs(word(u->along) * at(w, 0, row) - word(w->along) * at(u, 0, row)) * shift;
 }
 
-/* Over a segment of 16 pixels a line through its ends is off by at most half a unit, and its ends
- * are below 2^29 (gradients.c). The bound is at most a step of its own above that. */
+/* The weight of 8 pixels suffices, and is at most that of 16; FXL_DIVIDE_8 takes half the columns.
+ */
+static void check_least_weight_of_8(double exact)
+{
+    uint32_t of_16[3], of_8[3];
+    fxl_find_least_weights(&found, FXL_DIVIDE_16, of_16);
+    fxl_find_least_weights(&found, FXL_DIVIDE_8, of_8);
+    TEST_ASSERT_TRUE(of_16[1] >= fmin(exact * 0.9999, 1352000000.0));
+    TEST_ASSERT_TRUE(of_16[0] + 1 >= of_16[1] && of_16[1] >= of_16[2]);
+    TEST_ASSERT_TRUE(of_8[0] == UINT32_MAX && of_8[1] == of_16[0] && of_8[2] == of_16[1]);
+}
+
+/* Over a segment of 16 pixels a line through its ends is off by at most a quarter of a unit, and
+ * its ends are below 2^29 (gradients.c). The bound is at most a step of its own above that. */
 void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
 {
     uint32_t by_bend = 0, by_far = 0, least = 0;
@@ -231,14 +243,18 @@ void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
             above = fmax(above, own + slack);
         }
         const double slope = fabs(word(found.weight.along));
-        const double bend = cbrt(twist * slope / 512), far = sqrt(twist / (1 << 25));
-        const double bend_above = cbrt(above * (slope + 1e-9) / 512),
+        const double bend = cbrt(twist * slope / 256), far = sqrt(twist / (1 << 25));
+        const double bend_above = cbrt(above * (slope + 1e-9) / 256),
                      far_above = sqrt(above / (1 << 25));
         const double most = fmax(bend_above * 1.004 + 1, far_above * 2.001 + 1);
         TEST_ASSERT_TRUE(found.weight_min[0] >= fmin(fmax(bend, far) * 0.9999, 2147483648.0));
         TEST_ASSERT_TRUE(found.weight_min[0] <= most);
-        TEST_ASSERT_EQUAL_UINT32(found.weight_min[0] - found.weight_min[0] / 4,
-                                 found.weight_min[1]);
+        const double bend_of_4 = bend * cbrt(1.0 / 16), far_of_4 = far / 2;
+        TEST_ASSERT_TRUE(found.weight_min[1] >=
+                         fmin(fmax(bend_of_4, far_of_4) * 0.9999, 852260000.0));
+        TEST_ASSERT_TRUE(found.weight_min[1] <=
+                         fmax(bend_above * cbrt(1.0 / 16) * 1.005 + 2, far_above * 1.001 + 1));
+        check_least_weight_of_8(fmax(bend * cbrt(1.0 / 4), far * sqrt(0.5)));
         by_bend += bend > far * 2.01 && bend > 2;
         by_far += far > bend && far > 2;
         least += found.weight_min[0] == 1;

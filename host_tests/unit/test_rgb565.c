@@ -62,7 +62,8 @@ void test_texels_are_those_of_a_palette(void)
     }
 }
 
-/* Opaque faces have a loop of their own. */
+/* Opaque faces have a kernel, and a loop of their own if they are lit. The kernel rounds in another
+ * unit, but for pixels that are divided. */
 void test_opacity_changes_no_colour(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(9)];
@@ -76,6 +77,7 @@ void test_opacity_changes_no_colour(void)
     for (uint32_t lit = 0; lit < 2; lit++) {
         uint32_t drawn = 0, other = 0;
         walls.surface[0].opacity = 16;
+        walls.surface[0].division = lit ? FXL_DIVIDE_16 : FXL_DIVIDE_1;
         walls_begin();
         walls_light(&settings);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_lit(&walls.renderer, lit ? &walls.lit : NULL));
@@ -107,6 +109,7 @@ void test_the_second_level_is_found(void)
 
 void test_a_texel_of_the_key_is_not_drawn(void)
 {
+    walls.surface[0].division = FXL_DIVIDE_1; /* the kernel rounds in another unit */
     walls_begin();
     walls.texture.flags = FXL_TEXTURE_KEYED;
     walls.texture.key_565 = walls.texels_565[33];
@@ -136,6 +139,7 @@ void test_indices_take_their_colour_of_the_palette(void)
     TEST_ASSERT_EQUAL_HEX16_ARRAY(walls.pixels, walls.again, WIDTH * HEIGHT);
     walls_make_texture(FXL_TEXTURE_4);
     walls.texture.colours = colours;
+    walls.surface[0].division = FXL_DIVIDE_1; /* the kernel rounds in another unit */
     walls_draw(walls.pixels);
     for (uint32_t i = 0; i < 16 * 16; i++) {
         walls.texels_565[i] = walls.palette[colours[walls.texels[i / 2] >> 4 * (i & 1) & 15]];
@@ -154,6 +158,7 @@ void test_an_index_of_the_key_is_not_drawn(void)
 {
     static uint16_t shown[HEIGHT * WIDTH];
     walls_make_texture(FXL_TEXTURE_8);
+    walls.surface[0].division = FXL_DIVIDE_1; /* the kernel rounds in another unit */
     walls.palette[walls.texels[34]] = walls.palette[walls.texels[33]];
     walls_begin();
     walls_draw(walls.again);

@@ -72,12 +72,21 @@ static double divided(uint32_t attribute, int column)
                  gradients.shifts[attribute] - 16);
 }
 
-/* On the line between both ends of a pixel's segment. */
-static double on_line(uint32_t attribute, int x)
+/* On the line between both ends of a pixel's segment of so many columns. */
+static double on_line(uint32_t attribute, int x, int columns)
 {
-    const int first = x & ~15;
-    const double from = divided(attribute, first), to = divided(attribute, first + 16);
-    return from + (to - from) * (x - first) / 16;
+    const int first = x & -columns;
+    const double from = divided(attribute, first), to = divided(attribute, first + columns);
+    return from + (to - from) * (x - first) / columns;
+}
+
+/* Has the kernel take segments of 2^log columns; 0: divide each pixel. */
+static void choose_log(uint32_t log)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        face.least[i] = log != 0 && i >= 4 - log ? 2 : INT32_MAX;
+    }
+    face.least[3] = 2;
 }
 
 /* How far a coordinate is from texel number n of 2^log, which repeats. */
@@ -109,7 +118,7 @@ static void paint_row(uint8_t *pixels, int32_t x0, int32_t x1)
 }
 
 /* The worst distance of what the kernel painted: i is 0 for columns of texels, 1 for rows. */
-static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height)
+static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height, int columns)
 {
     const uint32_t log = log_width > log_height ? log_width : log_height;
     for (uint32_t n = 0; n < 1u << (log_width + log_height); n++) {
@@ -118,8 +127,9 @@ static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height
     paint_row(row_pixels, 0, COLUMNS);
     for (int x = 0; x < COLUMNS; x++) {
         /* 1 of the position and 1/2 of 15 steps; 2 that v carries over; 1 for both ends. */
-        const double most = ldexp(11.5, -16 + (int)(i == 0 ? log_width : log));
-        const double off = distance(on_line(i, x), row_pixels[x], i == 0 ? log_width : log_height);
+        const double most = ldexp(4 + (columns - 1) / 2.0, -16 + (int)(i == 0 ? log_width : log));
+        const double off =
+            distance(on_line(i, x, columns), row_pixels[x], i == 0 ? log_width : log_height);
         TEST_ASSERT_TRUE(off <= most);
     }
 }
@@ -133,8 +143,11 @@ void test_texels_are_on_the_line_between_both_ends(void)
                 choose_face();
                 choose_size(log_width, log_height);
                 TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
-                check_coordinate(0, log_width, log_height);
-                check_coordinate(1, log_width, log_height);
+                for (uint32_t log = 0; log <= 4; log += log == 0 ? 2 : 1) {
+                    choose_log(log);
+                    check_coordinate(0, log_width, log_height, 1 << log);
+                    check_coordinate(1, log_width, log_height, 1 << log);
+                }
             }
         }
     }
@@ -144,6 +157,7 @@ void test_texels_are_on_the_line_between_both_ends(void)
 void test_the_least_weight_that_a_face_takes(void)
 {
     choose_size(5, 5);
+    gradients.weight.along = 1;
     for (int shift = 0; shift < 80; shift++) {
         const int drop = 46 - (shift > 24 ? shift : 24) - (20 - 5);
         int32_t least = 2;
@@ -153,8 +167,9 @@ void test_the_least_weight_that_a_face_takes(void)
         for (; zeros > 0 && zeros > drop + 32; zeros--) {
             least = zeros > 1 ? 2 * least : INT32_MAX;
         }
-        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
-        TEST_ASSERT_EQUAL_INT32(least, face.weight_min);
+        TEST_ASSERT_EQUAL(least != INT32_MAX, fxl_segments_find(&paint, &face));
+        TEST_ASSERT_EQUAL_UINT32(least, face.least[0]);
+        TEST_ASSERT_EQUAL_UINT32(least, face.least[3]);
     }
 }
 
@@ -208,7 +223,7 @@ void test_light_is_on_the_line_between_both_ends(void)
         TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
         paint_row(row_pixels, 0, COLUMNS);
         for (int x = 0; x < COLUMNS; x++) {
-            const double light = on_line(2, x);
+            const double light = on_line(2, x, 16);
             TEST_ASSERT_TRUE(row_pixels[x] < LEVELS);
             TEST_ASSERT_TRUE(light - row_pixels[x] > -1.0 / 15 || row_pixels[x] == 0);
             TEST_ASSERT_TRUE(light - row_pixels[x] < 1 + 1.0 / 15);
@@ -296,6 +311,7 @@ void test_light_beyond_the_levels_is_limited(void)
  * many texels as the sanitizers let the kernel read. */
 void test_every_weight_reads_texels_of_the_texture_alone(void)
 {
+    uint32_t taken = 0;
     choose_size(8, 2);
     for (uint32_t bits = 1; bits < 30; bits++) {
         for (uint32_t n = 0; n < 20; n++) {
@@ -307,41 +323,113 @@ void test_every_weight_reads_texels_of_the_texture_alone(void)
                                 (int32_t)any() / 4 >> any() % 28u,
                                 (int32_t)any() / 4 >> any() % 28u);
             }
-            TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
-            if (fxl_segments_suffice(&face, &row, 0, COLUMNS)) {
+            const bool found = fxl_segments_find(&paint, &face);
+            if (found && fxl_segments_suffice(&face, &row, 0, COLUMNS)) {
                 paint_row(row_pixels, 0, COLUMNS);
+                taken++;
             }
             fxl_paint_row any_row = row;
             any_row.pixels = part;
-            any_row.segments = &face;
+            any_row.segments = found ? &face : NULL;
             fxl_paint_pixels(&paint, &any_row, 0, COLUMNS);
         }
     }
+    TEST_ASSERT_GREATER_THAN(50, taken);
 }
 
-/* The weight may be too small at one end of a row: then its other segments are the kernel's. */
-void test_small_weights_are_divided_more_often(void)
+/* A row has the segments that the weights at the ends of each 16 columns allow: the pixels of 16
+ * columns are those that a face with such segments alone has there. */
+void test_each_16_columns_have_segments_of_their_own(void)
+{
+    uint32_t times[5] = {0};
+    choose_size(5, 5);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 200; n++) {
+        choose_face();
+        choose_gradient(&gradients.weight, &row.weight, n & 1u ? 1 << 26 : 1 << 29,
+                        n & 1u ? 1 << 29 : 1 << 26);
+        gradients.weight_min[0] = (100u + any() % 300u) << 20;
+        gradients.weight_min[1] = gradients.weight_min[0] * 2u / 5u;
+        paint.division = n % 3 == 0 ? FXL_DIVIDE_8 : FXL_DIVIDE_16;
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        TEST_ASSERT_TRUE(fxl_segments_suffice(&face, &row, 0, COLUMNS));
+        uint32_t least[3];
+        fxl_find_least_weights(&gradients, paint.division, least);
+        paint_row(row_pixels, 0, COLUMNS);
+        for (int32_t x = 0; x < COLUMNS; x += 16) {
+            const uint32_t log = fxl_segment_log(least, (uint32_t)exact(&gradients.weight, x),
+                                                 (uint32_t)exact(&gradients.weight, x + 16));
+            choose_log(log);
+            paint_row(part, x, x + 16);
+            TEST_ASSERT_EQUAL_MEMORY(row_pixels + x, part + x, 16);
+            times[log]++;
+        }
+    }
+    TEST_ASSERT_TRUE(times[0] > 50 && times[2] > 50 && times[3] > 50 && times[4] > 50);
+}
+
+/* Pixels that are divided are those of fxl_paint_pixels without a kernel, with any division. */
+void test_divided_pixels_are_as_without_a_kernel(void)
 {
     choose_size(5, 5);
     for (uint32_t i = 0; i < TEXELS; i++) {
-        texels[i] = (uint8_t)(i % UNTOUCHED);
+        texels[i] = (uint8_t)(any() % UNTOUCHED);
     }
-    choose_face();
-    choose_gradient(&gradients.weight, &row.weight, 1 << 26, 1 << 29);
-    gradients.weight_min[0] = 200 << 20;
-    TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
-    TEST_ASSERT_FALSE(fxl_segments_suffice(&face, &row, 0, COLUMNS));
-    row.segments = &face;
-    row.pixels = part;
-    fxl_paint_pixels(&paint, &row, 0, COLUMNS);
-    TEST_ASSERT_TRUE(fxl_segments_suffice(&face, &row, 48, COLUMNS));
-    TEST_ASSERT_FALSE(fxl_segments_suffice(&face, &row, 32, COLUMNS));
-    paint_row(row_pixels, 48, COLUMNS);
-    TEST_ASSERT_EQUAL_MEMORY(row_pixels + 48, part + 48, COLUMNS - 48);
-    row.segments = NULL;
-    row.pixels = row_pixels;
-    fxl_paint_pixels(&paint, &row, 0, 48);
-    TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, 48);
+    for (uint32_t n = 0; n < 100; n++) {
+        choose_face();
+        paint.division = FXL_DIVIDE_1;
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        paint_row(row_pixels, (int32_t)(n % 7), COLUMNS);
+        row.segments = NULL;
+        row.pixels = part;
+        memset(part, UNTOUCHED, sizeof part);
+        fxl_paint_pixels(&paint, &row, (int32_t)(n % 7), COLUMNS);
+        TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, COLUMNS);
+    }
+}
+
+/* A chord is off by at most a quarter of a unit from the exact value, and by a 16th with
+ * FXL_DIVIDE_8, whatever the face. */
+void test_the_rule_bounds_the_error_of_a_chord(void)
+{
+    static const int32_t sizes[] = {16, 8, 4};
+    uint32_t taken = 0, close = 0;
+    for (uint32_t n = 0; n < 4000; n++) {
+        choose_face();
+        for (uint32_t i = 0; i < 2; i++) {
+            gradients.attributes[i].at = row.attributes[i];
+        }
+        const double slope = ldexp((double)gradients.weight.along, -32);
+        double twist = 0;
+        for (uint32_t i = 0; i < 2; i++) {
+            const fxl_gradient *u = &gradients.attributes[i];
+            twist = fmax(twist, fabs(ldexp((double)u->along, -32) * exact(&gradients.weight, 0) -
+                                     slope * exact(u, 0)) *
+                                    ldexp(1, gradients.shifts[i]));
+        }
+        gradients.weight_min[0] =
+            (uint32_t)fmin(ceil(cbrt(twist * fabs(slope) / 256)), 2147483648.0);
+        gradients.weight_min[1] =
+            (uint32_t)fmin(ceil(cbrt(twist * fabs(slope) / 4096)), 2147483648.0);
+        const uint32_t division = n & 1u ? FXL_DIVIDE_8 : FXL_DIVIDE_16;
+        const double most = n & 1u ? 1.0 / 16 : 1.0 / 4;
+        uint32_t least[3];
+        fxl_find_least_weights(&gradients, division, least);
+        for (int x = 0; x < COLUMNS; x++) {
+            const int first = x & ~15;
+            const uint32_t log = fxl_segment_log(least, (uint32_t)exact(&gradients.weight, first),
+                                                 (uint32_t)exact(&gradients.weight, first + 16));
+            for (uint32_t i = 0; log != 0 && i < 2; i++) {
+                const double off = fabs(on_line(i, x, sizes[4 - log]) - divided(i, x));
+                TEST_ASSERT_TRUE(off <= most + 1e-6);
+                taken++;
+                close += off > most / 2;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(taken > 10000 && close > 100);
 }
 
 /* Pixels x0 <= x < x1 that are not the kernel's. A blend table of no colours leaves pixels as they
@@ -429,7 +517,12 @@ void test_other_faces_are_not_the_kernels(void)
     paint.blend = colours;
     check_refused(true);
     paint.division = FXL_DIVIDE_8;
+    check_refused(false);
+    paint.division = FXL_DIVIDE_1;
+    check_refused(false);
+    paint.division = FXL_DIVIDE_1;
+    paint.ramp = ramp;
     check_refused(true);
     gradients.weight_min[0] = UINT32_MAX;
-    check_refused(true);
+    check_refused(false);
 }

@@ -5,7 +5,7 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
-#include "../paint/segments.h"
+#include "../paint/plain_rows.h"
 #include "fixel/render.h"
 
 #if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M
@@ -122,16 +122,27 @@ AT(fxl_segment_face, light_drop, SEGMENT_FACE_LIGHT_DROP);
 AT(fxl_segment_face, ramp, SEGMENT_FACE_RAMP);
 AT(fxl_segment_face, light_max, SEGMENT_FACE_LIGHT_MAX);
 AT(fxl_segment_face, drop_min, SEGMENT_FACE_DROP_MIN);
+AT(fxl_segment_face, least, SEGMENT_FACE_LEAST);
 AT(fxl_segment_face, log_width, SEGMENT_FACE_LOG_WIDTH);
 AT(fxl_segment_face, row_drop, SEGMENT_FACE_ROW_DROP);
 AT(fxl_segment_face, is_constant, SEGMENT_FACE_IS_CONSTANT);
 AT(fxl_segment_face, form, SEGMENT_FACE_FORM);
+AT(fxl_segment_face, palette, SEGMENT_FACE_PALETTE);
+AT(fxl_segment_face, in_beam, SEGMENT_FACE_IN_BEAM);
 
 AT(fxl_paint_row, weight, PAINT_ROW_WEIGHT);
 AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_U], PAINT_ROW_U);
 AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_V], PAINT_ROW_V);
 VALUE(PAINT_ROW_LIGHT, PAINT_ROW_U + 8 * FXL_SEGMENT_LIGHT + 4);
 AT(fxl_paint_row, pixels, PAINT_ROW_PIXELS);
+AT(fxl_paint_row, segments, PAINT_ROW_SEGMENTS);
+AT(fxl_paint_row, y, PAINT_ROW_Y);
+
+AT(fxl_plain_rows, row, 0);
+AT(fxl_plain_rows, downs, PLAIN_ROWS_DOWNS);
+AT(fxl_plain_rows, edges, PLAIN_ROWS_EDGES);
+AT(fxl_plain_rows, end_row, PLAIN_ROWS_END);
+AT(fxl_plain_rows, stride, PLAIN_ROWS_STRIDE);
 
 AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
 AT(fxl_texel_run, step, TEXEL_RUN_STEP);

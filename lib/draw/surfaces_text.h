@@ -17,8 +17,10 @@
 
 #if FXL_TARGET_PIXEL_BITS == 8
 #define PAINT_PIXELS fxl_paint_pixels
+#define PAINT_ROWS   fxl_paint_rows
 #else
 #define PAINT_PIXELS fxl_paint_pixels_565
+#define PAINT_ROWS   fxl_paint_rows_565
 #endif
 
 /* --- a polygon ------------------------------------------------------------------------------ */
@@ -48,9 +50,7 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
 
 static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_face *face)
 {
-    (void)paint;
-    (void)face;
-    return NULL; /* the kernel paints bytes */
+    return fxl_segments_find_565(paint, face) ? face : NULL;
 }
 
 #else
@@ -60,9 +60,8 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
 {
     (void)band;
     fxl_surface_paint_of(surfaces, polygon, paint);
-    if (paint->in_beam != NULL && paint->ramp == NULL) {
+    if (paint->in_beam != NULL && paint->ramp == NULL && paint->level.texels == NULL) {
         paint->colour = paint->in_beam[paint->colour];
-        paint->ramp = paint->level.texels != NULL ? paint->in_beam : NULL; /* levels_less_1 is 0 */
         paint->in_beam = NULL;
     }
     paint->is_replaced = paint->in_beam != NULL || paint->blend != NULL;
@@ -95,8 +94,15 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_paint paint;
     fxl_segment_face face;
     paint_of(surfaces, polygon, band, &paint);
-    fxl_paint_polygon(&paint, segments_of(&paint, &face), points, count, band,
-                      FXL_TARGET_PIXEL_BITS / 8, &workspace->work.scan, paint_row, NULL);
+    const fxl_segment_face *segments = segments_of(&paint, &face);
+    if (segments != NULL && paint.ramp == NULL &&
+        (FXL_TARGET_PIXEL_BITS == 16 || paint.in_beam == NULL)) {
+        fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
+                                &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
+    } else {
+        fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
+                          &workspace->work.scan, paint_row, NULL);
+    }
 }
 
 static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,

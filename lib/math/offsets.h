@@ -129,10 +129,13 @@
 #define SEGMENT_FACE_RAMP        48
 #define SEGMENT_FACE_LIGHT_MAX   52
 #define SEGMENT_FACE_DROP_MIN    56
-#define SEGMENT_FACE_LOG_WIDTH   64
-#define SEGMENT_FACE_ROW_DROP    65
-#define SEGMENT_FACE_IS_CONSTANT 66
-#define SEGMENT_FACE_FORM        67
+#define SEGMENT_FACE_LEAST       60
+#define SEGMENT_FACE_LOG_WIDTH   76
+#define SEGMENT_FACE_ROW_DROP    77
+#define SEGMENT_FACE_IS_CONSTANT 78
+#define SEGMENT_FACE_FORM        79
+#define SEGMENT_FACE_PALETTE     88
+#define SEGMENT_FACE_IN_BEAM     92
 
 /* fxl_paint_row */
 #define PAINT_ROW_WEIGHT 0
@@ -140,6 +143,14 @@
 #define PAINT_ROW_V      16
 #define PAINT_ROW_LIGHT  28 /* the upper word */
 #define PAINT_ROW_PIXELS 32
+#define PAINT_ROW_SEGMENTS 36
+#define PAINT_ROW_Y      40
+
+/* fxl_plain_rows */
+#define PLAIN_ROWS_DOWNS  48
+#define PLAIN_ROWS_EDGES  72
+#define PLAIN_ROWS_END    104
+#define PLAIN_ROWS_STRIDE 108
 
 /* fxl_texel_run */
 #define TEXEL_RUN_POSITION   0

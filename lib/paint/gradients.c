@@ -11,6 +11,7 @@
 #include "../math/arith.h"
 #include "../view/project.h"
 #include "../view/view.h"
+#include "fixel/surfaces.h"
 #include "gradients.h"
 
 /* --- vectors -------------------------------------------------------------------------------- */
@@ -187,25 +188,57 @@ static int third(int number)
     return (number + 600) / 3 - 200;
 }
 
-/* The least weight, at both ends, of a segment of n = 16 pixels that is divided at its ends alone.
- * Between ends w0 and w1 >= w0 the linear u is off by at most
- *   |u1 - u0| (w1 - w0) / (4 w0) = n^2 twist |w'| / (4 w0 w0 w1),
- * which has to be at most 2^15: so w0^3 has to be at least 2^(8 - 17) twist |w'|. And
- * |u1 - u0| = n twist / (w0 w1) has to be at most 2^29, so that an end outside of the face does not
- * overflow: w0^2 at least 2^(4 - 29) twist, of which the root's bound is a power of two. */
-static uint32_t least_weight(const fxl_real *twist, const fxl_gradient *weight)
+/* weight * part / 2^16, rounded up. Requires a weight of at most 2^31 and a part below 2^17, so the
+ * product is below 2^48; and a result below 2^32. */
+static uint32_t times_part(uint32_t weight, uint32_t part)
+{
+    return (uint32_t)((fxl_multiply_u32(weight, part) + 65535u) >> 16);
+}
+
+/* The least weight, at both ends, of a segment of n = 16 pixels, and of one of n = 4, that is
+ * divided at its ends alone. Between ends w0 and w1 >= w0 the linear u is off by at most |u1 - u0|
+ * (w1 - w0) / (4 w0) = n^2 twist |w'| / (4 w0 w0 w1), which has to be at most 2^14: so w0^3 has to
+ * be at least n^2 2^-16 twist |w'|. And |u1 - u0| = n twist / (w0 w1) has to be at most 2^29, so
+ * that an end outside of the face does not overflow: w0^2 at least n 2^-29 twist, of which the
+ * root's bound is a power of two. For n = 4 the first weight is that of 16 times 16^(-1/3), and the
+ * second one half of it. */
+static void find_least_weights(const fxl_real *twist, const fxl_gradient *weight,
+                               uint32_t weight_min[2])
 {
     const fxl_real slope = bound_of(fxl_magnitude(weight->along) + 1, -32);
     /* From 2^62 to 2^64. A number of 26 to 30 bits is left for the root. */
     const uint64_t bend = fxl_multiply_u32(twist->mantissa, slope.mantissa);
-    const int bend_exponent = twist->exponent + slope.exponent + 8 - 17 + 36;
+    const int bend_exponent = twist->exponent + slope.exponent + 8 - 16 + 36;
     const int root_exponent = third(bend_exponent);
     const unsigned spare = (unsigned)(bend_exponent - 3 * root_exponent); /* 0..2 */
     const uint32_t root = cube_root_up((uint32_t)(bend >> (36 - spare)) + 1);
     const uint32_t by_bend = power_up(root, root_exponent);
     const int far = twist->exponent + 32 + 4 - 29; /* w0^2 >= 2^far */
     const uint32_t by_far = power_up(1, (far + 601) / 2 - 300);
-    return by_bend > by_far ? by_bend : by_far;
+    const uint32_t bend_of_4 = times_part(by_bend, 26009u); /* 0.39687: 16^(-1/3), rounded up */
+    const uint32_t far_of_4 = (by_far + 1) >> 1;
+    weight_min[0] = by_bend > by_far ? by_bend : by_far;
+    weight_min[1] = bend_of_4 > far_of_4 ? bend_of_4 : far_of_4;
+}
+
+/* A segment of 8 has 4^(-1/3) = 0.62996 of the first weight of 16 and 2^(-1/2) of its second one.
+ * Of that of 4 the two are 2^(2/3) and 2^(1/2). So the larger one of 0.62997 of that of 16, which
+ * is right if the first one is the larger of 16 and of 4, and 1.41423 of that of 4 is right for
+ * both. */
+void fxl_find_least_weights(const fxl_gradients *gradients, uint32_t division, uint32_t least[3])
+{
+    const uint32_t of_16 = gradients->weight_min[0], of_4 = gradients->weight_min[1];
+    const uint32_t by_16 = times_part(of_16, 41286u), by_4 = times_part(of_4, 92683u);
+    const uint32_t of_8 = by_16 > by_4 ? by_16 : by_4;
+    least[0] = least[1] = least[2] = UINT32_MAX;
+    if (division == FXL_DIVIDE_16) {
+        least[0] = of_16;
+        least[1] = of_8;
+        least[2] = of_4;
+    } else if (division == FXL_DIVIDE_8) {
+        least[1] = of_16;
+        least[2] = of_8;
+    }
 }
 
 /* --- a face --------------------------------------------------------------------------------- */
@@ -251,10 +284,10 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
             twist = is_above(&own, &twist) ? own : twist;
         }
     }
-    /* Of a segment of half the length the two bounds are 0.63 and 0.71 of the others. */
-    const uint32_t least = twist.mantissa == 0 ? 1 : least_weight(&twist, &gradients->weight);
-    gradients->weight_min[0] = least;
-    gradients->weight_min[1] = least - (least >> 2);
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+    if (twist.mantissa != 0) {
+        find_least_weights(&twist, &gradients->weight, gradients->weight_min);
+    }
 }
 
 /* Differences are at most 2^26, so products are at most 2^52. */

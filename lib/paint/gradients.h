@@ -71,9 +71,10 @@ typedef struct {
     /* Six times the volume between eye and corners, in the cube of their unit. Not in the display
      * list. */
     fxl_scaled_number volume;
-    uint32_t weight_min[2]; /* the least weight, at both ends, of a segment of 16, of 8 pixels that
-                               is divided at its ends alone: then all attributes are within half
-                               their unit (65536) of the exact ones. At least 1. */
+    uint32_t weight_min[2]; /* the least weight, at both ends, of a segment of 16, of 4 pixels that
+                               is divided at its ends alone: then all attributes are within a
+                               quarter of their unit (65536) of the exact ones. At least 1, at most
+                               2^31. */
 } fxl_gradients;
 
 /* Finds the gradients of a face on the screen of a view.
@@ -81,6 +82,24 @@ typedef struct {
  * Error: docs/accuracy.md, section 5. */
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients);
+
+/* How a row of a face is divided: each aligned segment of 16 columns of the screen is one, or two
+ * of 8 columns, or four of 4, or else each pixel is divided. That depends on the weights at the
+ * ends of the 16 columns alone, so no clipping and no band changes it.
+ *
+ * Finds the least weights, at both ends of the 16 columns, for 16, 8 and 4 columns of a surface
+ * with this division. FXL_DIVIDE_8 takes half of the columns that FXL_DIVIDE_16 takes, and so is
+ * within a 16th of a unit. UINT32_MAX: no weight suffices. */
+void fxl_find_least_weights(const fxl_gradients *gradients, uint32_t division, uint32_t least[3]);
+
+/* The logarithm of the columns of the segments within 16 columns, by the weights at their ends; 0:
+ * each pixel is divided. */
+static inline uint32_t fxl_segment_log(const uint32_t least[3], uint32_t weight_0,
+                                       uint32_t weight_1)
+{
+    const uint32_t weight = weight_0 < weight_1 ? weight_0 : weight_1;
+    return weight >= least[0] ? 4 : weight >= least[1] ? 3 : weight >= least[2] ? 2 : 0;
+}
 
 /* Where all three corners are on the screen, puts them into the plane of the screen, so that their
  * weight is constant and their attributes are linear on the screen. Corners that are on one line

@@ -110,23 +110,6 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 
 /* --- the kernel ----------------------------------------------------------------------------- */
 
-/* The column before which the kernel may paint from x0 on: x0, the end of a segment, or x1. */
-static int32_t kernel_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
-{
-    const fxl_segment_face *face = row->segments;
-    if (face == NULL || fxl_segment_weight(face, row, (uint32_t)x0 >> 4) < face->weight_min) {
-        return x0;
-    }
-    if (fxl_segments_suffice(face, row, x0, x1)) {
-        return x1;
-    }
-    uint32_t segment = (uint32_t)x0 >> 4;
-    while (fxl_segment_weight(face, row, segment + 1u) >= face->weight_min) {
-        segment++; /* less than the last one of the row, where the weight is too small */
-    }
-    return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
-}
-
 /* Whether the light at the end of a segment is a level of the ramp. Only close to the ramp's ends
  * this takes a division. */
 static inline bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
@@ -173,9 +156,11 @@ static void put_in_beam(const uint8_t *in_beam, uint8_t *pixel, const uint8_t *e
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     divided_column at;
+    uint32_t least[3];
     at.column = -1;
+    fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
-        int32_t end = kernel_end(row, x0, x1);
+        int32_t end = fxl_segments_end(row, x0, x1);
         if (end > x0 && paint->ramp != NULL) {
             end = kernel_end_of_light(paint, row, x0, end);
         }
@@ -186,7 +171,7 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
             }
         } else {
             end = smaller((x0 & ~15) + 16, x1);
-            paint_sixteen(paint, row, x0, end, &at);
+            paint_sixteen(paint, row, least, x0, end, &at);
         }
         x0 = end;
     }

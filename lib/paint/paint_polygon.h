@@ -6,7 +6,7 @@
 
 #include "../raster/fill.h"
 #include "../raster/scan.h"
-#include "segments.h"
+#include "plain_rows.h"
 
 /* Paints some of the pixels x0 <= x < x1 of a row; with: the painter's own. */
 typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
@@ -67,13 +67,56 @@ fxl_paint_polygon(const fxl_paint *paint, const fxl_segment_face *segments,
     }
 }
 
+/* A trapezoid of a face that has a kernel for its rows, and no light. */
+static inline __attribute__((always_inline)) void fxl_paint_trapezoid(
+    const fxl_paint *paint, const fxl_trapezoid *trapezoid, fxl_plain_rows *rows,
+    bool (*paint_rows)(fxl_plain_rows *rows),
+    void (*paint_pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const fxl_gradients *gradients = paint->gradients;
+    int32_t x0, x1;
+    fxl_begin_row(gradients, trapezoid->first_row, &rows->row);
+    rows->downs[0] = gradients->weight.down;
+    rows->downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
+    rows->downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
+    rows->edges[0] = trapezoid->edges[0];
+    rows->edges[1] = trapezoid->edges[1];
+    rows->end_row = trapezoid->end_row;
+    while (rows->row.y < rows->end_row && paint_rows(rows)) {
+        fxl_plain_rows_columns(rows, &x0, &x1);
+        paint_pixels(paint, &rows->row, x0, x1);
+        fxl_plain_rows_next(rows);
+    }
+}
+
+/* fxl_paint_polygon of a face that fxl_paint_trapezoid paints. */
+static inline __attribute__((always_inline)) void fxl_paint_plain_polygon(
+    const fxl_paint *paint, const fxl_segment_face *segments, const fxl_screen_point *points,
+    uint32_t count, const fxl_band *band, uint32_t pixel_bytes, fxl_scan *scan,
+    bool (*paint_rows)(fxl_plain_rows *rows),
+    void (*paint_pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const fxl_trapezoid *trapezoid;
+    fxl_plain_rows rows;
+    rows.stride = band->stride * pixel_bytes;
+    rows.row.segments = segments;
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        rows.row.pixels =
+            band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
+        fxl_paint_trapezoid(paint, trapezoid, &rows, paint_rows, paint_pixels);
+    }
+}
+
 /* fxl_row_painter of bytes: a whole row mostly goes to the kernel without detours. */
-static inline __attribute__((always_inline)) void
-fxl_paint_simply(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
-                 int32_t x1)
+static inline __attribute__((always_inline)) void fxl_paint_simply(void *with,
+                                                                   const fxl_paint *paint,
+                                                                   const fxl_paint_row *row,
+                                                                   int32_t x0, int32_t x1)
 {
     (void)with;
-    if (row->segments != NULL && fxl_segments_take(row->segments, row, x0, x1)) {
+    if (row->segments != NULL && paint->in_beam == NULL &&
+        fxl_segments_take(row->segments, row, x0, x1)) {
         fxl_paint_segments(row->segments, row, x0, x1);
     } else {
         fxl_paint_pixels(paint, row, x0, x1);

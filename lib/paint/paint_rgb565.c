@@ -75,9 +75,8 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *l
     const uint32_t light_step = linear->steps[FXL_ATTRIBUTES - 1];
     for (; pixel != end; pixel++) {
         const uint16_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
-        *pixel =
-            lit ? fxl_mix_565(colour, copy.of_565.dark, part_of_light(&copy,
-                                                                      (int32_t)light)) : colour;
+        *pixel = lit ? fxl_mix_565(colour, copy.of_565.dark, part_of_light(&copy, (int32_t)light))
+                     : colour;
         u += u_step;
         v += v_step;
         light += light_step;
@@ -104,10 +103,17 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     divided_column at;
+    uint32_t least[3];
     at.column = -1;
+    fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
-        const int32_t end = smaller((x0 & ~15) + 16, x1);
-        paint_sixteen(paint, row, x0, end, &at);
+        int32_t end = fxl_segments_end(row, x0, x1);
+        if (end > x0) {
+            fxl_paint_segments_565(row->segments, row, x0, end);
+        } else {
+            end = smaller((x0 & ~15) + 16, x1);
+            paint_sixteen(paint, row, least, x0, end, &at);
+        }
         x0 = end;
     }
 }

@@ -75,26 +75,20 @@ typedef struct {
     int32_t values[FXL_ATTRIBUTES];
 } divided_column;
 
-/* The columns first..first + 2^log - 1, divided at both ends. False where that is not exact enough:
- * nothing is painted. A step is rounded down by less than a unit, so the last pixel is off by less
- * than 16 units of 1/65536. */
-static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
+/* The columns first..first + 2^log - 1, divided at both ends. A step is rounded down by less than a
+ * unit, so the last pixel is off by less than 16 units of 1/65536. */
+static void paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
                           unsigned log, int32_t x0, int32_t x1, divided_column *at)
 {
     const fxl_gradients *gradients = paint->gradients;
     const int32_t last = first + (1 << log);
-    const uint32_t weight_0 = weight_at(paint, row, first), weight_1 = weight_at(paint, row, last);
-    const uint32_t least = gradients->weight_min[log == 4 ? 0 : 1];
     const uint32_t skipped = (uint32_t)(x0 - first);
     int32_t ends[FXL_ATTRIBUTES];
     linear_pixels linear = {{0}, {0}};
-    if (weight_0 < least || weight_1 < least) {
-        return false;
-    }
     if (at->column != first) {
-        divide_at(paint, row, first, weight_0, at->values);
+        divide_at(paint, row, first, weight_at(paint, row, first), at->values);
     }
-    divide_at(paint, row, last, weight_1, ends);
+    divide_at(paint, row, last, weight_at(paint, row, last), ends);
     at->column = last;
     for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
         const int32_t change = (int32_t)((uint32_t)ends[i] - (uint32_t)at->values[i]);
@@ -103,7 +97,6 @@ static bool paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int3
         at->values[i] = ends[i];
     }
     paint_linear(paint, row, x0, x1, &linear);
-    return true;
 }
 
 static inline int32_t smaller(int32_t a, int32_t b)
@@ -111,26 +104,22 @@ static inline int32_t smaller(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-/* At most eight columns, of one segment of eight. */
-static void paint_eight(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
-                        divided_column *at)
+/* Columns within 16 of a row. least: of fxl_find_least_weights. */
+static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, const uint32_t least[3],
+                          int32_t x0, int32_t x1, divided_column *at)
 {
-    if (paint->division == FXL_DIVIDE_1 || !paint_segment(paint, row, x0 & ~7, 3, x0, x1, at)) {
+    const int32_t first = x0 & ~15;
+    const uint32_t log =
+        fxl_segment_log(least, weight_at(paint, row, first), weight_at(paint, row, first + 16));
+    if (log == 0) {
         divide_each(paint, row, x0, x1);
-    }
-}
-
-/* Columns of one segment of 16, at most. */
-static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
-                          divided_column *at)
-{
-    if (paint->division == FXL_DIVIDE_16 && paint_segment(paint, row, x0 & ~15, 4, x0, x1, at)) {
         return;
     }
-    const int32_t middle = smaller((x0 & ~7) + 8, x1);
-    paint_eight(paint, row, x0, middle, at);
-    if (middle < x1) {
-        paint_eight(paint, row, middle, x1, at);
+    const int32_t columns = 1 << log;
+    while (x0 < x1) {
+        const int32_t begin = x0 & -columns, end = smaller(begin + columns, x1);
+        paint_segment(paint, row, begin, log, x0, end, at);
+        x0 = end;
     }
 }
 

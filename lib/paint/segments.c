@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "segments.h"
+#include "texture_level.h"
 
 #include "../math/arith.h"
 
@@ -22,19 +23,12 @@ static int32_t smaller(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-static int32_t larger(int32_t a, int32_t b)
-{
-    return a > b ? a : b;
-}
-
 /* A texture's columns wrap in 2^log_width; an opaque pixel needs no look at what it covers. */
 static bool is_common(const fxl_paint *paint)
 {
     const fxl_texture_level *level = &paint->level;
-    return level->texels != NULL && level->colours == NULL && level->flags == 0 &&
-           level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16 &&
-           paint->blend == NULL && paint->division == FXL_DIVIDE_16 &&
-           paint->gradients->weight_min[0] <= INT32_MAX;
+    return level->texels != NULL && level->colours == NULL &&
+           level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16;
 }
 
 /* A light's value is upper word * 2^shift / weight. It is found by a reciprocal whose error is
@@ -58,12 +52,27 @@ static void find_light(const fxl_paint *paint, fxl_segment_face *face)
     }
 }
 
-bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
+/* The least weights: those of the rule, and from which on no product is shifted to the left.
+ * Returns whether there is a weight that suffices. */
+static bool find_least(const fxl_paint *paint, fxl_segment_face *face)
+{
+    const bool is_line = face->is_constant && paint->ramp == NULL;
+    const uint32_t by_drop = (uint32_t)weight_for(face->drop_min - (is_line ? FXL_ROW_BITS : 0));
+    fxl_find_least_weights(paint->gradients, paint->division, face->least);
+    face->least[3] = by_drop;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t least = face->least[i] < by_drop ? by_drop : face->least[i];
+        face->least[i] = least > INT32_MAX ? INT32_MAX : least;
+    }
+    if (paint->ramp != NULL) {
+        face->least[1] = face->least[2] = face->least[3] = face->least[0];
+    }
+    return face->least[3] < INT32_MAX;
+}
+
+static bool find(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
-    if (!is_common(paint)) {
-        return false;
-    }
     const uint32_t log_width = paint->level.log_width;
     const uint32_t log_height = fxl_bit_length(paint->level.rows_less_1);
     const uint32_t log = log_width > log_height ? log_width : log_height;
@@ -77,7 +86,7 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     face->rows_mask = paint->level.rows_less_1 << log_width;
     face->log_width = (uint8_t)log_width;
     face->row_drop = (uint8_t)(16 - log - log_width);
-    face->is_constant = gradients->weight.along == 0;
+    face->is_constant = gradients->weight.along == 0 && paint->division != FXL_DIVIDE_1;
     face->form = (uint8_t)(log_width == log ? log_width - FXL_SEGMENT_LOG_MIN : 0);
     face->ramp = paint->ramp;
     face->light_step = face->light_drop = face->light_max = 0;
@@ -85,6 +94,29 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     if (paint->ramp != NULL) {
         find_light(paint, face);
     }
-    face->weight_min = larger((int32_t)gradients->weight_min[0], weight_for(face->drop_min));
+    face->palette = NULL;
+    face->in_beam = NULL;
+    return find_least(paint, face);
+}
+
+bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
+{
+    return is_common(paint) && paint->level.flags == 0 && paint->blend == NULL && find(paint, face);
+}
+
+bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
+{
+    const fxl_paint_565 *of = &paint->of_565;
+    const bool is_565 = (paint->level.flags & FXL_LEVEL_565) != 0;
+    const uint32_t flags = paint->level.flags & ~(FXL_LEVEL_565 | FXL_LEVEL_IN_BEAM);
+    if (!is_common(paint) || flags != 0 || paint->ramp != NULL || of->sixteenths != 0 || of->adds ||
+        !find(paint, face)) {
+        return false;
+    }
+    face->palette = is_565 ? NULL : of->palette;
+    if (!is_565 && (paint->level.flags & FXL_LEVEL_IN_BEAM)) {
+        face->in_beam = paint->in_beam;
+        face->form = 0;
+    }
     return true;
 }

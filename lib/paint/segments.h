@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The pixels of most textured faces, painted by the kernel fxl_paint_segments: 8 bits a texel,
- * repeated, opaque, and divided every 16 columns. Internal.
+/* The pixels of most textured faces, painted by the kernels fxl_paint_segments, for pixels of 8
+ * bits, and fxl_paint_segments_565, for pixels of 16 bits: opaque texels that repeat. Internal.
  *
- * A segment is the 16 columns of the screen from a multiple of 16 on. Its coordinates are found at
- * both ends, at its first column and 16 columns on:
+ * A segment is n = 16, 8 or 4 columns of the screen, from a multiple of n on; gradients.h says
+ * which n, or that each pixel is divided: then the kernel shows what fxl_paint_pixels would. A lit
+ * face has segments of 16 alone. The coordinates of a segment are found at both ends, at its first
+ * column and n columns on:
  *
  *   U = u 2^(20 - log_width),  V = v 2^(20 - log),  log = the larger of log_width and log_height.
  *
@@ -11,11 +13,16 @@
  * each half are the texel's column and row, and the others its fraction. So a column repeats by
  * itself. A pixel adds a step to p,
  *
- *   step = 2^16 round((U1 - U0) / 256) + round((V1 - V0) / 256) modulo 2^16, from -2^15 on.
+ *   step = 2^16 round((U1 - U0) / 16n) + round((V1 - V0) / 16n) modulo 2^16, from -2^15 on.
  *
  * Error beyond that of the line between both ends, in units of 2^-(16 - log): less than 1 of p and
  * 1/2 of each of at most 15 steps. Where v repeats, a carry of the lower half adds 1 to u, or takes
  * it away. For 64 x 64 texels a unit is 1/1024 texel.
+ *
+ * Where the weight is the same in all columns and there is no light, a row is one line. Its
+ * coordinates have 32 bits, FXL_ROW_BITS more than U and V: at column 16 k they are those of column
+ * 0 and k times their change in 16 columns, modulo 2^32. p is their upper halves there, and the
+ * step is a 16th of the change, rounded to the upper half. So p begins anew every 16 columns.
  *
  * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
  * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
@@ -38,6 +45,10 @@ extern "C" {
 /* The least log_width that the kernel takes: (U1 - U0) fits 32 bits. */
 #define FXL_SEGMENT_LOG_MIN 4u
 
+/* The columns between two positions that are found anew in a row of constant weight, and the bits
+ * of its coordinates beyond those of U and V. */
+#define FXL_ROW_BITS 12
+
 /* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
  * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,
  * shifted to the right by the drop less the leading zeros of the weight, is U, V or the light. */
@@ -50,17 +61,24 @@ struct fxl_segment_face {
     const uint8_t *ramp; /* null: unlit */
     int32_t light_max;   /* of the ramp, in 1/256 level */
     int32_t drop_min;    /* of light, U and V */
-    int32_t weight_min;  /* at both ends of a segment; at least 2 */
+    uint32_t least[4];   /* weights at both ends of 16 columns: for segments of 16, 8 and 4, and for
+                            pixels that are divided; from 2 on; INT32_MAX: none */
     uint8_t log_width;
     uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */
     uint8_t is_constant; /* the weight is the same in all columns of a row */
     uint8_t form;        /* log_width - 4 if it is above 0 and log_width = log; else 0 */
     uint32_t light_scale, light_limit; /* a light is surely a level of the ramp where its upper word
                                         * light_scale < weight * light_limit; 0, 0: nowhere */
+    const uint16_t *palette; /* fxl_paint_segments_565: of the texels' colours; null: the texels are
+                              * colours themselves */
+    const uint8_t *in_beam;  /* the same: what a beam makes of a texel before that; null: no beam */
 };
 
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face);
+
+/* The same for pixels of 16 bits, and fxl_paint_segments_565. */
+bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face);
 
 /* The weight at the beginning of a segment of a row. */
 static inline int32_t fxl_segment_weight(const fxl_segment_face *face, const fxl_paint_row *row,
@@ -69,19 +87,44 @@ static inline int32_t fxl_segment_weight(const fxl_segment_face *face, const fxl
     return (int32_t)(((uint64_t)row->weight + (uint64_t)face->weight_step * segment) >> 32);
 }
 
-/* Whether the weight is large enough at both ends of all segments of a part of a row. It is linear,
- * so it suffices to look at the first end and the last. */
+/* The least weight, at both ends of each 16 columns, that the kernel takes. */
+static inline int32_t fxl_segments_least(const fxl_segment_face *face)
+{
+    return (int32_t)face->least[3];
+}
+
+/* Whether the weight is large enough at both ends of all 16 columns of a part of a row. It is
+ * linear, so it suffices to look at the first end and the last. */
 static inline bool fxl_segments_suffice(const fxl_segment_face *face, const fxl_paint_row *row,
                                         int32_t x0, int32_t x1)
 {
-    return fxl_segment_weight(face, row, (uint32_t)x0 >> 4) >= face->weight_min &&
-           fxl_segment_weight(face, row, ((uint32_t)x1 + 15u) >> 4) >= face->weight_min;
+    return fxl_segment_weight(face, row, (uint32_t)x0 >> 4) >= fxl_segments_least(face) &&
+           fxl_segment_weight(face, row, ((uint32_t)x1 + 15u) >> 4) >= fxl_segments_least(face);
+}
+
+/* The column before which the kernel may paint from x0 on: x0, the end of 16 columns, or
+ * x1. */
+static inline int32_t fxl_segments_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const fxl_segment_face *face = row->segments;
+    if (face == NULL ||
+        fxl_segment_weight(face, row, (uint32_t)x0 >> 4) < fxl_segments_least(face)) {
+        return x0;
+    }
+    if (fxl_segments_suffice(face, row, x0, x1)) {
+        return x1;
+    }
+    uint32_t segment = (uint32_t)x0 >> 4;
+    while (fxl_segment_weight(face, row, segment + 1u) >= fxl_segments_least(face)) {
+        segment++; /* less than the last one of the row, where the weight is too small */
+    }
+    return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
 }
 
 /* Whether the light at the beginning of a segment is surely a level of the ramp. Requires a weight
- * there of at least weight_min. The sum of upper words is at most segment + 1 less than the light's
- * own upper word. The light is below 2^31 and light_scale at most 2^30; the weight is below 2^31
- * and light_limit at most 2^24: no product exceeds 64 bits. */
+ * there of at least the face's least. The sum of upper words is at most segment + 1 less than the
+ * light's own upper word. The light is below 2^31 and light_scale at most 2^30; the weight is below
+ * 2^31 and light_limit at most 2^24: no product exceeds 64 bits. */
 static inline bool fxl_segment_light_suffices(const fxl_segment_face *face,
                                               const fxl_paint_row *row, uint32_t segment)
 {
@@ -104,10 +147,12 @@ static inline bool fxl_segments_take(const fxl_segment_face *face, const fxl_pai
 }
 
 /* Paints the pixels x0 <= x < x1 of a row. Requires 0 <= x0 < x1, and weights of at least
- * weight_min at both ends of each segment. Safe for any other number: no texel or entry of the ramp
- * is read that is not of the table. */
+ * fxl_segments_least at both ends of each 16 columns. Safe for any other number: no texel or entry
+ * of the ramp is read that is not of the table. */
 void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                         int32_t x1);
+void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                            int32_t x1);
 
 /* --- the texels of a part of a segment: what fxl_paint_segments calls, where it is in C ---------
  */

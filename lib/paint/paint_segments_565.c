@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+#include "plain_rows.h"
+
+#include "../math/family.h"
+
+#if !FXL_KERNELS_ARMV7M
+
+static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
+                                const fxl_texel_run *run, int32_t x, uint32_t count)
+{
+    uint16_t *pixels = (uint16_t *)(void *)row->pixels + x;
+    const uint16_t *end = pixels + count;
+    const uint8_t *texels = face->texels, *in_beam = face->in_beam;
+    const uint16_t *palette = face->palette, *colours = (const uint16_t *)(const void *)texels;
+    const uint32_t step = run->step, mask = face->rows_mask, row_drop = face->row_drop;
+    const uint32_t column_drop = 32u - face->log_width;
+    uint32_t position = run->position;
+    for (; pixels != end; position += step) {
+        const uint32_t place = (position >> row_drop & mask) + (position >> column_drop);
+        if (palette == NULL) {
+            *pixels++ = colours[place];
+        } else {
+            *pixels++ = palette[in_beam != NULL ? in_beam[texels[place]] : texels[place]];
+        }
+    }
+}
+
+#include "segment_runs.h"
+
+void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                            int32_t x1)
+{
+    paint_row_segments(face, row, x0, x1);
+}
+
+bool fxl_paint_rows_565(fxl_plain_rows *rows)
+{
+    return fxl_paint_rows_by(rows, fxl_paint_segments_565);
+}
+
+#endif

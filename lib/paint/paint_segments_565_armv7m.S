@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_paint_segments_565 and fxl_paint_rows_565 for Armv7-M and Armv8-M Mainline. lib/paint/segments.h
+ * and plain_rows.h state what they require and do. */
+#include "../math/family.h"
+#include "../math/offsets.h"
+
+#if FXL_KERNELS_ARMV7M
+
+#define ROWS      fxl_paint_rows_565
+#define WIDE      1
+#define PIXEL     18
+#define WHOLE     292
+#define PIXEL_565 16
+#define WHOLE_565 260
+
+    .syntax unified
+    .thumb
+    .section .text.fxl_paint_segments_565, "ax", %progbits
+    .global fxl_paint_rows_565
+    .global fxl_paint_segments_565
+    .type fxl_paint_segments_565, %function
+    .thumb_func
+
+fxl_paint_segments_565:
+#include "plain_rows_armv7m.h"
+
+    .macro  store_wide i
+    .if     \i < 16
+    strh    r3, [pixels, #(2 * \i)]
+    .else
+    strh    r3, [pixels, #(2 * \i)]!
+    .endif
+    .endm
+
+    .macro  store_by_palette i
+    ldrb    r3, [texels, r3]
+    ldrh    r3, [palette, r3, lsl #1]
+    store_wide \i
+    .endm
+
+    .macro  store_colour i
+    ldrh    r3, [texels, r3, lsl #1]
+    store_wide \i
+    .endm
+
+    .align  2
+.Lpixels_5:
+    sixteen 5, store_by_palette
+    .org    .Lpixels_5 + WHOLE
+    sixteen 6, store_by_palette
+    .org    .Lpixels_5 + 2 * WHOLE
+    sixteen 7, store_by_palette
+    .org    .Lpixels_5 + 3 * WHOLE
+    sixteen 8, store_by_palette
+
+    .align  2
+.Lcolours_5:
+    sixteen 5, store_colour
+    .org    .Lcolours_5 + WHOLE_565
+    sixteen 6, store_colour
+    .org    .Lcolours_5 + 2 * WHOLE_565
+    sixteen 7, store_colour
+    .org    .Lcolours_5 + 3 * WHOLE_565
+    sixteen 8, store_colour
+    .size fxl_paint_segments_565, . - fxl_paint_segments_565
+
+#endif

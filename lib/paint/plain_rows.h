@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: MIT */
+/* The rows of a trapezoid of a face without light, whose pixels are those of a kernel of segments.
+ * Internal. */
+#ifndef FXL_PLAIN_ROWS_H
+#define FXL_PLAIN_ROWS_H
+
+#include "../raster/fill.h"
+#include "fixel/records.h"
+#include "segments.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The next row, whose `segments` is not null, and what leads to the rows below it. */
+typedef struct {
+    fxl_paint_row row;
+    int64_t downs[3]; /* what weight, u and v change from row to row */
+    fxl_edge edges[2];
+    int32_t end_row;
+    uint32_t stride; /* bytes */
+} fxl_plain_rows;
+
+/* Paints rows from rows->row on. Returns false if it has come to end_row. Returns true at a row
+ * whose weights the kernel does not take: rows->row is that row, and nothing of it is painted.
+ * Requires a face without a ramp, and row.y < end_row. Pixels have 8 bits, or 16. */
+bool fxl_paint_rows(fxl_plain_rows *rows);
+bool fxl_paint_rows_565(fxl_plain_rows *rows);
+
+/* A sum below the last row may be beyond what is bounded: then it wraps. */
+static inline void fxl_plain_rows_next(fxl_plain_rows *rows)
+{
+    fxl_paint_row *row = &rows->row;
+    row->weight = (int64_t)((uint64_t)row->weight + (uint64_t)rows->downs[0]);
+    for (uint32_t i = 0; i < 2; i++) {
+        row->attributes[i] = (int64_t)((uint64_t)row->attributes[i] + (uint64_t)rows->downs[1 + i]);
+    }
+    fxl_edge_step(&rows->edges[0]);
+    fxl_edge_step(&rows->edges[1]);
+    row->pixels += rows->stride;
+    row->y++;
+}
+
+/* The columns that a row covers; none if they are equal. */
+static inline void fxl_plain_rows_columns(const fxl_plain_rows *rows, int32_t *x0, int32_t *x1)
+{
+    const int32_t a = rows->edges[0].x, b = rows->edges[1].x;
+    *x0 = a < b ? a : b;
+    *x1 = a < b ? b : a;
+}
+
+/* fxl_paint_rows in portable C. paint: the kernel of segments. */
+static inline __attribute__((always_inline)) bool fxl_paint_rows_by(
+    fxl_plain_rows *rows,
+    void (*paint)(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const fxl_segment_face *face = rows->row.segments;
+    for (; rows->row.y < rows->end_row; fxl_plain_rows_next(rows)) {
+        int32_t x0, x1;
+        fxl_plain_rows_columns(rows, &x0, &x1);
+        if (x0 < x1) {
+            if (!fxl_segments_suffice(face, &rows->row, x0, x1)) {
+                return true;
+            }
+            paint(face, &rows->row, x0, x1);
+        }
+    }
+    return false;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,709 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of the kernels of rows without light for Armv7-M: paint_segments_armv7m.S paints pixels of
+ * 8 bits, paint_segments_565_armv7m.S pixels of 16 bits. Assembly. Before it the file defines
+ *
+ *   ROWS       fxl_paint_rows, or the name that it has for such pixels
+ *   WIDE       0, or 1: pixels of 16 bits
+ *   WHOLE      bytes of the code of 16 pixels whose texels have 8 bits; PIXEL: of one of them
+ *   WHOLE_565  the same where texels are colours, if WIDE; PIXEL_565
+ *
+ * and the label of fxl_paint_segments, or of what it is for such pixels. After it the file has the code
+ * of 16 pixels for each width from 32 texels on, by the macro sixteen, from .Lpixels_5 on, and of
+ * colours from .Lcolours_5 on. A texel takes 5 instructions (6 by a palette)
+ * if the texture is 32 to 256 texels wide and no higher than wide; any other takes 9 or 10. A segment
+ * takes 43 more; where the weight is constant, 16 columns take 9 more. A row takes about 110. */
+#ifndef FXL_PLAIN_ROWS_ARMV7M_H
+#define FXL_PLAIN_ROWS_ARMV7M_H
+
+/* clang-format off */
+#include "segments_armv7m.h"
+
+/* The frame: the steps of a segment, then four words of the face, then: */
+#define F_U_DROP   24
+#define F_TEXELS   32
+#define F_PALETTE  40
+#define F_W_LOW    44 /* if WIDE: its register has the palette */
+#define F_GO       48 /* what paints the next segment */
+#define F_FULL     52 /* what paints a whole one */
+#define F_NEXT     56 /* what follows the pixels of a segment */
+#define F_RESUME   60 /* the end of the next segment */
+#define F_LAST     64 /* the last r0 at which a whole segment may begin; then r0 at the end */
+#define F_END      68
+#define F_SKIP     72 /* columns of the next segment that are not painted */
+#define F_SHORT    76 /* pixels of 16 that a segment has not */
+#define F_CODE     80 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
+#define F_BYTES    84
+#define F_BEFORE   88 /* pixels of 16 that a loop leaves out */
+#define F_COLUMN   92 /* for a loop: how far a position is shifted to the column; then, to the row */
+#define F_LOG      100 /* of the segments that the frame is for; above 4: none */
+#define F_DONE     104 /* what follows a row */
+#define F_ROW      108
+#define F_FACE     112
+#define F_X        116 /* the end of the run; then that of the row */
+#define F_X_END    120
+#define F_SIZE     128
+
+pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
+p       .req r1
+step    .req r2
+texels  .req r4
+mask    .req r5
+palette .req r6         /* if WIDE */
+w_low   .req r6         /* what is linear, at the end of the segment */
+w       .req r7
+u_low   .req r8
+u       .req r9
+v_low   .req r10
+v       .req r11
+u_0     .req r12        /* U and V at the beginning of the segment */
+v_0     .req lr
+
+/* A row of constant weight: u and v are its coordinates at the segment. */
+last    .req r7         /* F_LAST */
+u_more  .req r8
+v_more  .req r10
+
+/* r0: face, r1: row, r2: x0, r3: x1 */
+    push    {r4-r11, lr}
+    sub     sp, #F_SIZE
+    adr     r4, .Lreturn + 1
+    strd    r4, r1, [sp, #F_DONE]
+    bl      .Lprepare
+    cmp     r1, #0
+    bne     .Lline
+    b       .Lweights
+    .align  2
+.Lreturn:
+    movs    r0, #0
+.Lleave:
+    add     sp, #F_SIZE
+    pop     {r4-r11, pc}
+
+    .type   ROWS, %function
+    .thumb_func
+
+/* r0: rows. Returns 0, or 1 at a row that is not the kernel's. */
+ROWS:
+    push    {r4-r11, lr}
+    sub     sp, #F_SIZE
+    adr     r4, .Lnext_row + 1
+    strd    r4, r0, [sp, #F_DONE]
+    mov     r11, r0
+    ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
+    bl      .Lprepare
+    ldr     r2, [r11, #PLAIN_ROWS_EDGES]
+    ldr     r6, [r11, #PLAIN_ROWS_EDGES + EDGE_SIZE]
+    b       .Lrow
+
+/* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
+    .align  2
+.Lprepare:
+    str     r0, [sp, #F_FACE]
+    add     r8, r0, #SEGMENT_FACE_U_DROP
+    ldm     r8, {r4-r7}
+    add     r8, sp, #F_U_DROP
+    stm     r8, {r4-r7}
+    ldrb    r4, [r0, #SEGMENT_FACE_FORM]
+    .if     WIDE
+    ldr     r7, [r0, #SEGMENT_FACE_PALETTE]
+    str     r7, [sp, #F_PALETTE]
+    .endif
+    cbz     r4, 2f
+    .if     WIDE
+    cbz     r7, 1f
+    .endif
+    movw    r5, #WHOLE
+    mul     r4, r4, r5
+    adr     r5, .Lpixels_5 - WHOLE + 1
+    add     r4, r4, r5
+    movs    r5, #PIXEL
+    b       3f
+    .if     WIDE
+1:  movw    r5, #WHOLE_565
+    mul     r4, r4, r5
+    adr     r5, .Lcolours_5 - WHOLE_565 + 1
+    add     r4, r4, r5
+    movs    r5, #PIXEL_565
+    b       3f
+    .endif
+2:  ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
+    ldrb    r5, [r0, #SEGMENT_FACE_ROW_DROP]
+    rsb     r4, r4, #32
+    strd    r4, r5, [sp, #F_COLUMN]
+    adr     r4, .Lloop + 1
+    movs    r5, #0
+3:  strd    r4, r5, [sp, #F_CODE]
+    ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
+    str     r4, [sp, #F_LOG]            /* none: it is above 4 */
+    cbz     r1, 4f
+    movs    r5, #0
+    str     r4, [sp, #F_FULL]
+    str     r5, [sp, #F_SHORT]
+    str     r5, [sp, #F_BEFORE]
+    adr     r4, .Lline_next + 1
+    adr     r5, .Lline_resume + 1
+    strd    r4, r5, [sp, #F_NEXT]
+4:  bx      lr
+
+/* --- rows ----------------------------------------------------------------------------------- */
+
+    .align  2
+.Lnext_row:
+    ldr     r12, [sp, #F_ROW]
+    ldm     r12, {r0-r5}
+    add     r6, r12, #PLAIN_ROWS_DOWNS
+    ldm     r6, {r6-r11}
+    adds    r0, r0, r6
+    adc     r1, r1, r7
+    adds    r2, r2, r8
+    adc     r3, r3, r9
+    adds    r4, r4, r10
+    adc     r5, r5, r11
+    stm     r12, {r0-r5}
+    add     lr, r12, #PLAIN_ROWS_EDGES
+    ldm     lr, {r2-r9}
+    adds    r3, r3, r5
+    adcs    r2, r2, r4
+    adds    r7, r7, r9
+    adcs    r6, r6, r8
+    strd    r2, r3, [r12, #PLAIN_ROWS_EDGES]
+    strd    r6, r7, [r12, #PLAIN_ROWS_EDGES + EDGE_SIZE]
+    ldr     r0, [r12, #PAINT_ROW_PIXELS]
+    ldr     r1, [r12, #PLAIN_ROWS_STRIDE]
+    add     r0, r0, r1
+    str     r0, [r12, #PAINT_ROW_PIXELS]
+    ldr     r0, [r12, #PAINT_ROW_Y]
+    ldr     r1, [r12, #PLAIN_ROWS_END]
+    adds    r0, #1
+    str     r0, [r12, #PAINT_ROW_Y]
+    cmp     r0, r1
+    bge     .Lreturn
+
+/* r2, r6: the edges' columns */
+.Lrow:
+    cmp     r2, r6
+    beq     .Lnext_row
+    ite     lt
+    movlt   r3, r6
+    movge   r3, r2
+    it      ge
+    movge   r2, r6
+    ldr     r0, [sp, #F_FACE]
+    ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
+    cmp     r1, #0
+    bne     .Lline
+
+/* Which segments the columns r2 to r3 have; r0: face. r10, r11: the weight at the first 16 columns. */
+.Lweights:
+    ldr     r1, [sp, #F_ROW]
+    lsr     r4, r2, #4
+    add     r5, r3, #15
+    lsr     r5, r5, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    umull   r12, lr, r6, r5
+    mla     lr, r7, r5, lr
+    adds    r12, r12, r8
+    adc     lr, lr, r9
+    cmp     lr, r11
+    it      gt
+    movgt   lr, r11
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    str     r3, [sp, #F_X_END]
+    cmp     lr, r8
+    blt     .Lmixed
+    movs    r4, #4
+    str     r3, [sp, #F_X]
+
+/* A run of segments of 2^r4 columns: the columns r2 to r3 of the row in r1; r0: face. */
+.Lrun:
+    ldr     r5, [sp, #F_LOG]
+    cmp     r4, r5
+    bne     .Lother_log
+.Lsame_log:
+    rsb     r5, r4, #32
+    lsl     r6, r2, r5
+    lsr     r6, r6, r5                  /* columns that are skipped */
+    ldr     r8, [sp, #F_SHORT]
+    ldr     r7, [r1, #PAINT_ROW_PIXELS]
+    rsb     r8, r8, #16
+    sub     r7, r7, #(1 << WIDE)
+    add     r3, r7, r3, lsl #WIDE
+    sub     r8, r3, r8, lsl #WIDE
+    strd    r8, r3, [sp, #F_LAST]
+    str     r6, [sp, #F_SKIP]
+    sub     r3, r2, r6
+    add     pixels, r7, r3, lsl #WIDE
+    lsr     r12, r2, r4                 /* the first segment's number */
+    cmp     pixels, r8
+    it      ls
+    cmpls   r6, #0
+    ite     eq
+    ldreq   r3, [sp, #F_FULL]
+    adrne   r3, .Lpartial + 1
+    str     r3, [sp, #F_GO]
+
+    ldrd    r2, r3, [sp]
+    umull   w_low, w, r2, r12
+    mla     w, r3, r12, w
+    ldrd    r2, r3, [r1, #PAINT_ROW_WEIGHT]
+    adds    w_low, w_low, r2
+    adc     w, w, r3
+    ldrd    r2, r3, [sp, #8]
+    umull   u_low, u, r2, r12
+    mla     u, r3, r12, u
+    ldrd    r2, r3, [r1, #PAINT_ROW_U]
+    adds    u_low, u_low, r2
+    adc     u, u, r3
+    ldrd    r2, r3, [sp, #16]
+    umull   v_low, v, r2, r12
+    mla     v, r3, r12, v
+    ldrd    r2, r3, [r1, #PAINT_ROW_V]
+    adds    v_low, v_low, r2
+    adc     v, v, r3
+    .if     WIDE
+    str     w_low, [sp, #F_W_LOW]
+    .endif
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi     .Lfar_start
+    smull   r1, u_0, u, r3
+    asr     u_0, u_0, r4
+    smull   r1, v_0, v, r3
+    asr     v_0, v_0, r5
+    ldr     pc, [sp, #F_RESUME]
+.Lfar_start:
+    smull   r1, r2, u, r3
+    shift_down r2, r1, r4
+    mov     u_0, r2
+    smull   r1, r2, v, r3
+    shift_down r2, r1, r5
+    mov     v_0, r2
+    ldr     pc, [sp, #F_RESUME]
+
+/* The frame of another logarithm, r4: a step is that of 16 columns, shifted to the right. */
+.Lother_log:
+    str     r4, [sp, #F_LOG]
+    rsb     r5, r4, #4
+    rsb     r12, r5, #32
+    ldm     r0, {r6-r11}
+    lsr     r6, r6, r5
+    lsl     lr, r7, r12
+    orr     r6, r6, lr
+    asr     r7, r7, r5
+    lsr     r8, r8, r5
+    lsl     lr, r9, r12
+    orr     r8, r8, lr
+    asr     r9, r9, r5
+    lsr     r10, r10, r5
+    lsl     lr, r11, r12
+    orr     r10, r10, lr
+    asr     r11, r11, r5
+    stm     sp, {r6-r11}
+    movs    r6, #1
+    lsls    r6, r6, r4
+    rsb     r6, r6, #16
+    str     r6, [sp, #F_SHORT]
+    str     r6, [sp, #F_BEFORE]
+    ldrd    r7, r8, [sp, #F_CODE]
+    mla     r7, r6, r8, r7
+    str     r7, [sp, #F_FULL]
+    adr     r6, .Lsegment_4 + 1
+    adr     r7, .Lresume_4 + 1
+    cmp     r4, #3
+    itt     eq
+    adreq   r6, .Lsegment_3 + 1
+    adreq   r7, .Lresume_3 + 1
+    itt     lo
+    adrlo   r6, .Lsegment_2 + 1
+    adrlo   r7, .Lresume_2 + 1
+    cbnz    r4, 1f
+    adr     r6, .Lsegment_0 + 1
+    adr     r7, .Leach + 1
+1:  strd    r6, r7, [sp, #F_NEXT]
+    b       .Lsame_log
+
+/* Not all are of 16 columns. */
+.Lmixed:
+    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 12]
+    cmp     lr, r12
+    blt     .Lnot_ours
+.Lfind:
+    bic     r5, r2, #15
+    mvn     r4, #0
+1:  mov     r12, r11
+    adds    r10, r10, r6
+    adc     r11, r11, r7
+    cmp     r12, r11
+    it      gt
+    movgt   r12, r11
+    ldr     lr, [r0, #SEGMENT_FACE_LEAST + 8]
+    cmp     r12, lr
+    ite     ge
+    movge   lr, #2
+    movlt   lr, #0
+    cmp     r12, r9
+    it      ge
+    movge   lr, #3
+    cmp     r12, r8
+    it      ge
+    movge   lr, #4
+    cmp     r4, #0
+    it      lt
+    movlt   r4, lr
+    cmp     r4, lr
+    bne     2f
+    adds    r5, #16
+    cmp     r5, r3
+    blt     1b
+    mov     r5, r3
+2:  mov     r3, r5
+    str     r3, [sp, #F_X]
+    b       .Lrun
+
+.Lnot_ours:
+    movs    r0, #1
+    b       .Lleave
+
+    .align  2
+.Lrun_end:
+    ldrd    r2, r3, [sp, #F_X]
+    cmp     r2, r3
+    beq     1f
+    ldrd    r1, r0, [sp, #F_ROW]
+    lsr     r4, r2, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    b       .Lfind
+1:  ldr     pc, [sp, #F_DONE]
+
+/* --- segments ------------------------------------------------------------------------------- */
+
+/* The position and the step of a segment of 2^log columns. r2: U, r4: V at its end. Goes on to its
+ * pixels. */
+    .macro  paint_between log
+    ubfx    p, v_0, #4, #16
+    lsr     r3, u_0, #4
+    add     p, p, r3, lsl #16
+    sub     r3, r2, u_0
+    sub     r5, r4, v_0
+    mov     u_0, r2
+    mov     v_0, r4
+    adds    r3, #(8 << \log)
+    adds    r5, #(8 << \log)
+    asrs    r3, r3, #(4 + \log)
+    sbfx    r5, r5, #(4 + \log), #16
+    add     step, r5, r3, lsl #16
+    .if     \log < 4
+    subs    pixels, #((16 - (1 << \log)) << WIDE)
+    .endif
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    .if     WIDE
+    ldr     palette, [sp, #F_PALETTE]
+    .endif
+    ldr     pc, [sp, #F_GO]
+    .endm
+
+/* What is linear, at the end of the next segment. */
+    .macro  next_values
+    ldm     sp, {r1-r5}
+    .if     WIDE
+    ldr     w_low, [sp, #F_W_LOW]
+    .endif
+    adds    w_low, w_low, r1
+    adc     w, w, r2
+    .if     WIDE
+    str     w_low, [sp, #F_W_LOW]
+    .endif
+    adds    u_low, u_low, r3
+    adc     u, u, r4
+    adds    v_low, v_low, r5
+    ldr     r5, [sp, #20]
+    adc     v, v, r5
+    .endm
+
+    .macro  segments log
+    .align  2
+.Lsegment_\log:
+    ldr     r3, [sp, #F_LAST]
+    cmp     pixels, r3
+    bhi     .Lrest
+    .align  2
+.Lresume_\log:
+    next_values
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi     .Lfar_\log
+    smull   r1, r2, u, r3
+    asrs    r2, r2, r4
+    smull   r1, r4, v, r3
+    asrs    r4, r4, r5
+.Lbetween_\log:
+    paint_between \log
+
+/* Fewer leading zeros in a drop: some bits come from the lower word. */
+.Lfar_\log:
+    smull   r1, r2, u, r3
+    shift_down r2, r1, r4
+    smull   r1, r4, v, r3
+    shift_down r4, r1, r5
+    b       .Lbetween_\log
+    .endm
+
+    segments 4
+    segments 3
+    segments 2
+
+/* Each pixel divided: U and V at a pixel. */
+    .align  2
+.Lsegment_0:
+    ldr     r3, [sp, #F_LAST]
+    cmp     pixels, r3
+    bhi     .Lrun_end
+    next_values
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi     .Lfar_start
+    smull   r1, u_0, u, r3
+    asr     u_0, u_0, r4
+    smull   r1, v_0, v, r3
+    asr     v_0, v_0, r5
+    .align  2
+.Leach:
+    ubfx    p, v_0, #4, #16
+    lsr     r3, u_0, #4
+    add     p, p, r3, lsl #16
+    subs    pixels, #(15 << WIDE)
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    .if     WIDE
+    ldr     palette, [sp, #F_PALETTE]
+    .endif
+    ldr     pc, [sp, #F_GO]
+
+/* Less than a segment is left, or nothing. */
+    .align  2
+.Lrest:
+    ldr     r3, [sp, #F_END]
+    cmp     pixels, r3
+    bhs     .Lrun_end
+    adr     r3, .Lpartial + 1
+    str     r3, [sp, #F_GO]
+    ldr     pc, [sp, #F_RESUME]
+
+/* Pixels from F_SKIP on, up to the end of the run or of the segment: the last ones of the code of 16
+ * pixels, whose first pixel is before them by as many as are left out. */
+    .align  2
+.Lpartial:
+    ldr     r5, [sp, #F_SKIP]
+    mla     p, step, r5, p
+    ldr     r3, [sp, #F_SHORT]
+    add     r5, r5, r3
+    add     pixels, pixels, r5, lsl #WIDE
+    rsb     r5, r5, #16
+    ldr     r3, [sp, #F_END]
+    sub     r3, r3, pixels
+    .if     WIDE
+    lsrs    r3, r3, #1
+    .endif
+    cmp     r3, r5
+    it      lo
+    movlo   r5, r3
+    rsb     r3, r5, #16
+    sub     pixels, pixels, r3, lsl #WIDE
+    str     r3, [sp, #F_BEFORE]
+    movs    r4, #0
+    str     r4, [sp, #F_SKIP]
+    ldr     r4, [sp, #F_FULL]
+    str     r4, [sp, #F_GO]
+    ldrd    r4, r5, [sp, #F_CODE]
+    mla     r3, r3, r5, r4
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    bx      r3
+
+/* Any size. */
+    .align  2
+.Lloop:
+    push    {r6-r11}
+    .if     WIDE
+    mov     r11, palette
+    .endif
+    add     r3, sp, #(F_COLUMN + 24)
+    ldm     r3, {r6, r7}
+    add     r8, pixels, #(16 << WIDE)
+    ldr     r3, [sp, #(F_BEFORE + 24)]
+    add     pixels, pixels, r3, lsl #WIDE
+    ldr     r3, [sp, #(F_SHORT + 24)]
+    str     r3, [sp, #(F_BEFORE + 24)]
+    .if     WIDE
+    cmp     r11, #0
+    beq     2f
+    mov     r10, step
+    ldr     r2, [sp, #(F_FACE + 24)]
+    ldr     r2, [r2, #SEGMENT_FACE_IN_BEAM]
+    .endif
+1:  lsr     r3, p, r7
+    ands    r3, mask
+    lsr     r9, p, r6
+    add     r3, r3, r9
+    ldrb    r3, [texels, r3]
+    .if     WIDE
+    cbz     r2, 4f
+    ldrb    r3, [r2, r3]
+4:  ldrh    r3, [r11, r3, lsl #1]
+    strh    r3, [pixels, #2]!
+    .else
+    strb    r3, [pixels, #1]!
+    .endif
+    .if     WIDE
+    add     p, p, r10
+    .else
+    add     p, step
+    .endif
+    cmp     pixels, r8
+    bne     1b
+    .if     WIDE
+    mov     step, r10
+    b       3f
+2:  lsr     r3, p, r7
+    ands    r3, mask
+    lsr     r9, p, r6
+    add     r3, r3, r9
+    ldrh    r3, [texels, r3, lsl #1]
+    strh    r3, [pixels, #2]!
+    add     p, step
+    cmp     pixels, r8
+    bne     2b
+    .endif
+3:  pop     {r6-r11}
+    ldr     pc, [sp, #F_NEXT]
+
+/* --- rows of constant weight ---------------------------------------------------------------- */
+
+/* A coordinate at the segment r12, its change in 16 columns and in one. r0: face, r1: row, r3: the
+ * reciprocal, lr: its leading zeros. Overwrites r4 to r7; \change may be r0. */
+    .macro  find_line at, more, change, face_step, row_value, drop
+    ldrd    r4, r5, [r0, #\face_step]
+    cmn     r4, #0x80000000
+    adc     r5, r5, #0
+    smull   r4, r5, r5, r3
+    ldr     r6, [sp, #\drop]
+    add     r6, r6, #(32 - 12)          /* FXL_ROW_BITS */
+    sub     r6, r6, lr
+    subs    r7, r6, #32
+    bmi     1f
+    asr     \more, r5, r7
+    adds    r7, #4
+    asr     \change, r5, r7
+    ldr     r4, [r1, #(\row_value + 4)]
+    smull   r5, r4, r4, r3
+    subs    r7, #4
+    asr     \at, r4, r7
+    b       2f
+1:  rsb     r7, r6, #32
+    lsl     \more, r5, r7
+    lsr     r4, r4, r6
+    orr     \more, \more, r4
+    asr     r5, r5, r6
+    lsl     r5, r5, #28
+    orr     \change, r5, \more, lsr #4
+    ldr     r4, [r1, #(\row_value + 4)]
+    smull   r5, r4, r4, r3
+    lsl     \at, r4, r7
+    lsr     r5, r5, r6
+    orr     \at, \at, r5
+2:  mla     \at, \more, r12, \at
+    .endm
+
+.Lline:
+    ldr     r1, [sp, #F_ROW]
+    ldr     r7, [r1, #PAINT_ROW_WEIGHT + 4]
+    ldr     r4, [r0, #SEGMENT_FACE_LEAST + 12]
+    cmp     r7, r4
+    blt     .Lnot_ours
+    strd    r3, r3, [sp, #F_X]
+    and     r6, r2, #15
+    ldr     r5, [r1, #PAINT_ROW_PIXELS]
+    sub     r5, r5, #(1 << WIDE)
+    add     r3, r5, r3, lsl #WIDE
+    sub     r8, r3, #(16 << WIDE)
+    strd    r8, r3, [sp, #F_LAST]
+    str     r6, [sp, #F_SKIP]
+    sub     r3, r2, r6
+    lsr     r12, r2, #4
+    add     r2, r5, r3, lsl #WIDE       /* the address before the segment */
+    cmp     r2, r8
+    it      ls
+    cmpls   r6, #0
+    ite     eq
+    ldreq   r3, [sp, #F_FULL]
+    adrne   r3, .Lpartial + 1
+    str     r3, [sp, #F_GO]
+    str     r2, [sp, #F_W_LOW]
+    mvn     r3, #0x80000000
+    reciprocal r3, lr, r7, r3, r4, r5
+    find_line u, u_more, r2, SEGMENT_FACE_U_STEP, PAINT_ROW_U, F_U_DROP
+    find_line v, v_more, r0, SEGMENT_FACE_V_STEP, PAINT_ROW_V, F_U_DROP + 4
+    add     r2, r2, #0x8000
+    add     r0, r0, #0x8000
+    lsr     r2, r2, #16
+    asr     r0, r0, #16
+    add     step, r0, r2, lsl #16
+    ldr     pixels, [sp, #F_W_LOW]
+    ldr     last, [sp, #F_LAST]
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    .if     WIDE
+    ldr     palette, [sp, #F_PALETTE]
+    .endif
+    b       .Lline_begin
+
+    .align  2
+.Lline_next:
+    cmp     pixels, last
+    bhi     .Lrest
+    .align  2
+.Lline_resume:
+    add     u, u, u_more
+    add     v, v, v_more
+.Lline_begin:
+    lsr     p, v, #16
+    lsr     r3, u, #16
+    add     p, p, r3, lsl #16
+    ldr     pc, [sp, #F_GO]
+
+/* --- pixels ----------------------------------------------------------------------------------- */
+
+/* The code of 16 pixels of a texture of 2^log columns. No pixel follows the last one. */
+    .macro  sixteen log, pixel
+    .irp    i, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16
+    texel_offset r3, mask, p, \log
+    \pixel \i
+    .if     \i < 16
+    add     p, step
+    .endif
+    .endr
+    ldr     pc, [sp, #F_NEXT]
+    .endm
+/* clang-format on */
+
+#endif

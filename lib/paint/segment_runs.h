@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernels of segments in portable C: one text for both sizes of a pixel. The file that includes
+ * this has defined before it how neighbouring pixels within 16 columns are painted,
+ *
+ *   static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
+ *                                   const fxl_texel_run *run, int32_t x, uint32_t count);
+ *
+ * Internal. */
+#ifndef FXL_SEGMENT_RUNS_H
+#define FXL_SEGMENT_RUNS_H
+
+#include "segments.h"
+
+/* The weight and the attributes at a column, of light the upper word; and their steps. */
+typedef struct {
+    int64_t weight, u, v;
+    int32_t light;
+} segment_values;
+
+/* What a segment has at one end. */
+typedef struct {
+    int32_t u, v, light;
+} segment_end;
+
+/* Segments may end beyond what the gradients are bounded for: then their sums wrap. */
+static inline int64_t sum(int64_t value, int64_t step, uint32_t times)
+{
+    return (int64_t)((uint64_t)value + (uint64_t)fxl_multiply_s64(step, times));
+}
+
+/* The values at column number `segment` of those that are multiples of 2^log. Steps are multiples
+ * of 16: exact. */
+static inline void begin(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
+                         uint32_t segment, segment_values *at)
+{
+    const int64_t *attributes = row->attributes;
+    at->weight = sum(row->weight, face->weight_step >> (4u - log), segment);
+    at->u = sum(attributes[FXL_ATTRIBUTE_U], face->u_step >> (4u - log), segment);
+    at->v = sum(attributes[FXL_ATTRIBUTE_V], face->v_step >> (4u - log), segment);
+    at->light = 0;
+    if (face->ramp != NULL) {
+        at->light = (int32_t)((uint32_t)(attributes[FXL_SEGMENT_LIGHT] >> 32) +
+                              segment * (uint32_t)face->light_step);
+    }
+}
+
+static inline void advance(const fxl_segment_face *face, uint32_t log, segment_values *at)
+{
+    at->weight = (int64_t)((uint64_t)at->weight + (uint64_t)(face->weight_step >> (4u - log)));
+    at->u = (int64_t)((uint64_t)at->u + (uint64_t)(face->u_step >> (4u - log)));
+    at->v = (int64_t)((uint64_t)at->v + (uint64_t)(face->v_step >> (4u - log)));
+    at->light = (int32_t)((uint32_t)at->light + (uint32_t)face->light_step);
+}
+
+static inline int64_t shifted(int64_t product, int32_t left)
+{
+    return product >> (left < 0 ? 0 : left > 63 ? 63 : left);
+}
+
+/* A product, shifted. The weight is large enough that it is not shifted to the left. */
+static inline int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_t drop)
+{
+    const int64_t product = fxl_multiply_s32(value, reciprocal->value);
+    return (int32_t)(uint32_t)shifted(product, 32 + drop - (int32_t)reciprocal->zeros);
+}
+
+static inline int32_t limited(int32_t light, int32_t most)
+{
+    return light < 0 ? 0 : light > most ? most : light;
+}
+
+static inline void find_end(const fxl_segment_face *face, const segment_values *at,
+                            const fxl_reciprocal *reciprocal, segment_end *end)
+{
+    end->u = divided((int32_t)(at->u >> 32), reciprocal, face->u_drop);
+    end->v = divided((int32_t)(at->v >> 32), reciprocal, face->v_drop);
+    end->light = 0;
+    if (face->ramp != NULL) {
+        end->light = limited(divided(at->light, reciprocal, face->light_drop), face->light_max);
+    }
+}
+
+static inline int32_t difference(int32_t a, int32_t b)
+{
+    return (int32_t)((uint32_t)a - (uint32_t)b);
+}
+
+/* A 16th of a difference's part of 2^log, rounded to nearest. */
+static inline int32_t step_of(int32_t from, int32_t to, uint32_t log)
+{
+    return (int32_t)((uint32_t)difference(to, from) + (8u << log)) >> (4u + log);
+}
+
+static inline uint32_t position_of(const segment_end *end)
+{
+    return (uint32_t)(end->u >> 4) << 16 | ((uint32_t)end->v >> 4 & 0xFFFFu);
+}
+
+static inline void find_texels(const segment_end *from, const segment_end *to, uint32_t log,
+                               fxl_texel_run *run)
+{
+    run->position = position_of(from);
+    run->step = ((uint32_t)step_of(from->u, to->u, log) << 16) +
+                (uint32_t)(int32_t)(int16_t)(uint16_t)step_of(from->v, to->v, log);
+    run->light = (uint32_t)from->light;
+    run->light_step = (uint32_t)((to->light >> 4) - (from->light >> 4));
+}
+
+/* The pixels of a segment of 2^log columns from x0 on, before x1; returns how many they are. */
+static inline int32_t paint_part(const fxl_segment_face *face, const fxl_paint_row *row,
+                                 const fxl_texel_run *run, uint32_t log, int32_t x0, int32_t x1)
+{
+    const uint32_t columns = 1u << log, skip = (uint32_t)x0 & (columns - 1u);
+    const uint32_t left = (uint32_t)(x1 - x0);
+    const uint32_t count = left < columns - skip ? left : columns - skip;
+    fxl_texel_run part = *run;
+    part.position += run->step * skip;
+    part.light += run->light_step * skip;
+    paint_texels(face, row, &part, x0, count);
+    return (int32_t)count;
+}
+
+/* Segments of 2^log columns. */
+static void paint_run(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
+                      int32_t x0, int32_t x1)
+{
+    segment_values at;
+    segment_end ends[2];
+    fxl_texel_run run;
+    begin(face, row, log, (uint32_t)x0 >> log, &at);
+    fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(at.weight >> 32));
+    find_end(face, &at, &reciprocal, &ends[0]);
+    while (x0 < x1) {
+        advance(face, log, &at);
+        if (!face->is_constant) {
+            reciprocal = fxl_reciprocal_of((uint32_t)(at.weight >> 32));
+        }
+        find_end(face, &at, &reciprocal, &ends[1]);
+        find_texels(&ends[0], &ends[1], log, &run);
+        x0 += paint_part(face, row, &run, log, x0, x1);
+        ends[0] = ends[1];
+    }
+}
+
+/* Each pixel divided. */
+static void paint_each(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                       int32_t x1)
+{
+    segment_values at;
+    segment_end end;
+    fxl_texel_run run = {0, 0, 0, 0};
+    begin(face, row, 0, (uint32_t)x0, &at);
+    for (; x0 < x1; x0++) {
+        const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(at.weight >> 32));
+        find_end(face, &at, &reciprocal, &end);
+        run.position = position_of(&end);
+        paint_texels(face, row, &run, x0, 1);
+        advance(face, 0, &at);
+    }
+}
+
+/* --- rows of constant weight ---------------------------------------------------------------- */
+
+/* A coordinate of 32 bits, and its changes in 16 columns and in one. */
+typedef struct {
+    uint32_t at, change, step;
+} row_line;
+
+/* The change's upper word is rounded: 2^-31 of the largest value on the screen, at most 64 times.
+ */
+static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal *reciprocal,
+                             int32_t drop, uint32_t segment, row_line *line)
+{
+    const int32_t left = 32 + drop - FXL_ROW_BITS - (int32_t)reciprocal->zeros;
+    const int32_t upper = (int32_t)(((uint64_t)change + 0x80000000u) >> 32);
+    const int64_t product = fxl_multiply_s32(upper, reciprocal->value);
+    line->change = (uint32_t)shifted(product, left);
+    line->step = (uint32_t)shifted(product, left + 4);
+    line->at =
+        (uint32_t)shifted(fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value), left) +
+        segment * line->change;
+}
+
+/* The upper half of a step, rounded to nearest; its lower half is 0. */
+static inline uint32_t upper_half(uint32_t step)
+{
+    return (step + 0x8000u) & 0xFFFF0000u;
+}
+
+static void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                       int32_t x1)
+{
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(row->weight >> 32));
+    const uint32_t segment = (uint32_t)x0 >> 4;
+    row_line u, v;
+    fxl_texel_run run = {0, 0, 0, 0};
+    find_line(row->attributes[FXL_ATTRIBUTE_U], face->u_step, &reciprocal, face->u_drop, segment,
+              &u);
+    find_line(row->attributes[FXL_ATTRIBUTE_V], face->v_step, &reciprocal, face->v_drop, segment,
+              &v);
+    run.step = upper_half(u.step) + (uint32_t)((int32_t)upper_half(v.step) >> 16);
+    while (x0 < x1) {
+        run.position = (u.at & 0xFFFF0000u) | v.at >> 16;
+        x0 += paint_part(face, row, &run, 4, x0, x1);
+        u.at += u.change;
+        v.at += v.change;
+    }
+}
+
+/* --- a row ---------------------------------------------------------------------------------- */
+
+/* The logarithm of the segments of 16 columns. */
+static inline uint32_t log_at(const fxl_segment_face *face, const fxl_paint_row *row,
+                              uint32_t segment)
+{
+    return fxl_segment_log(face->least, (uint32_t)fxl_segment_weight(face, row, segment),
+                           (uint32_t)fxl_segment_weight(face, row, segment + 1u));
+}
+
+static inline void paint_row_segments(const fxl_segment_face *face, const fxl_paint_row *row,
+                                      int32_t x0, int32_t x1)
+{
+    if (face->is_constant && face->ramp == NULL) {
+        paint_line(face, row, x0, x1);
+        return;
+    }
+    while (x0 < x1) {
+        const uint32_t log = log_at(face, row, (uint32_t)x0 >> 4);
+        int32_t end = (x0 & ~15) + 16;
+        while (end < x1 && log_at(face, row, (uint32_t)end >> 4) == log) {
+            end += 16;
+        }
+        end = end < x1 ? end : x1;
+        if (log == 0) {
+            paint_each(face, row, x0, end);
+        } else {
+            paint_run(face, row, log, x0, end);
+        }
+        x0 = end;
+    }
+}
+
+#endif
