@@ -134,7 +134,7 @@ static void depth_of_a_face(uint32_t number)
     const fxl_polygon outline = clip_random_face(&view);
     polygon_face_set(&polygon, &outline, &view, 8);
     polygon.face.normal = unit_direction();
-    fxl_depth_plane_find(&polygon.model_view, &polygon.face, &on, &plane);
+    fxl_find_depth_by_normal(&polygon.model_view, &polygon.face, &on, &plane);
     mix_gradient(&plane.gradient);
     mix(plane.one);
 }

@@ -71,8 +71,8 @@ static int64_t times(int64_t value, uint32_t factor)
            (int64_t)(fxl_multiply_u32((uint32_t)value, factor) >> 32);
 }
 
-void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *traversal, fxl_depth_plane *plane)
+void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *traversal, fxl_depth_plane *plane)
 {
     const fxl_axes *axes = model_view->axes;
     const fxl_view *view = model_view->view;

@@ -18,46 +18,99 @@ bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
     return true;
 }
 
-/* The corners of a face in the view, and the values of its attributes there. */
-static void find_corners(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
-                         const fxl_mapped_face *mapped, const fxl_traversal *traversal,
-                         fxl_gradient_corners *corners)
+/* The values of a face's attributes at its corners. */
+static uint32_t find_values(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
+                            const fxl_mapped_face *mapped, const fxl_traversal *traversal,
+                            int32_t (*values)[3])
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
-    for (uint32_t i = 0; i < 3; i++) {
-        fxl_find_corner(model_view, mapped->vertices[i], traversal, &corners->corners[i]);
-        corners->values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
-        corners->values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
+    uint32_t count = 0;
+    if (surface->texture != 0) {
+        for (uint32_t i = 0; i < 3; i++) {
+            values[FXL_ATTRIBUTE_U][i] = mapped->texels[i].u;
+            values[FXL_ATTRIBUTE_V][i] = mapped->texels[i].v;
+        }
+        count = 2;
     }
-    corners->count = surface->texture == 0 ? 0 : 2;
     if (fxl_surface_is_lit(surfaces, surface)) {
         surfaces->light_code->light_corners(surfaces, traversal->renderer, model_view->instance,
-                                            mapped, corners->values[corners->count]);
-        corners->count++;
+                                            mapped, values[count]);
+        count++;
     }
+    return count;
+}
+
+/* The gradients of a small face. Returns the level of its texture. */
+static uint8_t find_small(const fxl_surface *surface, const fxl_texture *texture,
+                          const fxl_corner_planes *planes, fxl_gradient_corners *corners,
+                          const fxl_view *view, fxl_gradients *gradients)
+{
+    const bool is_affine = surface->division == FXL_AFFINE;
+    const bool has_levels = texture != NULL && texture->levels > 1;
+    fxl_texel_density density;
+    if (has_levels) {
+        density.texels = fxl_texel_area(corners->values);
+        fxl_corner_planes_density(planes, is_affine, &density);
+    }
+    fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, &view->lens,
+                           gradients);
+    return has_levels ? fxl_texture_level_choose(texture, &density, gradients) : 0;
+}
+
+/* The gradients of any other face. */
+static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture,
+                          const fxl_model_view *model_view, const fxl_mapped_face *mapped,
+                          const fxl_traversal *traversal, fxl_gradient_corners *corners,
+                          fxl_gradients *gradients)
+{
+    const fxl_view *view = model_view->view;
+    fxl_texel_density density;
+    for (uint32_t i = 0; i < 3; i++) {
+        fxl_find_corner(model_view, mapped->vertices[i], traversal, &corners->corners[i]);
+    }
+    if (surface->division == FXL_AFFINE) {
+        fxl_corners_make_affine(corners, view);
+    }
+    fxl_gradients_find(corners, view, gradients);
+    if (texture == NULL || texture->levels == 1) {
+        return 0;
+    }
+    density.texels = fxl_texel_area(corners->values);
+    return fxl_texture_level_choose(
+        texture, fxl_texel_density_find(corners, view, gradients, &density) ? &density : NULL,
+        gradients);
 }
 
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
+                      const fxl_traversal *traversal, fxl_depth_finder *find_depth,
+                      fxl_surface_polygon *polygon)
 {
+    const fxl_view *view = model_view->view;
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
+    const fxl_texture *texture =
+        surface->texture != 0 ? &surfaces->set->textures[surface->texture - 1] : NULL;
+    fxl_screen_corners on_screen;
+    fxl_corner_planes planes;
     fxl_gradient_corners corners;
-    find_corners(surfaces, model_view, mapped, traversal, &corners);
-    if (surface->division == FXL_AFFINE) {
-        fxl_corners_make_affine(&corners, model_view->view);
-    }
-    fxl_gradients_find(&corners, model_view->view, &polygon->gradients);
-    polygon->level = 0;
-    if (surface->texture != 0) {
-        polygon->level = fxl_texture_level_choose(&surfaces->set->textures[surface->texture - 1],
-                                                  &corners, model_view->view, &polygon->gradients);
-    }
+    const bool is_small =
+        fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen) &&
+        fxl_corner_planes_begin(&on_screen, &view->lens, &planes);
+    /* What is divided at each pixel keeps the exact planes. */
+    const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1;
+    corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
+    polygon->level = has_small_planes ? find_small(surface, texture, &planes, &corners, view,
+                                                   &polygon->gradients)
+                                      : find_large(surface, texture, model_view, mapped, traversal,
+                                                   &corners, &polygon->gradients);
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
     polygon->shade = 0;
-    polygon->has_depth = false;
     polygon->is_in_beam = false;
+    polygon->has_depth = find_depth != NULL;
+    if (find_depth != NULL) {
+        find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
+    }
 }
 
 /* Of a lit piece: where it has a texture and no light, its light is the one level of a ramp. */
@@ -72,7 +125,7 @@ static void put_in_beam(fxl_gradients *gradients)
 }
 
 static bool pass_on(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *traversal, const fxl_shader *shader)
+                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     const fxl_shader *next =
         fxl_shader_reaching(shader->next, traversal->renderer->scene, model_view->instance);
@@ -88,8 +141,8 @@ static const fxl_shader *beams_of(const fxl_surfaces *surfaces, const fxl_scene 
     return beams != NULL && beams->code->reaches(beams, scene, instance) ? beams : NULL;
 }
 
-/* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's, draw
- * faces in their own colours. */
+/* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's,
+ * draw faces in their own colours. */
 static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_face *face,
                                         const fxl_renderer *renderer)
 {

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "../view/model_view.h"
+#include "../view/project.h"
 #include "surface_polygon.h"
 
 #include "../math/arith.h"
 #include "../math/memory.h"
 #include "scratch.h"
+#include "../paint/light_row.h"
 #include "../paint/texture_level.h"
 
 /* A record: what every record begins with, whose count is that of all pairs of words after it and
@@ -89,8 +91,7 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     return true;
 }
 
-uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record,
-                                  fxl_surface_polygon *polygon)
+uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_polygon *polygon)
 {
     fxl_gradients *gradients = &polygon->gradients;
     const uint32_t count = fxl_surface_polygon_points(record);
@@ -127,6 +128,62 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
     }
 }
 
+/* A vertex that is inside the frustum, in the view and on the screen. False: it is not inside.
+ * Which planes the model view leaves out, and what a cache of few vertices displaced, changes
+ * nothing. */
+static bool find_inside(const fxl_model_view *model_view, uint32_t number,
+                        const fxl_traversal *traversal, fxl_screen_point *point, fxl_q18_46 *depth)
+{
+    fxl_cached_vertex other;
+    const fxl_cached_vertex *vertex = &other;
+    if (traversal->clipper->by_clip_flags) {
+        vertex = fxl_fetch_vertex(model_view, number);
+    } else {
+        fxl_transform_vertex(model_view, number, &other);
+    }
+    *depth = vertex->position.z;
+    if ((vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0) {
+        *point = vertex->screen;
+        return true;
+    }
+    return (vertex->clip_flags & FXL_PLANES_ALL) == 0 &&
+           fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
+}
+
+bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
+                             const uint16_t *vertices, const fxl_traversal *traversal,
+                             fxl_screen_corners *corners)
+{
+    const uint16_t *indices = model_view->indices + face->first_index;
+    uint32_t count = face->count;
+    if (face->whole_count != 0) {
+        indices += count;
+        count = face->whole_count;
+    }
+    vertices = vertices != NULL ? vertices : indices;
+    int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
+    for (uint32_t i = 0; i < (count > 3 ? 3 + count : 3); i++) {
+        fxl_screen_point point;
+        fxl_q18_46 depth;
+        if (!find_inside(model_view, i < 3 ? vertices[i] : indices[i - 3], traversal, &point,
+                         &depth)) {
+            return false;
+        }
+        if (i < 3) {
+            corners->points[i] = point;
+            corners->depths[i] = depth;
+        }
+        left = point.x < left ? point.x : left;
+        right = point.x > right ? point.x : right;
+        top = point.y < top ? point.y : top;
+        bottom = point.y > bottom ? point.y : bottom;
+    }
+    corners->width = right - left;
+    corners->height = bottom - top;
+    corners->is_triangle = count == 3;
+    return true;
+}
+
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                           fxl_paint *paint)
 {
@@ -144,13 +201,16 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
         paint->ramp = surfaces->light->settings.ramp;
         paint->levels_less_1 = (uint8_t)(surfaces->light->settings.levels - 1);
     }
-    paint->in_beam = polygon->is_in_beam
-                         ? ((const fxl_beam_shader *)(const void *)surfaces->beams)->lit
-                         : NULL;
+    paint->in_beam =
+        polygon->is_in_beam ? ((const fxl_beam_shader *)(const void *)surfaces->beams)->lit : NULL;
     paint->blend = surface->flags & FXL_SURFACE_BLEND ? set->blend : NULL;
     paint->blend_first = (uint8_t)set->blend_first;
     paint->blend_count = set->blend_count;
     paint->colour = polygon->colour;
     paint->division = surface->division == FXL_AFFINE ? (uint8_t)FXL_DIVIDE_16 : surface->division;
     paint->opacity = surface->opacity;
+    paint->has_light_rows = surface->texture == 0 && paint->ramp != NULL &&
+                            paint->in_beam == NULL && surface->opacity == 16 &&
+                            (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) == 0;
+    paint->is_light_linear = paint->has_light_rows && fxl_weight_is_constant(&polygon->gradients);
 }

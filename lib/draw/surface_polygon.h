@@ -8,6 +8,7 @@
 #include "submit_sorted.h"
 #include "submit.h"
 #include "fixel/surfaces.h"
+#include "../paint/corner_planes.h"
 #include "../paint/depth_code.h"
 #include "../paint/paint.h"
 #include "../view/placement.h"
@@ -82,6 +83,13 @@ bool fxl_mixed_draw_list(const fxl_traversal *traversal);
 void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
                      const fxl_traversal *traversal, fxl_view_point *corner);
 
+/* Where all vertices of a whole face are inside the frustum: three of them on the screen, and the
+ * box of all; false otherwise, and *corners is undefined. vertices: numbers of the three; null: the
+ * first three. Requires the model view of the face's instance. */
+bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
+                             const uint16_t *vertices, const fxl_traversal *traversal,
+                             fxl_screen_corners *corners);
+
 /* Appends a polygon that reaches the given rows of the screen to the display list. Returns false if
  * it does not fit: list untouched. */
 bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon *screen,
@@ -120,10 +128,17 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                           fxl_paint *paint);
 
-/* What a face with a surface has beside its outlines, but for its depth. */
+/* fxl_find_depth: what a painter with a depth buffer links. planes: of the face, where it is small;
+ * else null. */
+typedef void fxl_depth_finder(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *traversal, const fxl_corner_planes *planes,
+                              fxl_depth_plane *plane);
+
+/* What a face with a surface has beside its outlines. find_depth: null: it has no depth. */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
-                      const fxl_traversal *traversal, fxl_surface_polygon *polygon);
+                      const fxl_traversal *traversal, fxl_depth_finder *find_depth,
+                      fxl_surface_polygon *polygon);
 
 /* The view of an instance, turned or not, in which the corners of a whole face are found where
  * pieces of it are drawn. view: room for it. */
@@ -219,10 +234,17 @@ fxl_submit_found_polygons(const fxl_model_view *model_view, const fxl_face *face
 
 /* --- depth --------------------------------------------------------------------------------- */
 
-/* The plane through the face's first corner with the face's normal.
- * A face that is seen edge-on, to within the rounding of its normal, is at infinity.
- * Error: the normal is off by less than 2^-28, and the depth of the plane relatively by less than
- * 2^-27. */
+/* The depth of a face: of a small one that of its corners (corner_planes.h), of any other that of
+ * its normal. */
+fxl_depth_finder fxl_find_depth;
+
+/* The depth of the plane through the face's first corner with the face's normal. A face that is
+ * seen edge-on, to within the rounding of its normal, is at infinity. Error: the normal is off by
+ * less than 2^-28, and the depth of the plane relatively by less than 2^-27. */
+void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
+                              const fxl_traversal *traversal, fxl_depth_plane *plane);
+
+/* fxl_find_depth of a face without a surface. A piece of it that beams split is not small. */
 void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *traversal, fxl_depth_plane *plane);
 

@@ -105,14 +105,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     }
 }
 
-static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *traversal, fxl_surface_polygon *polygon)
-{
-    (void)model_view;
-    (void)face;
-    (void)traversal;
-    (void)polygon;
-}
+#define FIND_DEPTH NULL
 
 #else
 
@@ -200,12 +193,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
                       FXL_TARGET_PIXEL_BITS / 8, &workspace->work.scan, paint_row, &depth);
 }
 
-static inline void find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *traversal, fxl_surface_polygon *polygon)
-{
-    polygon->has_depth = true;
-    fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
-}
+#define FIND_DEPTH fxl_find_depth
 
 #endif
 
@@ -217,8 +205,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
-    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, polygon);
-    find_depth(model_view, face, traversal, polygon);
+    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, polygon);
 }
 
 /* fxl_polygon_painter. */

@@ -248,6 +248,23 @@ static bool is_zero(const fxl_gradient *gradient)
     return (gradient->at | gradient->along | gradient->down) == 0;
 }
 
+void fxl_gradients_find_least(fxl_gradients *gradients, const fxl_lens *lens)
+{
+    fxl_real twist = {0, INT16_MIN};
+    for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
+        const fxl_gradient *attribute = &gradients->attributes[i];
+        if (!is_zero(attribute)) {
+            const fxl_real own =
+                twist_of(attribute, gradients->shifts[i], &gradients->weight, lens);
+            twist = is_above(&own, &twist) ? own : twist;
+        }
+    }
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+    if (twist.mantissa != 0) {
+        find_least_weights(&twist, &gradients->weight, gradients->weight_min);
+    }
+}
+
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients)
 {
@@ -269,25 +286,15 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         }
     }
     const int weight_exponent = fxl_gradient_of_plane(vectors[0], view, &gradients->weight);
-    fxl_real twist = {0, INT16_MIN};
     gradients->count = (uint8_t)face->count;
     for (uint32_t i = 0; i < face->count; i++) {
         const int32_t *values = face->values[i];
         const int32_t factors[3] = {values[0], values[1] - values[0], values[2] - values[0]};
         fxl_gradient *attribute = &gradients->attributes[i];
         const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
-        gradients->shifts[i] = 0;
-        if (!is_zero(attribute)) {
-            gradients->shifts[i] = (int8_t)(exponent - weight_exponent);
-            const fxl_real own =
-                twist_of(attribute, gradients->shifts[i], &gradients->weight, &view->lens);
-            twist = is_above(&own, &twist) ? own : twist;
-        }
+        gradients->shifts[i] = (int8_t)(is_zero(attribute) ? 0 : exponent - weight_exponent);
     }
-    gradients->weight_min[0] = gradients->weight_min[1] = 1;
-    if (twist.mantissa != 0) {
-        find_least_weights(&twist, &gradients->weight, gradients->weight_min);
-    }
+    fxl_gradients_find_least(gradients, &view->lens);
 }
 
 /* Differences are at most 2^26, so products are at most 2^52. */

@@ -46,6 +46,8 @@ typedef struct {
     uint8_t division;      /* FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_DIVIDE_1 */
     uint8_t opacity;       /* 1..16 */
     bool is_replaced;      /* in_beam or blend is not null */
+    bool has_light_rows;   /* opaque pixels of one colour, lit, in no beam: light_row.h */
+    bool is_light_linear;  /* and the weight is constant */
     fxl_paint_565 of_565;  /* where pixels have 16 bits; `blend` is not used there */
 } fxl_paint;
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "light_row.h"
 #include "segments.h"
 #include "texel_place.h"
 
@@ -72,16 +73,23 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *o
     }
 }
 
-/* Opaque pixels of the face's colour, lit: light is the only attribute. */
-static void paint_levels(const fxl_paint *paint, const linear_pixels *of, uint8_t *pixel,
-                         const uint8_t *end)
+/* Opaque pixels of the face's colour, lit. Both loops read the ramp only within its levels. */
+static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                         const fxl_light_run *run)
 {
     const uint8_t *ramp = paint->ramp + paint->colour;
-    const uint32_t last_level = paint->levels_less_1, step = of->steps[0];
-    uint32_t light = of->values[0];
-    for (; pixel != end; pixel++) {
-        *pixel = ramp[256u * fxl_limited((int32_t)light >> 16, last_level)];
-        light += step;
+    const uint32_t last_level = paint->levels_less_1, step = run->step;
+    uint8_t *pixel = row->pixels + x0;
+    const uint8_t *end = row->pixels + x1;
+    uint32_t light = run->light;
+    if (fxl_light_run_is_within(run, x1 - x0, 0, (last_level + 1u) << 24)) {
+        for (; pixel != end; light += step) {
+            *pixel++ = ramp[256u * (light >> 24)];
+        }
+    } else {
+        for (; pixel != end; light += step) {
+            *pixel++ = ramp[256u * fxl_limited((int32_t)light >> 24, last_level)];
+        }
     }
 }
 
@@ -90,11 +98,12 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 {
     uint8_t *pixel = row->pixels + x0;
     const uint8_t *end = row->pixels + x1;
+    if (paint->has_light_rows) {
+        const fxl_light_run run = {of->values[0] << 8, of->steps[0] << 8};
+        paint_lights(paint, row, x0, x1, &run);
+        return;
+    }
     if (!FXL_IS_SMALL && paint->opacity == 16 && !paint->is_replaced) {
-        if (paint->level.texels == NULL && paint->ramp != NULL) {
-            paint_levels(paint, of, pixel, end);
-            return;
-        }
         if (paint->level.texels != NULL && paint->level.colours == NULL &&
             (paint->level.flags & FXL_TEXTURE_CLAMP) == 0) {
             if (paint->ramp != NULL) {
@@ -158,6 +167,11 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     divided_column at;
     uint32_t least[3];
     at.column = -1;
+    if (paint->is_light_linear) {
+        const fxl_light_run run = fxl_light_run_of(paint, row, x0);
+        paint_lights(paint, row, x0, x1, &run);
+        return;
+    }
     fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
         int32_t end = fxl_segments_end(row, x0, x1);

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "light_row.h"
 #include "texel_place.h"
 #include "texture_level.h"
 #include "rgb565_colour.h"
@@ -83,10 +84,73 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *l
     }
 }
 
+/* Of 256 parts, those that light in 8.24 leaves. Less the half, light is at most 63 levels; without
+ * its lower 16 bits it is below 2^14, and 2^24 times the part of a level at most. */
+static inline uint32_t part_of(uint32_t light, uint32_t part_of_level)
+{
+    return ((light >> 16) * part_of_level + 32768u) >> 16;
+}
+
+/* Red and blue of a colour: blue in bits 8 to 12, red in bits 27 to 31. */
+static inline uint32_t red_and_blue(uint32_t colour)
+{
+    return (colour & FXL_RED_565) << 16 | (colour & FXL_BLUE_565) << 8;
+}
+
+/* Green, in bits 13 to 18. */
+static inline uint32_t green_of(uint32_t colour)
+{
+    return (colour & FXL_GREEN_565) << 8;
+}
+
+/* Opaque pixels of one colour, lit: those of fxl_mix_565, which mixes each channel for itself. Here
+ * a channel has 8 bits after the point and is dark, and the parts of the difference; it lies
+ * between those of the two colours, so fields of one word do not touch. light: less the half. */
+static inline __attribute__((always_inline)) void
+paint_lit_colour(const fxl_paint_565 *of, uint32_t colour, uint32_t most, bool is_within,
+                 uint32_t light, uint32_t step, uint16_t *pixel, const uint16_t *end)
+{
+    const uint32_t dark = of->dark, part_of_level = of->part_of_level;
+    /* Differences of a 256th, and half a unit of the lowest bit that is kept. */
+    const uint32_t red_dark = red_and_blue(dark) + (1u << 26 | 1u << 7);
+    const uint32_t red_step = (red_and_blue(colour) >> 8) - (red_and_blue(dark) >> 8);
+    const uint32_t green_dark = green_of(dark) + (1u << 12);
+    const uint32_t green_step = (green_of(colour) >> 8) - (green_of(dark) >> 8);
+    for (; pixel != end; light += step) {
+        uint32_t held = light;
+        if (!is_within) {
+            held = (int32_t)light < 0 ? 0 : light > most ? most : light;
+        }
+        const uint32_t part = part_of(held, part_of_level);
+        const uint32_t red = red_dark + red_step * part, green = green_dark + green_step * part;
+        *pixel++ = (uint16_t)((red >> 16 & FXL_RED_565) | (green >> 8 & FXL_GREEN_565) |
+                              (red >> 8 & FXL_BLUE_565));
+    }
+}
+
+static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                         const fxl_light_run *run)
+{
+    const fxl_paint_565 *of = &paint->of_565;
+    const uint32_t half = 1u << 23, most = (uint32_t)paint->levels_less_1 << 24;
+    const uint32_t colour = of->palette[paint->colour], light = run->light - half;
+    uint16_t *pixels = (uint16_t *)(void *)row->pixels;
+    if (fxl_light_run_is_within(run, x1 - x0, half, most + 1u)) {
+        paint_lit_colour(of, colour, most, true, light, run->step, pixels + x0, pixels + x1);
+    } else {
+        paint_lit_colour(of, colour, most, false, light, run->step, pixels + x0, pixels + x1);
+    }
+}
+
 static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
                          const linear_pixels *linear)
 {
     const fxl_paint_565 *of = &paint->of_565;
+    if (paint->has_light_rows) {
+        const fxl_light_run run = {linear->values[0] << 8, linear->steps[0] << 8};
+        paint_lights(paint, row, x0, x1, &run);
+        return;
+    }
     if (FXL_IS_SMALL || paint->opacity < 16 || of->sixteenths != 0 || of->adds ||
         paint->level.flags != FXL_LEVEL_565) {
         paint_each_linear(paint, row, x0, x1, linear);
@@ -105,6 +169,11 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
     divided_column at;
     uint32_t least[3];
     at.column = -1;
+    if (paint->is_light_linear) {
+        const fxl_light_run run = fxl_light_run_of(paint, row, x0);
+        paint_lights(paint, row, x0, x1, &run);
+        return;
+    }
     fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
         int32_t end = fxl_segments_end(row, x0, x1);

@@ -28,9 +28,9 @@ static fxl_real product(fxl_real a, fxl_real b)
 }
 
 /* Coordinates differ by less than 2^31, so products are below 2^62. */
-static uint64_t twice_texel_area(const fxl_gradient_corners *face)
+uint64_t fxl_texel_area(int32_t (*values)[3])
 {
-    const int32_t *u = face->values[FXL_ATTRIBUTE_U], *v = face->values[FXL_ATTRIBUTE_V];
+    const int32_t *u = values[FXL_ATTRIBUTE_U], *v = values[FXL_ATTRIBUTE_V];
     const int64_t u1 = u[1] - (int64_t)u[0], v1 = v[1] - (int64_t)v[0];
     const int64_t u2 = u[2] - (int64_t)u[0], v2 = v[2] - (int64_t)v[0];
     return fxl_magnitude(u1 * v2 - u2 * v1);
@@ -43,20 +43,29 @@ static int64_t least_depth(const fxl_gradient_corners *face)
     return z < corners[2].z ? z : corners[2].z;
 }
 
-uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_corners *face,
-                                 const fxl_view *view, fxl_gradients *gradients)
+bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *view,
+                            const fxl_gradients *gradients, fxl_texel_density *density)
 {
-    const uint64_t area = twice_texel_area(face);
     const int64_t depth = least_depth(face);
-    if (texture->levels == 1 || area == 0 || depth <= 0 || gradients->volume.number == 0) {
-        return 0;
+    if (depth <= 0 || gradients->volume.number == 0) {
+        return false;
     }
-    const fxl_real z = real_of((uint64_t)depth, 0);
     const fxl_real focal = real_of((uint32_t)fxl_view_drawn_focal(view), 0);
-    const fxl_real texels = product(real_of(area, 1), product(z, product(z, z)));
-    const fxl_real pixels =
+    density->depth = real_of((uint64_t)depth, 0);
+    density->pixels =
         product(real_of((uint64_t)gradients->volume.number, gradients->volume.exponent),
                 product(focal, focal));
+    return true;
+}
+
+uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_density *density,
+                                 fxl_gradients *gradients)
+{
+    if (density == NULL || density->texels == 0) {
+        return 0;
+    }
+    const fxl_real z = density->depth, pixels = density->pixels;
+    const fxl_real texels = product(real_of(density->texels, 1), product(z, product(z, z)));
     const int log = texels.exponent - pixels.exponent - (texels.mantissa < pixels.mantissa);
     if (log < 2) {
         return 0;

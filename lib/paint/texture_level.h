@@ -3,6 +3,7 @@
 #ifndef FXL_TEXTURE_LEVEL_H
 #define FXL_TEXTURE_LEVEL_H
 
+#include "../math/arith.h"
 #include "paint.h"
 
 #ifdef __cplusplus
@@ -27,12 +28,26 @@ static inline uint32_t fxl_level_least(const fxl_texture *texture)
     return texture->format == FXL_TEXTURE_4 ? 1 : 0;
 }
 
+/* How large a texel of a face is on the screen: at the corner whose depth is least, texels times
+ * the cube of depth, divided by pixels, are the texels a pixel. texels: twice the area of three
+ * corners in the texture. */
+typedef struct {
+    uint64_t texels;
+    fxl_real depth, pixels;
+} fxl_texel_density;
+
+/* Twice the area of three corners in a texture, in units of 2^-32 texel. */
+uint64_t fxl_texel_area(int32_t (*values)[3]);
+
+/* From three corners of which the gradients were found. False where the least depth is not in front
+ * of the eye, or the corners are in a plane with it. Error: 2^-26 of the texels a pixel. */
+bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *view,
+                            const fxl_gradients *gradients, fxl_texel_density *density);
+
 /* Chooses the level of a face's texture and makes u and v texels of that level. It is the level l
- * of which 4^l is at most twice the texels a pixel, by area, at that of the three corners whose
- * depth is least; level 0 where that is not in front of the eye. Requires corners from which the
- * gradients were found. Error: 2^-26 of the texels a pixel. */
-uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_gradient_corners *face,
-                                 const fxl_view *view, fxl_gradients *gradients);
+ * of which 4^l is at most twice the texels a pixel, by area; level 0 where a density is null. */
+uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_density *density,
+                                 fxl_gradients *gradients);
 
 /* Finds a level of a texture. Requires one that it has. */
 void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level);

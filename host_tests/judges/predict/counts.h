@@ -44,6 +44,13 @@
     X(in_fog) \
     X(surfaces_found) \
     X(attributes_found) \
+    X(corners_on_screen) \
+    X(small_faces) \
+    X(small_surfaces) \
+    X(small_attributes) \
+    X(small_weights) \
+    X(small_divided) \
+    X(small_depths) \
     X(surfaces_listed) \
     X(surfaces_read) \
     X(surfaces_painted) \
@@ -60,6 +67,7 @@
     X(slow_pixels) \
     X(loop_pixels) \
     X(level_pixels) \
+    X(level_rows) \
     X(divided_pixels) \
     X(depth_planes) \
     X(depth_runs) \
@@ -102,6 +110,7 @@
     X(wide_values) \
     X(wide_texels) \
     X(wide_lit) \
+    X(wide_levels) \
     X(wide_blended) \
     X(wide_repeated) \
     X(wide_repeated_lit) \

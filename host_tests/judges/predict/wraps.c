@@ -17,7 +17,9 @@
 #include "view/placement.h"
 
 #include "draw/surface_polygon.h"
+#include "paint/corner_planes.h"
 #include "paint/light_level.h"
+#include "paint/light_row.h"
 #include "paint/rgb565_colour.h"
 #include "paint/segments.h"
 #include "paint/texture_level.h"
@@ -263,6 +265,36 @@ WRAPPED(void, fxl_gradients_find,
     __real_fxl_gradients_find(face, view, gradients);
 }
 
+WRAPPED(bool, fxl_find_screen_corners,
+        (const fxl_model_view *model_view, const fxl_face *face, const uint16_t *vertices,
+         const fxl_traversal *traversal, fxl_screen_corners *corners))
+{
+    const uint32_t count = face->whole_count != 0 ? face->whole_count : face->count;
+    counted.corners_on_screen += count > 3 ? count + 3 : 3;
+    return __real_fxl_find_screen_corners(model_view, face, vertices, traversal, corners);
+}
+
+WRAPPED(bool, fxl_corner_planes_begin,
+        (const fxl_screen_corners *corners, const fxl_lens *lens, fxl_corner_planes *planes))
+{
+    const bool is_small = __real_fxl_corner_planes_begin(corners, lens, planes);
+    counted.small_faces += is_small;
+    return is_small;
+}
+
+/* A small face whose weight is not constant has it as one plane more. */
+WRAPPED(void, fxl_corner_planes_find,
+        (const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count, bool is_affine,
+         const fxl_lens *lens, fxl_gradients *gradients))
+{
+    __real_fxl_corner_planes_find(planes, values, count, is_affine, lens, gradients);
+    const bool is_constant = fxl_weight_is_constant(gradients);
+    counted.small_surfaces += 1;
+    counted.small_attributes += count;
+    counted.small_weights += !is_constant;
+    counted.small_divided += is_constant ? 0 : count;
+}
+
 WRAPPED(bool, fxl_surface_polygon_append,
         (fxl_display_list * list, const fxl_screen_polygon *screen, fxl_rows rows,
          const fxl_surface_polygon *polygon))
@@ -347,6 +379,11 @@ static bool is_repeated(const fxl_paint *paint)
 /* Pixels of 16 bits that are painted, and what each of them takes. */
 static void count_wide(const fxl_paint *paint, double pixels, bool linear)
 {
+    if (linear && paint->has_light_rows) {
+        counted.wide_segments += 1;
+        counted.wide_levels += pixels;
+        return;
+    }
     if (linear && is_repeated(paint)) {
         counted.wide_segments += 1;
         *(paint->of_565.part_of_level != 0 ? &counted.wide_repeated_lit : &counted.wide_repeated) +=
@@ -364,6 +401,11 @@ static void count_wide(const fxl_paint *paint, double pixels, bool linear)
 /* The pixels x0 <= x < x1 of a row, which the kernel does not paint: how often they are divided. */
 static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
+    if (paint->is_light_linear) {
+        counted.level_rows += 1;
+        *(is_wide ? &counted.wide_levels : &counted.level_pixels) += x1 - x0;
+        return;
+    }
     while (x0 < x1) {
         const bool of_16 = paint->division == FXL_DIVIDE_16 && suffices(paint, row, x0 & ~15, 16);
         const bool linear =
@@ -406,7 +448,7 @@ WRAPPED(void, fxl_paint_segments,
 WRAPPED(void, fxl_paint_pixels,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
-    counted.slow_rows += 1;
+    counted.slow_rows += !paint->is_light_linear;
     if (has_depth_buffer && has_holes(paint)) {
         counted.depth_holes += x1 - x0;
     }
@@ -420,7 +462,7 @@ WRAPPED(void, fxl_paint_pixels,
 WRAPPED(void, fxl_paint_pixels_565,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
-    counted.wide_texture_rows += 1;
+    counted.wide_texture_rows += !paint->is_light_linear;
     if (has_depth_buffer && has_holes(paint)) {
         counted.depth_holes += x1 - x0;
     }

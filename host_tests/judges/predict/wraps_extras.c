@@ -24,12 +24,19 @@ bool has_depth_buffer, paints_surface, keeps_less;
  * polygon is compared, and counted by area. */
 static bool compares_each;
 
-WRAPPED(void, fxl_depth_plane_find,
+WRAPPED(void, fxl_corner_planes_depth,
+        (const fxl_corner_planes *planes, const fxl_lens *lens, fxl_depth_plane *plane))
+{
+    counted.small_depths += 1;
+    __real_fxl_corner_planes_depth(planes, lens, plane);
+}
+
+WRAPPED(void, fxl_find_depth_by_normal,
         (const fxl_model_view *model_view, const fxl_face *face, const fxl_traversal *traversal,
          fxl_depth_plane *plane))
 {
     counted.depth_planes += 1;
-    __real_fxl_depth_plane_find(model_view, face, traversal, plane);
+    __real_fxl_find_depth_by_normal(model_view, face, traversal, plane);
 }
 
 WRAPPED(void, fxl_depth_draw_parts,

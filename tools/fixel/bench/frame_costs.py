@@ -37,6 +37,10 @@ NAMES = {
     "cleared": "a pixel that is cleared", "brightnesses": "the light of a face or of a corner",
     "lamps": "a lamp that reaches a face or a corner", "in_fog": "a face or corner within the fog",
     "surfaces_found": "a face whose surface is found", "attributes_found": "an attribute of a surface that is found",
+    "corners_on_screen": "a vertex that a small face is found by", "small_faces": "a small face",
+    "small_surfaces": "a small face whose surface is found", "small_attributes": "an attribute of a small face",
+    "small_weights": "a small face whose weight is not constant", "small_divided": "an attribute of such a face",
+    "small_depths": "a small face whose depth is found",
     "surfaces_listed": "a polygon with a surface for the display list",
     "surfaces_read": "a polygon with a surface that a band draws from the list",
     "surfaces_painted": "a polygon with a surface that is painted", "painted_edges": "an edge of a polygon with a surface",
@@ -46,6 +50,7 @@ NAMES = {
     "slow_rows": "a row of a surface not all by the kernel", "slow_segments": "8 or 16 columns of a surface beside the kernel",
     "slow_attributes": "an attribute at the end of such columns", "slow_pixels": "a pixel of a surface beside kernel and loops",
     "loop_pixels": "a pixel of a texture by a loop of C", "level_pixels": "a pixel of a lit colour by a loop of C",
+    "level_rows": "a row of a small face of a lit colour",
     "divided_pixels": "a pixel that is divided by itself", "depth_planes": "a face whose depth is found",
     "depth_runs": "a run of visible pixels", "depth_kept": "a pixel whose depth is kept",
     "depth_hidden_runs": "a run of hidden pixels", "depth_hidden": "a hidden pixel",
@@ -69,6 +74,7 @@ NAMES = {
     "wide_texture_rows": "a row of a surface in RGB565", "wide_segments": "8 or 16 columns of a surface in RGB565",
     "wide_painted": "a pixel of a surface in RGB565", "wide_divided": "such a pixel that is divided by itself",
     "wide_values": "an attribute of such a pixel", "wide_texels": "a texel in RGB565", "wide_lit": "a lit pixel of RGB565",
+    "wide_levels": "a pixel of a lit colour in RGB565",
     "wide_repeated": "a pixel of opaque texels of RGB565", "wide_repeated_lit": "a lit one of them",
     "wide_blended": "a blended pixel of RGB565", "wide_billboard_drawn": "a pixel of a billboard in RGB565"}
 

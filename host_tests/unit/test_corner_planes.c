@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT */
+/* The planes of small faces, against planes through the same corners in double, and the rule that
+ * says which faces are small. */
+#include <math.h>
+
+#include "clip_views.h"
+#include "paint/corner_planes.h"
+#include "paint/light_row.h"
+
+static fxl_view view;
+static fxl_screen_corners corners;
+static fxl_corner_planes planes;
+
+static double word(int64_t value)
+{
+    return (double)value / 4294967296.0;
+}
+
+/* Of a plane that has values at the corners: at a point of the screen. */
+static double plane_at(const double values[3], double x, double y)
+{
+    const fxl_screen_point *p = corners.points;
+    const double x1 = p[1].x - (double)p[0].x, y1 = p[1].y - (double)p[0].y;
+    const double x2 = p[2].x - (double)p[0].x, y2 = p[2].y - (double)p[0].y;
+    const double area = x1 * y2 - x2 * y1, dx = x - p[0].x, dy = y - p[0].y;
+    return values[0] + (values[1] - values[0]) * (dx * y2 - dy * x2) / area +
+           (values[2] - values[0]) * (dy * x1 - dx * y1) / area;
+}
+
+static double at(const fxl_gradient *gradient, double x, double y)
+{
+    return word(gradient->at) + (x / 65536 - 0.5) * word(gradient->along) +
+           (y / 65536 - 0.5) * word(gradient->down);
+}
+
+static double largest(const double values[3])
+{
+    return fmax(fabs(values[0]), fmax(fabs(values[1]), fabs(values[2])));
+}
+
+/* Of the units of a gradient's upper word, what is cut off the steps is at most this part. */
+#define PART_OF_UNIT (1.0 / 16)
+
+/* What rounding may cost beside that: 2^-25 of the largest value, and 2^-25 of it times the ratio
+ * of the box's sides, as the coefficients have one unit for both sides. */
+static double rounding(const double values[3])
+{
+    const double w = corners.width, h = corners.height;
+    return ldexp(largest(values), -25) * (1 + fmax(w, h) / fmin(w, h));
+}
+
+/* Three corners in a box of some size on the screen, at depths that differ by less than `spread`.
+ */
+static void make_corners(double spread)
+{
+    const int32_t width = view.lens.width * 65536, height = view.lens.height * 65536;
+    const int32_t wide = unit_between(1, unit_random() % 2 ? 70 << 16 : 3 << 16);
+    const int32_t high = unit_between(1, unit_random() % 2 ? 70 << 16 : 3 << 16);
+    const int32_t left = unit_between(0, width), top = unit_between(0, height);
+    const double depth = ldexp(1 + unit_between(0, 65535) / 65536.0, unit_between(40, 58));
+    int32_t x[2] = {width, 0}, y[2] = {height, 0};
+    for (int i = 0; i < 3; i++) {
+        const int32_t px = left + unit_between(0, wide), py = top + unit_between(0, high);
+        corners.points[i].x = px < width ? px : width;
+        corners.points[i].y = py < height ? py : height;
+        corners.depths[i] = (fxl_q18_46)(depth * (1 + spread * unit_between(0, 65535) / 65536));
+        x[0] = corners.points[i].x < x[0] ? corners.points[i].x : x[0];
+        x[1] = corners.points[i].x > x[1] ? corners.points[i].x : x[1];
+        y[0] = corners.points[i].y < y[0] ? corners.points[i].y : y[0];
+        y[1] = corners.points[i].y > y[1] ? corners.points[i].y : y[1];
+    }
+    corners.width = x[1] - x[0];
+    corners.height = y[1] - y[0];
+    corners.is_triangle = true;
+}
+
+/* A point of the triangle. */
+static void choose_point(double *x, double *y)
+{
+    double share[3] = {unit_between(0, 1000), unit_between(0, 1000), unit_between(1, 1000)};
+    const double sum = share[0] + share[1] + share[2];
+    *x = *y = 0;
+    for (int i = 0; i < 3; i++) {
+        *x += corners.points[i].x * share[i] / sum;
+        *y += corners.points[i].y * share[i] / sum;
+    }
+}
+
+static double twice_area(void)
+{
+    const fxl_screen_point *p = corners.points;
+    return fabs((p[1].x - (double)p[0].x) * (p[2].y - (double)p[0].y) -
+                (p[2].x - (double)p[0].x) * (p[1].y - (double)p[0].y));
+}
+
+static void check_bounds(const fxl_gradient *gradient)
+{
+    const double columns = (view.lens.width + 15) / 16 * 16, rows = view.lens.height;
+    for (int i = 0; i < 4; i++) {
+        const double value = word(gradient->at) + (i & 1 ? columns : 0) * word(gradient->along) +
+                             (i & 2 ? rows : 0) * word(gradient->down);
+        TEST_ASSERT_TRUE(fabs(value) <= 1073741824.0);
+    }
+}
+
+void setUp(void)
+{
+    const int width = 2 * unit_between(1, 512), height = 2 * unit_between(1, 300);
+    view = clip_random_view((uint16_t)width, (uint16_t)height);
+}
+
+void tearDown(void)
+{
+}
+
+void test_small_is_what_its_three_conditions_say(void)
+{
+    uint32_t small = 0, thin = 0, apart = 0;
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        make_corners(unit_random() % 4 == 0 ? 5.0 : 0.2);
+        const double w = corners.width, h = corners.height;
+        const bool has_size = fmin(w, h) >= 16384 && fmax(w, h) <= 64 * 65536;
+        const bool is_thin = twice_area() * 8 < w * h;
+        const double z = fmax((double)corners.depths[0],
+                              fmax((double)corners.depths[1], (double)corners.depths[2]));
+        const double power = exp2(floor(log2(z)) - 1);
+        bool is_apart = false;
+        for (int k = 0; k < 3; k++) {
+            is_apart = is_apart || (double)corners.depths[k] < power;
+        }
+        const bool expected = has_size && !is_thin && !is_apart;
+        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&corners, &view.lens, &planes));
+        /* Whichever corner is the first. */
+        const fxl_screen_corners turned = {
+            {corners.points[1], corners.points[2], corners.points[0]},
+            {corners.depths[1], corners.depths[2], corners.depths[0]},
+            corners.width,
+            corners.height,
+            true};
+        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &view.lens, &planes));
+        small += expected;
+        thin += has_size && is_thin;
+        apart += has_size && is_apart;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 50, small);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, thin);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, apart);
+}
+
+void test_the_box_counts_that_of_all_vertices(void)
+{
+    const fxl_screen_corners small = {{{0, 0}, {65536, 0}, {0, 65536}},
+                                      {(int64_t)1 << 46, (int64_t)1 << 46, (int64_t)1 << 46},
+                                      65536,
+                                      65536,
+                                      true};
+    fxl_screen_corners large = small;
+    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&small, &view.lens, &planes));
+    large.width = (64 << 16) + 1;
+    TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &view.lens, &planes));
+}
+
+void test_depth_is_that_of_the_plane_through_the_corners(void)
+{
+    uint32_t checked = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_depth_plane plane;
+        double values[3], x, y;
+        make_corners(0.5);
+        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+            continue;
+        }
+        fxl_corner_planes_depth(&planes, &view.lens, &plane);
+        check_bounds(&plane.gradient);
+        for (int k = 0; k < 3; k++) {
+            values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
+        }
+        choose_point(&x, &y);
+        const double found = ldexp(at(&plane.gradient, x, y), 32 - plane.one);
+        TEST_ASSERT_NEAR(plane_at(values, x, y), found,
+                         rounding(values) + PART_OF_UNIT * ldexp(1, 32 - plane.one));
+        checked++;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 100, checked);
+}
+
+/* An attribute with the weight, where it is divided. */
+static double attribute_at(const double values[3], double x, double y)
+{
+    double products[3], weights[3];
+    for (int k = 0; k < 3; k++) {
+        weights[k] = 1 / (double)corners.depths[k];
+        products[k] = values[k] * weights[k];
+    }
+    return plane_at(products, x, y) / plane_at(weights, x, y);
+}
+
+/* Attributes of a face: u and v, or light alone, or all three. */
+static void check_attributes(int first, uint32_t count, bool is_affine, uint32_t *constant)
+{
+    int32_t given[FXL_ATTRIBUTES][3];
+    double values[FXL_ATTRIBUTES][3], x, y;
+    fxl_gradients found;
+    for (int i = 0; i < FXL_ATTRIBUTES * 3; i++) {
+        const bool is_light = first + i / 3 == 2;
+        given[i / 3][i % 3] =
+            is_light ? unit_between(32768, 31 << 16) : unit_between(-(1 << 24), 1 << 24);
+        values[i / 3][i % 3] = given[i / 3][i % 3];
+    }
+    fxl_corner_planes_find(&planes, given, count, is_affine, &view.lens, &found);
+    TEST_ASSERT_EQUAL(count, found.count);
+    check_bounds(&found.weight);
+    choose_point(&x, &y);
+    const bool is_constant = fxl_weight_is_constant(&found);
+    *constant += is_constant;
+    for (uint32_t i = 0; i < count; i++) {
+        const bool is_light = first + (int)i == 2;
+        const double weight = at(&found.weight, x, y), unit = ldexp(1, found.shifts[i]);
+        const double value = at(&found.attributes[i], x, y) / weight * unit;
+        const double exact = is_affine ? plane_at(values[i], x, y) : attribute_at(values[i], x, y);
+        double bound = rounding(values[i]) + 1 + PART_OF_UNIT * (unit + fabs(exact)) / weight;
+        if (is_constant && !is_affine) {
+            bound += is_light ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL;
+        }
+        check_bounds(&found.attributes[i]);
+        TEST_ASSERT_NEAR(exact, value, bound);
+    }
+}
+
+void test_attributes_are_those_of_the_corners(void)
+{
+    uint32_t checked = 0, constant = 0, affine = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        make_corners(unit_random() % 2 ? 0.5 : 1.0 / 1024);
+        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+            continue;
+        }
+        check_attributes(0, 2, false, &constant);
+        check_attributes(0, 3, false, &constant);
+        check_attributes(2, 1, false, &constant);
+        check_attributes(0, 3, true, &affine);
+        checked++;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 100, checked);
+    TEST_ASSERT_GREATER_THAN(checked / 8, constant);
+    TEST_ASSERT_LESS_THAN(2 * checked, constant);
+    TEST_ASSERT_EQUAL(checked, affine);
+}

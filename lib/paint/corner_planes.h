@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT */
+/* Gradients of a small face, from its corners on the screen.
+ *
+ * With corners i = 0, 1, 2 at (x, y) on the screen, and edges X, Y from corner 0 to the others, the
+ * value v that has the given values at the corners changes a pixel by
+ *
+ *   along = ((v1 - v0) Y2 - (v2 - v0) Y1) / area,   down = ((v2 - v0) X1 - (v1 - v0) X2) / area,
+ *   area = X1 Y2 - X2 Y1.
+ *
+ * The four coefficients, such as Y2 / area, are the same for all values of a face. A weight that is
+ * proportional to 1/z is the product of the depths of the other two corners.
+ *
+ * Which faces are small is a rule about the whole face: it does not depend on what clips it, splits
+ * it or draws it. Internal. */
+#ifndef FXL_CORNER_PLANES_H
+#define FXL_CORNER_PLANES_H
+
+#include "../math/arith.h"
+#include "depth_code.h"
+#include "gradients.h"
+#include "texture_level.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Three corners of a face on the screen, and the box of all of its vertices. */
+typedef struct {
+    fxl_screen_point points[3];
+    fxl_q18_46 depths[3];
+    int32_t width, height; /* of the box, in 1/65536 pixel */
+    bool is_triangle;      /* the face has no other vertices */
+} fxl_screen_corners;
+
+/* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
+#define FXL_SMALL_SIDE_MIN (1 << 14)
+#define FXL_SMALL_SIDE_MAX (64 << 16)
+
+/* What all values of a small face share. */
+typedef struct {
+    int32_t x, y; /* of corner 0, less those of the centre of pixel (0, 0) */
+    /* A pixel along, values grow by (v1 - v0) along[0] + (v2 - v0) along[1], times 2^-exponent; a
+     * pixel down likewise. The coefficients are at most 2^30. */
+    int32_t along[2], down[2];
+    int exponent;         /* 20..36 */
+    unsigned screen_bits; /* width, rounded up to 16 columns, and height are below 2^screen_bits */
+    uint32_t weights[3];  /* proportional to 1/z: from 2^26 to 2^31 */
+    uint32_t depths[3];   /* z 2^(depth_shift - 32) in units of 2^-46: from 2^30 to 2^32 */
+    unsigned depth_shift;
+    uint64_t area; /* twice the triangle's, in units of 2^-32 pixel */
+    bool is_triangle;
+} fxl_corner_planes;
+
+/* Sets *planes. False where the face is not small: *planes is undefined then. A face is small if
+ * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
+ * - the triangle of the three corners fills at least 1/16 of the box,
+ * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest.
+ * Requires corners on the screen of the lens. */
+bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
+                             fxl_corner_planes *planes);
+
+/* The depth of the face on the screen. Error in the triangle, given the corners on the screen, with
+ * b the ratio of the longer side of the box to the shorter one: less than 2^-25 (1 + b) of the
+ * largest depth there, and 1/16 unit of the upper word. Corners are off by 0.52/65536 pixel, which
+ * moves the plane by so much times its slope. */
+void fxl_corner_planes_depth(const fxl_corner_planes *planes, const fxl_lens *lens,
+                             fxl_depth_plane *plane);
+
+/* The weight and the attributes of values, which it changes. Where is_affine, the weight is
+ * constant. It is constant too where that changes no attribute by more than FXL_AFFINE_ERROR_TEXEL
+ * or FXL_AFFINE_ERROR_LIGHT: with attributes that differ by D over the corners, and weights by E
+ * from the least weight w on, attributes are off by at most D E / (4 w) in the triangle. Error,
+ * beyond that, given the corners: 2^-25 (1 + b) of the largest value, 1/65536, and 1/16 unit of the
+ * upper words of the attribute and of the weight. */
+void fxl_corner_planes_find(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
+                            bool is_affine, const fxl_lens *lens, fxl_gradients *gradients);
+
+/* What a texture's level depends on, but for texels. is_affine as above: then the face is as if all
+ * of it were at one depth. */
+void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine,
+                               fxl_texel_density *density);
+
+/* What a constant weight may change an attribute by, in 1/65536: 1/64 of a texel, and 1/8 of a
+ * level of light. Of a face with more than three vertices 1/8 of that: the fourth corner of a
+ * parallelogram is off by up to 8 times the bound of the triangle. */
+#define FXL_AFFINE_ERROR_TEXEL 1024u
+#define FXL_AFFINE_ERROR_LIGHT 8192u
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* Neighbouring pixels of a face of one colour, whose light is linear. Light is one word, with 24
+ * bits after the point, and a half, as in the gradients.
+ *
+ * Where the weight is constant, light is linear along a whole row. That of column x is first + x
+ * step modulo 2^32, where both are rounded down to 2^-24: it is too small by less than 1024 2^-24
+ * level, and depends on the face and the pixel alone. It is from -128 to 128 in the face: light at
+ * three corners is from 0 to 63, and the fourth corner of a parallelogram may be at -63 or 126.
+ * Internal. */
+#ifndef FXL_LIGHT_ROW_H
+#define FXL_LIGHT_ROW_H
+
+#include "paint.h"
+
+/* The weight of such a face, of 64 bits. */
+#define FXL_CONSTANT_WEIGHT ((int64_t)1 << 61)
+
+static inline bool fxl_weight_is_constant(const fxl_gradients *gradients)
+{
+    const fxl_gradient *weight = &gradients->weight;
+    return weight->at == FXL_CONSTANT_WEIGHT && (weight->along | weight->down) == 0;
+}
+
+typedef struct {
+    uint32_t light, step; /* of the first pixel, and what a pixel adds */
+} fxl_light_run;
+
+/* The lower word of value / 2^drop, rounded down, for 0 <= drop <= 63, by words: cores have no
+ * shift of 64 bits. */
+static inline uint32_t fxl_lower_of_shifted(int64_t value, unsigned drop)
+{
+    const int32_t high = (int32_t)((uint64_t)value >> 32);
+    return drop >= 32 ? (uint32_t)(high >> (drop - 32u))
+                      : (uint32_t)value >> drop | (uint32_t)high << 1 << (31u - drop);
+}
+
+/* From column x0 on. A gradient's upper word is the light times 2^(29 - shift) in 16.16: so 53 -
+ * shift of its 64 bits are below the word's. */
+static inline fxl_light_run fxl_light_run_of(const fxl_paint *paint, const fxl_paint_row *row,
+                                             int32_t x0)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const unsigned drop = (unsigned)(53 - gradients->shifts[0]);
+    fxl_light_run run;
+    run.step = fxl_lower_of_shifted(gradients->attributes[0].along, drop);
+    run.light = fxl_lower_of_shifted(row->attributes[0], drop) + (uint32_t)x0 * run.step;
+    return run;
+}
+
+/* Whether the light of all of count pixels is from least on, and less than `range` above it: light
+ * is linear, so that of both ends is. */
+static inline bool fxl_light_run_is_within(const fxl_light_run *run, int32_t count, uint32_t least,
+                                           uint32_t range)
+{
+    const uint32_t last = run->light + (uint32_t)(count - 1) * run->step;
+    return run->light - least < range && last - least < range;
+}
+
+#endif
