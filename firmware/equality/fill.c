@@ -9,29 +9,50 @@
 
 #define WIDTH_MAX FXL_SCREEN_MAX
 #define ROWS_MAX  4
-#define WORDS     (((WIDTH_MAX + 8) * ROWS_MAX + 16) / 4)
+#define WORDS     (((WIDTH_MAX + 8) * ROWS_MAX * 2 + 16) / 4)
 
 static uint32_t by_core[WORDS], by_portable[WORDS];
 
-/* A band of width pixels, which begins `offset` bytes off a word; rows begin on
- * all four offsets where the stride is odd. */
+static bool is_wide; /* pixels are of 16 bits */
+
+/* A band of width pixels, which begins `offset` pixels off a word; rows begin on
+ * all offsets where the stride is odd. */
 typedef struct {
     uint32_t width, stride, offset, rows;
 } shape;
 
+/* The band of a shape in the memory of a side. */
+static fxl_band band_in(uint32_t *memory, const shape *of, uint32_t first_row)
+{
+    const fxl_band band = {.pixels = (uint8_t *)(memory + 1) + (of->offset << is_wide),
+                           .width = (uint16_t)of->width,
+                           .stride = (uint16_t)of->stride,
+                           .first_row = (uint16_t)first_row,
+                           .rows = (uint16_t)of->rows};
+    return band;
+}
+
+/* Words that a band and what lies around it may have. */
+static uint32_t words_of(const shape *of)
+{
+    return (8 + ((of->offset + of->stride * of->rows) << is_wide)) / 4 + 1;
+}
+
 /* Draws on both sides. Earlier drawing stays: it was equal. */
 static void compare(const shape *of, const fxl_trapezoid *trapezoid)
 {
-    static uint8_t colour;
-    fxl_band band = {.pixels = (uint8_t *)by_core + 4 + of->offset, .width = (uint16_t)of->width,
-                     .stride = (uint16_t)of->stride, .first_row = 7, .rows = (uint16_t)of->rows};
-    colour = (uint8_t)(colour + 1);
-    fxl_fill_trapezoid(&band, trapezoid, colour);
-    band.pixels = (uint8_t *)by_portable + 4 + of->offset;
-    portable_fill_trapezoid(&band, trapezoid, colour);
-    uint32_t words = (8 + of->offset + of->stride * of->rows) / 4 + 1;
+    static uint16_t colour;
+    const fxl_band core = band_in(by_core, of, 7), portable = band_in(by_portable, of, 7);
+    colour = (uint16_t)(colour + 257);
+    if (is_wide) {
+        fxl_fill_trapezoid_rgb565(&core, trapezoid, colour);
+        portable_fill_trapezoid_rgb565(&portable, trapezoid, colour);
+    } else {
+        fxl_fill_trapezoid(&core, trapezoid, (uint8_t)colour);
+        portable_fill_trapezoid(&portable, trapezoid, (uint8_t)colour);
+    }
     bool same = true;
-    for (uint32_t i = 0; i < words; i++) {
+    for (uint32_t i = 0; i < words_of(of); i++) {
         same &= by_core[i] == by_portable[i];
     }
     equality_case(same);
@@ -98,7 +119,7 @@ static fxl_edge any_edge(const shape *of)
     return edge;
 }
 
-void test_fill(uint32_t rounds)
+static void compare_fills(uint32_t rounds)
 {
     boundaries();
     for (uint32_t i = 0; i < rounds; i++) {
@@ -109,6 +130,18 @@ void test_fill(uint32_t rounds)
             7, (int16_t)(7 + (int32_t)any.rows), {any_edge(&any), any_edge(&any)}};
         compare(&any, &trapezoid);
     }
+}
+
+void test_fill(uint32_t rounds)
+{
+    is_wide = false;
+    compare_fills(rounds);
+}
+
+void test_fill_rgb565(uint32_t rounds)
+{
+    is_wide = true;
+    compare_fills(rounds);
 }
 
 /* Within 0..end, or up to two pixels beside; on a centre or beside one every other time. */
@@ -130,30 +163,30 @@ static fxl_q16_16 any_place(uint32_t end)
 static void compare_outline(const shape *of, uint32_t first_row, uint32_t tall)
 {
     static fxl_scan scan;
-    fxl_screen_point points[6];
-    const uint32_t count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
+    fxl_screen_polygon outline = {.count = 0};
+    outline.count = (uint8_t)((any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u));
     const int32_t top = (int32_t)(first_row << 16) - (int32_t)((any_32() >> 8) % (tall << 15));
-    for (uint32_t i = 0; i < count; i++) {
-        points[i].x = any_place(of->width);
-        points[i].y = top + any_place(tall);
+    for (uint32_t i = 0; i < outline.count; i++) {
+        outline.points[i].x = any_place(of->width);
+        outline.points[i].y = top + any_place(tall);
     }
-    fxl_band band = {.pixels = (uint8_t *)by_core + 4 + of->offset, .width = (uint16_t)of->width,
-                     .stride = (uint16_t)of->stride, .first_row = (uint16_t)first_row,
-                     .rows = (uint16_t)of->rows};
-    scan.colour = (uint8_t)(any_32() >> 7);
-    const bool core_reaches = fxl_draw_outline(points, count, &band, &scan);
-    band.pixels = (uint8_t *)by_portable + 4 + of->offset;
-    const bool portable_reaches = portable_draw_outline(points, count, &band, &scan);
+    const fxl_band core = band_in(by_core, of, first_row);
+    const fxl_band portable = band_in(by_portable, of, first_row);
+    const uint32_t colour = any_32() >> 7 & (is_wide ? 0xFFFFu : 0xFFu);
+    const bool core_reaches = is_wide ? fxl_draw_outline_rgb565(&scan, &outline, &core, colour)
+                                      : fxl_draw_outline(&scan, &outline, &core, colour);
+    const bool portable_reaches =
+        is_wide ? portable_draw_outline_rgb565(&scan, &outline, &portable, colour)
+                : portable_draw_outline(&scan, &outline, &portable, colour);
     bool same = core_reaches == (FXL_IS_SMALL || portable_reaches);
-    const uint32_t words = (8 + of->offset + of->stride * of->rows) / 4 + 1;
-    for (uint32_t i = 0; i < words; i++) {
+    for (uint32_t i = 0; i < words_of(of); i++) {
         same &= by_core[i] == by_portable[i];
         by_core[i] = by_portable[i] = 0;
     }
     equality_case(same);
 }
 
-void test_draw_outline(uint32_t rounds)
+static void compare_outlines(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
         const uint32_t kind = any_32() >> 6 & 7u;
@@ -165,4 +198,16 @@ void test_draw_outline(uint32_t rounds)
         const uint32_t tall = (any_32() & 15u) == 0 ? 1020u : 1u + (any_32() >> 9) % (2 * rows);
         compare_outline(&any, (any_32() & 1u) != 0 ? 0 : first_row, tall > 1020 ? 1020 : tall);
     }
+}
+
+void test_draw_outline(uint32_t rounds)
+{
+    is_wide = false;
+    compare_outlines(rounds);
+}
+
+void test_draw_outline_rgb565(uint32_t rounds)
+{
+    is_wide = true;
+    compare_outlines(rounds);
 }

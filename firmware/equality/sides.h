@@ -33,9 +33,13 @@ uint32_t portable_sphere_planes(const fxl_camera *camera, const fxl_view_frustum
                                 const fxl_point *centre, fxl_q16_16 radius);
 uint64_t portable_fraction(uint64_t part, uint64_t whole);
 const fxl_trapezoid *portable_scan_next_trapezoid(fxl_scan *scan);
-bool portable_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
-                           fxl_scan *scan);
+bool portable_draw_outline(fxl_scan *scan, const fxl_screen_polygon *polygon, const fxl_band *band,
+                           uint32_t colour);
+bool portable_draw_outline_rgb565(fxl_scan *scan, const fxl_screen_polygon *polygon,
+                                  const fxl_band *band, uint32_t colour);
 void portable_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
+void portable_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
+                                    uint16_t colour);
 void portable_transform_vertex(const fxl_model_view *placed, uint32_t number,
                                fxl_cached_vertex *entry);
 fxl_clip_result portable_clip_by_view(const fxl_model_view *placed, const fxl_face *face,

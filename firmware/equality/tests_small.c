@@ -19,7 +19,9 @@ const equality_test equality_tests[] = {
     {"order", test_order},
     {"outlines", test_outlines},
     {"fill", test_fill},
+    {"fill-rgb565", test_fill_rgb565},
     {"draw-outline", test_draw_outline},
+    {"draw-outline-rgb565", test_draw_outline_rgb565},
     {"row-to-16", test_row_to_16},
     {NULL, NULL},
 };

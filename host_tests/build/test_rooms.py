@@ -120,7 +120,9 @@ def test_an_include_that_points_back_is_seen(monkeypatch, tmp_path, room, line, 
 # Texts that a file for each target includes after it defines these names: those of one target.
 TARGET = ["-DFXL_TARGET=fxl_rgb565_depth_16", "-DFXL_TARGET_PIXEL_BITS=16", "-DFXL_TARGET_DEPTH_BITS=16",
           "-DFXL_TARGET_SURFACES=fxl_rgb565_depth_16_surfaces", "-DFXL_TARGET_SPRITES=fxl_rgb565_depth_16_sprites"]
-TEMPLATES = {f"draw/{name}_text.h": TARGET for name in ("target", "surfaces", "sprites")}
+OUTLINE = ["-DFXL_DRAW_OUTLINE=fxl_draw_outline", "-DFXL_DRAW_BY_ACTIVE_EDGES=fxl_draw_by_active_edges",
+           "-DFXL_FILL_TRAPEZOID=fxl_fill_trapezoid", "-DFXL_COLOUR=uint8_t", "-Dfill_span(edges, span, band, colour)=(void)(colour)"]
+TEMPLATES = {f"draw/{name}_text.h": TARGET for name in ("target", "surfaces", "sprites")} | {"raster/draw_outline_text.h": OUTLINE}
 OTHER_CORES = re.compile(r"_armv[67]m\.h$")
 
 

@@ -7,10 +7,12 @@
 enum {
     WIDTH = 20,
     HEIGHT = 16,
-    COLOUR = 7
+    COLOUR = 7,
+    WIDE_COLOUR = 0xA05F
 };
 
 static uint8_t pixels[HEIGHT * WIDTH];
+static uint16_t wide_pixels[2 + HEIGHT * WIDTH + 2]; /* of RGB565, between others */
 static fxl_scan scan;
 static uint32_t rows_at_once; /* beyond one a call */
 
@@ -58,15 +60,14 @@ static bool reaches(const fxl_screen_polygon *outline, int32_t first, int32_t ro
     return false;
 }
 
-typedef bool drawer(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
-                    fxl_scan *scan);
+typedef bool drawer(fxl_scan *scan, const fxl_screen_polygon *polygon, const fxl_band *band,
+                    uint32_t colour);
 
 static void expect_outline(drawer *draw, const fxl_screen_polygon *outline, const fxl_band *band,
                            bool wanted)
 {
     memset(pixels, 0, sizeof pixels);
-    scan.colour = COLOUR;
-    const bool found = draw(outline->points, outline->count, band, &scan);
+    const bool found = draw(&scan, outline, band, COLOUR);
     TEST_ASSERT_TRUE(FXL_IS_SMALL ? found : found == wanted);
     for (int32_t row = 0; row < band->rows; row++) {
         for (int32_t x = 0; x < WIDTH; x++) {
@@ -76,20 +77,43 @@ static void expect_outline(drawer *draw, const fxl_screen_polygon *outline, cons
     }
 }
 
+/* The same of RGB565; the first pixel has an odd or an even place. */
+static void expect_wide_outline(drawer *draw, const fxl_screen_polygon *outline,
+                                const fxl_band *band, uint32_t first, bool wanted)
+{
+    fxl_band wide = *band;
+    uint32_t set = 0;
+    wide.pixels = (uint8_t *)(wide_pixels + first);
+    memset(wide_pixels, 0, sizeof wide_pixels);
+    const bool found = draw(&scan, outline, &wide, WIDE_COLOUR);
+    TEST_ASSERT_TRUE(FXL_IS_SMALL ? found : found == wanted);
+    for (int32_t row = 0; row < band->rows; row++) {
+        for (int32_t x = 0; x < WIDTH; x++) {
+            const bool covers = picture_winding(outline, x, band->first_row + row) != 0;
+            TEST_ASSERT_EQUAL_HEX16(covers ? WIDE_COLOUR : 0,
+                                    wide_pixels[first + (uint32_t)(row * WIDTH + x)]);
+            set += covers;
+        }
+    }
+    for (size_t i = 0; i < sizeof wide_pixels / sizeof *wide_pixels; i++) {
+        set -= wide_pixels[i] != 0;
+    }
+    TEST_ASSERT_EQUAL_UINT32(0, set); /* and no pixel around the band */
+}
+
 /* fxl_draw_by_active_edges as a small library does it, whatever this one is: all rows that two
  * edges cross at once. */
-static bool draw_rows_at_once(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
-                              fxl_scan *by)
+static bool draw_rows_at_once(fxl_scan *by, const fxl_screen_polygon *polygon, const fxl_band *band,
+                              uint32_t colour)
 {
     fxl_span span;
     fxl_active_edges *edges = &by->active_edges;
-    const fxl_rows rows =
-        fxl_rows_of_points(points, count, (uint16_t)(band->first_row + band->rows));
-    fxl_active_edges_begin(edges, points, count, rows.first, rows.end, band);
+    const fxl_rows rows = fxl_scan_rows(polygon, (uint16_t)(band->first_row + band->rows));
+    fxl_active_edges_begin(edges, polygon->points, polygon->count, rows.first, rows.end, band);
     while (fxl_active_edges_next(edges, &span)) {
         const int32_t row = edges->row;
         TEST_ASSERT_EQUAL_INT32(span.y, row);
-        fxl_active_edges_fill(edges, &span, band, by->colour);
+        fxl_active_edges_fill(edges, &span, band, (uint8_t)colour);
         rows_at_once += (uint32_t)(edges->row - row);
     }
     return FXL_IS_SMALL || (rows.first < rows.end && rows.end > band->first_row);
@@ -101,15 +125,45 @@ void test_an_outline_has_its_pixels_and_says_whether_it_reaches_the_band(void)
     for (int i = 0; i < UNIT_REPEAT / 40; i++) {
         const fxl_screen_polygon outline = any_outline();
         const int32_t first = unit_between(0, HEIGHT - 1), rows = unit_between(1, HEIGHT - first);
-        const fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH,
-                               .first_row = (uint16_t)first, .rows = (uint16_t)rows};
+        const fxl_band band = {.pixels = pixels,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = (uint16_t)first,
+                               .rows = (uint16_t)rows};
         const bool wanted = reaches(&outline, first, rows);
         expect_outline(fxl_draw_outline, &outline, &band, wanted);
         expect_outline(fxl_draw_by_active_edges, &outline, &band, wanted);
         expect_outline(draw_rows_at_once, &outline, &band, wanted);
+        const uint32_t first_pixel = unit_random() % 4;
+        expect_wide_outline(fxl_draw_outline_rgb565, &outline, &band, first_pixel, wanted);
+        expect_wide_outline(fxl_draw_by_active_edges_rgb565, &outline, &band, first_pixel, wanted);
         reached += wanted;
         missed += !wanted;
     }
     TEST_ASSERT_TRUE(reached > UNIT_REPEAT / 200 && missed > UNIT_REPEAT / 400);
     TEST_ASSERT_TRUE(rows_at_once > UNIT_REPEAT / 200);
+}
+
+/* A band of some columns, whose pixels begin at column 0. */
+void test_an_outline_is_cut_at_the_columns_of_the_band(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 200; i++) {
+        const fxl_screen_polygon outline = any_outline();
+        const uint16_t first = (uint16_t)unit_between(0, WIDTH - 2);
+        fxl_band band = {.width = WIDTH, .stride = WIDTH, .rows = HEIGHT, .first_column = first};
+        band.columns = (uint16_t)unit_between(1, WIDTH - 1 - first);
+        memset(pixels, 0, sizeof pixels);
+        memset(wide_pixels, 0, sizeof wide_pixels);
+        band.pixels = pixels;
+        (void)fxl_draw_outline(&scan, &outline, &band, COLOUR);
+        band.pixels = (uint8_t *)wide_pixels;
+        (void)fxl_draw_outline_rgb565(&scan, &outline, &band, WIDE_COLOUR);
+        for (int32_t place = 0; place < HEIGHT * WIDTH; place++) {
+            const int32_t x = place % WIDTH;
+            const bool covers = x >= first && x < first + band.columns &&
+                                picture_winding(&outline, x, place / WIDTH) != 0;
+            TEST_ASSERT_EQUAL(covers ? COLOUR : 0, pixels[place]);
+            TEST_ASSERT_EQUAL_HEX16(covers ? WIDE_COLOUR : 0, wide_pixels[place]);
+        }
+    }
 }

@@ -20,6 +20,7 @@ AT(fxl_band, width, BAND_WIDTH);
 AT(fxl_band, stride, BAND_STRIDE);
 AT(fxl_band, first_row, BAND_FIRST_ROW);
 AT(fxl_band, rows, BAND_ROWS);
+AT(fxl_band, columns, BAND_COLUMNS);
 
 AT(fxl_edge, x, EDGE_X);
 AT(fxl_edge, fraction, EDGE_FRACTION);
@@ -41,7 +42,6 @@ AT(fxl_scan, count, SCAN_COUNT);
 AT(fxl_scan, by_chains, SCAN_BY_CHAINS);
 AT(fxl_scan, end_row, SCAN_END_ROW);
 AT(fxl_scan, chains, SCAN_CHAINS);
-AT(fxl_scan, colour, SCAN_COLOUR);
 AT(fxl_scan, trapezoid, SCAN_TRAPEZOID);
 
 AT(fxl_view_point, x, VIEW_POINT_X);

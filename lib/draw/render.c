@@ -57,15 +57,6 @@ static inline fxl_submit_mode mode_of_begin(const fxl_renderer *renderer)
     return FXL_IS_COMPACT || renderer->clipper->next != NULL ? FXL_SUBMIT_ANY : FXL_SUBMIT_APPEND;
 }
 
-/* How faces are submitted to a band. */
-static inline fxl_submit_mode mode_of_band(const fxl_renderer *renderer, const fxl_band *band)
-{
-    return !FXL_IS_SMALL && renderer->target->draws_over && renderer->clipper->next == NULL &&
-                   FXL_DRAWS_COLUMNS(band)
-               ? FXL_SUBMIT_DRAW
-               : FXL_SUBMIT_ANY;
-}
-
 /* find_visible for a scene without placements. */
 static fxl_status look_at_still(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
@@ -166,7 +157,8 @@ static fxl_outcome emit(const fxl_traversal *traversal)
         fxl_rows_add(traversal->reached, rows);
         return FXL_OUTCOME_SPILLED;
     }
-    return traversal->renderer->target->flat(workspace, screen, traversal->band)
+    const fxl_target *target = traversal->renderer->target;
+    return target->flat(workspace, screen, traversal->band) || target->draws_over
                ? FXL_OUTCOME_SPILLED
                : FXL_OUTCOME_FULL;
 }
@@ -222,8 +214,7 @@ static inline void draw_at_once(const fxl_traversal *traversal, fxl_workspace *w
                                 fxl_counters *counters)
 {
     const fxl_screen_polygon *screen = &workspace->screen;
-    workspace->work.scan.colour = screen->colour;
-    if (fxl_draw_outline(screen->points, screen->count, traversal->band, &workspace->work.scan) ||
+    if (traversal->draw(workspace, screen, traversal->band) ||
         (!FXL_IS_COMPACT && workspace->rest_counted) ||
         fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height)) {
         counters->spilled += 1;
@@ -235,7 +226,7 @@ static inline bool submit_flat_face(const fxl_model_view *model_view, const fxl_
 {
     const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_counters *counters = traversal->counters;
-    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && traversal->mode == FXL_SUBMIT_DRAW) {
+    if (!FXL_IS_SMALL && cut <= FXL_CLIP_CUT && traversal->draw != NULL) {
         draw_at_once(traversal, traversal->workspace, counters);
     } else if (FXL_IS_SMALL || cut != FXL_CLIP_BETWEEN) {
         if (FXL_IS_COMPACT || traversal->mode <= FXL_SUBMIT_MEASURE || cut > FXL_CLIP_CUT) {
@@ -294,7 +285,7 @@ static inline bool draw_display_list(const fxl_traversal *traversal)
     uint32_t place = 0;
     while ((polygon = fxl_display_list_next(list, wanted, &place)) != NULL) {
         FXL_ASSERT(polygon->kind == FXL_POLYGON_FLAT);
-        if (!target->flat(traversal->workspace, polygon, band)) {
+        if (!target->flat(traversal->workspace, polygon, band) && !target->draws_over) {
             return false;
         }
     }
@@ -306,6 +297,8 @@ fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
 {
     fxl_resume_point resume = renderer->frame.resume;
     fxl_counters uncounted;
+    const bool draws_at_once =
+        !FXL_IS_SMALL && renderer->target->draws_over && renderer->clipper->next == NULL;
     if (workspace->rest_counted) {
         memset(&uncounted, 0, sizeof uncounted);
     }
@@ -317,7 +310,8 @@ fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                                      .resume = &resume,
                                      .counters = workspace->rest_counted ? &uncounted
                                                                          : &workspace->counters,
-                                     .mode = mode_of_band(renderer, band)};
+                                     .mode = FXL_SUBMIT_ANY,
+                                     .draw = draws_at_once ? renderer->target->flat : NULL};
     if (!(renderer->draw_display_list != NULL ? renderer->draw_display_list(&traversal)
                                               : draw_display_list(&traversal)) ||
         !submit_rest(&traversal)) {

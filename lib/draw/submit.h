@@ -11,8 +11,7 @@
 typedef enum {
     FXL_SUBMIT_ANY,     /* nothing is known: the clipper may give several, any target draws */
     FXL_SUBMIT_MEASURE, /* the same; it is only asked which rows it reaches */
-    FXL_SUBMIT_APPEND,  /* it is appended to the display list */
-    FXL_SUBMIT_DRAW     /* it is drawn at once, over what is there */
+    FXL_SUBMIT_APPEND   /* it is appended to the display list */
 } fxl_submit_mode;
 
 /* A traversal fills the display list (fxl_frame_begin), measures what the list had no room for, or
@@ -29,6 +28,8 @@ struct fxl_traversal {
     fxl_resume_point *resume; /* where to go on; kept where the traversal is stopped */
     fxl_counters *counters;
     fxl_submit_mode mode;
+    /* FXL_SUBMIT_ANY: draws a face at once, over what is there. Null: it goes the way of all. */
+    bool (*draw)(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band);
 };
 
 /* transform -> clip -> project -> display list or band, for a face that faces the eye; by

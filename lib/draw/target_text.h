@@ -19,17 +19,19 @@
 #include "renderer.h"
 #include "submit.h"
 
-#if FXL_TARGET_DEPTH_BITS == 0 && FXL_TARGET_PIXEL_BITS == 8
+#if FXL_TARGET_DEPTH_BITS == 0
 
-/* A face goes from the clipper straight to the scan where it can (render.c); others come here. */
+/* A face goes from the clipper straight to here where it can (render.c). */
 static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     fxl_scan *scan = &workspace->work.scan;
-    scan->colour = polygon->colour;
-    (void)(FXL_DRAWS_COLUMNS(band)
-               ? fxl_draw_outline(polygon->points, polygon->count, band, scan)
-               : fxl_draw_by_active_edges(polygon->points, polygon->count, band, scan));
-    return true;
+#if FXL_TARGET_PIXEL_BITS == 16
+    return fxl_draw_outline_rgb565(
+        scan, polygon, band,
+        fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark));
+#else
+    return fxl_draw_outline(scan, polygon, band, polygon->colour);
+#endif
 }
 
 #else
@@ -234,20 +236,6 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
 
 #elif FXL_TARGET_PIXEL_BITS == 16
 
-static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixel *pixels,
-                                                            int32_t y, int32_t x0, int32_t x1)
-{
-    (void)y;
-    fxl_fill_pixels(pixels + x0, pixels + x1, *(const fxl_filling *)with);
-}
-
-static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
-{
-    fxl_filling filling = fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark);
-    paint_rows(polygon->points, polygon->count, band, &workspace->work.scan, paint_row, &filling);
-    return true;
-}
-
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
 {
@@ -266,13 +254,20 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
 /* Pixels at an odd address stay: draw_band then says why. */
 static void fill(const fxl_band *band, uint8_t colour)
 {
-    uint16_t *row = fxl_pixels_of_row(band, band->first_row);
     if (!fxl_is_aligned_band(band)) {
         return;
     }
-    for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
-        fxl_fill_row_rgb565(row, row + fxl_band_columns(band), band->palette[colour]);
+    if (FXL_IS_COMPACT) {
+        uint16_t *row = fxl_pixels_of_row(band, band->first_row);
+        for (uint32_t rows = band->rows; rows > 0; rows--, row += band->stride) {
+            fxl_fill_row_rgb565(row, row + fxl_band_columns(band), band->palette[colour]);
+        }
+        return;
     }
+    const fxl_trapezoid rows = {(int16_t)band->first_row,
+                                (int16_t)(band->first_row + band->rows),
+                                {{0, 0, 0, 0}, {(int32_t)fxl_band_columns(band), 0, 0, 0}}};
+    fxl_fill_trapezoid_rgb565(band, &rows, band->palette[colour]);
 }
 
 #endif
@@ -280,7 +275,7 @@ static void fill(const fxl_band *band, uint8_t colour)
 const fxl_target FXL_TARGET = {
     .pixel_bits = FXL_TARGET_PIXEL_BITS,
     .depth_bits = FXL_TARGET_DEPTH_BITS,
-    .draws_over = FXL_TARGET_PIXEL_BITS == 8 && FXL_TARGET_DEPTH_BITS == 0,
+    .draws_over = FXL_TARGET_DEPTH_BITS == 0,
     .near_first = FXL_TARGET_DEPTH_BITS != 0,
 #if FXL_TARGET_PIXEL_BITS == 16
     .fill = fill,

@@ -11,6 +11,7 @@
 #define BAND_STRIDE    6
 #define BAND_FIRST_ROW 8
 #define BAND_ROWS      10
+#define BAND_COLUMNS   18
 
 /* fxl_edge */
 #define EDGE_X             0
@@ -36,7 +37,6 @@
 #define SCAN_BY_CHAINS 5
 #define SCAN_END_ROW   6
 #define SCAN_CHAINS    8
-#define SCAN_COLOUR    18
 #define SCAN_TRAPEZOID 20
 
 /* fxl_view_point */

@@ -65,9 +65,6 @@ static inline uint16_t fxl_mix_565(uint32_t colour, uint32_t dark, uint32_t part
                       fxl_mix_channel_565(colour, dark, part, FXL_BLUE_565));
 }
 
-/* Sets the pixels from one (included) to an end (not included). */
-void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour);
-
 /* --- in a palette -------------------------------------------------------------------------- */
 
 /* The number of the entry of a palette that is nearest to a colour: by the sum of the squared

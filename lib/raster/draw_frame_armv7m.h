@@ -7,6 +7,7 @@
 /* The left edge, then the right one, as fill_rows_armv7m.S has them in r4-r11. Free while rows are
  * filled. */
 #define FRAME_EDGES 0
+#define FRAME_SCAN 0 /* before the edges */
 /* The next ones, up to the left chain, are written by one instruction. */
 #define FRAME_BEGIN  32 /* the first point of the outline */
 #define FRAME_END    36 /* one past the last point */

@@ -4,7 +4,6 @@
 #ifndef FXL_DRAW_OUTLINE_H
 #define FXL_DRAW_OUTLINE_H
 
-#include "../math/family.h"
 #include "fixel/records.h"
 #include "fixel/types.h"
 
@@ -12,20 +11,24 @@
 extern "C" {
 #endif
 
-/* Fills the pixels of a band that an outline covers with scan->colour. Returns whether the outline
- * reaches a row of the band; with FXL_SMALL it is always true. Requires what fxl_scan_begin
- * requires of outline and band; the rest of scan is workspace. It is a kernel: each family of
- * cores may have its own, and all write the same pixels. Requires FXL_DRAWS_COLUMNS. Exact. */
-bool fxl_draw_outline(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
-                      fxl_scan *scan);
+/* Fills the pixels of a band that the outline of a polygon covers with a colour of the palette; the
+ * polygon's own colour is not read. Returns whether the outline reaches a row of the band; with
+ * FXL_SMALL it is always true. Requires what fxl_scan_begin requires of outline and band; scan is
+ * workspace. It is a kernel: each family of cores may have its own, and all write the same pixels.
+ * Exact. */
+bool fxl_draw_outline(fxl_scan *scan, const fxl_screen_polygon *polygon, const fxl_band *band,
+                      uint32_t colour);
 
-/* Whether the kernel of this core knows the columns of a band: that of Armv7-M fills all of them. */
-#define FXL_DRAWS_COLUMNS(band) (!FXL_KERNELS_ARMV7M || (band)->columns == 0)
+/* The same with a colour of RGB565, for a band of such pixels, whose address is even. */
+bool fxl_draw_outline_rgb565(fxl_scan *scan, const fxl_screen_polygon *polygon,
+                             const fxl_band *band, uint32_t colour);
 
-/* The same by active edges, for an outline that is not scanned between two chains, or with
- * FXL_SMALL. A kernel calls it. */
-bool fxl_draw_by_active_edges(const fxl_screen_point *points, uint32_t count, const fxl_band *band,
-                              fxl_scan *scan);
+/* The same two by active edges, for an outline that is not scanned between two chains, or with
+ * FXL_SMALL. A kernel calls them. */
+bool fxl_draw_by_active_edges(fxl_scan *scan, const fxl_screen_polygon *polygon,
+                              const fxl_band *band, uint32_t colour);
+bool fxl_draw_by_active_edges_rgb565(fxl_scan *scan, const fxl_screen_polygon *polygon,
+                                     const fxl_band *band, uint32_t colour);
 
 /* fxl_scan_rows of count points. */
 fxl_rows fxl_rows_of_points(const fxl_screen_point *points, uint32_t count, uint16_t height);

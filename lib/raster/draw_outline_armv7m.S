@@ -3,13 +3,23 @@
  * requires and does; it writes the same bytes as lib/raster/draw_outline.c. The
  * arithmetic, with its bounds, is that of lib/raster/edge.h and
  * lib/raster/edge_divide.h. An outline is drawn here if it is scanned between two chains,
- * which survey in lib/raster/scan.c defines; fxl_draw_by_active_edges draws any other. */
+ * which survey in lib/raster/scan.c defines; fxl_draw_by_active_edges draws any other, and all
+ * outlines into a band that has some columns alone. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 #include "draw_frame_armv7m.h"
 
 #if FXL_KERNELS_ARMV7M
 
+/* draw_outline_rgb565_armv7m.S has this text with other names, and FXL_PIXELS_OF_16_BITS. */
+#ifndef FXL_PIXELS_OF_16_BITS
+#define DRAW_OUTLINE         fxl_draw_outline
+#define DRAW_ROWS_BELOW      fxl_draw_rows_below
+#define DRAW_BY_ACTIVE_EDGES fxl_draw_by_active_edges
+#define FILL_ROWS            fxl_fill_rows
+    .global fxl_draw_outline
+    .global fxl_draw_rows_below
+#endif
 
     .syntax unified
     .thumb
@@ -24,31 +34,33 @@
 #if FXL_IS_COMPACT
 #define OUTLINE_ROWS_MAX 255
 #else
-#define OUTLINE_ROWS_MAX 1023 /* FXL_EDGE_HEIGHT_MAX >> 16 */
+#define OUTLINE_ROWS_MAX 1020 /* below FXL_EDGE_HEIGHT_MAX >> 16, and a constant of cmp */
 #endif
 
-    .section .text.fxl_draw_outline, "ax", %progbits
-    .global fxl_draw_outline
-    .type fxl_draw_outline, %function
+    .section .text.DRAW_OUTLINE, "ax", %progbits
+    .type DRAW_OUTLINE, %function
     .thumb_func
 
-/* Input: r0: points, r1: count, r2: band, r3: scan.
+/* Input: r0: scan, r1: polygon, r2: band, r3: colour.
  *
- * The survey: r1: end of the points, r4: x + 1/2 - 2^-16 is below this, r5: row of the vertex
+ * The survey: r0: points, r1: end of the points, r4: x + 1/2 - 2^-16 is below this, r5: row of the vertex
  * before, r6: first row, r7: last row plus 1, r8: rows of the downward edges, r9: one past the
  * highest vertex, r10: the next vertex. */
-fxl_draw_outline:
+DRAW_OUTLINE:
     push    {r4-r11, lr}
-    ldrh    r4, [r2, #BAND_WIDTH]
     sub     sp, sp, #FRAME_SIZE
+    str     r0, [sp, #FRAME_SCAN]
+    adds    r0, r1, #SCREEN_POLYGON_POINTS
+    ldrb    r5, [r1, #SCREEN_POLYGON_COUNT]
+    ldrh    r6, [r2, #BAND_COLUMNS]
+    ldrh    r4, [r2, #BAND_WIDTH]
+    cbnz    r6, .Lcolumns
     movw    r11, #32767
     add     r4, r4, #1
     lsl     r4, r4, #16
-#if FXL_IS_COMPACT
-    add     r1, r0, r1, lsl #3
-#else
-    cmp     r1, #3
-    add     r1, r0, r1, lsl #3
+    add     r1, r0, r5, lsl #3
+#if !FXL_IS_COMPACT
+    cmp     r5, #3
     beq     .Ltriangle
 #endif
     ldr     r5, [r1, #SCREEN_POINT_Y - 8]
@@ -76,6 +88,8 @@ fxl_draw_outline:
     cmp     r10, r1
     bne     .Lvertex
     b       .Lsurveyed
+.Lcolumns:
+    b       .Lother
 .Lupward:
     mov     r5, lr
     cmp     r5, r6
@@ -89,8 +103,7 @@ fxl_draw_outline:
     cmp     lr, r8
     bne     .Lother
 .Ltwo_chains:
-    movw    lr, #OUTLINE_ROWS_MAX
-    cmp     r8, lr
+    cmp     r8, #OUTLINE_ROWS_MAX
     bge     .Lother
 
     ldrh    r12, [r2, #BAND_FIRST_ROW]
@@ -104,8 +117,9 @@ fxl_draw_outline:
     movlt   r6, r12
     cmp     r6, r7
     bge     .Lno_row
-    ldrb    r3, [r3, #SCAN_COLOUR]
+#ifndef FXL_PIXELS_OF_16_BITS
     orr     r3, r3, r3, lsl #8
+#endif
     orr     r3, r3, r3, lsl #16
     lsl     r11, r6, #16
     sub     r8, r9, #8              /* where both chains begin */
@@ -113,6 +127,9 @@ fxl_draw_outline:
     sub     r4, r7, #1
     ldr     r6, [r2, #BAND_PIXELS]
     ldrh    r7, [r2, #BAND_STRIDE]
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsrs    r6, r6, #1              /* places are counted in pixels, from address 0 */
+#endif
     mls     r6, r12, r7, r6
     adds    r6, r6, #1
     add     r12, r11, #32768        /* from here on, the y of the row's centres in 16.16 */
@@ -182,18 +199,17 @@ fxl_draw_outline:
     pop     {r4-r11, pc}
 
 .Lother:
-    sub     r1, r1, r0
-    lsrs    r1, r1, #3
+    subs    r1, r0, #SCREEN_POLYGON_POINTS
+    ldr     r0, [sp, #FRAME_SCAN]
     add     sp, sp, #FRAME_SIZE
     pop     {r4-r11, lr}
-    b.w     fxl_draw_by_active_edges
+    b.w     DRAW_BY_ACTIVE_EDGES
 
     /* The rows of a trapezoid are filled, and the edges are on the row below it. */
-    .global fxl_draw_rows_below
-    .hidden fxl_draw_rows_below
-    .type fxl_draw_rows_below, %function
+    .hidden DRAW_ROWS_BELOW
+    .type DRAW_ROWS_BELOW, %function
     .thumb_func
-fxl_draw_rows_below:
+DRAW_ROWS_BELOW:
     ldrd    r1, r0, [sp, #FRAME_LAST]
     cmp     r0, r1
     bge     .Lover
@@ -310,7 +326,7 @@ fxl_draw_rows_below:
     movgt   r0, r3
     str     r0, [sp, #FRAME_UNTIL]
     sub     r12, r0, r12, asr #16   /* rows, less 1 */
-    b.w     fxl_fill_rows
+    b.w     FILL_ROWS
 
 .Lover:
     bne     .Lexchanged
@@ -325,7 +341,7 @@ fxl_draw_rows_below:
     ldm     sp, {r8-r11}
     add     r0, sp, #EDGE_SIZE
     ldm     r0, {r4-r7}
-    b       fxl_draw_rows_below
+    b       DRAW_ROWS_BELOW
 
 #if !FXL_IS_COMPACT
     /* The edge crosses only this row: compute its first pixel, and no step. */
@@ -420,6 +436,6 @@ fxl_draw_rows_below:
     b       .Lside_done
 #endif
 
-    .size fxl_draw_outline, . - fxl_draw_outline
+    .size DRAW_OUTLINE, . - DRAW_OUTLINE
 
 #endif

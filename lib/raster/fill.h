@@ -14,6 +14,13 @@ extern "C" {
  * of cores has its own, and all write the same bytes. */
 void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour);
 
+/* The same for a band of RGB565, whose pixels have an even address. */
+void fxl_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
+                               uint16_t colour);
+
+/* Sets the pixels from one (included) to an end (not included). */
+void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour);
+
 /* Sets the pixels of a span, and no other byte.
  * Requires a span that scan returned for this band. */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour);

@@ -9,20 +9,32 @@
 #if FXL_KERNELS_ARMV7M && FXL_FILLS_COMPACT
 #include "fill_entry_armv7m.h"
 
-    b.w     fxl_fill_rows
-    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+    b.w     FILL_ROWS
+    .size FILL_TRAPEZOID, . - FILL_TRAPEZOID
 
-    .section .text.fxl_fill_rows, "ax", %progbits
+    .section .text.FILL_ROWS, "ax", %progbits
+#ifndef FXL_PIXELS_OF_16_BITS
     .global fxl_fill_rows
-    .hidden fxl_fill_rows
-    .type fxl_fill_rows, %function
+#endif
+    .hidden FILL_ROWS
+    .type FILL_ROWS, %function
     .thumb_func
 
 /* Fills rows as fxl_fill_rows of fill_rows_armv7m.S does. */
-fxl_fill_rows:
+FILL_ROWS:
 .Lrow:
     subs    bytes, right, left
     blt     .Lcrossed
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    bytes, bytes, #1        /* bytes, on such a row alone */
+    lsls    pixel, left, #1
+    cmp     bytes, #8
+    blo     .Lshort
+    tst     pixel, #2
+    itt     ne
+    strhne  colour, [pixel], #2
+    subne   bytes, bytes, #2
+#else
     mov     pixel, left
     cmp     bytes, #8
     blo     .Lshort
@@ -33,6 +45,7 @@ fxl_fill_rows:
     it      ne
     strhne  colour, [pixel], #2
     sub     bytes, right, pixel
+#endif
     subs    bytes, bytes, #16
     blo     .Lend
 .Lblock:
@@ -50,23 +63,31 @@ fxl_fill_rows:
     lsls    spare, bytes, #31
     it      cs
     strhcs  colour, [pixel], #2
+#ifndef FXL_PIXELS_OF_16_BITS
     it      mi
     strbmi  colour, [pixel]
+#endif
 .Lnext:
     step_edges
     bcs     .Lrow
-    b.w     fxl_draw_rows_below
+    b.w     DRAW_ROWS_BELOW
 
 .Lshort:
+#ifdef FXL_PIXELS_OF_16_BITS
+    subs    bytes, bytes, #2
+    bmi     .Lnext
+    strh    colour, [pixel, bytes]
+#else
     subs    bytes, bytes, #1
     bmi     .Lnext
     strb    colour, [left, bytes]
+#endif
     b       .Lshort
 
 .Lcrossed:
     exchange_edges
     b       .Lrow
 
-    .size fxl_fill_rows, . - fxl_fill_rows
+    .size FILL_ROWS, . - FILL_ROWS
 
 #endif

@@ -1,6 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* What the two texts of fxl_fill_trapezoid and fxl_fill_rows for Armv7-M share: the registers, the
- * entry, and the steps from row to row. Included once by each, where its code begins. */
+ * entry, and the steps from row to row. Included once by each, where its code begins. Each text is
+ * assembled once more for RGB565, with FXL_PIXELS_OF_16_BITS: fill_rows_rgb565_armv7m.S. */
+
+#ifdef FXL_PIXELS_OF_16_BITS
+#define FILL_TRAPEZOID  fxl_fill_trapezoid_rgb565
+#define FILL_ROWS       fxl_fill_rows_rgb565
+#define DRAW_ROWS_BELOW fxl_draw_rows_below_rgb565
+#else
+#define FILL_TRAPEZOID  fxl_fill_trapezoid
+#define FILL_ROWS       fxl_fill_rows
+#define DRAW_ROWS_BELOW fxl_draw_rows_below
+#endif
 
 /* clang-format off */
 
@@ -8,10 +19,10 @@
     .thumb
 
 pixel       .req r0     /* the next address to store to, aligned to four */
-bytes       .req r1     /* bytes still to be stored */
-colour      .req r2     /* in each of four bytes */
+bytes       .req r1     /* bytes still to be stored; of 16 bits: pixels */
+colour      .req r2     /* in each of four bytes, or in both halves */
 spare       .req r3
-left        .req r4     /* address of the left edge's pixel */
+left        .req r4     /* address of the left edge's pixel; of 16 bits: half of the address */
 left_fraction       .req r5
 left_step           .req r6     /* with the stride */
 left_step_fraction  .req r7
@@ -44,13 +55,13 @@ rows        .req r12    /* rows still to be filled, less 1 */
     ldm     sp, {r8-r11}
     .endm
 
-    .section .text.fxl_fill_trapezoid, "ax", %progbits
-    .global fxl_fill_trapezoid
-    .type fxl_fill_trapezoid, %function
+    .section .text.FILL_TRAPEZOID, "ax", %progbits
+    .global FILL_TRAPEZOID
+    .type FILL_TRAPEZOID, %function
     .thumb_func
 
 /* r0: band, r1: trapezoid, r2: colour */
-fxl_fill_trapezoid:
+FILL_TRAPEZOID:
     push    {r4-r11, lr}
     sub     sp, sp, #FRAME_SIZE
     ldrsh   rows, [r1, #TRAPEZOID_END_ROW]
@@ -61,8 +72,12 @@ fxl_fill_trapezoid:
     sub     rows, rows, r4
     sub     rows, rows, #1
     subs    r4, r4, r5
-    mla     r0, r4, lr, r3
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsrs    r3, r3, #1
+#else
     orr     colour, colour, colour, lsl #8
+#endif
+    mla     r0, r4, lr, r3
     orr     colour, colour, colour, lsl #16
     ldm     r1, {r4-r11}
     add     left, left, r0

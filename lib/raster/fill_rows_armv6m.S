@@ -11,6 +11,15 @@
 
 #if FXL_KERNELS_ARMV6M
 
+/* fill_rows_rgb565_armv6m.S has this text with another name, and FXL_PIXELS_OF_16_BITS. Edges are
+ * halves of addresses there, so a step of an edge is a pixel, too. */
+#ifdef FXL_PIXELS_OF_16_BITS
+#define SHORT_ROW 16 /* bytes */
+#else
+#define FILL_TRAPEZOID fxl_fill_trapezoid
+#define SHORT_ROW      8
+    .global fxl_fill_trapezoid
+#endif
 
     .syntax unified
     .thumb
@@ -31,6 +40,15 @@ rows        .req r12    /* rows still to be filled */
 
 /* Stores bytes from left on until pixel is a multiple of four; then bytes is the rest. */
     .macro align_pixel
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    pixel, left, #1
+    lsrs    spare, left, #1
+    bcc     2f
+    strh    colour, [pixel]
+    adds    pixel, #2
+    subs    bytes, #2
+2:
+#else
     movs    pixel, left
     lsrs    spare, pixel, #1
     bcc     1f
@@ -43,15 +61,15 @@ rows        .req r12    /* rows still to be filled */
     adds    pixel, #2
 2:
     subs    bytes, right, pixel
+#endif
     .endm
 
-    .section .text.fxl_fill_trapezoid, "ax", %progbits
-    .global fxl_fill_trapezoid
-    .type fxl_fill_trapezoid, %function
+    .section .text.FILL_TRAPEZOID, "ax", %progbits
+    .type FILL_TRAPEZOID, %function
     .thumb_func
 
 /* r0: band, r1: trapezoid, r2: colour */
-fxl_fill_trapezoid:
+FILL_TRAPEZOID:
     push    {r4-r7, lr}
     mov     r4, r8
     mov     r5, r9
@@ -69,9 +87,14 @@ fxl_fill_trapezoid:
     ldrh    r5, [r0, #BAND_STRIDE]
     muls    r4, r5
     ldr     r6, [r0, #BAND_PIXELS]
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsrs    r6, r6, #1
+    adds    r4, r4, r6          /* half of the address of the first row */
+#else
     adds    r4, r4, r6          /* address of the first row */
     lsls    r6, r2, #8
     orrs    r2, r6
+#endif
     lsls    r6, r2, #16
     orrs    r2, r6
     mov     lr, r2
@@ -93,18 +116,23 @@ fxl_fill_trapezoid:
 
 .Lrow:
     subs    bytes, right, left
-    cmp     bytes, #8
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    bytes, bytes, #1
+#endif
+    cmp     bytes, #SHORT_ROW
     blo     .Lshort
     cmp     bytes, #64
     bhs     .Llong
     align_pixel
     /* The tail of 0 to 3 bytes, from the right end back; then all words. */
 .Lrest:
+#ifndef FXL_PIXELS_OF_16_BITS
     lsrs    spare, bytes, #1
     bcc     1f
     subs    bytes, #1
     strb    colour, [pixel, bytes]
 1:
+#endif
     lsrs    spare, bytes, #2
     bcc     2f
     subs    bytes, #2
@@ -139,15 +167,23 @@ fxl_fill_trapezoid:
     mov     r11, r7
     pop     {r4-r7, pc}
 
-    /* Fewer than 8 bytes, perhaps none. */
+    /* Fewer than 8 pixels, perhaps none. */
 .Lshort:
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    pixel, left, #1
+#else
     lsls    bytes, bytes, #1
+#endif
     negs    bytes, bytes
     adds    bytes, #2 * 7
     add     pc, bytes
     nop
-    .irp    byte, 6, 5, 4, 3, 2, 1, 0
-    strb    colour, [left, #\byte]
+    .irp    place, 6, 5, 4, 3, 2, 1, 0
+#ifdef FXL_PIXELS_OF_16_BITS
+    strh    colour, [pixel, #2 * \place]
+#else
+    strb    colour, [left, #\place]
+#endif
     .endr
     b       .Lnext
 
@@ -191,6 +227,6 @@ fxl_fill_trapezoid:
     mov     right_step_fraction, spare
     b       .Lrow
 
-    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+    .size FILL_TRAPEZOID, . - FILL_TRAPEZOID
 
 #endif

@@ -15,20 +15,35 @@
 
 #define NARROW_ROWS 16      /* from here on the test for narrow rows pays */
 
+/* Pixels of 64 bytes, and of 32. */
+#ifdef FXL_PIXELS_OF_16_BITS
+#define LONG_ROW    32
+#define UPRIGHT_ROW 16
+#else
+#define LONG_ROW    64
+#define UPRIGHT_ROW 32
+#endif
+
+#ifndef FXL_PIXELS_OF_16_BITS
     .global fxl_fill_rows
-    .hidden fxl_fill_rows
-    .type fxl_fill_rows, %function
+#endif
+    .hidden FILL_ROWS
+    .type FILL_ROWS, %function
     .thumb_func
 
 /* Fills rows with the registers above and the frame of draw_frame_armv7m.h, and continues at
  * fxl_draw_rows_below. There r4-r11 are those of the row below. It keeps none of the other
  * registers. */
-fxl_fill_rows:
+FILL_ROWS:
     cmp     left_step, right_step
     beq     .Ltest_upright
 .Lslanted:
 #ifdef FXL_ROWS_BY_VECTORS
+#ifdef FXL_PIXELS_OF_16_BITS
+    vdup.16 q0, colour
+#else
     vdup.8  q0, colour
+#endif
 #endif
     cmp     rows, #NARROW_ROWS
     bhs     .Ltest_narrow
@@ -36,26 +51,43 @@ fxl_fill_rows:
     .macro next_row
     step_edges
     bcs     .Lrow
-    b.w     fxl_draw_rows_below
+    b.w     DRAW_ROWS_BELOW
     .endm
 
 .Lrow:
     sub     bytes, right, left
 #ifdef FXL_ROWS_BY_VECTORS
-    cmp     bytes, #64
+    cmp     bytes, #LONG_ROW
     bhs     .Llong
     /* 16 bytes at a time, the last time only the bytes that remain. lr is free. */
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    pixel, left, #1
+    wlstp.16 lr, bytes, .Lnext
+.Lvector:
+    vstrh.16 q0, [pixel], #16
+#else
     mov     pixel, left
     wlstp.8 lr, bytes, .Lnext
 .Lvector:
     vstrb.8 q0, [pixel], #16
+#endif
     letp    lr, .Lvector
 .Lnext:
     next_row
+#elif defined FXL_PIXELS_OF_16_BITS
+    cmp     bytes, #8
+    blo     .Lshort
+    cmp     bytes, #LONG_ROW
+    bhs     .Llong
+    lsls    pixel, left, #1
+    lsrs    spare, left, #1
+    bcc     .Lrest
+    strh    colour, [pixel], #2
+    subs    bytes, bytes, #1
 #else
     cmp     bytes, #8
     blo     .Lshort
-    cmp     bytes, #64
+    cmp     bytes, #LONG_ROW
     bhs     .Llong
 
     /* Store up to a multiple of four: 0 to 3 bytes, of at least 8. */
@@ -87,8 +119,12 @@ fxl_fill_rows:
     tbb     [pc, bytes]
 .Lends:
     .irp    words, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+#ifdef FXL_PIXELS_OF_16_BITS
+    .byte   (.Lend_0_\words - .Lends) / 2, (.Lend_2_\words - .Lends) / 2
+#else
     .byte   (.Lend_0_\words - .Lends) / 2, (.Lend_1_\words - .Lends) / 2
     .byte   (.Lend_2_\words - .Lends) / 2, (.Lend_3_\words - .Lends) / 2
+#endif
     .endr
 
 /* The words and the tail of 0 to 3 bytes, once for each length of the tail. The tail is
@@ -99,7 +135,12 @@ fxl_fill_rows:
     strh    colour, [right, #-3]
     .endif
     .if     \length == 2
+#ifdef FXL_PIXELS_OF_16_BITS
+    subs    bytes, bytes, #1
+    strh    colour, [pixel, bytes, lsl #1]
+#else
     strh    colour, [right, #-2]
+#endif
     .endif
     .if     \length & 1
     strb    colour, [right, #-1]
@@ -124,13 +165,29 @@ fxl_fill_rows:
     .endm
 
     words_and_tail 0
+#ifndef FXL_PIXELS_OF_16_BITS
     words_and_tail 1
+#endif
     words_and_tail 2
+#ifndef FXL_PIXELS_OF_16_BITS
     words_and_tail 3
+#endif
+
+/* Stores one of up to 7 pixels. */
+    .macro one_pixel place
+#ifdef FXL_PIXELS_OF_16_BITS
+    strh    colour, [pixel, #2 * (\place)]
+#else
+    strb    colour, [left, #\place]
+#endif
+    .endm
 
 #ifndef FXL_ROWS_BY_VECTORS
-    /* Fewer than 8 bytes, perhaps none. */
+    /* Fewer than 8 pixels, perhaps none. */
 .Lshort:
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    pixel, left, #1
+#endif
     tbb     [pc, bytes]
 .Lshorts:
     .byte   (.Lnext - .Lshorts) / 2, (.Lshort1 - .Lshorts) / 2
@@ -138,26 +195,26 @@ fxl_fill_rows:
     .byte   (.Lshort4 - .Lshorts) / 2, (.Lshort5 - .Lshorts) / 2
     .byte   (.Lshort6 - .Lshorts) / 2, (.Lshort7 - .Lshorts) / 2
 .Lshort7:
-    strb    colour, [left, #6]
+    one_pixel 6
 .Lshort6:
-    strb    colour, [left, #5]
+    one_pixel 5
 .Lshort5:
-    strb    colour, [left, #4]
+    one_pixel 4
 .Lshort4:
-    strb    colour, [left, #3]
+    one_pixel 3
 .Lshort3:
-    strb    colour, [left, #2]
+    one_pixel 2
 .Lshort2:
-    strb    colour, [left, #1]
+    one_pixel 1
 .Lshort1:
-    strb    colour, [left]
+    one_pixel 0
 .Lnext:
     next_row
 #endif
 
-    /* Many rows, each of fewer than 8 bytes. The distance of the edges changes evenly from row to
+    /* Many rows, each of fewer than 8 pixels. The distance of the edges changes evenly from row to
      * row: where it is -1 or more and below 7 on the first and on the last row, every row has -1 to
-     * 7 bytes. */
+     * 7 pixels. */
 .Ltest_narrow:
     subs    r0, right_fraction, left_fraction
     sbc     r1, right, left
@@ -173,6 +230,9 @@ fxl_fill_rows:
     adds    right, right, #1
 .Lnarrow_row:
     sub     bytes, right, left
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    pixel, left, #1
+#endif
     tbb     [pc, bytes]
 .Lnarrows:
     .byte   (.Lnarrow_crossed - .Lnarrows) / 2, (.Lnarrow_next - .Lnarrows) / 2
@@ -182,13 +242,13 @@ fxl_fill_rows:
     .align  1
     .irp    length, 7, 6, 5, 4, 3, 2, 1
 .Lnarrow\length:
-    strb    colour, [left, #\length - 1]
+    one_pixel \length - 1
     .endr
 .Lnarrow_next:
     step_edges
     bcs     .Lnarrow_row
     subs    right, right, #1
-    b.w     fxl_draw_rows_below
+    b.w     DRAW_ROWS_BELOW
 .Lnarrow_crossed:
     subs    right, right, #1
     b       .Lcrossed
@@ -197,6 +257,13 @@ fxl_fill_rows:
 .Llong:
     cmp     bytes, #0
     blt     .Lcrossed
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    pixel, left, #1
+    tst     left, #1
+    itt     ne
+    strhne  colour, [pixel], #2
+    subne   bytes, bytes, #1
+#else
     mov     pixel, left
     tst     left, #1
     it      ne
@@ -205,7 +272,8 @@ fxl_fill_rows:
     it      ne
     strhne  colour, [pixel], #2
     sub     bytes, right, pixel
-    subs    bytes, #64
+#endif
+    subs    bytes, #LONG_ROW
     blo     .Llong_end
     stm     sp, {r4-r11}
     mov     r4, colour
@@ -219,11 +287,11 @@ fxl_fill_rows:
 .Llong_block:
     stm     pixel!, {r4-r11}
     stm     pixel!, {r4-r11}
-    subs    bytes, #64
+    subs    bytes, #LONG_ROW
     bhs     .Llong_block
     ldm     sp, {r4-r11}
 .Llong_end:
-    adds    bytes, #64
+    adds    bytes, #LONG_ROW
     b       .Lrest
 
 .Lcrossed:
@@ -241,7 +309,7 @@ fxl_fill_rows:
     cmp     spare, #1
     bhi     .Lslanted
     sub     bytes, right, left
-    cmp     bytes, #32
+    cmp     bytes, #UPRIGHT_ROW
     blt     .Lslanted
     adds    spare, left_fraction, rows
     bcs     .Lslanted
@@ -253,11 +321,20 @@ start   .req r3     /* of the row's span */
 rest    .req r12    /* bytes of the row still to be stored */
 stride  .req r2
     stm     sp, {r4-r11}
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsls    start, left, #1
+    lsls    bytes, bytes, #1        /* until the rows are filled */
+#else
     mov     start, left
+#endif
     .irp    register, r4, r5, r6, r7, r8, r9, r10, r11
     mov     \register, colour
     .endr
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsl     stride, lr, #1
+#else
     mov     stride, lr
+#endif
     add     lr, rows, #1
 
 .Lupright_row:
@@ -267,6 +344,11 @@ stride  .req r2
     mov     rest, bytes
 .Lupright_body:
     lsrs    rest, rest, #5
+#ifdef FXL_PIXELS_OF_16_BITS
+    cmp     rest, #32
+    bhi     .Lupright_wide
+.Lupright_blocks:
+#endif
     tbb     [pc, rest]
 .Lblocks:
     .irp    blocks, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16
@@ -288,20 +370,41 @@ stride  .req r2
     subs    lr, lr, #1
     bne     .Lupright_row
     ldm     sp, {r4-r11}
+#ifdef FXL_PIXELS_OF_16_BITS
+    lsrs    left, start, #1
+    add     right, left, bytes, lsr #1
+#else
     mov     left, start
     add     right, start, bytes
-    b.w     fxl_draw_rows_below
+#endif
+    b.w     DRAW_ROWS_BELOW
 
 .Lupright_head:
+#ifdef FXL_PIXELS_OF_16_BITS
+    strh    r4, [pixel], #2
+#else
     tst     rest, #1
     it      ne
     strbne  r4, [pixel], #1
     tst     pixel, #2
     it      ne
     strhne  r4, [pixel], #2
+#endif
     add     rest, start, bytes
     sub     rest, rest, pixel
     b       .Lupright_body
+
+#ifdef FXL_PIXELS_OF_16_BITS
+    /* 33 to 63 blocks of 32 bytes: what is more than 31, and then the rest. */
+.Lupright_wide:
+    subs    rest, rest, #31
+.Lupright_block:
+    stm     pixel!, {r4-r11}
+    subs    rest, rest, #1
+    bne     .Lupright_block
+    movs    rest, #31
+    b       .Lupright_blocks
+#endif
 
     /* Bits 4 to 0 of the rest, one after the other in the carry and sign flags. */
 .Lupright_tail:
@@ -315,11 +418,13 @@ stride  .req r2
     strcs   r4, [pixel], #4
     it      mi
     strhmi  r4, [pixel], #2
+#ifndef FXL_PIXELS_OF_16_BITS
     lsls    rest, rest, #1
     it      mi
     strbmi  r4, [pixel]
+#endif
     b       .Lupright_next
 
-    .size fxl_fill_trapezoid, . - fxl_fill_trapezoid
+    .size FILL_TRAPEZOID, . - FILL_TRAPEZOID
 
 #endif

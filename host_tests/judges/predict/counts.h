@@ -101,6 +101,7 @@
     X(wide_polygons) \
     X(wide_edges) \
     X(wide_outline_rows) \
+    X(wide_outline_pixels) \
     X(wide_rows) \
     X(wide_pixels) \
     X(wide_texture_rows) \

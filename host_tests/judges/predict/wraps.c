@@ -9,6 +9,7 @@
 #include "draw/submit.h"
 #include "predict/wrapped.h"
 #include "raster/draw_outline.h"
+#include "raster/fill.h"
 #include "raster/scan.h"
 #include "scene/placement_code.h"
 #include "view/model_view.h"
@@ -182,16 +183,33 @@ double rows_between(const fxl_screen_point *points, uint32_t count, double top, 
 }
 
 WRAPPED(bool, fxl_draw_outline,
-        (const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
+        (fxl_scan * scan, const fxl_screen_polygon *polygon, const fxl_band *band, uint32_t colour))
 {
     const double top = band->first_row, bottom = top + band->rows;
+    const double rows = rows_between(polygon->points, polygon->count, top, bottom);
     counted.polygons += 1;
-    counted.edges += count;
-    const double rows = rows_between(points, count, top, bottom);
+    counted.edges += polygon->count;
     counted.polygons_drawn += rows > 0;
     counted.rows += rows;
-    counted.pixels += area_between(points, count, top, bottom);
-    return __real_fxl_draw_outline(points, count, band, scan);
+    counted.pixels += area_between(polygon->points, polygon->count, top, bottom);
+    return __real_fxl_draw_outline(scan, polygon, band, colour);
+}
+
+/* Is under way: fxl_draw_outline_rgb565, which fills by fxl_fill_trapezoid_rgb565. */
+static bool draws_outline;
+
+WRAPPED(bool, fxl_draw_outline_rgb565,
+        (fxl_scan * scan, const fxl_screen_polygon *polygon, const fxl_band *band, uint32_t colour))
+{
+    const double top = band->first_row, bottom = top + band->rows;
+    counted.wide_polygons += 1;
+    counted.wide_edges += polygon->count;
+    counted.wide_outline_rows += rows_between(polygon->points, polygon->count, top, bottom);
+    counted.wide_outline_pixels += area_between(polygon->points, polygon->count, top, bottom);
+    draws_outline = true;
+    const bool reaches_band = __real_fxl_draw_outline_rgb565(scan, polygon, band, colour);
+    draws_outline = false;
+    return reaches_band;
 }
 
 WRAPPED(const fxl_trapezoid *, fxl_scan_next_trapezoid, (fxl_scan * scan))
@@ -213,7 +231,18 @@ WRAPPED(void, fxl_fill_band, (const fxl_band *band, uint8_t colour))
     __real_fxl_fill_band(band, colour);
 }
 
-/* A row of a band that is cleared, or of a polygon. */
+/* A band that is cleared: a pixel of 16 bits takes as long as two of 8. */
+WRAPPED(void, fxl_fill_trapezoid_rgb565,
+        (const fxl_band *band, const fxl_trapezoid *trapezoid, uint16_t colour))
+{
+    if (!draws_outline) {
+        counted.bands += 1;
+        counted.cleared += 2.0 * band->rows * band->width;
+    }
+    __real_fxl_fill_trapezoid_rgb565(band, trapezoid, colour);
+}
+
+/* A row of a polygon with depth. */
 WRAPPED(void, fxl_fill_row_rgb565, (uint16_t * pixel, uint16_t *end, uint16_t colour))
 {
     counted.wide_rows += 1;

@@ -57,11 +57,6 @@ WRAPPED(void, fxl_scan_outline,
         counted.painted_edges += count;
         counted.painted_rows += rows_between(points, count, top, bottom);
     }
-    if (is_wide && !has_depth_buffer && !paints_surface) {
-        counted.wide_polygons += 1;
-        counted.wide_edges += count;
-        counted.wide_outline_rows += rows_between(points, count, top, bottom);
-    }
     if (has_depth_buffer && compares_each) {
         counted.depth_each_rows += rows_between(points, count, top, bottom);
         *(keeps_less ? &counted.depth_each_unkept : &counted.depth_each) +=

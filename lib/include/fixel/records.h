@@ -216,8 +216,7 @@ typedef struct {
     bool by_chains;  /* if false, by active edges */
     int16_t end_row; /* one past the last row by chains; above all rows by active edges */
     fxl_chain chains[2];
-    int16_t row;    /* of the next span */
-    uint8_t colour; /* for a caller that fills */
+    int16_t row; /* of the next span */
     fxl_trapezoid trapezoid;
     int16_t outline_first, outline_end; /* rows of the whole outline, as fxl_scan_rows says */
     fxl_active_edges active_edges;

@@ -36,8 +36,8 @@ typedef struct fxl_target_extras {
 typedef struct fxl_target {
     uint8_t pixel_bits; /* 8: a palette index; 16: RGB565 */
     uint8_t depth_bits; /* of a pixel in the depth buffer: 0, 16 or 32 */
-    /* Whether `flat` only scans and fills, over what is there, by fxl_draw_outline: then a face may
-     * go from the clipper straight to the scan. */
+    /* Whether `flat` only scans and fills, over what is there: then a face may go from the clipper
+     * straight to it, whether or not it reaches a row. */
     bool draws_over : 1;
     bool near_first : 1; /* faces are submitted near to far, unless surfaces are blended */
     /* Sets every pixel of a band to a colour of the palette. */
@@ -53,7 +53,9 @@ typedef struct fxl_target {
     fxl_status (*draw_band)(const fxl_renderer *renderer, struct fxl_workspace *workspace,
                             const fxl_band *band);
     /* Draws a polygon of one colour that reaches rows of the screen; the band may hold none of
-     * them. Returns false if the memory is full: then some of it may have been drawn. */
+     * them. Returns false if the memory is full: then some of it may have been drawn. With
+     * draws_over it returns instead whether the polygon reaches a row of the band, or, with
+     * FXL_SMALL, true. */
     bool (*flat)(struct fxl_workspace *workspace, const fxl_screen_polygon *polygon,
                  const fxl_band *band);
     const struct fxl_target_extras *extras; /* null: only flat faces */

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#include "../math/arith.h"
+#include "../math/family.h"
+#include "fill.h"
+
+/* Two pixels are one aligned word, but for the first and the last one. */
+void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
+{
+    if (pixel != end && ((uintptr_t)pixel & 2u) != 0) {
+        *pixel++ = colour;
+    }
+    uint16_t *whole = pixel + ((end - pixel) & ~(ptrdiff_t)1);
+    fxl_fill_row((uint8_t *)pixel, (uint8_t *)whole, colour * 0x00010001u);
+    if (whole != end) {
+        *whole = colour;
+    }
+}
+
+#if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
+
+void fxl_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
+                               uint16_t colour)
+{
+    FXL_ASSERT(trapezoid->first_row >= band->first_row &&
+               trapezoid->first_row < trapezoid->end_row &&
+               trapezoid->end_row <= band->first_row + band->rows);
+    uint16_t *row = (uint16_t *)(void *)band->pixels +
+                    (size_t)(trapezoid->first_row - band->first_row) * band->stride;
+    fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+    for (int32_t rows = trapezoid->end_row - trapezoid->first_row; rows > 0; rows--) {
+        if (a.x <= b.x) {
+            fxl_fill_row_rgb565(row + a.x, row + b.x, colour);
+        } else {
+            fxl_fill_row_rgb565(row + b.x, row + a.x, colour);
+        }
+        fxl_edge_step(&a);
+        fxl_edge_step(&b);
+        row += band->stride;
+    }
+}
+
+#endif
