@@ -6,6 +6,7 @@
 #define SIDES_H
 
 #include "draw/stages.h"
+#include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
 #include "raster/draw_outline.h"
 
@@ -55,6 +56,8 @@ void portable_paint_segments_565(const fxl_segment_face *face, const fxl_paint_r
                                  int32_t x1);
 bool portable_paint_rows(fxl_plain_rows *rows);
 bool portable_paint_rows_565(fxl_plain_rows *rows);
+int32_t portable_paint_divided(const fxl_divided_face *face, const fxl_paint_row *row, int32_t x0,
+                               int32_t x1);
 uint32_t portable_depth_keep_visible(uint16_t *cells, uint32_t count, uint32_t code, uint32_t step);
 uint32_t portable_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t code,
                                     uint32_t step);

@@ -8,6 +8,7 @@
 #include "fill.h"
 #include "intersect.h"
 #include "transform_vertex.h"
+#include "divided_rows.h"
 #include "divisions.h"
 #include "products.h"
 #include "project.h"
@@ -42,6 +43,7 @@ const equality_test equality_tests[] = {
     {"draw-outline-rgb565", test_draw_outline_rgb565},
     {"row-to-16", test_row_to_16},
     {"texture-rows", test_texture_rows},
+    {"divided-rows", test_divided_rows},
     {"depth-rows", test_depth_rows},
     {NULL, NULL},
 };

@@ -370,7 +370,7 @@ void test_each_16_columns_have_segments_of_their_own(void)
     TEST_ASSERT_TRUE(times[0] > 50 && times[2] > 50 && times[3] > 50 && times[4] > 50);
 }
 
-/* Pixels that are divided are those of fxl_paint_pixels without a kernel, with any division. */
+/* Where no segment suffices, pixels are divided: those of fxl_paint_pixels without a kernel. */
 void test_divided_pixels_are_as_without_a_kernel(void)
 {
     choose_size(5, 5);
@@ -379,7 +379,7 @@ void test_divided_pixels_are_as_without_a_kernel(void)
     }
     for (uint32_t n = 0; n < 100; n++) {
         choose_face();
-        paint.division = FXL_DIVIDE_1;
+        gradients.weight_min[0] = gradients.weight_min[1] = UINT32_MAX;
         TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
         paint_row(row_pixels, (int32_t)(n % 7), COLUMNS);
         row.segments = NULL;
@@ -518,10 +518,7 @@ void test_other_faces_are_not_the_kernels(void)
     check_refused(true);
     paint.division = FXL_DIVIDE_8;
     check_refused(false);
-    paint.division = FXL_DIVIDE_1;
-    check_refused(false);
-    paint.division = FXL_DIVIDE_1;
-    paint.ramp = ramp;
+    paint.division = FXL_DIVIDE_1; /* paint_divided.h */
     check_refused(true);
     gradients.weight_min[0] = UINT32_MAX;
     check_refused(false);

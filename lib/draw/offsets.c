@@ -5,6 +5,7 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
+#include "../paint/paint_divided.h"
 #include "../paint/plain_rows.h"
 #include "fixel/render.h"
 
@@ -129,6 +130,18 @@ AT(fxl_segment_face, is_constant, SEGMENT_FACE_IS_CONSTANT);
 AT(fxl_segment_face, form, SEGMENT_FACE_FORM);
 AT(fxl_segment_face, palette, SEGMENT_FACE_PALETTE);
 AT(fxl_segment_face, in_beam, SEGMENT_FACE_IN_BEAM);
+
+AT(fxl_divided_face, weight_step, DIVIDED_FACE_WEIGHT_STEP);
+AT(fxl_divided_face, u_step, DIVIDED_FACE_U_STEP);
+AT(fxl_divided_face, v_step, DIVIDED_FACE_V_STEP);
+AT(fxl_divided_face, weight_slope, DIVIDED_FACE_WEIGHT_SLOPE);
+AT(fxl_divided_face, u_slope, DIVIDED_FACE_U_SLOPE);
+AT(fxl_divided_face, v_slope, DIVIDED_FACE_V_SLOPE);
+AT(fxl_divided_face, texels, DIVIDED_FACE_TEXELS);
+AT(fxl_divided_face, columns_mask, DIVIDED_FACE_TEXELS + 4);
+AT(fxl_divided_face, rows_mask, DIVIDED_FACE_TEXELS + 8);
+AT(fxl_divided_face, u_shift, DIVIDED_FACE_U_SHIFT);
+AT(fxl_divided_face, v_shift, DIVIDED_FACE_V_SHIFT);
 
 AT(fxl_paint_row, weight, PAINT_ROW_WEIGHT);
 AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_U], PAINT_ROW_U);

@@ -137,6 +137,17 @@
 #define SEGMENT_FACE_PALETTE     88
 #define SEGMENT_FACE_IN_BEAM     92
 
+/* fxl_divided_face */
+#define DIVIDED_FACE_WEIGHT_STEP  0
+#define DIVIDED_FACE_U_STEP       8
+#define DIVIDED_FACE_V_STEP       16
+#define DIVIDED_FACE_WEIGHT_SLOPE 24
+#define DIVIDED_FACE_U_SLOPE      32
+#define DIVIDED_FACE_V_SLOPE      40
+#define DIVIDED_FACE_TEXELS       48 /* then columns_mask and rows_mask */
+#define DIVIDED_FACE_U_SHIFT      60
+#define DIVIDED_FACE_V_SHIFT      64
+
 /* fxl_paint_row */
 #define PAINT_ROW_WEIGHT 0
 #define PAINT_ROW_U      8

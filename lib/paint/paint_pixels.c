@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "light_row.h"
+#include "paint_divided.h"
 #include "segments.h"
 #include "texel_place.h"
 
@@ -162,6 +163,46 @@ static void put_in_beam(const uint8_t *in_beam, uint8_t *pixel, const uint8_t *e
     }
 }
 
+/* --- pixels that are each divided ----------------------------------------------------------- */
+
+/* The attributes of a pixel. The numbers of 64 bits are shifted before they are cut to a word, so a
+ * small weight, far from the eye, keeps as many bits as a large one. */
+static void divide_alone(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+                         int32_t values[FXL_ATTRIBUTES])
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const int64_t weight = row->weight + gradients->weight.along * x;
+    const unsigned zeros = fxl_leading_zeros(weight_at(paint, row, x)) - 1u; /* of 31 bits */
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(
+        weight >> 32 < 1 ? (uint32_t)1 << 30 : (uint32_t)((uint64_t)weight << zeros >> 32));
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        const int64_t at = row->attributes[i] + gradients->attributes[i].along * x;
+        const uint32_t size = (uint32_t)((at ^ at >> 63) >> 32);
+        const unsigned spare = size == 0 ? 31u : fxl_leading_zeros(size) - 1u;
+        const unsigned shift = spare < zeros ? spare : zeros;
+        values[i] = fxl_attribute_of((int32_t)((uint64_t)at << shift >> 32), &reciprocal,
+                                     gradients->shifts[i] + (int)(zeros - shift));
+    }
+}
+
+/* A row of them. What the kernel does not take goes pixel by pixel. Not inline: the kernel's record
+ * would stay on the stack of other faces. */
+static __attribute__((noinline)) void
+paint_divided(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    fxl_divided_face face;
+    const bool is_taken = fxl_divided_find(paint, &face);
+    while (x0 < x1) {
+        x0 = is_taken ? fxl_paint_divided(&face, row, x0, x1) : x0;
+        const int32_t end = smaller((x0 & ~15) + 16, x1);
+        for (; x0 < end; x0++) {
+            int32_t values[FXL_ATTRIBUTES];
+            divide_alone(paint, row, x0, values);
+            paint_pixel(paint, row, x0, values);
+        }
+    }
+}
+
 void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     divided_column at;
@@ -170,6 +211,10 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     if (paint->is_light_linear) {
         const fxl_light_run run = fxl_light_run_of(paint, row, x0);
         paint_lights(paint, row, x0, x1, &run);
+        return;
+    }
+    if (paint->division == FXL_DIVIDE_1) {
+        paint_divided(paint, row, x0, x1);
         return;
     }
     fxl_find_least_weights(paint->gradients, paint->division, least);

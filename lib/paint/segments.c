@@ -101,7 +101,8 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
 
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
 {
-    return is_common(paint) && paint->level.flags == 0 && paint->blend == NULL && find(paint, face);
+    return is_common(paint) && paint->level.flags == 0 && paint->blend == NULL &&
+           paint->division != FXL_DIVIDE_1 && find(paint, face); /* paint_divided.h */
 }
 
 bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)

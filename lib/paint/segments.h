@@ -191,11 +191,11 @@ static inline fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
     return reciprocal;
 }
 
-/* value * 2^shift / weight, modulo 2^32, rounded down. Requires |value| < 2^30. */
+/* value * 2^shift / weight, modulo 2^32, rounded down. Requires |value| < 2^31. */
 static inline int32_t fxl_attribute_of(int32_t value, const fxl_reciprocal *reciprocal, int shift)
 {
     const int drop = 62 - (int)reciprocal->zeros - shift;
-    const int64_t product = fxl_multiply_s32(value, reciprocal->value); /* below 2^61 */
+    const int64_t product = fxl_multiply_s32(value, reciprocal->value); /* below 2^62 */
     return (int32_t)(uint32_t)(product >> (drop < 0 ? 0 : drop > 63 ? 63 : drop));
 }
 

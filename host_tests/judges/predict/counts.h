@@ -69,6 +69,9 @@
     X(level_pixels) \
     X(level_rows) \
     X(divided_pixels) \
+    X(each_rows) \
+    X(each_segments) \
+    X(each_pixels) \
     X(depth_planes) \
     X(depth_runs) \
     X(depth_kept) \

@@ -21,6 +21,7 @@
 #include "paint/corner_planes.h"
 #include "paint/light_level.h"
 #include "paint/light_row.h"
+#include "paint/paint_divided.h"
 #include "paint/rgb565_colour.h"
 #include "paint/segments.h"
 #include "paint/texture_level.h"
@@ -472,6 +473,18 @@ WRAPPED(void, fxl_paint_segments,
         counted.segment_pixels += x1 - x0;
     }
     __real_fxl_paint_segments(face, row, x0, x1);
+}
+
+WRAPPED(int32_t, fxl_paint_divided,
+        (const fxl_divided_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const int32_t end = __real_fxl_paint_divided(face, row, x0, x1);
+    count_slow(slow_paint, row, counted_to, x0);
+    counted_to = end;
+    counted.each_rows += 1;
+    counted.each_segments += end > x0 ? sixteens(x0, end) : 0;
+    counted.each_pixels += end - x0;
+    return end;
 }
 
 WRAPPED(void, fxl_paint_pixels,

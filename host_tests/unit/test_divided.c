@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernel of pixels that are each divided: against the exact coordinates in double, and the
+ * segments that it takes. */
+#include <math.h>
+#include <string.h>
+
+#include "paint/paint_divided.h"
+#include "unity.h"
+
+enum {
+    COLUMNS = 128,
+    TEXELS = 65536,
+    UNTOUCHED = 255
+};
+
+static uint8_t texels[TEXELS], row_pixels[COLUMNS], part[COLUMNS];
+static fxl_gradients gradients;
+static fxl_paint paint;
+static fxl_paint_row row;
+static fxl_divided_face face;
+static uint32_t state;
+
+void setUp(void)
+{
+    state = 2463534242u;
+    memset(&gradients, 0, sizeof gradients);
+    memset(&paint, 0, sizeof paint);
+    memset(&row, 0, sizeof row);
+    gradients.count = 2;
+    paint.gradients = &gradients;
+    paint.level.texels = texels;
+    paint.division = FXL_DIVIDE_1;
+    paint.opacity = 16;
+}
+
+void tearDown(void)
+{
+}
+
+static uint32_t any(void)
+{
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state;
+}
+
+static void choose_size(uint32_t log_width, uint32_t log_height)
+{
+    paint.level.log_width = (uint8_t)log_width;
+    paint.level.columns_less_1 = (1u << log_width) - 1u;
+    paint.level.rows_less_1 = (1u << log_height) - 1u;
+}
+
+/* A gradient from one value to another over the columns; the row's value is the first. */
+static void choose_gradient(fxl_gradient *gradient, int64_t *at, double from, double to)
+{
+    *at = (int64_t)ldexp(from, 32);
+    gradient->along = (int64_t)(ldexp(to - from, 32) / COLUMNS);
+}
+
+static double exact(const fxl_gradient *gradient, int64_t at, int column)
+{
+    return ldexp((double)(at + gradient->along * column), -32);
+}
+
+/* An attribute at a column, in texels. */
+static double coordinate(uint32_t i, int column)
+{
+    return ldexp(exact(&gradients.attributes[i], row.attributes[i], column) /
+                     exact(&gradients.weight, row.weight, column),
+                 gradients.shifts[i] - 16);
+}
+
+/* A face with weights of so many bits at most, and coordinates within so many texels. */
+static void choose_face(int bits, int range)
+{
+    const double first = ldexp(0.4 + (any() & 1023u) / 1023.0 * 0.6, bits);
+    const double ends[2] = {first, first * (0.5 + (any() & 1023u) / 1023.0 * 0.5)};
+    choose_gradient(&gradients.weight, &row.weight, ends[0], ends[1]);
+    for (uint32_t i = 0; i < 2; i++) {
+        const double from = (int)(any() % (2u * (uint32_t)range)) - range + (any() & 255u) / 256.0;
+        const double to = (int)(any() % (2u * (uint32_t)range)) - range;
+        gradients.shifts[i] = 20;
+        choose_gradient(&gradients.attributes[i], &row.attributes[i], from * ends[0] / 16,
+                        to * ends[1] / 16);
+    }
+}
+
+static int32_t paint_row(uint8_t *pixels, int32_t x0, int32_t x1)
+{
+    memset(pixels, UNTOUCHED, COLUMNS);
+    row.pixels = pixels;
+    TEST_ASSERT_TRUE(fxl_divided_find(&paint, &face));
+    return fxl_paint_divided(&face, &row, x0, x1);
+}
+
+/* How far a coordinate is outside of texel n of 2^log, which repeats; below 0: it is inside. */
+static double distance(double at, uint32_t n, uint32_t log)
+{
+    const double size = ldexp(1, (int)log), from_middle = at - n - 0.5;
+    return fabs(from_middle - size * floor(from_middle / size + 0.5)) - 0.5;
+}
+
+/* The texels' columns are their bytes, or their rows. */
+static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height)
+{
+    for (uint32_t n = 0; n < 1u << (log_width + log_height); n++) {
+        texels[n] = (uint8_t)(i == 0 ? n & ((1u << log_width) - 1u) : n >> log_width);
+    }
+    TEST_ASSERT_EQUAL(COLUMNS, paint_row(row_pixels, 0, COLUMNS));
+    for (int x = 0; x < COLUMNS; x++) {
+        const double at = coordinate(i, x);
+        const double bound = ldexp(fabs(at), -25) + ldexp(1, i == 0 ? -16 : -9 - (int)log_width);
+        TEST_ASSERT_TRUE(distance(at, row_pixels[x], i == 0 ? log_width : log_height) <= bound);
+    }
+}
+
+void test_texels_are_those_of_the_exact_coordinates(void)
+{
+    for (uint32_t log_width = FXL_DIVIDED_LOG_MIN; log_width <= 8; log_width++) {
+        for (uint32_t n = 0; n < 200; n++) {
+            const uint32_t log_height = any() % 9u;
+            choose_size(log_width, log_height);
+            choose_face(6 + (int)(any() % 24u), 40);
+            check_coordinate(0, log_width, log_height);
+            check_coordinate(1, log_width, log_height);
+        }
+    }
+}
+
+void test_a_part_of_a_row_is_as_in_the_row(void)
+{
+    for (uint32_t n = 0; n < TEXELS; n++) {
+        texels[n] = (uint8_t)(any() % 255u);
+    }
+    for (uint32_t n = 0; n < 2000; n++) {
+        choose_size(6, 6);
+        choose_face(29, 60);
+        TEST_ASSERT_EQUAL(COLUMNS, paint_row(row_pixels, 0, COLUMNS));
+        const int32_t x0 = (int32_t)(any() % COLUMNS);
+        const int32_t x1 = x0 + 1 + (int32_t)(any() % (uint32_t)(COLUMNS - x0));
+        TEST_ASSERT_EQUAL(x1, paint_row(part, x0, x1));
+        for (int32_t x = 0; x < COLUMNS; x++) {
+            TEST_ASSERT_EQUAL(x < x0 || x >= x1 ? UNTOUCHED : row_pixels[x], part[x]);
+        }
+    }
+}
+
+void test_a_segment_ends_what_is_painted_where_its_weights_are_far_apart(void)
+{
+    choose_size(6, 6);
+    choose_face(29, 40);
+    /* From 2^29 in column 0 to 2^29 / 128 in column 127: the segment from 112 on has a ratio of 16.
+     */
+    choose_gradient(&gradients.weight, &row.weight, ldexp(1, 29), 0);
+    gradients.attributes[0].along = gradients.attributes[1].along = 0;
+    row.attributes[0] = row.attributes[1] = 0;
+    TEST_ASSERT_EQUAL(96, paint_row(row_pixels, 5, COLUMNS));
+    TEST_ASSERT_EQUAL(UNTOUCHED, row_pixels[96]);
+    TEST_ASSERT_EQUAL(120, paint_row(row_pixels, 120, COLUMNS));
+}
+
+void test_a_weight_of_0_and_large_coordinates_are_not_painted(void)
+{
+    choose_size(6, 6);
+    choose_face(29, 40);
+    row.weight = gradients.weight.along = 0;
+    TEST_ASSERT_EQUAL(0, paint_row(row_pixels, 0, COLUMNS));
+    row.weight = (int64_t)1 << 40;
+    row.attributes[0] = (int64_t)1 << 61;
+    TEST_ASSERT_EQUAL(0, paint_row(row_pixels, 0, COLUMNS));
+}
+
+void test_other_faces_are_not_for_it(void)
+{
+    choose_size(6, 6);
+    TEST_ASSERT_TRUE(fxl_divided_find(&paint, &face));
+    choose_size(3, 6);
+    TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
+    choose_size(6, 6);
+    paint.division = FXL_DIVIDE_16;
+    TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
+    paint.division = FXL_DIVIDE_1;
+    paint.opacity = 15;
+    TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
+    paint.opacity = 16;
+    paint.level.flags = FXL_TEXTURE_KEYED;
+    TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
+    paint.level.flags = 0;
+    paint.ramp = texels;
+    TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
+}
