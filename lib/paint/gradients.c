@@ -188,8 +188,8 @@ static int third(int number)
     return (number + 600) / 3 - 200;
 }
 
-/* weight * part / 2^16, rounded up. Requires a weight of at most 2^31 and a part below 2^17, so the
- * product is below 2^48; and a result below 2^32. */
+/* weight * part / 2^16, rounded up. Requires a part below 2^21, so the product is below 2^53; and a
+ * result below 2^32. */
 static uint32_t times_part(uint32_t weight, uint32_t part)
 {
     return (uint32_t)((fxl_multiply_u32(weight, part) + 65535u) >> 16);
@@ -214,9 +214,11 @@ static void find_least_weights(const fxl_real *twist, const fxl_gradient *weight
     const uint32_t root = cube_root_up((uint32_t)(bend >> (36 - spare)) + 1);
     const uint32_t by_bend = power_up(root, root_exponent);
     const int far = twist->exponent + 32 + 4 - 29; /* w0^2 >= 2^far */
-    const uint32_t by_far = power_up(1, (far + 601) / 2 - 300);
-    const uint32_t bend_of_4 = times_part(by_bend, 26009u); /* 0.39687: 16^(-1/3), rounded up */
-    const uint32_t far_of_4 = (by_far + 1) >> 1;
+    const int far_exponent = (far + 601) / 2 - 300;
+    const uint32_t by_far = power_up(1, far_exponent);
+    /* 25.4 is 64 times 16^(-1/3), rounded up; the root is at most 2^10. */
+    const uint32_t bend_of_4 = power_up(times_part(root, 1664511u), root_exponent - 6);
+    const uint32_t far_of_4 = power_up(1, far_exponent - 1);
     weight_min[0] = by_bend > by_far ? by_bend : by_far;
     weight_min[1] = bend_of_4 > far_of_4 ? bend_of_4 : far_of_4;
 }
@@ -224,12 +226,15 @@ static void find_least_weights(const fxl_real *twist, const fxl_gradient *weight
 /* A segment of 8 has 4^(-1/3) = 0.62996 of the first weight of 16 and 2^(-1/2) of its second one.
  * Of that of 4 the two are 2^(2/3) and 2^(1/2). So the larger one of 0.62997 of that of 16, which
  * is right if the first one is the larger of 16 and of 4, and 1.41423 of that of 4 is right for
- * both. */
+ * both. A weight
+ * of 2^31 may be less than what 16 columns ask for: then 1.58746 of that of 4. */
 void fxl_find_least_weights(const fxl_gradients *gradients, uint32_t division, uint32_t least[3])
 {
     const uint32_t of_16 = gradients->weight_min[0], of_4 = gradients->weight_min[1];
     const uint32_t by_16 = times_part(of_16, 41286u), by_4 = times_part(of_4, 92683u);
-    const uint32_t of_8 = by_16 > by_4 ? by_16 : by_4;
+    const uint32_t of_8 = of_16 >> 31 != 0 ? times_part(of_4, 104036u)
+                          : by_16 > by_4   ? by_16
+                                           : by_4;
     least[0] = least[1] = least[2] = UINT32_MAX;
     if (division == FXL_DIVIDE_16) {
         least[0] = of_16;
