@@ -336,36 +336,65 @@ ROWS:
     ldr     r12, [r0, #SEGMENT_FACE_LEAST + 12]
     cmp     lr, r12
     blt     .Lnot_ours
+/* The run of 16 columns that have the same segments, from r2 on, up to r3 at most. r10, r11: the weight
+ * at the first 16 columns; r6, r7: its step; r8, r9: the least weights for 16 and for 8. The weight is
+ * linear, so where it rises segments do not become shorter. */
 .Lfind:
     bic     r5, r2, #15
-    mvn     r4, #0
-1:  mov     r12, r11
+    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 8]
+    cmp     r7, #0
+    blt     .Lfalling
+    cmp     r11, r8
+    bge     .Lall_16
+    movs    r4, #3
+    mov     lr, r8
+    cmp     r11, r9
+    bge     1f
+    movs    r4, #2
+    mov     lr, r9
+    cmp     r11, r12
+    bge     1f
+    movs    r4, #0
+    mov     lr, r12
+1:  adds    r5, #16
+    cmp     r5, r3
+    bge     .Lto_end
     adds    r10, r10, r6
     adc     r11, r11, r7
-    cmp     r12, r11
-    it      gt
-    movgt   r12, r11
-    ldr     lr, [r0, #SEGMENT_FACE_LEAST + 8]
-    cmp     r12, lr
-    ite     ge
-    movge   lr, #2
-    movlt   lr, #0
-    cmp     r12, r9
-    it      ge
-    movge   lr, #3
-    cmp     r12, r8
-    it      ge
-    movge   lr, #4
-    cmp     r4, #0
-    it      lt
-    movlt   r4, lr
-    cmp     r4, lr
-    bne     2f
-    adds    r5, #16
-    cmp     r5, r3
+    cmp     r11, lr
     blt     1b
-    mov     r5, r3
-2:  mov     r3, r5
+    b       .Lfound
+.Lfalling:
+    adds    r10, r10, r6
+    adc     r11, r11, r7
+    movs    r4, #4
+    mov     lr, r8
+    cmp     r11, r8
+    bge     1f
+    movs    r4, #3
+    mov     lr, r9
+    cmp     r11, r9
+    bge     1f
+    movs    r4, #2
+    mov     lr, r12
+    cmp     r11, r12
+    bge     1f
+    movs    r4, #0
+    b       .Lto_end
+1:  adds    r5, #16
+    cmp     r5, r3
+    bge     .Lto_end
+    adds    r10, r10, r6
+    adc     r11, r11, r7
+    cmp     r11, lr
+    bge     1b
+.Lfound:
+    mov     r3, r5
+    str     r3, [sp, #F_X]
+    b       .Lrun
+.Lall_16:
+    movs    r4, #4
+.Lto_end:
     str     r3, [sp, #F_X]
     b       .Lrun
 
