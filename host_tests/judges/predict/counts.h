@@ -59,6 +59,7 @@
     X(segment_rows) \
     X(segments) \
     X(segment_pixels) \
+    X(line_segments) \
     X(lit_segments) \
     X(lit_segment_pixels) \
     X(slow_rows) \
@@ -109,6 +110,10 @@
     X(wide_pixels) \
     X(wide_texture_rows) \
     X(wide_segments) \
+    X(wide_kernel_rows) \
+    X(wide_kernel_segments) \
+    X(wide_kernel_pixels) \
+    X(wide_line_segments) \
     X(wide_painted) \
     X(wide_divided) \
     X(wide_values) \

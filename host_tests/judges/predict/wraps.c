@@ -23,7 +23,7 @@
 #include "paint/light_row.h"
 #include "paint/paint_divided.h"
 #include "paint/rgb565_colour.h"
-#include "paint/segments.h"
+#include "paint/plain_rows.h"
 #include "paint/texture_level.h"
 
 predict_counts counted;
@@ -387,16 +387,11 @@ static double *pixels_of(const fxl_paint *paint, bool linear)
     return paint->level.texels == NULL ? &counted.level_pixels : &counted.loop_pixels;
 }
 
-/* Whether the weight is at least the least one for a division at the ends of these columns alone:
- * the rule of SPEC's segments. */
-static bool suffices(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
-                     int32_t columns)
+/* The weight at a column, as what is beside the kernel has it. */
+static uint32_t weight_of(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
 {
-    const int64_t along = paint->gradients->weight.along;
-    const int64_t a = (row->weight + along * first) >> 32,
-                  b = (row->weight + along * (first + columns)) >> 32;
-    const int64_t least = paint->gradients->weight_min[columns == 16 ? 0 : 1];
-    return (a < b ? a : b) >= least;
+    const int64_t weight = (row->weight + paint->gradients->weight.along * x) >> 32;
+    return weight < 1 ? 1 : (uint32_t)weight;
 }
 
 /* Opaque texels of RGB565 that repeat have a loop of their own. */
@@ -436,19 +431,21 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
         *(is_wide ? &counted.wide_levels : &counted.level_pixels) += x1 - x0;
         return;
     }
+    uint32_t least[3];
+    fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
-        const bool of_16 = paint->division == FXL_DIVIDE_16 && suffices(paint, row, x0 & ~15, 16);
-        const bool linear =
-            of_16 || (paint->division != FXL_DIVIDE_1 && suffices(paint, row, x0 & ~7, 8));
-        const int32_t size = of_16 ? 16 : 8, border = (x0 & ~(size - 1)) + size;
+        const int32_t first = x0 & ~15;
+        const uint32_t log =
+            fxl_segment_log(least, weight_of(paint, row, first), weight_of(paint, row, first + 16));
+        const int32_t size = log != 0 ? 1 << log : 16, border = (x0 & -size) + size;
         const int32_t end = border < x1 ? border : x1;
         if (is_wide) {
-            count_wide(paint, end - x0, linear);
+            count_wide(paint, end - x0, log != 0);
         } else {
-            counted.slow_segments += linear;
-            *pixels_of(paint, linear) += end - x0;
+            counted.slow_segments += log != 0;
+            *pixels_of(paint, log != 0) += end - x0;
         }
-        counted.slow_attributes += linear ? paint->gradients->count : 0;
+        counted.slow_attributes += log != 0 ? paint->gradients->count : 0;
         x0 = end;
     }
 }
@@ -457,22 +454,80 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
 static int32_t counted_to;
 static const fxl_paint *slow_paint;
 
-WRAPPED(void, fxl_paint_segments,
-        (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+/* Segments of a part of a row without light: of 16, 8 or 4 columns, or pixels that are divided; in
+ * a row of constant weight 16 columns are a part of a line. */
+static double kernel_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                              int32_t x1)
+{
+    double segments = 0;
+    for (int32_t x = x0; x < x1; x = (x & ~15) + 16) {
+        const uint32_t first = (uint32_t)x >> 4;
+        const uint32_t log =
+            fxl_segment_log(face->least, (uint32_t)fxl_segment_weight(face, row, first),
+                            (uint32_t)fxl_segment_weight(face, row, first + 1));
+        const int32_t end = (x & ~15) + 16 < x1 ? (x & ~15) + 16 : x1;
+        segments += ((end - 1) >> log) - (x >> log) + 1;
+    }
+    return segments;
+}
+
+/* A row, or a part of one, that the kernel of plain rows paints. */
+static void count_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                         int32_t x1)
+{
+    double *lines = is_wide ? &counted.wide_line_segments : &counted.line_segments;
+    double *segments = is_wide ? &counted.wide_kernel_segments : &counted.segments;
+    *(is_wide ? &counted.wide_kernel_rows : &counted.segment_rows) += 1;
+    *(is_wide ? &counted.wide_kernel_pixels : &counted.segment_pixels) += x1 - x0;
+    if (face->is_constant) {
+        *lines += sixteens(x0, x1);
+    } else {
+        *segments += kernel_segments(face, row, x0, x1);
+    }
+}
+
+static void count_before_kernel(const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     if (slow_paint != NULL) {
         count_slow(slow_paint, row, counted_to, x0);
         counted_to = x1;
     }
-    counted.segment_rows += 1;
+}
+
+WRAPPED(void, fxl_paint_segments,
+        (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    count_before_kernel(row, x0, x1);
     if (face->ramp != NULL) {
+        counted.segment_rows += 1;
         counted.lit_segments += sixteens(x0, x1);
         counted.lit_segment_pixels += x1 - x0;
     } else {
-        counted.segments += sixteens(x0, x1);
-        counted.segment_pixels += x1 - x0;
+        count_kernel(face, row, x0, x1);
     }
     __real_fxl_paint_segments(face, row, x0, x1);
+}
+
+WRAPPED(void, fxl_paint_segments_565,
+        (const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    count_before_kernel(row, x0, x1);
+    count_kernel(face, row, x0, x1);
+    __real_fxl_paint_segments_565(face, row, x0, x1);
+}
+
+WRAPPED(bool, fxl_paint_rows, (fxl_plain_rows * rows))
+{
+    fxl_plain_rows copy = *rows;
+    (void)fxl_paint_rows_by(&copy, count_kernel);
+    return __real_fxl_paint_rows(rows);
+}
+
+WRAPPED(bool, fxl_paint_rows_565, (fxl_plain_rows * rows))
+{
+    fxl_plain_rows copy = *rows;
+    (void)fxl_paint_rows_by(&copy, count_kernel);
+    return __real_fxl_paint_rows_565(rows);
 }
 
 WRAPPED(int32_t, fxl_paint_divided,
@@ -508,6 +563,9 @@ WRAPPED(void, fxl_paint_pixels_565,
     if (has_depth_buffer && has_holes(paint)) {
         counted.depth_holes += x1 - x0;
     }
-    count_slow(paint, row, x0, x1);
+    counted_to = x0;
+    slow_paint = paint;
     __real_fxl_paint_pixels_565(paint, row, x0, x1);
+    slow_paint = NULL;
+    count_slow(paint, row, counted_to, x1);
 }
