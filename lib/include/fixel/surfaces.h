@@ -55,8 +55,9 @@ typedef struct {
 /* How often texture coordinates and light are divided exactly. Between two divisions they are
  * linear. Columns of the screen count from its left. */
 enum {
-    FXL_DIVIDE_16 = 0, /* at each 16th column; where that is half a texel off, as the next */
-    FXL_DIVIDE_8 = 1,  /* at each 8th column; where that is half a texel off, as the next */
+    FXL_DIVIDE_16 = 0, /* at each 16th column; where that may be more than a third of a texel off, at
+                          each 8th or 4th one, or at each pixel */
+    FXL_DIVIDE_8 = 1,  /* twice as often: nowhere more than a 12th of a texel off */
     FXL_DIVIDE_1 = 2,  /* at each pixel */
     FXL_AFFINE = 3 /* nowhere: linear on the screen. Where one of the face's three vertices is not
                       on the screen, as FXL_DIVIDE_16 */
