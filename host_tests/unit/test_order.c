@@ -4,7 +4,7 @@
 #ifdef UNIT_ON_TARGET
 #define MANY 180
 #else
-#define MANY 600
+#define MANY 4000 /* more than are sorted by digits */
 #endif
 
 static fxl_draw_entry entries[MANY];

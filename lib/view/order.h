@@ -44,8 +44,9 @@ void fxl_sort_instances(fxl_draw_entry *entries, uint32_t count);
 /* Sorts faces in place: distance downward, then index upward. Then `face` of entry n is
  * the n-th face of the order; all other members have no meaning.
  * Requires entries by rising index and of layer 0, and count <= FXL_MODEL_FACES_MAX.
- * It is fastest if the distances are spread evenly, or rise or fall in long runs. Its
- * time is at most of order count * log(count), or count^2 / FXL_ORDER_CHAINS where that is less;
+ * It is fastest if the distances are spread evenly, or rise or fall in long runs: of order count
+ * from 6 FXL_ORDER_CHAINS faces on. Its time is at most of order count * log(count), or
+ * count^2 / FXL_ORDER_CHAINS where that is less;
  * with FXL_SMALL, or with -Os where distances are not spread, of order count^(4/3). */
 void fxl_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work);
 

@@ -178,40 +178,154 @@ static inline uint32_t bucket_of(const buckets *by, uint64_t distance)
     return (high + (uint32_t)(fxl_multiply_u32((uint32_t)nearer, by->factor) >> 32)) >> by->shift;
 }
 
+/* Inserts a face into a chain that is in order, before others of the same distance. Returns false
+ * after as many steps along chains as are left. */
+static inline bool insert(fxl_draw_entry *entries, uint32_t place, uint64_t distance,
+                          uint16_t *link, uint32_t *steps)
+{
+    while (*link != END && fxl_draw_entry_distance(&entries[*link]) > distance) {
+        link = &entries[*link].next;
+        if ((*steps)-- == 0) {
+            return false;
+        }
+    }
+    entries[place].next = *link;
+    *link = (uint16_t)place;
+    return true;
+}
+
+static void put_chains_in_order(fxl_draw_entry *entries, const uint16_t *chains, uint32_t count)
+{
+    uint32_t place = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        place = put_in_order(entries, chains[i], place);
+    }
+}
+
+static void clear_chains(uint16_t *chains, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        chains[i] = END;
+    }
+}
+
 /* Inserts each face into its bucket, which is a chain in order. Faces come from the last number to
  * the first, so a face goes before others of the same distance. Squared distances of the points of
- * a plane or a sphere are spread evenly, so a bucket holds few. Returns false if too many faces
- * share too few buckets: then only links have changed. */
+ * a plane or a sphere are spread evenly, so a bucket holds few: about one. Returns false if too
+ * many faces share too few buckets: then only links have changed. */
 static bool sort_by_buckets(fxl_draw_entry *entries, uint32_t count, uint16_t *chains)
 {
     buckets by;
     survey_distances(entries, count, &by);
     uint32_t steps = count * (STEPS_A_FACE + count / by.count); /* below 2^16 (4 + 2^15) */
-    for (uint32_t i = 0; i < by.count; i++) {
-        chains[i] = END;
-    }
+    clear_chains(chains, by.count);
     for (uint32_t i = count; i-- > 0;) {
         uint64_t distance = fxl_draw_entry_distance(&entries[i]);
-        uint16_t *link = &chains[bucket_of(&by, distance)];
-        while (*link != END && fxl_draw_entry_distance(&entries[*link]) > distance) {
-            link = &entries[*link].next;
-            if (steps-- == 0) {
+        if (!insert(entries, i, distance, &chains[bucket_of(&by, distance)], &steps)) {
+            return false;
+        }
+    }
+    put_chains_in_order(entries, chains, by.count);
+    return true;
+}
+
+/* From so many faces on they are sorted by digits. Below, fewer buckets with longer chains take
+ * fewer instructions. */
+#define DIGITS_FACES (FXL_ORDER_CHAINS * 7u / 2u)
+#define DIGIT_BITS   (CHAINS_BITS - 1u)
+#define DIGIT_VALUES (1u << DIGIT_BITS)
+
+/* The least and the greatest upper word of the distances. */
+static void find_upper_words(const fxl_draw_entry *entry, uint32_t count, uint32_t *least,
+                             uint32_t *most)
+{
+    const fxl_draw_entry *const end = entry + count;
+    *least = UINT32_MAX;
+    *most = 0;
+    do {
+        const uint32_t high = entry->distance_high;
+        *least = high < *least ? high : *least;
+        *most = high > *most ? high : *most;
+    } while (++entry != end);
+}
+
+/* Finds what to take from the distances, a number of upper words, and by how many bits they may be
+ * shifted then. Where the upper words differ by 8 bits at most, they are first shifted by 24, twice
+ * if need be: what is left is below 2^40. */
+static unsigned scale_distances(fxl_draw_entry *entries, uint32_t count, uint32_t *least)
+{
+    uint32_t most;
+    find_upper_words(entries, count, least, &most);
+    for (uint32_t times = 0; times < 2 && most - *least < 256; times++) {
+        for (uint32_t i = 0; i < count; i++) {
+            const uint32_t high = entries[i].distance_high - *least, low = entries[i].distance_low;
+            entries[i].distance_high = high << 24 | low >> 8;
+            entries[i].distance_low = low << 24;
+        }
+        find_upper_words(entries, count, least, &most);
+    }
+    return fxl_leading_zeros((most - *least) | 1u);
+}
+
+/* Puts each face before those with the same lower digit. Upper words of the distances become such
+ * that the least is 0 and the greatest has its uppermost bit. This changes no order and loses no
+ * bit. */
+static void sort_by_lower_digit(fxl_draw_entry *entry, uint32_t count, uint16_t *lower)
+{
+    uint32_t least, place = 0;
+    const unsigned shift = scale_distances(entry, count, &least);
+    do {
+        const uint32_t low = entry->distance_low;
+        const uint32_t high = (entry->distance_high - least) << shift | low >> 1 >> (31u - shift);
+        uint16_t *const link = &lower[high >> (32u - 2 * DIGIT_BITS) & (DIGIT_VALUES - 1u)];
+        entry->distance_high = high;
+        entry->distance_low = low << shift;
+        entry->next = *link;
+        *link = (uint16_t)place;
+        entry++;
+    } while (++place != count);
+}
+
+/* Sorts by the two uppermost digits of the scaled distances, in two passes, each by one of
+ * them: so the time grows with the faces alone. The first pass turns the order of numbers round, so
+ * faces come to the second one from the nearest to the farthest, by both digits, and then from the
+ * last number to the first. A face then stands before all that came earlier, and only where both
+ * digits are equal may a chain have to be followed. Returns false if they are equal too often: then
+ * links have changed, and distances have kept their order. */
+static bool sort_by_digits(fxl_draw_entry *entries, uint32_t count, uint16_t *chains)
+{
+    uint16_t *const lower = chains, *const upper = chains + DIGIT_VALUES;
+    uint32_t steps = count * STEPS_A_FACE;
+    clear_chains(chains, 2 * DIGIT_VALUES);
+    sort_by_lower_digit(entries, count, lower);
+    for (uint32_t digit = 0; digit < DIGIT_VALUES; digit++) {
+        uint32_t place = lower[digit];
+        while (place != END) {
+            fxl_draw_entry *const entry = &entries[place];
+            const uint32_t next = entry->next, high = entry->distance_high;
+            const uint32_t upper_digit = high >> (32u - DIGIT_BITS), first = upper[upper_digit];
+            if (first == END || entries[first].distance_high < high) { /* as nearly always */
+                entry->next = (uint16_t)first;
+                upper[upper_digit] = (uint16_t)place;
+            } else if (!insert(entries, place, fxl_draw_entry_distance(entry), &upper[upper_digit],
+                               &steps)) {
                 return false;
             }
+            place = next;
         }
-        entries[i].next = *link;
-        *link = (uint16_t)i;
     }
     uint32_t place = 0;
-    for (uint32_t i = 0; i < by.count; i++) {
-        place = put_in_order(entries, chains[i], place);
+    for (uint32_t digit = DIGIT_VALUES; digit-- > 0;) {
+        place = put_in_order(entries, upper[digit], place);
     }
     return true;
 }
 
 void fxl_sort_faces(fxl_draw_entry *entries, uint32_t count, fxl_sort_work *work)
 {
-    if (!FXL_IS_SMALL && sort_by_buckets(entries, count, work->chains)) {
+    const bool has_digits = !FXL_IS_COMPACT && count >= DIGITS_FACES;
+    if (!FXL_IS_SMALL && (has_digits ? sort_by_digits(entries, count, work->chains)
+                                     : sort_by_buckets(entries, count, work->chains))) {
         return;
     }
     if (FXL_IS_COMPACT) {
