@@ -170,7 +170,7 @@ void test_depth_is_that_of_the_plane_through_the_corners(void)
         if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
             continue;
         }
-        fxl_corner_planes_depth(&planes, &view.lens, &plane);
+        fxl_corner_planes_depth(&planes, &plane);
         check_bounds(&plane.gradient);
         for (int k = 0; k < 3; k++) {
             values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
@@ -207,7 +207,7 @@ static void check_attributes(int first, uint32_t count, bool is_affine, uint32_t
             is_light ? unit_between(32768, 31 << 16) : unit_between(-(1 << 24), 1 << 24);
         values[i / 3][i % 3] = given[i / 3][i % 3];
     }
-    fxl_corner_planes_find(&planes, given, count, is_affine, &view.lens, &found);
+    fxl_corner_planes_find(&planes, given, count, is_affine, &found);
     TEST_ASSERT_EQUAL(count, found.count);
     check_bounds(&found.weight);
     choose_point(&x, &y);
@@ -245,4 +245,55 @@ void test_attributes_are_those_of_the_corners(void)
     TEST_ASSERT_GREATER_THAN(checked / 8, constant);
     TEST_ASSERT_LESS_THAN(2 * checked, constant);
     TEST_ASSERT_EQUAL(checked, affine);
+}
+
+/* Rows of the box, and 16 columns about it: where the weights suffice, an attribute on the line
+ * between both ends of a segment is within a quarter of its unit of the divided one. */
+void test_segments_are_within_a_quarter_where_the_least_weight_suffices(void)
+{
+    uint32_t wide = 0, narrow = 0, refused = 0;
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        int32_t given[2][3];
+        fxl_gradients found;
+        make_corners(0.5);
+        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+            continue;
+        }
+        const int bits = unit_between(13, 24);
+        for (int k = 0; k < 6; k++) {
+            given[k / 3][k % 3] = unit_between(-(1 << bits), 1 << bits);
+        }
+        fxl_corner_planes_find(&planes, given, 2, false, &found);
+        if (fxl_weight_is_constant(&found)) {
+            continue;
+        }
+        double x, y;
+        choose_point(&x, &y);
+        const int columns = unit_random() % 2 ? 16 : 4;
+        const double least = found.weight_min[columns == 16 ? 0 : 1];
+        const double first = floor(x / 65536 / columns) * columns * 65536;
+        const double ends[2] = {at(&found.weight, first, y),
+                                at(&found.weight, first + columns * 65536.0, y)};
+        if (ends[0] < least || ends[1] < least) {
+            refused++;
+            continue;
+        }
+        wide += columns == 16;
+        narrow += columns == 4;
+        for (int k = 0; k < 2; k++) {
+            const fxl_gradient *u = &found.attributes[k];
+            const double unit = ldexp(1, found.shifts[k]);
+            const double u0 = at(u, first, y) / ends[0] * unit;
+            const double u1 = at(u, first + columns * 65536.0, y) / ends[1] * unit;
+            TEST_ASSERT_TRUE(fabs(u1 - u0) <= 536870912.0);
+            for (int step = 0; step <= columns; step++) {
+                const double exact = at(u, first + step * 65536.0, y) /
+                                     at(&found.weight, first + step * 65536.0, y) * unit;
+                TEST_ASSERT_NEAR(exact, u0 + (u1 - u0) * step / columns, 16384);
+            }
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, wide);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, narrow);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, refused);
 }

@@ -4,11 +4,11 @@
 #include "surface_polygon.h"
 
 void fxl_find_depth(const fxl_model_view *model_view, const fxl_face *face,
-                    const fxl_traversal *traversal, const fxl_corner_planes *planes,
+                    const fxl_traversal *traversal, fxl_corner_planes *planes,
                     fxl_depth_plane *plane)
 {
     if (planes != NULL) {
-        fxl_corner_planes_depth(planes, &model_view->view->lens, plane);
+        fxl_corner_planes_depth(planes, plane);
     } else {
         fxl_find_depth_by_normal(model_view, face, traversal, plane);
     }

@@ -42,8 +42,8 @@ static uint32_t find_values(const fxl_surfaces *surfaces, const fxl_model_view *
 
 /* The gradients of a small face. Returns the level of its texture. */
 static uint8_t find_small(const fxl_surface *surface, const fxl_texture *texture,
-                          const fxl_corner_planes *planes, fxl_gradient_corners *corners,
-                          const fxl_view *view, fxl_gradients *gradients)
+                          fxl_corner_planes *planes, fxl_gradient_corners *corners,
+                          fxl_gradients *gradients)
 {
     const bool is_affine = surface->division == FXL_AFFINE;
     const bool has_levels = texture != NULL && texture->levels > 1;
@@ -52,8 +52,7 @@ static uint8_t find_small(const fxl_surface *surface, const fxl_texture *texture
         density.texels = fxl_texel_area(corners->values);
         fxl_corner_planes_density(planes, is_affine, &density);
     }
-    fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, &view->lens,
-                           gradients);
+    fxl_corner_planes_find(planes, corners->values, corners->count, is_affine, gradients);
     return has_levels ? fxl_texture_level_choose(texture, &density, gradients) : 0;
 }
 
@@ -99,10 +98,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     /* What is divided at each pixel keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1;
     corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
-    polygon->level = has_small_planes ? find_small(surface, texture, &planes, &corners, view,
-                                                   &polygon->gradients)
-                                      : find_large(surface, texture, model_view, mapped, traversal,
-                                                   &corners, &polygon->gradients);
+    polygon->level = has_small_planes
+                         ? find_small(surface, texture, &planes, &corners, &polygon->gradients)
+                         : find_large(surface, texture, model_view, mapped, traversal, &corners,
+                                      &polygon->gradients);
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
     polygon->shade = 0;

@@ -150,6 +150,18 @@ static bool find_inside(const fxl_model_view *model_view, uint32_t number,
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
+typedef struct {
+    int32_t left, right, top, bottom;
+} screen_box;
+
+static inline void add_point(screen_box *box, const fxl_screen_point *point)
+{
+    box->left = point->x < box->left ? point->x : box->left;
+    box->right = point->x > box->right ? point->x : box->right;
+    box->top = point->y < box->top ? point->y : box->top;
+    box->bottom = point->y > box->bottom ? point->y : box->bottom;
+}
+
 bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
                              const uint16_t *vertices, const fxl_traversal *traversal,
                              fxl_screen_corners *corners)
@@ -161,25 +173,28 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
         count = face->whole_count;
     }
     vertices = vertices != NULL ? vertices : indices;
-    int32_t left = INT32_MAX, right = INT32_MIN, top = INT32_MAX, bottom = INT32_MIN;
-    for (uint32_t i = 0; i < (count > 3 ? 3 + count : 3); i++) {
-        fxl_screen_point point;
-        fxl_q18_46 depth;
-        if (!find_inside(model_view, i < 3 ? vertices[i] : indices[i - 3], traversal, &point,
-                         &depth)) {
+    screen_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
+    for (uint32_t i = 0; i < 3; i++) {
+        if (!find_inside(model_view, vertices[i], traversal, &corners->points[i],
+                         &corners->depths[i])) {
             return false;
         }
-        if (i < 3) {
-            corners->points[i] = point;
-            corners->depths[i] = depth;
-        }
-        left = point.x < left ? point.x : left;
-        right = point.x > right ? point.x : right;
-        top = point.y < top ? point.y : top;
-        bottom = point.y > bottom ? point.y : bottom;
+        add_point(&box, &corners->points[i]);
     }
-    corners->width = right - left;
-    corners->height = bottom - top;
+    for (uint32_t i = 0; count > 3 && i < count; i++) {
+        fxl_screen_point point;
+        fxl_q18_46 depth;
+        const uint32_t number = indices[i];
+        if (number == vertices[0] || number == vertices[1] || number == vertices[2]) {
+            continue;
+        }
+        if (!find_inside(model_view, number, traversal, &point, &depth)) {
+            return false;
+        }
+        add_point(&box, &point);
+    }
+    corners->width = box.right - box.left;
+    corners->height = box.bottom - box.top;
     corners->is_triangle = count == 3;
     return true;
 }

@@ -131,7 +131,7 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
 /* fxl_find_depth: what a painter with a depth buffer links. planes: of the face, where it is small;
  * else null. */
 typedef void fxl_depth_finder(const fxl_model_view *model_view, const fxl_face *face,
-                              const fxl_traversal *traversal, const fxl_corner_planes *planes,
+                              const fxl_traversal *traversal, fxl_corner_planes *planes,
                               fxl_depth_plane *plane);
 
 /* What a face with a surface has beside its outlines. find_depth: null: it has no depth. */

@@ -48,12 +48,18 @@ static inline int64_t shifted(int64_t value, unsigned drop)
 
 /* --- what all values share ------------------------------------------------------------------ */
 
-/* The depths and the weights. The largest depth has bit 31, and all have bit 30 or 31: products are
- * at least 2^60. False: the depths differ too much. */
-static inline bool find_weights(const fxl_screen_corners *corners, fxl_corner_planes *planes)
+/* The depths and the weights, near_z / z, by one division: of near_z by the product of the depths,
+ * of which a weight leaves out one. False: the depths differ too much.
+ *
+ * The largest depth has bit 31, and all have bit 30 or 31, so products of two have 61 to 64 bits,
+ * of which 31 or 32 are left after the largest one is scaled. The reciprocal is from 2^30 to 2^31,
+ * and near_z is scaled to 2^31 to 2^32: the factor is from 2^29 to 2^31, and weights are below
+ * 2^30. */
+static inline bool find_weights(const fxl_screen_corners *corners, const fxl_lens *lens,
+                                fxl_corner_planes *planes)
 {
     const fxl_q18_46 *z = corners->depths;
-    uint32_t *depths = planes->depths, *weights = planes->weights;
+    uint32_t *depths = planes->depths;
     const uint32_t any = (uint32_t)((uint64_t)(z[0] | z[1] | z[2]) >> 32);
     if (any == 0) {
         return false; /* nearer than any near plane */
@@ -66,15 +72,29 @@ static inline bool find_weights(const fxl_screen_corners *corners, fxl_corner_pl
             return false;
         }
     }
-    planes->depth_shift = shift;
-    weights[0] = upper_unsigned(depths[1], depths[2]);
-    weights[1] = upper_unsigned(depths[0], depths[2]);
-    weights[2] = upper_unsigned(depths[0], depths[1]);
-    const unsigned zeros = fxl_leading_zeros(weights[0] | weights[1] | weights[2]);
+    uint32_t products[3] = {upper_unsigned(depths[1], depths[2]),
+                            upper_unsigned(depths[0], depths[2]),
+                            upper_unsigned(depths[0], depths[1])};
+    const unsigned zeros = fxl_leading_zeros(products[0] | products[1] | products[2]);
+    const uint32_t near_z = (uint32_t)lens->near_z;
+    const unsigned near_zeros = fxl_leading_zeros(near_z);
     for (uint32_t i = 0; i < 3; i++) {
-        weights[i] = weights[i] << zeros >> 1;
+        products[i] = products[i] << zeros >> 1;
     }
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_unsigned(products[0], depths[0]));
+    const uint32_t factor = upper_unsigned(near_z << near_zeros, (uint32_t)reciprocal.value);
+    for (uint32_t i = 0; i < 3; i++) {
+        planes->weights[i] = (int32_t)upper_unsigned(factor, products[i]);
+    }
+    planes->weight_exponent = 32 + (int)near_zeros - (int)shift - (int)reciprocal.zeros;
+    planes->has_weight = false;
     return true;
+}
+
+/* How far the pixels of 0 to `end` are at most from one of them, and one more. */
+static inline uint32_t farthest(uint32_t pixel, uint32_t end)
+{
+    return (2u * pixel > end ? pixel : end - pixel) + 1u;
 }
 
 /* Edges are at most 2^22 in 1/65536 pixel, so the area is at most 2^45; of a small face it is at
@@ -93,8 +113,9 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const int32_t x1 = p[1].x - p[0].x, y1 = p[0].y - p[1].y;
     const int32_t x2 = p[0].x - p[2].x, y2 = p[2].y - p[0].y;
     const int64_t area = product(x1, y2) - product(x2, y1);
+    const uint64_t box = product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
-    if (planes->area << 3 < product_unsigned(width, height) || !find_weights(corners, planes)) {
+    if (planes->area << 3 < box || !find_weights(corners, lens, planes)) {
         return false;
     }
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
@@ -110,20 +131,22 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->down[0] = upper((int32_t)((uint32_t)x2 << scale), reciprocal);
     planes->down[1] = upper((int32_t)((uint32_t)x1 << scale), reciprocal);
     planes->exponent = (int)scale + (high != 0 ? 46 : 14) - (int)zeros;
-    planes->screen_bits = 32u - fxl_leading_zeros((lens->width + 15u) | lens->height);
+    planes->columns = farthest((uint32_t)p[0].x >> 16, (lens->width + 15u) & ~15u);
+    planes->rows = farthest((uint32_t)p[0].y >> 16, lens->height);
     planes->is_triangle = corners->is_triangle;
+    planes->is_sparse = planes->area << 1 < box;
     return true;
 }
 
 /* --- a value -------------------------------------------------------------------------------- */
 
-/* The gradient of a value that is below 2^31 at the corners, scaled so that it is below 2^62 on the
- * whole screen. Returns the exponent: its 64 bits are the value times 2^exponent, from 7 to 36.
+/* The gradient of a value that is below 2^30 at the corners, scaled so that it is below 2^62 on the
+ * whole screen. Returns the exponent: its 64 bits are the value times 2^exponent, from 4 to 36.
  *
- * Differences are below 2^31 and coefficients at most 2^30, so their sums are at most 2^62. Let the
- * upper words of both be below 2^bits, and the screen's sides 2^screen_bits: the value is below
- * 2^value_bits + 2 * 2^(bits + 32 + screen_bits - planes->exponent) on the screen. `least` keeps
- * the drop from being negative. What is cut off a step is less than 1/65536 in a column of 2^26. */
+ * Differences are below 2^31 and coefficients at most 2^30, so their sums are at most 2^62. `largest` is
+ * above the largest value on the screen in units of 2^(32 - planes->exponent): the upper words are below
+ * 2^30 and sides at most 2^11, so it is below 2^43. It is at least 2^29, so that no bits are added. What
+ * is cut off a step is less than 1/65536 of a unit of 2^-32, and less than 2^26 of these in a column. */
 static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
                     fxl_gradient *gradient)
 {
@@ -132,39 +155,37 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
     const int64_t down = product(d1, planes->down[0]) + product(d2, planes->down[1]);
     const int32_t along_high = (int32_t)((uint64_t)along >> 32);
     const int32_t down_high = (int32_t)((uint64_t)down >> 32);
-    const uint32_t least = 1u << (28u - planes->screen_bits) >> 1;
-    const uint32_t steps = (uint32_t)(along_high ^ (along_high >> 31)) |
-                           (uint32_t)(down_high ^ (down_high >> 31)) | least;
-    const uint32_t value = (uint32_t)(values[0] ^ (values[0] >> 31)) | 1u;
-    const int by_steps = (int)(4u + planes->screen_bits) - (int)fxl_leading_zeros(steps);
-    const int by_value = planes->exponent - 29 - (int)fxl_leading_zeros(value);
-    const unsigned drop = (unsigned)(by_steps > by_value ? by_steps : by_value);
+    const uint32_t value = (uint32_t)(values[0] ^ (values[0] >> 31)) + 1u;
+    const int up = planes->exponent - 32; /* -12..4 */
+    const uint64_t largest =
+        (product_unsigned((uint32_t)(along_high ^ (along_high >> 31)) + 1u, planes->columns) +
+         product_unsigned((uint32_t)(down_high ^ (down_high >> 31)) + 1u, planes->rows) +
+         (up >= 0 ? product_unsigned(value, 1u << up) : (value >> -up) + 1u)) |
+        1u << 29;
+    const unsigned drop = fxl_bit_length(largest) - 30u;
+    const int exponent = planes->exponent - (int)drop;
     gradient->along = shifted(along, drop);
     gradient->down = shifted(down, drop);
-    const int exponent = planes->exponent - (int)drop;
     gradient->at = (int64_t)((uint64_t)(int64_t)values[0] << exponent) -
                    product_wide(gradient->along >> 16, planes->x) -
                    product_wide(gradient->down >> 16, planes->y);
     return exponent;
 }
 
-/* near_z / z of the corners, by one division: of near_z by the product of the depths, of which the
- * weights leave out one each. near_z and the reciprocal are below 2^32 and 2^31, so the factor is
- * from 2^29 to 2^31, and the values are below 2^30. */
-void fxl_corner_planes_depth(const fxl_corner_planes *planes, const fxl_lens *lens,
-                             fxl_depth_plane *plane)
+/* The gradient of the weight, which is the depth's. */
+static void find_weight(fxl_corner_planes *planes)
 {
-    const uint32_t near_z = (uint32_t)lens->near_z;
-    const unsigned near_zeros = fxl_leading_zeros(near_z);
-    const fxl_reciprocal reciprocal =
-        fxl_reciprocal_of(upper_unsigned(planes->weights[0], planes->depths[0]));
-    const uint32_t factor = upper_unsigned(near_z << near_zeros, (uint32_t)reciprocal.value);
-    int32_t values[3];
-    for (uint32_t i = 0; i < 3; i++) {
-        values[i] = (int32_t)upper_unsigned(factor, planes->weights[i]);
+    if (!planes->has_weight) {
+        planes->gradient_exponent = plane_of(planes, planes->weights, &planes->weight);
+        planes->has_weight = true;
     }
-    plane->one = 32 + (int)near_zeros - (int)planes->depth_shift - (int)reciprocal.zeros +
-                 plane_of(planes, values, &plane->gradient);
+}
+
+void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane)
+{
+    find_weight(planes);
+    plane->gradient = planes->weight;
+    plane->one = planes->weight_exponent + planes->gradient_exponent;
 }
 
 /* --- a face --------------------------------------------------------------------------------- */
@@ -179,24 +200,24 @@ static inline uint32_t range_of(const int32_t values[3])
     return (uint32_t)most - (uint32_t)least;
 }
 
-/* Whether a constant weight changes no attribute by more than FXL_AFFINE_ERROR_TEXEL, or
- * FXL_AFFINE_ERROR_LIGHT: light is the last of an odd number. Differences of attributes are below
- * 2^31, and of weights below 2^31. */
-static bool is_nearly_affine(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count)
+static inline uint32_t largest_of(const int32_t values[3])
 {
-    const int32_t weights[3] = {(int32_t)planes->weights[0], (int32_t)planes->weights[1],
-                                (int32_t)planes->weights[2]};
-    const uint32_t range = range_of(weights);
+    const int32_t larger = values[0] > values[1] ? values[0] : values[1];
+    return (uint32_t)(larger > values[2] ? larger : values[2]);
+}
+
+/* Whether a constant weight changes no attribute by more than FXL_AFFINE_ERROR_TEXEL, or
+ * FXL_AFFINE_ERROR_LIGHT: light is the last of an odd number. ranges: of the attributes, below
+ * 2^31; range: of the weights, below 2^30. */
+static bool is_nearly_affine(const fxl_corner_planes *planes, const uint32_t *ranges,
+                             uint32_t count, uint32_t range)
+{
+    const uint32_t least = largest_of(planes->weights) - range;
     const unsigned part = planes->is_triangle ? 0 : 3;
-    uint32_t least = planes->weights[0];
-    for (uint32_t i = 1; i < 3; i++) {
-        least = planes->weights[i] < least ? planes->weights[i] : least;
-    }
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t error =
             i % 2 == 0 && i + 1 == count ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL;
-        if (product_unsigned(range_of(values[i]), range) >
-            product_unsigned(least, 4u * error >> part)) {
+        if (product_unsigned(ranges[i], range) > product_unsigned(least, 4u * error >> part)) {
             return false;
         }
     }
@@ -235,34 +256,86 @@ static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
     }
 }
 
-/* The attributes are scaled to less than 2^31, and their products with the weights to half of it.
- */
-static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[3],
-                             const fxl_lens *lens, fxl_gradients *gradients)
+/* weight_min: the rule of gradients.h for the rows of the face's box, by powers of 2.
+ *
+ * Let A be the sum of the coefficients along a row, D the range of an attribute, w and q w the
+ * largest weight and the range of the weights, and ' the change a pixel. In the rows of the box |u'
+ * w - w' u| <= D A w^2 k, k = 1 + 2 b q: b, the sum of the coefficients down times the rows of the
+ * box, is at most 4, or 16 of a face that fills less than a quarter of it. So with weights of at
+ * least 3/4 w at both ends of 16 pixels, attributes are off by at most r / 4 of their unit, r =
+ * 2^-8 (64/27) k D A |w'| / w. If r <= 2^bits, weights 2^(bits/3) as large suffice for 16 pixels,
+ * and 2^((bits - 4)/3) as large for 4. Of what changes by 2^21 a pixel or more no weight suffices:
+ * the ends might overflow. */
+static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uint32_t weights,
+                       uint32_t weight_min[2])
 {
-    const int32_t weights[3] = {(int32_t)planes->weights[0], (int32_t)planes->weights[1],
-                                (int32_t)planes->weights[2]};
-    const int weight_exponent = plane_of(planes, weights, &gradients->weight);
-    for (uint32_t i = 0; i < gradients->count; i++) {
-        const unsigned shift = room_of(values[i]) - 1u;
-        scale(values[i], shift);
-        for (uint32_t k = 0; k < 3; k++) {
-            values[i][k] = upper(values[i][k], weights[k]);
-        }
-        gradients->shifts[i] = (int8_t)(32 - (int)shift + weight_exponent -
-                                        plane_of(planes, values[i], &gradients->attributes[i]));
+    /* 3/4 2^((i - 4)/3), in 1/65536, and k (64/27) / 64, in 2^-32. */
+    static const uint32_t parts[13] = {19506, 24576,  30964,  39012,  49152,  61928, 78024,
+                                       98304, 123856, 156048, 196608, 247711, 312096};
+    static const uint32_t growths[2][3] = {{198841079u, 318145726u, 1113510040u},
+                                           {318145726u, 795364315u, 3976821571u}};
+    const int32_t *along = planes->along;
+    const int32_t slope = (int32_t)((uint64_t)planes->weight.along >> 32);
+    const uint32_t change = (uint32_t)(slope ^ (slope >> 31)) + 1u, range = attributes | 1u;
+    const uint32_t sum =
+        (uint32_t)(along[0] ^ (along[0] >> 31)) + (uint32_t)(along[1] ^ (along[1] >> 31)) + 2u;
+    const uint32_t most = largest_of(planes->weights);
+    const uint32_t unit = (uint32_t)((uint64_t)most << planes->gradient_exponent >> 32);
+    const uint32_t growth = growths[planes->is_sparse][weights <= most >> 5   ? 0
+                                                       : weights <= most >> 3 ? 1
+                                                                              : 2];
+    const int range_zeros = (int)fxl_leading_zeros(range), sum_zeros = (int)fxl_leading_zeros(sum);
+    const int change_zeros = (int)fxl_leading_zeros(change);
+    const int unit_zeros = (int)fxl_leading_zeros(unit);
+    uint32_t product = upper_unsigned(range << range_zeros, sum << sum_zeros);
+    product = upper_unsigned(upper_unsigned(product, change << change_zeros), growth) + 1u;
+    const int zeros = (int)fxl_leading_zeros(product);
+    const int step = 64 - range_zeros - sum_zeros - planes->exponent;
+    int bits = 62 - range_zeros - sum_zeros - change_zeros - planes->exponent + unit_zeros - zeros;
+    bits += product << zeros > unit << unit_zeros;
+    bits = bits < -4 ? -4 : bits;
+    weight_min[0] = weight_min[1] = (uint32_t)1 << 31;
+    if (step <= 21 && bits <= 8) {
+        weight_min[0] = (uint32_t)(product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
+        weight_min[1] = (uint32_t)(product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
     }
-    fxl_gradients_find_least(gradients, lens);
 }
 
-void fxl_corner_planes_find(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
-                            bool is_affine, const fxl_lens *lens, fxl_gradients *gradients)
+/* The attributes are scaled to less than 2^31, and their products with the weights are below 2^29.
+ */
+static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[3],
+                             fxl_gradients *gradients)
 {
+    gradients->weight = planes->weight;
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        const unsigned shift = room_of(values[i]) - 1u;
+        for (uint32_t k = 0; k < 3; k++) {
+            values[i][k] = upper((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
+        }
+        gradients->shifts[i] = (int8_t)(32 - (int)shift + planes->gradient_exponent -
+                                        plane_of(planes, values[i], &gradients->attributes[i]));
+    }
+}
+
+void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
+                            bool is_affine, fxl_gradients *gradients)
+{
+    uint32_t ranges[FXL_ATTRIBUTES], most = 0, range = 0;
     gradients->count = (uint8_t)count;
-    if (is_affine || is_nearly_affine(planes, values, count)) {
+    if (!is_affine) {
+        range = range_of(planes->weights);
+        for (uint32_t i = 0; i < count; i++) {
+            ranges[i] = range_of(values[i]);
+            most = ranges[i] > most ? ranges[i] : most;
+        }
+        is_affine = is_nearly_affine(planes, ranges, count, range);
+    }
+    if (is_affine) {
         find_affine(planes, values, gradients);
     } else {
-        find_perspective(planes, values, lens, gradients);
+        find_weight(planes);
+        find_perspective(planes, values, gradients);
+        find_least(planes, most, range, gradients->weight_min);
     }
 }
 

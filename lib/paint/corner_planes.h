@@ -43,12 +43,16 @@ typedef struct {
      * pixel down likewise. The coefficients are at most 2^30. */
     int32_t along[2], down[2];
     int exponent;         /* 20..36 */
-    unsigned screen_bits; /* width, rounded up to 16 columns, and height are below 2^screen_bits */
-    uint32_t weights[3];  /* proportional to 1/z: from 2^26 to 2^31 */
-    uint32_t depths[3];   /* z 2^(depth_shift - 32) in units of 2^-46: from 2^30 to 2^32 */
-    unsigned depth_shift;
-    uint64_t area; /* twice the triangle's, in units of 2^-32 pixel */
+    uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
+    uint64_t area;        /* twice the triangle's, in units of 2^-32 pixel */
+    uint32_t depths[3];   /* proportional to z: from 2^30 to 2^32 */
+    int32_t weights[3];   /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
+    int weight_exponent;
     bool is_triangle;
+    bool is_sparse;        /* the triangle fills less than a quarter of the box */
+    bool has_weight;       /* the next two are found */
+    int gradient_exponent; /* the gradient's 64 bits are a weight times 2^gradient_exponent */
+    fxl_gradient weight;
 } fxl_corner_planes;
 
 /* Sets *planes. False where the face is not small: *planes is undefined then. A face is small if
@@ -63,8 +67,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
  * b the ratio of the longer side of the box to the shorter one: less than 2^-25 (1 + b) of the
  * largest depth there, and 1/16 unit of the upper word. Corners are off by 0.52/65536 pixel, which
  * moves the plane by so much times its slope. */
-void fxl_corner_planes_depth(const fxl_corner_planes *planes, const fxl_lens *lens,
-                             fxl_depth_plane *plane);
+void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
 
 /* The weight and the attributes of values, which it changes. Where is_affine, the weight is
  * constant. It is constant too where that changes no attribute by more than FXL_AFFINE_ERROR_TEXEL
@@ -72,8 +75,8 @@ void fxl_corner_planes_depth(const fxl_corner_planes *planes, const fxl_lens *le
  * from the least weight w on, attributes are off by at most D E / (4 w) in the triangle. Error,
  * beyond that, given the corners: 2^-25 (1 + b) of the largest value, 1/65536, and 1/16 unit of the
  * upper words of the attribute and of the weight. */
-void fxl_corner_planes_find(const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
-                            bool is_affine, const fxl_lens *lens, fxl_gradients *gradients);
+void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
+                            bool is_affine, fxl_gradients *gradients);
 
 /* What a texture's level depends on, but for texels. is_affine as above: then the face is as if all
  * of it were at one depth. */

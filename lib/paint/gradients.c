@@ -255,7 +255,7 @@ static bool is_zero(const fxl_gradient *gradient)
     return (gradient->at | gradient->along | gradient->down) == 0;
 }
 
-void fxl_gradients_find_least(fxl_gradients *gradients, const fxl_lens *lens)
+static void find_weight_min(fxl_gradients *gradients, const fxl_lens *lens)
 {
     fxl_real twist = {0, INT16_MIN};
     for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
@@ -301,7 +301,7 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
         gradients->shifts[i] = (int8_t)(is_zero(attribute) ? 0 : exponent - weight_exponent);
     }
-    fxl_gradients_find_least(gradients, &view->lens);
+    find_weight_min(gradients, &view->lens);
 }
 
 /* Differences are at most 2^26, so products are at most 2^52. */

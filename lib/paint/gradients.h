@@ -100,9 +100,6 @@ static inline uint32_t fxl_segment_log(const uint32_t least[3], uint32_t weight_
     const uint32_t weight = weight_0 < weight_1 ? weight_0 : weight_1;
     return weight >= least[0] ? 4 : weight >= least[1] ? 3 : weight >= least[2] ? 2 : 0;
 }
-/* Sets weight_min, from all else. */
-void fxl_gradients_find_least(fxl_gradients *gradients, const fxl_lens *lens);
-
 /* Where all three corners are on the screen, puts them into the plane of the screen, so that their
  * weight is constant and their attributes are linear on the screen. Corners that are on one line
  * there stay as they are. A corner is on the screen if it can be projected, with

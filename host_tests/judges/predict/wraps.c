@@ -300,7 +300,7 @@ WRAPPED(bool, fxl_find_screen_corners,
          const fxl_traversal *traversal, fxl_screen_corners *corners))
 {
     const uint32_t count = face->whole_count != 0 ? face->whole_count : face->count;
-    counted.corners_on_screen += count > 3 ? count + 3 : 3;
+    counted.corners_on_screen += count;
     return __real_fxl_find_screen_corners(model_view, face, vertices, traversal, corners);
 }
 
@@ -314,10 +314,10 @@ WRAPPED(bool, fxl_corner_planes_begin,
 
 /* A small face whose weight is not constant has it as one plane more. */
 WRAPPED(void, fxl_corner_planes_find,
-        (const fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count, bool is_affine,
-         const fxl_lens *lens, fxl_gradients *gradients))
+        (fxl_corner_planes * planes, int32_t (*values)[3], uint32_t count, bool is_affine,
+         fxl_gradients *gradients))
 {
-    __real_fxl_corner_planes_find(planes, values, count, is_affine, lens, gradients);
+    __real_fxl_corner_planes_find(planes, values, count, is_affine, gradients);
     const bool is_constant = fxl_weight_is_constant(gradients);
     counted.small_surfaces += 1;
     counted.small_attributes += count;

@@ -24,11 +24,10 @@ bool has_depth_buffer, paints_surface, keeps_less;
  * polygon is compared, and counted by area. */
 static bool compares_each;
 
-WRAPPED(void, fxl_corner_planes_depth,
-        (const fxl_corner_planes *planes, const fxl_lens *lens, fxl_depth_plane *plane))
+WRAPPED(void, fxl_corner_planes_depth, (fxl_corner_planes * planes, fxl_depth_plane *plane))
 {
-    counted.small_depths += 1;
-    __real_fxl_corner_planes_depth(planes, lens, plane);
+    counted.small_depths += !planes->has_weight;
+    __real_fxl_corner_planes_depth(planes, plane);
 }
 
 WRAPPED(void, fxl_find_depth_by_normal,
