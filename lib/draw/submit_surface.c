@@ -80,6 +80,18 @@ static uint8_t find_large(const fxl_surface *surface, const fxl_texture *texture
         gradients);
 }
 
+/* Whether u and v differ by less than 128 texels from those of the first corner. Coordinates are
+ * within FXL_TEXEL_MAX, so differences are below 2^31. */
+static bool has_few_texels(int32_t (*values)[3])
+{
+    int32_t bits = 0;
+    for (uint32_t i = FXL_ATTRIBUTE_U; i <= FXL_ATTRIBUTE_V; i++) {
+        const int32_t d1 = values[i][1] - values[i][0], d2 = values[i][2] - values[i][0];
+        bits |= (d1 ^ (d1 >> 31)) | (d2 ^ (d2 >> 31));
+    }
+    return bits >> 23 == 0;
+}
+
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_depth_finder *find_depth,
@@ -95,9 +107,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     const bool is_small =
         fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen) &&
         fxl_corner_planes_begin(&on_screen, &view->lens, &planes);
-    /* What is divided at each pixel keeps the exact planes. */
-    const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1;
     corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
+    /* What is divided at each pixel, or has more texels, keeps the exact planes. */
+    const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
+                                  (texture == NULL || has_few_texels(corners.values));
     polygon->level = has_small_planes
                          ? find_small(surface, texture, &planes, &corners, &polygon->gradients)
                          : find_large(surface, texture, model_view, mapped, traversal, &corners,

@@ -143,10 +143,11 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
 /* The gradient of a value that is below 2^30 at the corners, scaled so that it is below 2^62 on the
  * whole screen. Returns the exponent: its 64 bits are the value times 2^exponent, from 4 to 36.
  *
- * Differences are below 2^31 and coefficients at most 2^30, so their sums are at most 2^62. `largest` is
- * above the largest value on the screen in units of 2^(32 - planes->exponent): the upper words are below
- * 2^30 and sides at most 2^11, so it is below 2^43. It is at least 2^29, so that no bits are added. What
- * is cut off a step is less than 1/65536 of a unit of 2^-32, and less than 2^26 of these in a column. */
+ * Differences are below 2^31 and coefficients at most 2^30, so their sums are at most 2^62.
+ * `largest` is above the largest value on the screen in units of 2^(32 - planes->exponent): the
+ * upper words are below 2^30 and sides at most 2^11, so it is below 2^43. It is at least 2^29, so
+ * that no bits are added. What is cut off a step is less than 1/65536 of a unit of 2^-32, and less
+ * than 2^26 of these in a column. */
 static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
                     fxl_gradient *gradient)
 {
@@ -269,11 +270,11 @@ static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
 static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uint32_t weights,
                        uint32_t weight_min[2])
 {
-    /* 3/4 2^((i - 4)/3), in 1/65536, and k (64/27) / 64, in 2^-32. */
+    /* 3/4 2^((i - 4)/3), in 1/65536, and k (16/9) / 64, in 2^-32. */
     static const uint32_t parts[13] = {19506, 24576,  30964,  39012,  49152,  61928, 78024,
                                        98304, 123856, 156048, 196608, 247711, 312096};
-    static const uint32_t growths[2][3] = {{198841079u, 318145726u, 1113510040u},
-                                           {318145726u, 795364315u, 3976821571u}};
+    static const uint32_t growths[2][3] = {{149130809u, 238609295u, 835132530u},
+                                           {238609295u, 596523236u, 2982616178u}};
     const int32_t *along = planes->along;
     const int32_t slope = (int32_t)((uint64_t)planes->weight.along >> 32);
     const uint32_t change = (uint32_t)(slope ^ (slope >> 31)) + 1u, range = attributes | 1u;
