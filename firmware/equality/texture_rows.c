@@ -155,8 +155,8 @@ static void choose_light(fxl_segment_face *face, fxl_paint_row *row, uint32_t le
 
 static void choose_coordinates(fxl_segment_face *face, fxl_paint_row *row)
 {
-    face->u_step = any_value();
-    face->v_step = any_value();
+    face->u_step = any_value() / 16 * 16;
+    face->v_step = any_value() / 16 * 16;
     row->attributes[FXL_ATTRIBUTE_U] = any_value();
     row->attributes[FXL_ATTRIBUTE_V] = any_value();
 }

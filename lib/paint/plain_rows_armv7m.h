@@ -30,10 +30,9 @@
 #define F_LAST     64 /* the last r0 at which a whole segment may begin; then r0 at the end */
 #define F_END      68
 #define F_SKIP     72 /* columns of the next segment that are not painted */
-#define F_SHORT    76 /* pixels of 16 that a segment has not */
-#define F_CODE     80 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
-#define F_BYTES    84
-#define F_BEFORE   88 /* pixels of 16 that a loop leaves out */
+#define F_SHORT    76 /* pixels of 16 that a segment has not; then those that a loop leaves out */
+#define F_BEFORE   80
+#define F_CODE     84 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
 #define F_COLUMN   92 /* for a loop: how far a position is shifted to the column; then, to the row */
 #define F_LOG      100 /* of the segments that the frame is for; above 4: none */
 #define F_DONE     104 /* what follows a row */
@@ -41,7 +40,9 @@
 #define F_FACE     112
 #define F_X        116 /* the end of the run; then that of the row */
 #define F_X_END    120
-#define F_SIZE     128
+#define F_KEPT     124 /* 1: the registers from w_low on are those at the beginning of the run */
+#define F_SAVED    128 /* the registers from w_low on */
+#define F_SIZE     160
 
 pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
 p       .req r1
@@ -135,8 +136,9 @@ ROWS:
 3:  strd    r4, r5, [sp, #F_CODE]
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
-    cbz     r1, 4f
     movs    r5, #0
+    str     r5, [sp, #F_KEPT]
+    cbz     r1, 4f
     str     r4, [sp, #F_FULL]
     str     r5, [sp, #F_SHORT]
     str     r5, [sp, #F_BEFORE]
@@ -246,6 +248,9 @@ ROWS:
     ldreq   r3, [sp, #F_FULL]
     adrne   r3, .Lpartial + 1
     str     r3, [sp, #F_GO]
+    ldr     r3, [sp, #F_KEPT]
+    cmp     r3, #0
+    bne     .Lkept
 
     ldrd    r2, r3, [sp]
     umull   w_low, w, r2, r12
@@ -289,47 +294,48 @@ ROWS:
     mov     v_0, r2
     ldr     pc, [sp, #F_RESUME]
 
-/* The frame of another logarithm, r4: a step is that of 16 columns, shifted to the right. */
-.Lother_log:
-    str     r4, [sp, #F_LOG]
-    rsb     r5, r4, #4
-    rsb     r12, r5, #32
+/* A word of 64 bits in high:low is shifted to the right by less than 32. */
+    .macro  shift_step low, high, by
+    .if     \by
+    lsr     \low, \low, #\by
+    orr     \low, \low, \high, lsl #(32 - \by)
+    asr     \high, \high, #\by
+    .endif
+    .endm
+
+/* The frame for segments of 2^log columns: a step is that of 16, shifted. Keeps r0 to r4. */
+    .macro  set_log log, resume
     ldm     r0, {r6-r11}
-    lsr     r6, r6, r5
-    lsl     lr, r7, r12
-    orr     r6, r6, lr
-    asr     r7, r7, r5
-    lsr     r8, r8, r5
-    lsl     lr, r9, r12
-    orr     r8, r8, lr
-    asr     r9, r9, r5
-    lsr     r10, r10, r5
-    lsl     lr, r11, r12
-    orr     r10, r10, lr
-    asr     r11, r11, r5
+    shift_step r6, r7, (4 - \log)
+    shift_step r8, r9, (4 - \log)
+    shift_step r10, r11, (4 - \log)
     stm     sp, {r6-r11}
-    movs    r6, #1
-    lsls    r6, r6, r4
-    rsb     r6, r6, #16
-    str     r6, [sp, #F_SHORT]
-    str     r6, [sp, #F_BEFORE]
+    movs    r6, #(16 - (1 << \log))
+    strd    r6, r6, [sp, #F_SHORT]
     ldrd    r7, r8, [sp, #F_CODE]
     mla     r7, r6, r8, r7
+    adr     r8, .Lsegment_\log + 1
+    adr     r9, \resume + 1
     str     r7, [sp, #F_FULL]
-    adr     r6, .Lsegment_4 + 1
-    adr     r7, .Lresume_4 + 1
-    cmp     r4, #3
-    itt     eq
-    adreq   r6, .Lsegment_3 + 1
-    adreq   r7, .Lresume_3 + 1
-    itt     lo
-    adrlo   r6, .Lsegment_2 + 1
-    adrlo   r7, .Lresume_2 + 1
-    cbnz    r4, 1f
-    adr     r6, .Lsegment_0 + 1
-    adr     r7, .Leach + 1
-1:  strd    r6, r7, [sp, #F_NEXT]
+    strd    r8, r9, [sp, #F_NEXT]
     b       .Lsame_log
+    .endm
+
+/* The frame of another logarithm, r4. */
+.Lother_log:
+    str     r4, [sp, #F_LOG]
+    cmp     r4, #3
+    beq     .Lset_3
+    blo     .Lset_less
+    set_log 4, .Lresume_4
+.Lset_3:
+    set_log 3, .Lresume_3
+.Lset_less:
+    cmp     r4, #0
+    beq     .Lset_0
+    set_log 2, .Lresume_2
+.Lset_0:
+    set_log 0, .Leach
 
 /* Not all are of 16 columns. */
 .Lmixed:
@@ -402,13 +408,28 @@ ROWS:
     movs    r0, #1
     b       .Lleave
 
+/* A run has ended. If segments have come to an end of 16 columns, all registers are those at the
+ * beginning of the next run. */
     .align  2
 .Lrun_end:
     ldrd    r2, r3, [sp, #F_X]
     cmp     r2, r3
-    beq     1f
+    beq     2f
+    ldr     r4, [sp, #F_LOG]
     ldrd    r1, r0, [sp, #F_ROW]
-    lsr     r4, r2, #4
+    cbz     r4, 1f
+    .if     WIDE
+    ldr     w_low, [sp, #F_W_LOW]
+    .endif
+    str     r4, [sp, #F_KEPT]
+    add     r4, sp, #F_SAVED
+    stm     r4, {r6-r12, lr}
+    mov     r10, w_low
+    mov     r11, w
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    b       .Lfind
+1:  lsr     r4, r2, #4
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
     ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
     umull   r10, r11, r6, r4
@@ -417,7 +438,14 @@ ROWS:
     adc     r11, r11, r9
     ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
     b       .Lfind
-1:  ldr     pc, [sp, #F_DONE]
+2:  ldr     pc, [sp, #F_DONE]
+
+.Lkept:
+    movs    r3, #0
+    str     r3, [sp, #F_KEPT]
+    add     r3, sp, #F_SAVED
+    ldm     r3, {r6-r12, lr}
+    ldr     pc, [sp, #F_RESUME]
 
 /* --- segments ------------------------------------------------------------------------------- */
 
