@@ -195,11 +195,21 @@ $(BENCH_OUT)/$(1)/size/$(3)/$(2).elf: $(call BENCH_SIZE_OBJECTS.$(3),$(1),$(2)) 
 	$$(call FIRMWARE_LINK,$$(call BENCH_SIZE_LINK,$(1),$(2)) $(BENCH_SIZE_FLAGS.$(3)) $$(filter %.o,$$^) $(if $(filter fixel,$(2)),,-lm -lc) -lgcc)
 endef
 
+# What [[programs]] of bench.toml link: all of the library that the bench's programs need.
+BENCH_PROGRAM_LIBRARIES := $(foreach flag,os small,$(BENCH_OUT)/m3/programs/$(flag)/libfixel.a)
+define BENCH_PROGRAM_LIBRARY_RULES
+$(BENCH_OUT)/m3/programs/$(1)/libfixel.a: $(call BENCH_PLACES,m3,$(BENCH_NEEDED:%=$(1)/lib/%))
+	@mkdir -p $$(@D)
+	@rm -f $$@
+	@$(CROSS)ar rcs $$@ $$^
+endef
+$(if $(BUILT_GOALS),$(foreach flag,os small,$(eval $(call BENCH_PROGRAM_LIBRARY_RULES,$(flag)))))
+
 define BENCH_CORE_SIZE_RULES
 BENCH_CC_OS.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) -Os $(BENCH_CFLAGS)
 BENCH_CC_SMALL.$(1) := $(CROSS)gcc $(BENCH_FLAGS.$(1)) $(BENCH_SMALL) $(BENCH_CFLAGS)
 BENCH_CC_SMALL_LTO.$(1) := $$(filter-out -g,$$(BENCH_CC_SMALL.$(1))) -flto
-BENCH_SIZES.$(1) := $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
+BENCH_SIZES.$(1) := $(if $(filter m3,$(1)),$(BENCH_PROGRAM_LIBRARIES)) $(foreach flag,O2 Os,$(BENCH_SIZED:%=$(BENCH_OUT)/$(1)/size/$(flag)/%.elf)) \
     $(BENCH_OUT)/$(1)/size/small/fixel.elf $(BENCH_OUT)/$(1)/size/small-flto/fixel.elf
 
 $(BENCH_OUT)/$(1)/os/memory_functions.o: boards/parts/memory_functions.c bench/bench.mk

@@ -93,7 +93,7 @@ def test_a_run_writes_tables_and_plots_and_prints_the_goals(measured):
     # Of other cores than the M3 nothing was measured, nor of the scenes that were left out, and that is what is said.
     budgets = {entry["name"] for entry in bench_plan.Plan(CHECKOUT / "build").budgets}
     unknown = [goal for goal in goals if goal["goal"] in budgets or
-               re.search("M0|M4F|M55|plaza|W3b|c500|e300|f32|every cube|to RGB565, (a frame|ESTIMATE)", goal["goal"])]
+               re.search("M0|M4F|M55|plaza|W3b|c500|e300|f32|every cube|program|to RGB565, (a frame|ESTIMATE)", goal["goal"])]
     assert [goal["figure"] for goal in unknown] == [None] * len(unknown) and len(unknown) > 10
     assert all(goal["figure"] is not None for goal in goals if goal not in unknown)
 
@@ -362,6 +362,8 @@ def goal_result():
                    for objects, faces, instructions in points],
         "renderer_bytes": {"m3": 2528},
         "budgets": {"a point light, a face": 120.5},
+        "programs": {"cube, -Os": {"flash": 12_000, "of_other_pixels": []},
+                     "crate, -Os": {"flash": 29_697, "of_other_pixels": ["fxl_draw_outline_rgb565"]}},
         "cycles_estimate": [{"workload": "w1", "core": "m3", "model": "cortex-m3", "cycles": [250_001, 1]}],
         "rgb565": [{"workload": workload, "core": "m3", "way": way, "frame": frame, "cycles": {"cortex-m3": [7, 9], "cortex-m4": [5, 6]}}
                    for workload, way, frame in (("tqp", "a", 800_001), ("tqp", "b", 800_000), ("crates, levels", "a", 687_500),
@@ -370,6 +372,10 @@ def goal_result():
 
 @pytest.mark.parametrize("goal, figure, met", [
     ("W1, a frame, M3", 130_000, True),
+    ("a flat program links, bytes, -Os, M3", 12_000, True),
+    ("a textured and lit program links, bytes, -Os, M3", 29_697, False),
+    ("a flat program to RGB565 links, bytes, -Os, M3", None, None),
+    ("programs that link kernels of pixels that they do not draw, M3", 1, False),
     ("g2000, a frame, M3", 1_850_001, False),
     ("W1 with every cube turning, by W1, M3", 1.09, False),
     ("W1, worst frame by the mean, M3", 1.45, True),

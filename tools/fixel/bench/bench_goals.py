@@ -152,6 +152,18 @@ def _budget(result, goal):
     return None if figure is None else (figure, None)
 
 
+def _program(result, goal):
+    """Bytes of the library that a program links."""
+    size = result.get("programs", {}).get(goal["program"])
+    return size and (size["flash"], None)
+
+
+def _other_kernels(result, _):
+    """How many programs link kernels of pixels that they do not draw, and which."""
+    found = [f"{name}: {', '.join(size['of_other_pixels'])}" for name, size in result.get("programs", {}).items() if size["of_other_pixels"]]
+    return (len(found), "; ".join(found) or None) if result.get("programs") else None
+
+
 def _rgb565_variants(result, goal):
     """The largest share of variants of a workload's goal, and whose it is; None where none was drawn."""
     shares = {}
@@ -199,7 +211,7 @@ def _renderer(result, goal):
 
 FIGURES = {"frame": _frame, "variant": _variant, "conversion": _conversion, "by workload": _by_workload, "worst": _worst, "share": _share, "worst share": _worst_share,
            "worst by peer": _worst_by_peer, "unit": _unit, "against": _against, "growth": _growth, "rgb565": _rgb565, "rgb565 cycles": _rgb565_cycles, "rgb565 variants": _rgb565_variants,
-           "cycles": _cycles, "budget": _budget, "code": _code,
+           "cycles": _cycles, "budget": _budget, "program": _program, "other kernels": _other_kernels, "code": _code,
            "helpers": _helpers, "stack": _stack, "ram": _ram, "renderer": _renderer}
 
 

@@ -30,7 +30,7 @@ class Plan:
         self.rgb565 = {each["name"]: each for each in data["rgb565"]}
         self.rgb565_variants = data["rgb565_variants"]
         self.peers = data["peers"]
-        self.budgets = data["budgets"]
+        self.budgets, self.programs = data["budgets"], data["programs"]
         self.kept = False
         self.growth, self.stages = data["growth"], data["stages"]
 

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 from fixel.base import children, output, parallel, scratch
-from fixel.bench import bench_budgets, bench_goals, bench_page, bench_plan, bench_plots, bench_rgb565, bench_rows, bench_run, bench_target
+from fixel.bench import bench_budgets, bench_goals, bench_page, bench_plan, bench_plots, bench_rgb565, bench_rows, bench_run, bench_target, program_sizes
 from fixel.board import qemu
 from fixel.base.errors import ToolError, one_line
 from fixel.scene import target
@@ -92,6 +92,7 @@ def measure(plan, cores, left_out):
               "renderer_bytes": bench_rows.renderer_bytes(plan, cores),
               "variants": bench_rows.variants(drawn, others), "cycles_estimate": bench_rows.estimates(profiles),
               "rgb565": bench_rgb565.measure(plan, cores), "budgets": bench_budgets.measure(plan, cores),
+              "programs": program_sizes.measure(plan, cores),
               "growth": growth, "pictures": pictures, "peers": plan.peers}
     return {**result, "goals": bench_goals.measure(result)}
 

@@ -39,20 +39,25 @@ def in_rgb565(program):
 def measure(core, library, cross, include=ROOT / "lib" / "include", program=None):
     """{"linked_flash", "linked_ram", "linked_helpers"}: bytes that a program, the first one, links of the library, of
     flash and of variables, and of the compiler's arithmetic. The scene's tables are the program's own."""
+    return count(sections(core, library, cross, include, program))
+
+
+def sections(core, library, cross, include=ROOT / "lib" / "include", program=None):
+    """What a program, the first one, links: link_map.sections."""
     with scratch.folder("size") as folder:
         write_scene(folder)
         (folder / "first.c").write_text(program or first_program(), encoding="utf-8")
         stack.run([f"{cross}gcc", f"-mcpu={core}", "-mthumb", "-std=c11", "-O2", "-ffreestanding", "-fno-builtin",
-                   "-nostdlib", f"-I{folder}", f"-I{include}", str(folder / "first.c"), str(library), "-lgcc",
+                   "-fdata-sections", "-nostdlib", f"-I{folder}", f"-I{include}", str(folder / "first.c"), str(library), "-lgcc",
                    *(f"-Wl,--defsym={each}=0" for each in SYSTEM), "-Wl,--gc-sections", "-Wl,--entry=main",
                    f"-Wl,-Map={folder / 'first.map'}", "-o", str(folder / "first.elf")])
-        return count(link_map.sections(folder / "first.map"))
+        return list(link_map.sections(folder / "first.map"))
 
 
-def count(sections):
+def count(linked):
     """The same of a map's sections."""
     total = {"linked_flash": 0, "linked_ram": 0, "linked_helpers": 0}
-    for section, size, file in sections:
+    for section, size, file in linked:
         loaded = section.startswith((".text", ".rodata", ".data"))
         if FROM_LIBRARY.search(file):
             total["linked_flash"] += size if loaded else 0
