@@ -100,6 +100,14 @@ void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *
     plane->one = at_height.exponent + divisor.exponent - near_z.exponent - exponent;
 }
 
+void fxl_find_exact_depth(const fxl_model_view *model_view, const fxl_face *face,
+                          const fxl_traversal *traversal, fxl_corner_planes *planes,
+                          fxl_depth_plane *plane)
+{
+    (void)planes;
+    fxl_find_depth_by_normal(model_view, face, traversal, plane);
+}
+
 #define CLEARED_AT_ONCE 1024u /* bytes; the kernel that fills is fastest in long rows */
 
 /* Sets so many bytes, aligned to 4, to 0. */

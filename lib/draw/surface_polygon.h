@@ -238,6 +238,10 @@ fxl_submit_found_polygons(const fxl_model_view *model_view, const fxl_face *face
  * its normal. */
 fxl_depth_finder fxl_find_depth;
 
+/* That of its normal for all faces: where depths have 32 bits, the rounding of corners would show.
+ */
+fxl_depth_finder fxl_find_exact_depth;
+
 /* The depth of the plane through the face's first corner with the face's normal. A face that is
  * seen edge-on, to within the rounding of its normal, is at infinity. Error: the normal is off by
  * less than 2^-28, and the depth of the plane relatively by less than 2^-27. */

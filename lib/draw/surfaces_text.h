@@ -193,7 +193,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
                       FXL_TARGET_PIXEL_BITS / 8, &workspace->work.scan, paint_row, &depth);
 }
 
+#if FXL_TARGET_DEPTH_BITS == 32
+#define FIND_DEPTH fxl_find_exact_depth
+#else
 #define FIND_DEPTH fxl_find_depth
+#endif
 
 #endif
 

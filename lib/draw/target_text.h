@@ -147,7 +147,11 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     polygon->shade = FXL_TARGET_PIXEL_BITS == 16 ? traversal->workspace->screen.shade : 0;
     polygon->is_in_beam = false;
     polygon->has_depth = true;
-    fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
+    if (FXL_TARGET_DEPTH_BITS == 32) {
+        fxl_find_depth_by_normal(model_view, face, traversal, &polygon->depth);
+    } else {
+        fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
+    }
 }
 
 /* fxl_polygon_painter. */

@@ -48,6 +48,22 @@ static inline int64_t shifted(int64_t value, unsigned drop)
 
 /* --- what all values share ------------------------------------------------------------------ */
 
+static inline uint32_t range_of(const int32_t values[3])
+{
+    int32_t least = values[0], most = values[0];
+    for (uint32_t i = 1; i < 3; i++) {
+        least = values[i] < least ? values[i] : least;
+        most = values[i] > most ? values[i] : most;
+    }
+    return (uint32_t)most - (uint32_t)least;
+}
+
+static inline uint32_t largest_of(const int32_t values[3])
+{
+    const int32_t larger = values[0] > values[1] ? values[0] : values[1];
+    return (uint32_t)(larger > values[2] ? larger : values[2]);
+}
+
 /* The depths and the weights, near_z / z, by one division: of near_z by the product of the depths,
  * of which a weight leaves out one. False: the depths differ too much.
  *
@@ -116,6 +132,11 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const uint64_t box = product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
     if (planes->area << 3 < box || !find_weights(corners, lens, planes)) {
+        return false;
+    }
+    /* A side has at most 23 bits, and weights 30. */
+    if (product_unsigned(range_of(planes->weights), (uint32_t)FXL_SMALL_SLOPES << 16) >
+        product_unsigned(largest_of(planes->weights), width < height ? width : height)) {
         return false;
     }
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
@@ -190,22 +211,6 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane)
 }
 
 /* --- a face --------------------------------------------------------------------------------- */
-
-static inline uint32_t range_of(const int32_t values[3])
-{
-    int32_t least = values[0], most = values[0];
-    for (uint32_t i = 1; i < 3; i++) {
-        least = values[i] < least ? values[i] : least;
-        most = values[i] > most ? values[i] : most;
-    }
-    return (uint32_t)most - (uint32_t)least;
-}
-
-static inline uint32_t largest_of(const int32_t values[3])
-{
-    const int32_t larger = values[0] > values[1] ? values[0] : values[1];
-    return (uint32_t)(larger > values[2] ? larger : values[2]);
-}
 
 /* Whether a constant weight changes no attribute by more than FXL_AFFINE_ERROR_TEXEL, or
  * FXL_AFFINE_ERROR_LIGHT: light is the last of an odd number. ranges: of the attributes, below

@@ -35,6 +35,7 @@ typedef struct {
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
 #define FXL_SMALL_SIDE_MIN (1 << 14)
 #define FXL_SMALL_SIDE_MAX (64 << 16)
+#define FXL_SMALL_SLOPES   16
 
 /* What all values of a small face share. */
 typedef struct {
@@ -42,11 +43,11 @@ typedef struct {
     /* A pixel along, values grow by (v1 - v0) along[0] + (v2 - v0) along[1], times 2^-exponent; a
      * pixel down likewise. The coefficients are at most 2^30. */
     int32_t along[2], down[2];
-    int exponent;         /* 20..36 */
+    int exponent;           /* 20..36 */
     uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
-    uint64_t area;        /* twice the triangle's, in units of 2^-32 pixel */
-    uint32_t depths[3];   /* proportional to z: from 2^30 to 2^32 */
-    int32_t weights[3];   /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
+    uint64_t area;          /* twice the triangle's, in units of 2^-32 pixel */
+    uint32_t depths[3];     /* proportional to z: from 2^30 to 2^32 */
+    int32_t weights[3];     /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
     int weight_exponent;
     bool is_triangle;
     bool is_sparse;        /* the triangle fills less than a quarter of the box */
@@ -58,8 +59,10 @@ typedef struct {
 /* Sets *planes. False where the face is not small: *planes is undefined then. A face is small if
  * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
  * - the triangle of the three corners fills at least 1/16 of the box,
- * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest.
- * Requires corners on the screen of the lens. */
+ * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest,
+ * - with s pixels the shorter side, the corners' 1/z differ by at most s / FXL_SMALL_SLOPES of the
+ *   largest one. So what the corners' rounding changes a depth by is below its resolution in 16
+ * bits. Requires corners on the screen of the lens. */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes);
 
