@@ -50,9 +50,28 @@ static void boundaries(void)
     }
 }
 
+/* Cells of which nothing is drawn, or all but one. The codes may be near the least. */
+static void empty_cells(void)
+{
+    for (uint32_t count = 0; count <= COUNT_MAX; count++) {
+        for (uint32_t turn = 0; turn <= count; turn++) {
+            const uint32_t code = 65536u + ((any_32() >> 4) >> (any_32() >> 9 & 31u)) - 3u;
+            const uint32_t most = code / COUNT_MAX; /* no code is below 0 */
+            const uint32_t step = (any_32() >> 9) % (2 * most) - most;
+            for (uint32_t i = 0; i < COUNT_MAX + 2 * GAP; i++) {
+                by_core[i] = by_portable[i] = 0;
+            }
+            by_core[turn + GAP] = by_portable[turn + GAP] =
+                (uint16_t)(any_32() >> (any_32() >> 27));
+            compare(count, code, step);
+        }
+    }
+}
+
 void test_depth_rows(uint32_t rounds)
 {
     boundaries();
+    empty_cells();
     for (uint32_t i = 0; i < rounds; i++) {
         const uint32_t code = any_32(), step = any_32() >> ((any_32() >> 9) & 31u);
         choose_cells(code, step, (any_32() >> 7) % COUNT_MAX, (any_32() >> 6) % 16u,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "chain_walks.h"
+#include "depth_outlines.h"
 #include "depth_rows.h"
 #include "edges.h"
 #include "equality.h"
@@ -7,6 +8,7 @@
 #include "faces.h"
 #include "fill.h"
 #include "intersect.h"
+#include "paint/depth_outline.h"
 #include "transform_vertex.h"
 #include "divided_rows.h"
 #include "divisions.h"
@@ -45,5 +47,8 @@ const equality_test equality_tests[] = {
     {"texture-rows", test_texture_rows},
     {"divided-rows", test_divided_rows},
     {"depth-rows", test_depth_rows},
+#if FXL_DRAWS_DEPTH_OUTLINES
+    {"depth-outlines", test_depth_outlines},
+#endif
     {NULL, NULL},
 };

@@ -5,6 +5,7 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
+#include "../paint/depth_outline.h"
 #include "../paint/paint_divided.h"
 #include "../paint/plain_rows.h"
 #include "fixel/render.h"
@@ -162,7 +163,19 @@ AT(fxl_texel_run, step, TEXEL_RUN_STEP);
 AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
 AT(fxl_texel_run, light_step, TEXEL_RUN_LIGHT_STEP);
 
+AT(fxl_depth_outline, value, DEPTH_OUTLINE_VALUE);
+AT(fxl_depth_outline, along, DEPTH_OUTLINE_ALONG);
+AT(fxl_depth_outline, down, DEPTH_OUTLINE_DOWN);
+AT(fxl_depth_outline, row_cell, DEPTH_OUTLINE_ROW_CELL);
+AT(fxl_depth_outline, zeros, DEPTH_OUTLINE_ZEROS);
+AT(fxl_depth_outline, cells, DEPTH_OUTLINE_CELLS);
+AT(fxl_depth_outline, one, DEPTH_OUTLINE_ONE);
+AT(fxl_depth_outline, mantissa, DEPTH_OUTLINE_MANTISSA);
+AT(fxl_depth_outline, rest, DEPTH_OUTLINE_REST);
+
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
+VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);
+VALUE(FXL_DEPTH_NO_ROW, DEPTH_NO_ROW);
 VALUE(FXL_CLIP_INSIDE, CLIP_INSIDE);
 VALUE(FXL_PLANES_ALL, PLANES_ALL);
 VALUE(FXL_CLIP_OUTSIDE, CLIP_OUTSIDE);

@@ -4,7 +4,9 @@
 #ifndef FXL_SURFACE_POLYGON_H
 #define FXL_SURFACE_POLYGON_H
 
+#include "../raster/draw_outline.h"
 #include "../raster/scan.h"
+#include "../raster/tiny.h"
 #include "submit_sorted.h"
 #include "submit.h"
 #include "fixel/surfaces.h"
@@ -178,51 +180,77 @@ typedef void fxl_polygon_finder(const void *what, const fxl_model_view *model_vi
                                 const fxl_face *face, const fxl_traversal *traversal,
                                 fxl_surface_polygon *polygon);
 
-/* Paints a polygon in a band; what: as above. */
-typedef void fxl_polygon_painter(const void *what, fxl_workspace *workspace,
+/* Paints a polygon in a band; what: as above. tiny: the pixels that it covers, where it is a tiny
+ * triangle; else null. Returns true if it is known that it reaches a row. */
+typedef bool fxl_polygon_painter(const void *what, fxl_workspace *workspace,
                                  const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                                 uint32_t count, const fxl_band *band);
+                                 uint32_t count, const fxl_tiny *tiny, const fxl_band *band);
 
+/* Finds the pixels of a triangle that is tiny. */
+static inline bool fxl_find_tiny(const fxl_traversal *traversal, fxl_tiny *tiny)
+{
+    const fxl_screen_polygon *screen = &traversal->workspace->screen;
+    return FXL_HAS_TINY && screen->count == 3 &&
+           fxl_tiny_find(screen->points, traversal->band, tiny);
+}
+
+/* Paints a polygon in the band. One that has no row there may have one on the rest of the screen,
+ * which is all that counts. tiny: as of the painter; one of no pixels is not painted. */
 static inline __attribute__((always_inline)) fxl_outcome
-fxl_emit_polygon(const fxl_traversal *traversal, const fxl_surface_polygon *polygon,
-                 fxl_polygon_painter *paint, const void *what)
+fxl_draw_polygon(const fxl_traversal *traversal, const fxl_surface_polygon *polygon,
+                 fxl_polygon_painter *paint, const fxl_tiny *tiny, const void *what)
 {
     fxl_workspace *workspace = traversal->workspace;
     const fxl_screen_polygon *screen = &workspace->screen;
-    const fxl_rows rows = fxl_scan_rows(screen, traversal->renderer->frame.view.lens.height);
+    const bool paints = tiny == NULL || tiny->pixels != 0;
+    if (!(paints &&
+          paint(what, workspace, polygon, screen->points, screen->count, tiny, traversal->band)) &&
+        !fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height)) {
+        return 0;
+    }
+    fxl_outline_polygon(traversal, screen->points, screen->count);
+    return FXL_OUTCOME_SPILLED;
+}
+
+/* A polygon to the display list, or its rows to what is measured. */
+static inline __attribute__((always_inline)) fxl_outcome
+fxl_emit_polygon(const fxl_traversal *traversal, const fxl_surface_polygon *polygon)
+{
+    const fxl_rows rows =
+        fxl_scan_rows(&traversal->workspace->screen, traversal->renderer->frame.view.lens.height);
     if (rows.first == rows.end) {
         return 0;
     }
     if (traversal->display_list != NULL) {
-        return fxl_surface_polygon_append(traversal->display_list, screen, rows, polygon)
+        return fxl_surface_polygon_append(traversal->display_list, &traversal->workspace->screen,
+                                          rows, polygon)
                    ? 0
                    : FXL_OUTCOME_FULL;
     }
-    if (traversal->mode == FXL_SUBMIT_MEASURE) {
-        fxl_rows_add(traversal->reached, rows);
-    } else {
-        paint(what, workspace, polygon, screen->points, screen->count, traversal->band);
-        fxl_outline_polygon(traversal, screen->points, screen->count);
-    }
+    fxl_rows_add(traversal->reached, rows);
     return FXL_OUTCOME_SPILLED;
 }
 
-/* All polygons of a face: fxl_submit_polygons. Once one of them is left, it is found what they
- * have, unless *polygon has it already. */
+/* All polygons of a face: fxl_submit_polygons. Once one of them is left that may cover a pixel, it
+ * is found what they have, unless *polygon has it already. */
 static inline __attribute__((always_inline)) fxl_outcome
 fxl_submit_found_polygons(const fxl_model_view *model_view, const fxl_face *face,
                           const fxl_traversal *traversal, fxl_polygon_finder *find,
                           fxl_polygon_painter *paint, const void *what,
                           fxl_surface_polygon *polygon, bool found)
 {
+    const bool draws = traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE;
     fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
     fxl_outcome outcome = (fxl_outcome)1 << cut;
     while (cut == FXL_CLIP_INSIDE || cut == FXL_CLIP_CUT) {
-        if (!found) {
+        fxl_tiny tiny;
+        const bool is_tiny = draws && fxl_find_tiny(traversal, &tiny);
+        if (!found && !(is_tiny && tiny.pixels == 0)) {
             find(what, model_view, face, traversal, polygon);
             found = true;
         }
-        outcome |= fxl_emit_polygon(traversal, polygon, paint, what);
+        outcome |= draws ? fxl_draw_polygon(traversal, polygon, paint, is_tiny ? &tiny : NULL, what)
+                         : fxl_emit_polygon(traversal, polygon);
         if (traversal->clipper->next == NULL || outcome >= FXL_OUTCOME_FULL) {
             break;
         }

@@ -67,7 +67,7 @@ static inline __attribute__((always_inline)) void paint_rows(const fxl_screen_po
 #if FXL_TARGET_DEPTH_BITS != 0
 
 #include "surface_polygon.h"
-#include "../paint/depth_row.h"
+#include "../paint/depth_outline.h"
 
 /* A polygon of one colour, and its depth. */
 typedef struct {
@@ -98,9 +98,43 @@ static inline __attribute__((always_inline)) void paint_row(void *with, fxl_pixe
     fxl_depth_paint_row(&of->depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &row);
 }
 
-static void paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
-                       const fxl_screen_point *points, uint32_t count, uint8_t colour,
-                       uint8_t shade, const fxl_band *band)
+/* Draws a polygon by the kernel of outlines, where there is one and it can. */
+static inline fxl_depth_drawn draw_outline(const fxl_workspace *workspace,
+                                           const fxl_depth_plane *plane,
+                                           const fxl_screen_point *points, uint32_t count,
+                                           uint8_t colour, uint8_t shade, const fxl_band *band)
+{
+#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+    fxl_depth_outline outline;
+    if (!fxl_depth_outline_begin(workspace->target_memory, plane, band, FXL_TARGET_PIXEL_BITS / 8,
+                                 &outline)) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    outline.filling = fxl_filling_of(band, colour, shade, workspace->dark);
+#if FXL_TARGET_PIXEL_BITS == 16
+    outline.filling *= 65537u;
+    return fxl_draw_depth_outline_16(points, count, band, &outline);
+#else
+    return fxl_draw_depth_outline_8(points, count, band, &outline);
+#endif
+#else
+    (void)workspace;
+    (void)plane;
+    (void)points;
+    (void)count;
+    (void)colour;
+    (void)shade;
+    (void)band;
+    return FXL_DEPTH_NOT_DRAWN;
+#endif
+}
+
+/* Not inline: what it has would stay on the stack while the kernel draws. */
+static __attribute__((noinline)) void paint_by_rows(fxl_workspace *workspace,
+                                                    const fxl_depth_plane *plane,
+                                                    const fxl_screen_point *points, uint32_t count,
+                                                    uint8_t colour, uint8_t shade,
+                                                    const fxl_band *band)
 {
     flat_painting of;
     fxl_depth_begin(&of.depth, workspace->target_memory, plane, band);
@@ -110,13 +144,53 @@ static void paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
     }
 }
 
+/* Returns true if it is known that the polygon reaches a row. */
+static bool paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
+                       const fxl_screen_point *points, uint32_t count, uint8_t colour,
+                       uint8_t shade, const fxl_band *band)
+{
+    const fxl_depth_drawn drawn =
+        draw_outline(workspace, plane, points, count, colour, shade, band);
+    if (drawn == FXL_DEPTH_NOT_DRAWN) {
+        paint_by_rows(workspace, plane, points, count, colour, shade, band);
+    }
+    return drawn == FXL_DEPTH_DRAWN;
+}
+
+/* The pixels of a tiny triangle. */
+static void paint_tiny(const fxl_workspace *workspace, const fxl_surface_polygon *polygon,
+                       const fxl_tiny *tiny, const fxl_band *band)
+{
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    const fxl_depth_rule rule = {FXL_TARGET_DEPTH_BITS == 32, head->or_equal};
+    const fxl_gradient *gradient = &polygon->depth.gradient;
+    if (head->pass == FXL_DEPTH_BLENDED) {
+        return;
+    }
+    const fxl_filling filling =
+        fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark);
+    for (uint32_t pixels = tiny->pixels; pixels != 0; pixels &= pixels - 1) {
+        const uint32_t last = 31u - fxl_leading_zeros(pixels & (0u - pixels));
+        const int32_t x = tiny->column + (int32_t)(last % FXL_TINY_SIDE);
+        const int32_t y = tiny->row + (int32_t)(last / FXL_TINY_SIDE);
+        const uint32_t code =
+            fxl_depth_code_at(head->scale, &polygon->depth, gradient->at + gradient->down * y, x);
+        void *cells = (uint8_t *)(uintptr_t)(head + 1) +
+                      (size_t)(y - band->first_row) * band->width * (FXL_TARGET_DEPTH_BITS / 8);
+        if (fxl_depth_passes(cells, x, code, rule)) {
+            fxl_depth_keep(cells, x, code, rule.wide);
+            fxl_pixels_of_row(band, (uint32_t)y)[x] = (fxl_pixel)filling;
+        }
+    }
+}
+
 /* fxl_target.flat: what has no depth is at infinity. Front to back, the first of these to cover a
  * pixel is seen, as in a span buffer; far to near, the last one. */
 static bool flat(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     static const fxl_depth_plane infinity = {{0, 0, 0}, 0};
-    paint_flat(workspace, &infinity, polygon->points, polygon->count, polygon->colour,
-               polygon->shade, band);
+    (void)paint_flat(workspace, &infinity, polygon->points, polygon->count, polygon->colour,
+                     polygon->shade, band);
     return true;
 }
 
@@ -125,8 +199,8 @@ static void flat_with_depth(fxl_workspace *workspace, const fxl_screen_polygon *
 {
     fxl_surface_polygon polygon;
     const uint32_t count = fxl_surface_polygon_read(record, &polygon);
-    paint_flat(workspace, &polygon.depth, record->points, count, polygon.colour, polygon.shade,
-               band);
+    (void)paint_flat(workspace, &polygon.depth, record->points, count, polygon.colour,
+                     polygon.shade, band);
 }
 
 /* --- faces and pieces ----------------------------------------------------------------------- */
@@ -155,12 +229,18 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
 }
 
 /* fxl_polygon_painter. */
-static inline __attribute__((always_inline)) void
+static inline __attribute__((always_inline)) bool
 paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_polygon *polygon,
-              const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+              const fxl_screen_point *points, uint32_t count, const fxl_tiny *tiny,
+              const fxl_band *band)
 {
     (void)what;
-    paint_flat(workspace, &polygon->depth, points, count, polygon->colour, polygon->shade, band);
+    if (tiny != NULL) {
+        paint_tiny(workspace, polygon, tiny, band);
+        return true;
+    }
+    return paint_flat(workspace, &polygon->depth, points, count, polygon->colour, polygon->shade,
+                      band);
 }
 
 static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_face *face,

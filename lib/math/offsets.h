@@ -169,9 +169,22 @@
 #define TEXEL_RUN_LIGHT      8
 #define TEXEL_RUN_LIGHT_STEP 12
 
-/* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL and some of fxl_clip_result */
+/* fxl_depth_outline */
+#define DEPTH_OUTLINE_VALUE    0
+#define DEPTH_OUTLINE_ALONG    8
+#define DEPTH_OUTLINE_DOWN     16
+#define DEPTH_OUTLINE_ROW_CELL 24
+#define DEPTH_OUTLINE_ZEROS    32
+#define DEPTH_OUTLINE_CELLS    48
+#define DEPTH_OUTLINE_ONE      60
+#define DEPTH_OUTLINE_MANTISSA 68
+#define DEPTH_OUTLINE_REST     72
+
+/* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F
 #define VERTEX_UNPROJECTED 0x80
+#define DEPTH_NOT_DRAWN    0
+#define DEPTH_NO_ROW       2
 #define CLIP_INSIDE        0
 #define CLIP_OUTSIDE       2
 #define CLIP_RANGE         5

@@ -12,8 +12,8 @@
 extern "C" {
 #endif
 
-/* The code of pixel i is code + i step, modulo 2^32. A pixel is visible if its code / 2^16, rounded
- * down, is above its cell.
+/* The code of pixel i is code + i step, where -2^31 <= step < 2^31, and no sum wraps. A pixel is
+ * visible if its code / 2^16, rounded down, is above its cell.
  *
  * Returns how many pixels from the first on, of count, are visible, and keeps their codes / 2^16 in
  * the cells. */

@@ -54,10 +54,14 @@ static inline int64_t fxl_power_of_2(int32_t exponent)
     return exponent < 0 ? 1 : exponent > 62 ? INT64_MAX : (int64_t)1 << exponent;
 }
 
-/* The 32 lowest bits of floor(value / 2^drop). */
+/* The 32 lowest bits of floor(value / 2^drop). Requires -32 < drop < 64. */
 static inline uint32_t fxl_depth_shifted(int64_t value, int32_t drop)
 {
-    return drop >= 0 ? (uint32_t)(uint64_t)(value >> drop) : (uint32_t)((uint64_t)value << -drop);
+    const uint32_t low = (uint32_t)value;
+    const int32_t high = (int32_t)(value >> 32);
+    return drop >= 32 ? (uint32_t)(high >> (drop - 32))
+           : drop > 0 ? low >> drop | (uint32_t)high << (32 - drop)
+                      : low << -drop;
 }
 
 /* The octave of a value of a face. */
@@ -85,6 +89,17 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
         octave->step = fxl_depth_shifted(plane->gradient.along, octave->drop);
         octave->is_constant = false;
     }
+}
+
+/* The code of the pixel in column x, of a row where the gradient in column 0 is `depth`. */
+static inline uint32_t fxl_depth_code_at(fxl_depth_scale scale, const fxl_depth_plane *plane,
+                                         int64_t depth, int32_t x)
+{
+    fxl_depth_octave octave;
+    fxl_depth_octave_of(scale, plane, depth + plane->gradient.along * x, &octave);
+    return octave.is_constant
+               ? octave.bias
+               : octave.bias + fxl_depth_shifted(depth, octave.drop) + octave.step * (uint32_t)x;
 }
 
 static inline bool fxl_depth_octave_holds(const fxl_depth_octave *octave, int64_t value)

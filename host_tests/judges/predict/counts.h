@@ -82,6 +82,13 @@
     X(depth_each_unkept) \
     X(depth_each_rows) \
     X(depth_holes) \
+    X(depth_outlines) \
+    X(depth_outline_edges) \
+    X(depth_outline_trapezoids) \
+    X(depth_outline_rows) \
+    X(depth_outline_runs) \
+    X(depth_outline_kept) \
+    X(depth_outline_hidden) \
     X(points_transformed) \
     X(billboards) \
     X(billboard_rows) \
@@ -136,7 +143,7 @@ extern predict_counts counted;
 
 /* Under way is a band with a depth buffer; and a surface of which it keeps not every depth: a
  * blended one, or one with holes. */
-extern bool has_depth_buffer, paints_surface, keeps_less;
+extern bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline;
 
 /* The frame is of RGB565: its pixels are wide. */
 extern bool is_wide;

@@ -215,7 +215,7 @@ WRAPPED(bool, fxl_draw_outline_rgb565,
 
 WRAPPED(const fxl_trapezoid *, fxl_scan_next_trapezoid, (fxl_scan * scan))
 {
-    counted.trapezoids += 1;
+    *(draws_depth_outline ? &counted.depth_outline_trapezoids : &counted.trapezoids) += 1;
     return __real_fxl_scan_next_trapezoid(scan);
 }
 
@@ -246,8 +246,10 @@ WRAPPED(void, fxl_fill_trapezoid_rgb565,
 /* A row of a polygon with depth. */
 WRAPPED(void, fxl_fill_row_rgb565, (uint16_t * pixel, uint16_t *end, uint16_t colour))
 {
-    counted.wide_rows += 1;
-    counted.wide_pixels += (double)(end - pixel);
+    if (!draws_depth_outline) { /* else it is a visible pixel of one */
+        counted.wide_rows += 1;
+        counted.wide_pixels += (double)(end - pixel);
+    }
     __real_fxl_fill_row_rgb565(pixel, end, colour);
 }
 

@@ -18,7 +18,7 @@
 
 /* --- depth buffer --------------------------------------------------------------------------- */
 
-bool has_depth_buffer, paints_surface, keeps_less;
+bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline;
 
 /* The band under way is drawn far to near, by loops that stand in the callers: each pixel of a
  * polygon is compared, and counted by area. */
@@ -45,7 +45,7 @@ WRAPPED(void, fxl_depth_draw_parts,
     has_depth_buffer = true;
     compares_each = !renderer->near_first;
     __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes, pixel_bytes);
-    has_depth_buffer = false;
+    has_depth_buffer = draws_depth_outline = false;
 }
 
 WRAPPED(void, fxl_scan_outline,
@@ -61,6 +61,12 @@ WRAPPED(void, fxl_scan_outline,
         *(keeps_less ? &counted.depth_each_unkept : &counted.depth_each) +=
             area_between(points, count, top, bottom);
     }
+    draws_depth_outline = has_depth_buffer && !compares_each && !paints_surface;
+    if (draws_depth_outline) {
+        counted.depth_outlines += 1;
+        counted.depth_outline_edges += count;
+        counted.depth_outline_rows += rows_between(points, count, top, bottom);
+    }
     paints_surface = keeps_less = false;
     __real_fxl_scan_outline(points, count, band, scan);
 }
@@ -69,8 +75,8 @@ WRAPPED(uint32_t, fxl_depth_keep_visible,
         (uint16_t * cells, uint32_t count, uint32_t code, uint32_t step))
 {
     const uint32_t kept = __real_fxl_depth_keep_visible(cells, count, code, step);
-    counted.depth_runs += 1;
-    counted.depth_kept += kept;
+    *(draws_depth_outline ? &counted.depth_outline_runs : &counted.depth_runs) += 1;
+    *(draws_depth_outline ? &counted.depth_outline_kept : &counted.depth_kept) += kept;
     return kept;
 }
 
@@ -78,8 +84,8 @@ WRAPPED(uint32_t, fxl_depth_skip_hidden,
         (const uint16_t *cells, uint32_t count, uint32_t code, uint32_t step))
 {
     const uint32_t hidden = __real_fxl_depth_skip_hidden(cells, count, code, step);
-    counted.depth_hidden_runs += 1;
-    counted.depth_hidden += hidden;
+    *(draws_depth_outline ? &counted.depth_outline_runs : &counted.depth_hidden_runs) += 1;
+    *(draws_depth_outline ? &counted.depth_outline_hidden : &counted.depth_hidden) += hidden;
     return hidden;
 }
 

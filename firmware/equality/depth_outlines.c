@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: MIT */
+/* The kernels of outlines in a depth buffer against the rows of lib/paint/depth_row.h. Each side
+ * has cells and pixels of its own. All of that memory must be equal, also what lies around it. */
+#include "depth_outlines.h"
+
+#include "equality.h"
+#include "paint/depth_outline.h"
+#include "raster/edge.h"
+#include "sides.h"
+
+#if FXL_DRAWS_DEPTH_OUTLINES
+
+#define AROUND 8u
+#define ROW    80u
+#define CELLS  4000u
+#define COLOUR 0xA5C3u /* in 8 bits: the lower byte */
+
+typedef struct {
+    fxl_depth_head head;
+    uint16_t cells[CELLS];
+    uint16_t pixels[CELLS + 2 * AROUND];
+} memory;
+
+static memory by_core, by_portable;
+
+typedef struct {
+    fxl_depth_plane plane;
+    fxl_screen_point points[6];
+    uint32_t count;
+    uint32_t pixel_bits;
+} polygon;
+
+typedef struct {
+    uint8_t *pixels; /* of column 0 */
+    uint32_t bits;
+} row_of_pixels;
+
+/* fxl_run_painter. */
+static void paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
+{
+    const row_of_pixels *row = (const row_of_pixels *)with;
+    (void)cells;
+    (void)line;
+    for (int32_t x = x0; x < x1; x++) {
+        if (row->bits == 16) {
+            ((uint16_t *)(void *)row->pixels)[x] = COLOUR;
+        } else {
+            row->pixels[x] = (uint8_t)COLOUR;
+        }
+    }
+}
+
+static void draw_by_rows(const polygon *of, const fxl_band *band)
+{
+    static fxl_scan scan;
+    fxl_depth_painting painting;
+    const fxl_trapezoid *trapezoid;
+    fxl_depth_begin(&painting, &by_portable, &of->plane, band);
+    portable_scan_outline(of->points, of->count, band, &scan);
+    while ((trapezoid = portable_scan_next_trapezoid(&scan)) != NULL) {
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
+            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
+            const row_of_pixels row = {band->pixels + (uint32_t)(y - band->first_row) *
+                                                          band->stride * of->pixel_bits / 8,
+                                       of->pixel_bits};
+            fxl_depth_paint_row(&painting, y, x0, x1, 16, paint_run, &row);
+            fxl_edge_advance(&a, 1);
+            fxl_edge_advance(&b, 1);
+        }
+    }
+}
+
+/* Draws nothing where the outline has more than two chains, or the plane is not the kernel's. */
+static bool draw_by_kernel(const polygon *of, const fxl_band *band)
+{
+    fxl_depth_outline outline;
+    if (!fxl_depth_outline_begin(&by_core, &of->plane, band, of->pixel_bits / 8, &outline)) {
+        return false;
+    }
+    if (of->pixel_bits == 16) {
+        outline.filling = COLOUR * 65537u;
+        return fxl_draw_depth_outline_16(of->points, of->count, band, &outline) !=
+               FXL_DEPTH_NOT_DRAWN;
+    }
+    outline.filling = (COLOUR & 255u) * 0x01010101u;
+    return fxl_draw_depth_outline_8(of->points, of->count, band, &outline) != FXL_DEPTH_NOT_DRAWN;
+}
+
+/* Within 0..end, on a centre or beside one every other time. */
+static fxl_q16_16 any_place(uint32_t end)
+{
+    const uint32_t choice = any_32() >> 9 & 15u;
+    int32_t place = (int32_t)((any_32() >> 2) % ((end << 16) + 1u));
+    if (choice < 8) {
+        place = (int32_t)(((uint32_t)place & 0xFFFF0000u) + 0x8000u) + (int32_t)(choice % 3u) - 1;
+    } else if (choice == 8) {
+        place = (int32_t)((any_32() & 1u) * (end << 16));
+    }
+    return place;
+}
+
+/* A number by the farthest depth of the last octave: a unit is one of its codes. Their sum with a
+ * row's rounding may be below the first code. */
+static int64_t any_farthest(fxl_depth_scale scale, int32_t one)
+{
+    const int32_t drop = one - scale.octaves - 16 - scale.mantissa;
+    const uint32_t units = (any_32() >> 9) % 200u;
+    return ((int64_t)1 << (one - scale.octaves)) + ((int64_t)units << (drop < 0 ? 0 : drop));
+}
+
+/* Values at three corners of the band: of any length, or near each other, or near a power of two,
+ * or farthest. Below 2^62. */
+static void any_plane(const fxl_band *band, fxl_depth_plane *plane)
+{
+    int64_t corners[3];
+    const uint32_t length = any_32() >> 7 & 31u, drop = length < 16 ? 0 : length - 16;
+    const int64_t first = (int64_t)(any_64() >> 3 >> drop);
+    const int64_t power = (int64_t)1 << (61u - drop);
+    const bool is_farthest = (any_32() & 0x700u) == 0;
+    plane->one = 62 - (int32_t)((any_32() >> 9) % 14u);
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t kind = any_32() >> 9 & 7u;
+        const int64_t off = (int64_t)(any_64() >> 3 >> (any_32() >> 9) % 36u);
+        corners[i] = is_farthest ? any_farthest(by_core.head.scale, plane->one)
+                     : kind < 3  ? first + off / 16
+                     : kind < 5  ? power + off / 64 - off / 128
+                     : kind < 7  ? off
+                                 : -off;
+    }
+    plane->gradient.along = (corners[1] - corners[0]) / band->width;
+    plane->gradient.down = (corners[2] - corners[0]) / band->rows;
+    plane->gradient.at = corners[0] - plane->gradient.down * band->first_row;
+}
+
+/* Cells of which nothing is drawn, or that are near the plane, or any. */
+static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
+{
+    const uint32_t kind = any_32() >> 8 & 7u;
+    fxl_depth_octave octave;
+    for (uint32_t i = 0; i < CELLS; i++) {
+        uint16_t cell = 0;
+        if (kind >= 5 && (kind == 7 || (any_32() & 0x300u) == 0)) {
+            const int32_t x = (int32_t)(i % band->width), y = (int32_t)(i / band->width);
+            const int64_t depth =
+                (int64_t)((uint64_t)plane->gradient.at +
+                          (uint64_t)plane->gradient.down * (uint64_t)(y + band->first_row));
+            fxl_depth_octave_of(
+                by_core.head.scale, plane,
+                (int64_t)((uint64_t)depth + (uint64_t)plane->gradient.along * (uint64_t)x),
+                &octave);
+            const uint32_t code = octave.is_constant
+                                      ? octave.bias
+                                      : octave.bias + fxl_depth_shifted(depth, octave.drop) +
+                                            octave.step * (uint32_t)x;
+            cell = (uint16_t)((code >> 16) + (any_32() >> 9 & 3u) - 2u);
+        } else if (kind >= 3) {
+            cell = (uint16_t)(any_32() >> (16u + (any_32() >> 9 & 15u)));
+        }
+        by_core.cells[i] = by_portable.cells[i] = cell;
+    }
+}
+
+static bool is_same(void)
+{
+    bool same = true;
+    for (uint32_t i = 0; i < CELLS; i++) {
+        same &= by_core.cells[i] == by_portable.cells[i];
+    }
+    for (uint32_t i = 0; i < CELLS + 2 * AROUND; i++) {
+        same &= by_core.pixels[i] == by_portable.pixels[i];
+        by_core.pixels[i] = by_portable.pixels[i] = 0;
+    }
+    return same;
+}
+
+static void compare(void)
+{
+    polygon of;
+    const uint32_t width = 1u + (any_32() >> 8) % ROW, tall = CELLS / width;
+    const uint32_t rows = 1u + (any_32() >> 7) % (tall < 50 ? tall : 50);
+    const uint32_t height = 1u + (any_32() >> 9) % (2 * rows);
+    fxl_band band = {.width = (uint16_t)width,
+                     .stride = (uint16_t)width,
+                     .first_row = (uint16_t)((any_32() >> 9 & 1u) * (any_32() >> 11) % 900u),
+                     .rows = (uint16_t)rows};
+    const int32_t top =
+        (int32_t)(band.first_row << 16) - (int32_t)((any_32() >> 8) % (height << 15));
+    const uint32_t narrow = 1u + (any_32() >> 9) % width,
+                   left = (any_32() >> 9) % (width - narrow + 1);
+    of.count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
+    of.pixel_bits = 8u + (any_32() >> 9 & 8u);
+    for (uint32_t i = 0; i < of.count; i++) {
+        of.points[i].x = (int32_t)(left << 16) + any_place(narrow);
+        of.points[i].y = top + any_place(height);
+    }
+    const uint8_t octaves = (uint8_t)(1u + (any_32() >> 9) % 24u);
+    uint8_t mantissa = 15;
+    while ((uint32_t)octaves << mantissa >= 65536u) {
+        mantissa--;
+    }
+    by_core.head.scale = by_portable.head.scale = (fxl_depth_scale){octaves, mantissa};
+    any_plane(&band, &of.plane);
+    any_cells(&band, &of.plane);
+    band.pixels = (uint8_t *)(by_core.pixels + AROUND);
+    if (draw_by_kernel(&of, &band)) {
+        band.pixels = (uint8_t *)(by_portable.pixels + AROUND);
+        draw_by_rows(&of, &band);
+    }
+    equality_case(is_same());
+}
+
+void test_depth_outlines(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds / 8u; i++) { /* an outline takes as long as eight other cases */
+        compare();
+    }
+}
+
+#endif

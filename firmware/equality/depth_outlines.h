@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef EQUALITY_DEPTH_OUTLINES_H
+#define EQUALITY_DEPTH_OUTLINES_H
+
+#include <stdint.h>
+
+void test_depth_outlines(uint32_t rounds);
+
+#endif

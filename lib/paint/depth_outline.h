@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT */
+/* An outline of one colour in a depth buffer of 16 bits, front to back: survey, edges, depth test
+ * and pixels in one call. Only Armv7-M has this, where its code is not compiled for size; elsewhere
+ * the rows of depth_row.h do the same. Internal. */
+#ifndef FXL_DEPTH_OUTLINE_H
+#define FXL_DEPTH_OUTLINE_H
+
+#include "../math/family.h"
+#include "depth_row.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+#define FXL_DRAWS_DEPTH_OUTLINES 1
+#else
+#define FXL_DRAWS_DEPTH_OUTLINES 0
+#endif
+
+/* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
+ * first one of the band. An octave here is the number of leading zeros of the gradient's upper
+ * word. */
+typedef struct {
+    FXL_ALIGN_8 int64_t value; /* of the plane in column 0 of row 0; then of the next row */
+    int64_t along, down;
+    uint32_t row_cell;  /* of column 0 of the next row: the kernel's own */
+    uint32_t row_cells; /* of a row: the kernel's own */
+    uint32_t zeros;     /* of the octave that is known; above 32: of none */
+    int32_t drop;       /* of it, as of fxl_depth_octave; so the next two */
+    uint32_t bias;
+    uint32_t step;
+    uint16_t *cells;   /* of the band */
+    uintptr_t pixels;  /* a cell's address, divided by 2 where pixels have 8 bits, plus this is its
+                          pixel's */
+    uint32_t filling;  /* the colour in each pixel of four bytes */
+    int32_t one;       /* of the plane */
+    uint32_t octaves;  /* of the scale */
+    uint32_t mantissa; /* of the scale */
+    uint32_t rest[6];  /* of a row that has several octaves: the kernel's own */
+} fxl_depth_outline;
+
+/* What became of an outline. */
+typedef enum {
+    FXL_DEPTH_NOT_DRAWN = 0, /* it is not scanned between two chains: survey in scan.c */
+    FXL_DEPTH_DRAWN = 1,
+    FXL_DEPTH_NO_ROW = 2 /* it reaches no row of the band */
+} fxl_depth_drawn;
+
+#if FXL_DRAWS_DEPTH_OUTLINES
+
+/* Draws an outline of count points. Requires fxl_depth_outline_begin and what fxl_scan_begin
+ * requires of outline and band. By the number of a pixel's bits; both write what
+ * fxl_depth_paint_row writes. */
+fxl_depth_drawn fxl_draw_depth_outline_8(const fxl_screen_point *points, uint32_t count,
+                                         const fxl_band *band, fxl_depth_outline *outline);
+fxl_depth_drawn fxl_draw_depth_outline_16(const fxl_screen_point *points, uint32_t count,
+                                          const fxl_band *band, fxl_depth_outline *outline);
+
+#endif
+
+/* Prepares a polygon whose pixels have `pixel_bytes` bytes. Returns false if the kernel cannot draw
+ * it: *outline is undefined then. It draws all columns of a band without gaps, whose first pixel is
+ * where two can be stored at once; and planes of which a value whose upper word is not above 0 is
+ * beyond the last octave. */
+static inline bool fxl_depth_outline_begin(const void *memory, const fxl_depth_plane *plane,
+                                           const fxl_band *band, uint32_t pixel_bytes,
+                                           fxl_depth_outline *outline)
+{
+    const fxl_depth_head *head = (const fxl_depth_head *)memory;
+    const uintptr_t cells = (uintptr_t)(head + 1), pixels = (uintptr_t)band->pixels;
+    if (head->or_equal || plane->one < 32 + head->scale.octaves || band->columns != 0 ||
+        band->stride != band->width || (pixels & (2 * pixel_bytes - 1)) != 0) {
+        return false;
+    }
+    outline->value = plane->gradient.at;
+    outline->along = plane->gradient.along;
+    outline->down = plane->gradient.down;
+    outline->zeros = UINT32_MAX;
+    outline->cells = (uint16_t *)cells;
+    outline->pixels = pixel_bytes == 1 ? pixels - cells / 2 : pixels - cells;
+    outline->one = plane->one;
+    outline->octaves = head->scale.octaves;
+    outline->mantissa = head->scale.mantissa;
+    return true;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,377 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of fxl_draw_depth_outline_8 and fxl_draw_depth_outline_16 for Armv7-M and Armv8-M
+ * Mainline. lib/paint/depth_outline.h states what they require and do; they write what
+ * lib/paint/depth_row.h writes. A file defines PIXEL_BITS, and includes this one right after the
+ * label of its function. An edge is the
+ * number of a cell of the band. A row takes about 50 instructions before its pixels. A visible
+ * pixel takes 3.3 where nothing was drawn before, and 7 elsewhere; a hidden one 4.4. */
+#include "../math/family.h"
+#include "../math/offsets.h"
+#include "../raster/draw_frame_armv7m.h"
+
+#define FRAME_OUTLINE FRAME_COLOUR /* the fxl_depth_outline */
+
+#define NO_ROW DEPTH_NO_ROW
+
+    .macro enter_outline
+    movs    r5, r1
+    ldrh    r4, [r2, #BAND_WIDTH]
+    .endm
+
+    /* At the first row: its cell, and the value of the plane. */
+    .macro begin_filling
+    ldrh    r5, [r2, #BAND_WIDTH]
+    sub     r4, r6, r12
+    muls    r4, r5, r4
+    strd    r4, r5, [r3, #DEPTH_OUTLINE_ROW_CELL]
+    ldrd    r4, r5, [r3, #DEPTH_OUTLINE_VALUE]
+    ldrd    r10, r11, [r3, #DEPTH_OUTLINE_DOWN]
+    umlal   r4, r5, r10, r6
+    mla     r5, r11, r6, r5
+    strd    r4, r5, [r3, #DEPTH_OUTLINE_VALUE]
+    .endm
+
+    .macro find_base
+    ldrh    r7, [r2, #BAND_WIDTH]
+    mul     r6, r12, r7
+    rsb     r6, r6, #1
+    .endm
+
+    .macro leave_other
+    movs    r0, #DEPTH_NOT_DRAWN
+    add     sp, sp, #FRAME_SIZE
+    pop     {r4-r11, pc}
+    .endm
+
+    .macro begin_rows_below
+.Lrows_below:
+    .endm
+
+    .macro step_edges
+    adds    r5, r5, r7
+    adc     r4, r4, r6
+    adds    r9, r9, r11
+    adc     r8, r8, r10
+    .endm
+
+/* Results: \low, \high: the 32 lowest bits of (\high:\low) >> \drop, in \low. drop: 1 to 34. */
+    .macro shift_by drop, low, high, spare
+    rsbs    \spare, \drop, #32
+    itee    pl
+    lslpl   \high, \high, \spare
+    rsbmi   \spare, \spare, #0
+    asrmi   \high, \high, \spare
+    lsr     \low, \low, \drop
+    add     \low, \low, \high
+    .endm
+
+/* Paints the pixel of the cell in r4. Pixels of 8 bits take r9. */
+    .macro paint_pixel
+#if PIXEL_BITS == 16
+    strh    r6, [r4, r5]
+#else
+    lsr     r9, r4, #1
+    strb    r6, [r5, r9]
+#endif
+    .endm
+
+    .macro fill_rows
+    b       .Lrow
+    .endm
+
+#include "../raster/outline_armv7m.h"
+
+/* The pixels of a row of one octave, until .Lrow_done: r2: the end of the cells, r3: the code of
+ * the first, lr: the step, r4: the first cell, r5: to its pixel, r6: the filling, r11: the last
+ * cell at which eight begin. */
+.Lrow:
+    mov     r2, r4
+    subs    r0, r8, r4
+    ble     .Lno_pixel
+.Lspan:                             /* r0: pixels, r2: the first cell */
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    step_edges
+    stm     sp, {r4-r11}
+    ldm     r1!, {r4-r11}           /* value, along, down, and the row's first cell and cells */
+    sub     r3, r2, r10             /* the column */
+    add     r10, r10, r11
+    adds    r8, r4, r8
+    adc     r9, r5, r9
+    strd    r8, r9, [r1, #DEPTH_OUTLINE_VALUE - DEPTH_OUTLINE_ZEROS]
+    str     r10, [r1, #DEPTH_OUTLINE_ROW_CELL - DEPTH_OUTLINE_ZEROS]
+
+    /* r4, r5: the value in column 0, r6, r7: along. Whether the first pixel and the last are in the
+     * octave that is known: then all are, as the value is linear. */
+.Lpart:
+    umull   r10, r9, r6, r3
+    mla     r9, r7, r3, r9
+    adds    r10, r10, r4
+    adc     r9, r9, r5
+    clz     r11, r9
+    sub     r8, r0, #1
+    umlal   r10, r9, r6, r8
+    mla     r9, r7, r8, r9
+    clz     r9, r9
+    ldm     r1, {r6, r7, r8, lr}    /* zeros, drop, bias, step */
+    cmp     r11, r6
+    it      eq
+    cmpeq   r9, r6
+    bne     .Loctave
+.Lcode:
+    mla     r8, lr, r3, r8
+    shift_by r7, r4, r5, r9
+    add     r3, r8, r4
+
+.Lpixels:
+    adds    r1, r1, #DEPTH_OUTLINE_CELLS - DEPTH_OUTLINE_ZEROS
+    ldm     r1, {r4, r5, r6}        /* cells, pixels, filling */
+    add     r4, r4, r2, lsl #1
+    add     r2, r4, r0, lsl #1
+    sub     r11, r2, #16
+    cmp     r4, r11
+    bhi     .Lfew
+    /* Rounded down, a code may be below 1 as the cell of a pixel where nothing was drawn. */
+    mla     r1, lr, r0, r3
+    sub     r1, r1, lr
+    cmp     r3, #65536
+    it      hs
+    cmphs   r1, #65536
+    blo     .Leach
+
+.Leight_or_seven:
+    tst     r4, #2
+    beq     .Leight
+    ldrh    r7, [r4]
+    lsr     r8, r3, #16
+    cmp     r8, r7
+    bls     .Lhidden
+    paint_pixel
+    strh    r8, [r4], #2
+    add     r3, r3, lr
+    cmp     r4, r11
+    bhi     .Lfew
+
+    /* Eight pixels. Where nothing was drawn, all are visible. */
+.Leight:
+    ldm     r4, {r7-r10}
+    orr     r0, r7, r8
+    orr     r1, r9, r10
+    orrs    r0, r0, r1
+    bne     .Leach_of_eight
+    .irp    two, r7, r8, r9, r10
+    lsr     r0, r3, #16
+    add     \two, r3, lr
+    bfi     \two, r0, #0, #16
+    add     r3, r3, lr, lsl #1
+    .endr
+#if PIXEL_BITS == 16
+    add     r0, r4, r5
+    stm     r4!, {r7-r10}
+    strd    r6, r6, [r0]
+    strd    r6, r6, [r0, #8]
+#else
+    lsr     r0, r4, #1
+    add     r0, r0, r5
+    stm     r4!, {r7-r10}
+    strh    r6, [r0]
+    strh    r6, [r0, #2]
+    strh    r6, [r0, #4]
+    strh    r6, [r0, #6]
+#endif
+    cmp     r4, r11
+    bls     .Leight
+
+    /* Fewer than eight pixels, each tested for itself. */
+.Lfew:
+    sub     r0, r2, r4
+#if PIXEL_BITS == 16
+    add     r1, r2, r5
+#else
+    add     r1, r5, r2, lsr #1
+#endif
+    tbb     [pc, r0]
+.Lfews:
+    .irp    length, 0, 1, 2, 3, 4, 5, 6, 7
+    .byte   (.Lfew\length - .Lfews) / 2, 0
+    .endr
+    .irp    length, 7, 6, 5, 4, 3, 2, 1
+.Lfew\length:
+    ldrh    r7, [r2, #-2 * \length]
+    lsr     r8, r3, #16
+    cmp     r8, r7
+    bls     .Lfew_hidden\length
+#if PIXEL_BITS == 16
+    strh    r6, [r1, #-2 * \length]
+#else
+    strb    r6, [r1, #-\length]
+#endif
+    strh    r8, [r2, #-2 * \length]
+.Lfew_hidden\length:
+    .if     \length > 1
+    add     r3, r3, lr
+    .endif
+    .endr
+.Lfew0:
+
+.Lrow_done:
+    ldm     sp, {r4-r11}
+    subs    r12, r12, #1
+    bpl     .Lrow
+.Lrows_done:
+    cmn     r12, #1
+    beq     .Lrows_below
+
+    /* The rest of a row. */
+    bic     r12, r12, #0x80000000
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldrd    r6, r7, [r1, #DEPTH_OUTLINE_ALONG]
+    ldrd    r2, r3, [r1, #DEPTH_OUTLINE_REST]
+    ldrd    r4, r5, [r1, #DEPTH_OUTLINE_REST + 8]
+    ldr     r0, [r1, #DEPTH_OUTLINE_REST + 16]
+    adds    r1, r1, #DEPTH_OUTLINE_ZEROS
+    b       .Lpart
+
+    /* Some of eight pixels may be hidden. */
+.Leach_of_eight:
+    .rept   8
+    ldrh    r7, [r4]
+    lsr     r8, r3, #16
+    cmp     r8, r7
+    bls     .Lhidden
+    paint_pixel
+    strh    r8, [r4], #2
+    add     r3, r3, lr
+    .endr
+    cmp     r4, r11
+    bls     .Leight
+    b       .Lfew
+
+    /* The pixel of r4 is hidden: on to the first that is not. */
+.Lhidden:
+    add     r4, r4, #2
+    add     r3, r3, lr
+    cmp     r4, r11
+    bhi     .Lfew
+.Leight_hidden:
+    .rept   8
+    ldrh    r7, [r4], #2
+    cmp     r7, r3, lsr #16
+    blo     .Lvisible
+    add     r3, r3, lr
+    .endr
+    cmp     r4, r11
+    bls     .Leight_hidden
+    b       .Lfew
+.Lvisible:
+    sub     r4, r4, #2
+    cmp     r4, r11
+    bls     .Leight_or_seven
+    b       .Lfew
+
+    /* Any number of pixels, without regard to speed. */
+.Leach:
+    ldrh    r7, [r4]
+    lsr     r8, r3, #16
+    cmp     r8, r7
+    bls     .Leach_hidden
+    paint_pixel
+    strh    r8, [r4]
+.Leach_hidden:
+    adds    r4, r4, #2
+    add     r3, r3, lr
+    cmp     r4, r2
+    blo     .Leach
+    b       .Lrow_done
+
+    /* The right edge is not right of the left one. */
+.Lno_pixel:
+    beq     .Lempty
+    mov     r2, r8
+    rsb     r0, r0, #0
+    b       .Lspan
+.Lempty:
+    step_edges
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldrd    r2, r3, [r1, #DEPTH_OUTLINE_DOWN]
+    ldrd    r0, lr, [r1, #DEPTH_OUTLINE_VALUE]
+    adds    r2, r2, r0
+    adc     r3, r3, lr
+    strd    r2, r3, [r1, #DEPTH_OUTLINE_VALUE]
+    ldrd    r2, r3, [r1, #DEPTH_OUTLINE_ROW_CELL]
+    add     r2, r2, r3
+    str     r2, [r1, #DEPTH_OUTLINE_ROW_CELL]
+    subs    r12, r12, #1
+    bpl     .Lrow
+    b       .Lrows_done
+
+    /* Another octave than that of the pixels before: that of r11 leading zeros. r9: those of the
+     * last pixel. */
+.Loctave:
+    cmp     r11, r9
+    bne     .Lsplit
+.Lone_octave:
+    cmp     r11, #0                 /* below 0 */
+    beq     .Lfarther
+    ldrd    r9, r10, [r1, #DEPTH_OUTLINE_ONE - DEPTH_OUTLINE_ZEROS]
+    rsb     r6, r11, #64            /* the value's length in bits */
+    subs    r6, r9, r6              /* the octave's number */
+    bmi     .Lnearer
+    cmp     r6, r10
+    bge     .Lfarther
+    ldr     r9, [r1, #DEPTH_OUTLINE_MANTISSA - DEPTH_OUTLINE_ZEROS]
+    sub     r10, r10, r6
+    sub     r10, r10, #2
+    rsb     r7, r11, #47
+    sub     r7, r7, r9              /* drop */
+    add     r9, r9, #16
+    lsl     r8, r10, r9
+    add     r8, r8, #65536          /* bias */
+    ldrd    r9, r10, [r1, #DEPTH_OUTLINE_ALONG - DEPTH_OUTLINE_ZEROS]
+    shift_by r7, r9, r10, r6
+    mov     lr, r9                  /* step */
+    mov     r6, r11
+    stm     r1, {r6, r7, r8, lr}
+    b       .Lcode
+.Lnearer:
+    mov     r3, #-1
+    mov     lr, #0
+    b       .Lpixels
+.Lfarther:
+    mov     r3, #65536
+    mov     lr, #0
+    b       .Lpixels
+
+    /* The columns until r9 are in the octave of the first: found by halving. */
+.Lsplit:
+    str     r2, [r1, #DEPTH_OUTLINE_REST - DEPTH_OUTLINE_ZEROS]
+    ldrd    r6, r7, [r1, #DEPTH_OUTLINE_ALONG - DEPTH_OUTLINE_ZEROS]
+    mov     r8, r3
+    add     r9, r3, r0
+    sub     r9, r9, #1
+.Lhalve:
+    sub     r10, r9, r8
+    cmp     r10, #1
+    bls     .Lhalved
+    add     r10, r8, r10, lsr #1
+    umull   lr, r2, r6, r10
+    mla     r2, r7, r10, r2
+    adds    lr, lr, r4
+    adc     r2, r2, r5
+    clz     r2, r2
+    cmp     r2, r11
+    ite     eq
+    moveq   r8, r10
+    movne   r9, r10
+    b       .Lhalve
+.Lhalved:
+    ldr     r2, [r1, #DEPTH_OUTLINE_REST - DEPTH_OUTLINE_ZEROS]
+    sub     r6, r9, r3              /* pixels of the first octave */
+    add     r8, r2, r6
+    strd    r8, r9, [r1, #DEPTH_OUTLINE_REST - DEPTH_OUTLINE_ZEROS]
+    strd    r4, r5, [r1, #DEPTH_OUTLINE_REST + 8 - DEPTH_OUTLINE_ZEROS]
+    sub     r0, r0, r6
+    str     r0, [r1, #DEPTH_OUTLINE_REST + 16 - DEPTH_OUTLINE_ZEROS]
+    mov     r0, r6
+    add     r12, r12, #1            /* the rest comes before the rows below */
+    orr     r12, r12, #0x80000000
+    b       .Lone_octave
