@@ -101,6 +101,7 @@ static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int3
         face->u_drop += FXL_ROW_BITS;
         face->v_drop += FXL_ROW_BITS;
     }
+    face->table = face->ramp == NULL && any_32() >> 15 & 1u ? ramp : NULL;
     compare_row(face, row, x0, x1, fxl_paint_segments, portable_paint_segments);
     if (face->ramp != NULL) {
         return;

@@ -162,6 +162,44 @@ void test_light_goes_over_textures(void)
     TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
 }
 
+/* Light that is the same at all corners makes of each texel what its level of the ramp says, in
+ * every pixel, whatever the division, the kernel and the opacity; but FXL_DIVIDE_1 has a kernel for
+ * unlit texels alone. */
+void test_even_light_is_one_level(void)
+{
+    static uint8_t texels[1024], unlit[QUAD_WIDTH * QUAD_HEIGHT];
+    uint32_t drawn = 0;
+    for (uint32_t i = 0; i < sizeof texels; i++) {
+        texels[i] = (uint8_t)(i * 7u % 13u);
+    }
+    for (uint32_t i = 0; i < ROUNDS; i++) {
+        const fxl_light_settings of = {
+            .ramp = ramp, .levels = LEVELS, .ambient = (fxl_q2_30)(unit_random() >> 2)};
+        const uint32_t level = (uint32_t)(of.ambient / (double)FXL_Q2_30_ONE * (LEVELS - 1) + 0.5);
+        quad_scene *quad = quad_make(i % 2 != 0);
+        quad->texture = (fxl_texture){
+            .texels = texels, .log_width = (uint8_t)(3 + i / 2 % 3), .log_height = 5, .levels = 1};
+        quad->set.texture_count = 1;
+        quad->surface.texture = 1;
+        static const uint8_t divisions[] = {FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_AFFINE};
+        quad->surface.division = divisions[i % 3];
+        quad->surface.opacity = (uint8_t)(i % 8 == 0 ? 11 : 16);
+        quad_begin(quad);
+        quad_draw(quad);
+        memcpy(unlit, quad->frame, sizeof unlit);
+        quad->surface.flags = FXL_SURFACE_LIT;
+        quad_light(quad, &light, &of);
+        quad_draw(quad);
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            TEST_ASSERT_EQUAL(unlit[p] == QUAD_BACKGROUND ? QUAD_BACKGROUND
+                                                          : ramp[256 * level + unlit[p]],
+                              quad->frame[p]);
+            drawn += unlit[p] != QUAD_BACKGROUND;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(50 * ROUNDS, drawn);
+}
+
 /* Without a light a lit surface has its colour; taken away, it has it again. */
 void test_light_is_taken_and_left(void)
 {

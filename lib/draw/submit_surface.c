@@ -40,6 +40,17 @@ static uint32_t find_values(const fxl_surfaces *surfaces, const fxl_model_view *
     return count;
 }
 
+/* Light that is the same at all corners of a face with a texture is no attribute. */
+static void find_even_light(const int32_t light[3], uint32_t *count, fxl_surface_polygon *polygon)
+{
+    polygon->is_evenly_lit =
+        *count > FXL_SEGMENT_LIGHT && light[0] == light[1] && light[0] == light[2];
+    if (polygon->is_evenly_lit) {
+        polygon->light = (uint16_t)(light[0] >> 8); /* below 64 levels */
+        *count = FXL_SEGMENT_LIGHT;
+    }
+}
+
 /* The gradients of a small face. Returns the level of its texture. */
 static uint8_t find_small(const fxl_surface *surface, const fxl_texture *texture,
                           fxl_corner_planes *planes, fxl_gradient_corners *corners,
@@ -108,6 +119,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen) &&
         fxl_corner_planes_begin(&on_screen, &view->lens, &planes);
     corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
+    find_even_light(corners.values[FXL_SEGMENT_LIGHT], &corners.count, polygon);
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
@@ -122,17 +134,6 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     polygon->has_depth = find_depth != NULL;
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
-    }
-}
-
-/* Of a lit piece: where it has a texture and no light, its light is the one level of a ramp. */
-static void put_in_beam(fxl_gradients *gradients)
-{
-    static const fxl_gradient none = {0, 0, 0};
-    if (gradients->count == FXL_SEGMENT_LIGHT) {
-        gradients->attributes[FXL_SEGMENT_LIGHT] = none;
-        gradients->shifts[FXL_SEGMENT_LIGHT] = 0;
-        gradients->count++;
     }
 }
 
@@ -199,11 +200,7 @@ static bool submit_piece(fxl_pieces *pieces, const fxl_mapped_surface *of, const
 static bool take_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t count, bool is_lit)
 {
     const fxl_mapped_surface *of = (const fxl_mapped_surface *)pieces->taker;
-    of->polygon->gradients.count = of->attributes;
     of->polygon->is_in_beam = is_lit;
-    if (is_lit) {
-        put_in_beam(&of->polygon->gradients);
-    }
     return submit_piece(pieces, of, points, count);
 }
 
@@ -214,8 +211,8 @@ bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_
     const fxl_renderer *renderer = pieces->traversal->renderer;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
     fxl_surface_polygon polygon;
-    fxl_mapped_surface of = {
-        surfaces, mapped_of(surfaces, pieces->face, renderer), pieces, &polygon, false, 0};
+    fxl_mapped_surface of = {surfaces, mapped_of(surfaces, pieces->face, renderer), pieces,
+                             &polygon, false};
     if (of.mapped == NULL) {
         return fxl_submit_piece_by(pieces, shader->next, face, points);
     }
@@ -225,7 +222,6 @@ bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_
     }
     surfaces->painter->find(&of, NULL, NULL, pieces->traversal, &polygon);
     of.is_found = true;
-    of.attributes = polygon.gradients.count;
     pieces->take = take_piece;
     pieces->taker = &of;
     const bool fitted = beams->code->split(beams, pieces, face, points, count);

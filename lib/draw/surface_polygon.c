@@ -18,7 +18,10 @@
 #define GRADIENT_WORDS 6u
 
 /* What stands above the surface in the first word. */
-#define IN_BEAM   0x10000u
+#define IN_BEAM 0x10000u
+#define EVENLY_LIT \
+    0x20000u /* the light's upper byte is in the shade's place, its lower one in that \
+              * of the third shift */
 #define HAS_DEPTH 0x80000u
 #define LEVEL_AT  20
 #define SHADE_AT  24
@@ -73,10 +76,15 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
         screen->count};
     to = put(to + 1, head, 1);
     to = put(to, screen->points, 2u * screen->count);
-    *to++ = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
-            (uint32_t)polygon->shade << SHADE_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
-            (polygon->is_in_beam ? IN_BEAM : 0);
-    to = put(to, gradients->shifts, 1);
+    *to = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
+          (uint32_t)polygon->shade << SHADE_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
+          (polygon->is_in_beam ? IN_BEAM : 0);
+    (void)put(to + 1, gradients->shifts, 1);
+    if (polygon->is_evenly_lit) {
+        *to |= EVENLY_LIT | (uint32_t)(polygon->light >> 8) << SHADE_AT;
+        ((uint8_t *)(to + 1))[FXL_ATTRIBUTES - 1] = (uint8_t)polygon->light;
+    }
+    to += FIRST_WORDS;
     if (polygon->surface != FXL_NO_SURFACE) {
         to = put(to, gradients->weight_min, SURFACE_WORDS);
         to = put(to, &gradients->weight, GRADIENT_WORDS);
@@ -104,6 +112,9 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
     polygon->is_in_beam = (first & IN_BEAM) != 0;
     polygon->shade = (uint8_t)(first >> SHADE_AT);
     from = get(from, gradients->shifts, 1);
+    polygon->is_evenly_lit = (first & EVENLY_LIT) != 0;
+    polygon->light =
+        (uint16_t)((first >> SHADE_AT) << 8 | (uint8_t)gradients->shifts[FXL_ATTRIBUTES - 1]);
     if (polygon->surface != FXL_NO_SURFACE) {
         from = get(from, gradients->weight_min, SURFACE_WORDS);
         from = get(from, &gradients->weight, GRADIENT_WORDS);
@@ -210,6 +221,7 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     if (surface->texture != 0) {
         fxl_texture_level_find(&set->textures[surface->texture - 1], polygon->level, &paint->level);
     }
+    paint->table = NULL;
     paint->ramp = NULL;
     paint->levels_less_1 = 0;
     if (fxl_surface_is_lit(surfaces, surface)) {
@@ -224,6 +236,8 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     paint->colour = polygon->colour;
     paint->division = surface->division == FXL_AFFINE ? (uint8_t)FXL_DIVIDE_16 : surface->division;
     paint->opacity = surface->opacity;
+    paint->is_evenly_lit = polygon->is_evenly_lit;
+    paint->light = polygon->light;
     paint->has_light_rows = surface->texture == 0 && paint->ramp != NULL &&
                             paint->in_beam == NULL && surface->opacity == 16 &&
                             (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) == 0;

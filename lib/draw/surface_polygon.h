@@ -47,7 +47,9 @@ typedef struct {
     uint8_t colour;          /* of the face */
     uint8_t shade;           /* of a face without a surface: as of fxl_screen_polygon */
     bool has_depth;
-    bool is_in_beam; /* it is a lit piece */
+    bool is_in_beam;    /* it is a lit piece */
+    bool is_evenly_lit; /* it has a texture, and the same light everywhere: no attribute of light */
+    uint16_t light;     /* then: in 1/256 level, and a half level */
 } fxl_surface_polygon;
 
 /* What a face with a surface is found and painted by. */
@@ -58,7 +60,6 @@ typedef struct {
     const fxl_pieces *pieces;
     fxl_surface_polygon *polygon; /* what all pieces of the face have beside their outlines */
     bool is_found;                /* what that is */
-    uint8_t attributes;           /* of its gradients, but for that of a beam */
 } fxl_mapped_surface;
 
 /* What draws the faces that have surfaces into a target: a constant record for each target. */

@@ -37,10 +37,13 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
     of->palette = band->palette;
     of->part_of_level = paint->ramp != NULL ? (65536u + levels / 2) / levels : 0;
     of->dark = paint->ramp != NULL ? surfaces->light->settings.dark : 0;
+    if (paint->is_evenly_lit) {
+        paint->ramp = NULL;
+    }
     of->key = surface->texture != 0 ? surfaces->set->textures[surface->texture - 1].key_565 : 0;
     of->sixteenths = (uint8_t)((surface->flags & FXL_SURFACE_BLEND) == 0 ? 0
-                               : surface->sixteenths == 0              ? 8
-                                                                       : surface->sixteenths);
+                               : surface->sixteenths == 0                ? 8
+                                                                         : surface->sixteenths);
     of->adds = (surface->flags & FXL_SURFACE_ADD) != 0;
     if (paint->in_beam != NULL) {
         paint->level.flags |= FXL_LEVEL_IN_BEAM;
@@ -60,7 +63,11 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
 {
     (void)band;
     fxl_surface_paint_of(surfaces, polygon, paint);
-    if (paint->in_beam != NULL && paint->ramp == NULL && paint->level.texels == NULL) {
+    if (paint->is_evenly_lit) {
+        paint->table = paint->ramp + (paint->light & ~255u);
+        paint->ramp = NULL;
+    } else if (paint->in_beam != NULL && paint->ramp == NULL) {
+        paint->table = paint->in_beam;
         paint->colour = paint->in_beam[paint->colour];
         paint->in_beam = NULL;
     }
@@ -96,7 +103,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     paint_of(surfaces, polygon, band, &paint);
     const fxl_segment_face *segments = segments_of(&paint, &face);
     if (segments != NULL && paint.ramp == NULL &&
-        (FXL_TARGET_PIXEL_BITS == 16 || paint.in_beam == NULL)) {
+        (FXL_TARGET_PIXEL_BITS == 16 ? !paint.is_evenly_lit : paint.in_beam == NULL)) {
         fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                                 &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
     } else {
@@ -224,8 +231,8 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
     return false;
 }
 
-/* The same for a piece of a face: its texels, light and depth are those of the whole face. Not inline:
- * the view of the whole face would stay on the stack while the piece is painted. */
+/* The same for a piece of a face: its texels, light and depth are those of the whole face. Not
+ * inline: the view of the whole face would stay on the stack while the piece is painted. */
 static __attribute__((noinline)) void find_whole(const void *what, const fxl_model_view *model_view,
                                                  const fxl_face *face,
                                                  const fxl_traversal *traversal,
@@ -247,8 +254,8 @@ static fxl_outcome submit_piece(const fxl_mapped_surface *of, const fxl_model_vi
                                      of->polygon, of->is_found);
 }
 
-/* A mapped face that no beam reaches. Not inline: what its polygons have would stay on the stack while a face
- * is split. */
+/* A mapped face that no beam reaches. Not inline: what its polygons have would stay on the stack
+ * while a face is split. */
 static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_view,
                                                     const fxl_face *face,
                                                     const fxl_traversal *traversal,
@@ -256,10 +263,10 @@ static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_
 {
     const uint32_t used = traversal->renderer->frame.display_list.used;
     fxl_surface_polygon polygon;
-    return fxl_count_outcome(
-        traversal,
-        fxl_submit_found_polygons(model_view, face, traversal, find, paint_polygon, of, &polygon, false),
-        used);
+    return fxl_count_outcome(traversal,
+                             fxl_submit_found_polygons(model_view, face, traversal, find,
+                                                       paint_polygon, of, &polygon, false),
+                             used);
 }
 
 /* fxl_shader_code.face. */
@@ -269,7 +276,8 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
     bool fitted;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
     const fxl_mapped_surface of = {
-        surfaces, fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted), NULL, NULL, false, 0};
+        surfaces, fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted), NULL, NULL,
+        false};
     return of.mapped == NULL ? fitted : submit_mapped(model_view, face, traversal, &of);
 }
 

@@ -220,6 +220,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     polygon->colour = face->material;
     polygon->shade = FXL_TARGET_PIXEL_BITS == 16 ? traversal->workspace->screen.shade : 0;
     polygon->is_in_beam = false;
+    polygon->is_evenly_lit = false;
     polygon->has_depth = true;
     if (FXL_TARGET_DEPTH_BITS == 32) {
         fxl_find_depth_by_normal(model_view, face, traversal, &polygon->depth);

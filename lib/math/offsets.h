@@ -136,6 +136,7 @@
 #define SEGMENT_FACE_FORM        79
 #define SEGMENT_FACE_PALETTE     88
 #define SEGMENT_FACE_IN_BEAM     92
+#define SEGMENT_FACE_TABLE       96
 
 /* fxl_divided_face */
 #define DIVIDED_FACE_WEIGHT_STEP  0

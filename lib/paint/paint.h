@@ -36,15 +36,19 @@ typedef struct {
     const fxl_gradients *gradients;
     fxl_texture_level level; /* texels null: the face's own colour */
     const uint8_t *ramp;     /* ramp[256 * level + colour], by the last attribute; null: unlit */
-    const uint8_t *in_beam;  /* in_beam[colour]: what the ramp has made, in a beam; null: in none, or
-                                `ramp` is that of a beam, of one level */
-    const uint8_t *blend;    /* as of fxl_surface_set; null: no colour is blended */
+    const uint8_t *table;    /* table[texel]: what a texel becomes before that, of light that is the
+                                same everywhere or of a beam; null: it stays as it is */
+    const uint8_t *in_beam; /* in_beam[colour]: what the ramp has made, in a beam; null: in none, or
+                               `ramp` is that of a beam, of one level */
+    const uint8_t *blend;   /* as of fxl_surface_set; null: no colour is blended */
     uint32_t blend_count;
     uint8_t blend_first;
     uint8_t levels_less_1; /* of the ramp */
     uint8_t colour;        /* of the face */
     uint8_t division;      /* FXL_DIVIDE_16, FXL_DIVIDE_8, FXL_DIVIDE_1 */
     uint8_t opacity;       /* 1..16 */
+    uint16_t light;        /* where is_evenly_lit: 1/256 level, and a half level */
+    bool is_evenly_lit;    /* light is no attribute: it is the same everywhere */
     bool is_replaced;      /* in_beam or blend is not null */
     bool has_light_rows;   /* opaque pixels of one colour, lit, in no beam: light_row.h */
     bool is_light_linear;  /* and the weight is constant */

@@ -12,7 +12,7 @@ bool fxl_divided_find(const fxl_paint *paint, fxl_divided_face *face)
     const fxl_gradient *v = &gradients->attributes[FXL_ATTRIBUTE_V];
     if (paint->division != FXL_DIVIDE_1 || level->texels == NULL || level->colours != NULL ||
         level->flags != 0 || level->log_width < FXL_DIVIDED_LOG_MIN || paint->opacity != 16 ||
-        paint->ramp != NULL || paint->is_replaced) {
+        paint->ramp != NULL || paint->table != NULL || paint->is_replaced) {
         return false;
     }
     face->weight_slope = gradients->weight.along;

@@ -32,6 +32,7 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
         if ((paint->level.flags & FXL_TEXTURE_KEYED) && colour == paint->level.key) {
             return;
         }
+        colour = paint->table != NULL ? paint->table[colour] : colour;
     }
     if (paint->ramp != NULL) {
         const int32_t light = values[paint->gradients->count - 1];
@@ -45,13 +46,13 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
 
 /* --- neighbouring pixels -------------------------------------------------------------------- */
 
-/* Opaque texels of 8 bits, repeated: with or without a key, lit or not. Any pixel may be a byte of
- * the tables to the compiler, so the loop has copies of all that it needs. */
+/* Opaque texels of 8 bits, repeated: with or without a key, a table, light. Any pixel may be a byte
+ * of the tables to the compiler, so the loop has copies of all that it needs. */
 static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *of, uint8_t *pixel,
                                   const uint8_t *end, bool lit)
 {
     const fxl_texture_level *level = &paint->level;
-    const uint8_t *texels = level->texels, *ramp = paint->ramp;
+    const uint8_t *texels = level->texels, *ramp = paint->ramp, *table = paint->table;
     const uint32_t key = level->flags & FXL_TEXTURE_KEYED ? level->key : 256u;
     const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
     const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
@@ -63,6 +64,9 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *o
     for (; pixel != end; pixel++) {
         uint32_t colour = texels[(v >> row_drop & rows) + (u >> 16 & columns)];
         if (colour != key) {
+            if (table != NULL) {
+                colour = table[colour];
+            }
             if (lit) {
                 colour = ramp[256u * fxl_limited((int32_t)light >> 16, last_level) + colour];
             }

@@ -46,7 +46,8 @@ static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row,
         return;
     }
     if (of->part_of_level != 0) {
-        const uint32_t part = part_of_light(paint, values[paint->gradients->count - 1]);
+        const uint32_t part = part_of_light(
+            paint, paint->is_evenly_lit ? paint->light << 8 : values[paint->gradients->count - 1]);
         colour = fxl_mix_565(colour, of->dark, part);
     }
     if (of->sixteenths != 0) {
@@ -70,7 +71,10 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *l
     const uint32_t columns = level->columns_less_1, rows = level->rows_less_1 << level->log_width;
     const uint32_t row_drop = 16u - level->log_width; /* log_width is at most 8 */
     uint32_t u = linear->values[FXL_ATTRIBUTE_U], v = linear->values[FXL_ATTRIBUTE_V];
-    uint32_t light = linear->values[FXL_ATTRIBUTES - 1]; /* light follows u and v */
+    uint32_t light = linear->values[FXL_ATTRIBUTES - 1]; /* light follows u and v, or is none */
+    if (paint->is_evenly_lit) {
+        light = (uint32_t)paint->light << 8;
+    }
     const uint32_t u_step = linear->steps[FXL_ATTRIBUTE_U];
     const uint32_t v_step = linear->steps[FXL_ATTRIBUTE_V];
     const uint32_t light_step = linear->steps[FXL_ATTRIBUTES - 1];
@@ -142,6 +146,22 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
     }
 }
 
+/* Pixels that show texels, in light that is the same everywhere: as above, of many colours. */
+static void mix_evenly(const fxl_paint *paint, uint16_t *pixel, const uint16_t *end)
+{
+    const uint32_t dark = paint->of_565.dark, part = part_of_light(paint, paint->light << 8);
+    const uint32_t red_dark =
+        red_and_blue(dark) + (1u << 26 | 1u << 7) - (red_and_blue(dark) >> 8) * part;
+    const uint32_t green_dark = green_of(dark) + (1u << 12) - (green_of(dark) >> 8) * part;
+    for (; pixel != end; pixel++) {
+        const uint32_t colour = *pixel;
+        const uint32_t red = red_dark + (red_and_blue(colour) >> 8) * part;
+        const uint32_t green = green_dark + (colour & FXL_GREEN_565) * part;
+        *pixel = (uint16_t)((red >> 16 & FXL_RED_565) | (green >> 8 & FXL_GREEN_565) |
+                            (red >> 8 & FXL_BLUE_565));
+    }
+}
+
 static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
                          const linear_pixels *linear)
 {
@@ -179,6 +199,10 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
         int32_t end = fxl_segments_end(row, x0, x1);
         if (end > x0) {
             fxl_paint_segments_565(row->segments, row, x0, end);
+            if (paint->is_evenly_lit) {
+                uint16_t *pixels = (uint16_t *)(void *)row->pixels;
+                mix_evenly(paint, pixels + x0, pixels + end);
+            }
         } else {
             end = smaller((x0 & ~15) + 16, x1);
             paint_sixteen(paint, row, least, x0, end, &at);

@@ -41,7 +41,8 @@ void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, ui
     uint32_t position = run->position, light = run->light;
     if (face->ramp == NULL) {
         for (; pixels != end; position += run->step) {
-            *pixels++ = texel(face, position);
+            const uint8_t colour = texel(face, position);
+            *pixels++ = face->table != NULL ? face->table[colour] : colour;
         }
         return;
     }

@@ -6,12 +6,13 @@
 
 #if FXL_KERNELS_ARMV7M
 
-#define ROWS      fxl_paint_rows_565
-#define WIDE      1
-#define PIXEL     18
-#define WHOLE     292
-#define PIXEL_565 16
-#define WHOLE_565 260
+#define ROWS        fxl_paint_rows_565
+#define WIDE        1
+#define TABLE       SEGMENT_FACE_PALETTE
+#define PIXEL       18
+#define WHOLE       292
+#define PIXEL_PLAIN 16
+#define WHOLE_PLAIN 260
 
     .syntax unified
     .thumb
@@ -34,7 +35,7 @@ fxl_paint_segments_565:
 
     .macro  store_by_palette i
     ldrb    r3, [texels, r3]
-    ldrh    r3, [palette, r3, lsl #1]
+    ldrh    r3, [table, r3, lsl #1]
     store_wide \i
     .endm
 
@@ -54,13 +55,13 @@ fxl_paint_segments_565:
     sixteen 8, store_by_palette
 
     .align  2
-.Lcolours_5:
+.Lplain_5:
     sixteen 5, store_colour
-    .org    .Lcolours_5 + WHOLE_565
+    .org    .Lplain_5 + WHOLE_PLAIN
     sixteen 6, store_colour
-    .org    .Lcolours_5 + 2 * WHOLE_565
+    .org    .Lplain_5 + 2 * WHOLE_PLAIN
     sixteen 7, store_colour
-    .org    .Lcolours_5 + 3 * WHOLE_565
+    .org    .Lplain_5 + 3 * WHOLE_PLAIN
     sixteen 8, store_colour
     .size fxl_paint_segments_565, . - fxl_paint_segments_565
 

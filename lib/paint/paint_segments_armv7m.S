@@ -6,10 +6,13 @@
 
 #if FXL_KERNELS_ARMV7M
 
-#define ROWS  fxl_paint_rows
-#define WIDE  0
-#define PIXEL 14
-#define WHOLE 228
+#define ROWS        fxl_paint_rows
+#define WIDE        0
+#define TABLE       SEGMENT_FACE_TABLE
+#define PIXEL       16
+#define WHOLE       260
+#define PIXEL_PLAIN 14
+#define WHOLE_PLAIN 228
 
     .syntax unified
     .thumb
@@ -26,7 +29,6 @@ fxl_paint_segments:
 #include "plain_rows_armv7m.h"
 
     .macro  store i
-    ldrb    r3, [texels, r3]
     .if     \i < 16
     strb    r3, [pixels, #\i]
     .else
@@ -34,15 +36,36 @@ fxl_paint_segments:
     .endif
     .endm
 
+    .macro  store_by_table i
+    ldrb    r3, [texels, r3]
+    ldrb    r3, [table, r3]
+    store   \i
+    .endm
+
+    .macro  store_texel i
+    ldrb    r3, [texels, r3]
+    store   \i
+    .endm
+
     .align  2
 .Lpixels_5:
-    sixteen 5, store
+    sixteen 5, store_by_table
     .org    .Lpixels_5 + WHOLE
-    sixteen 6, store
+    sixteen 6, store_by_table
     .org    .Lpixels_5 + 2 * WHOLE
-    sixteen 7, store
+    sixteen 7, store_by_table
     .org    .Lpixels_5 + 3 * WHOLE
-    sixteen 8, store
+    sixteen 8, store_by_table
+
+    .align  2
+.Lplain_5:
+    sixteen 5, store_texel
+    .org    .Lplain_5 + WHOLE_PLAIN
+    sixteen 6, store_texel
+    .org    .Lplain_5 + 2 * WHOLE_PLAIN
+    sixteen 7, store_texel
+    .org    .Lplain_5 + 3 * WHOLE_PLAIN
+    sixteen 8, store_texel
     .size fxl_paint_segments, . - fxl_paint_segments
 
 #endif

@@ -82,8 +82,11 @@ fxl_paint_texels:
     ldr     r0, [sp]
     ldr     r7, [r0, #SEGMENT_FACE_RAMP]
     cmp     r7, #0
+    bne     1f
+    ldr     r7, [r0, #SEGMENT_FACE_TABLE] /* one level: the run has no light */
+    cmp     r7, #0
     beq     .Lend
-    ldr     r1, [sp, #4]
+1:  ldr     r1, [sp, #4]
     ldr     r4, [r1, #TEXEL_RUN_LIGHT]
     ldr     r5, [r1, #TEXEL_RUN_LIGHT_STEP]
     ldr     r3, [sp, #12]

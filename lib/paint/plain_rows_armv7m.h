@@ -2,16 +2,17 @@
 /* The text of the kernels of rows without light for Armv7-M: paint_segments_armv7m.S paints pixels of
  * 8 bits, paint_segments_565_armv7m.S pixels of 16 bits. Assembly. Before it the file defines
  *
- *   ROWS       fxl_paint_rows, or the name that it has for such pixels
- *   WIDE       0, or 1: pixels of 16 bits
- *   WHOLE      bytes of the code of 16 pixels whose texels have 8 bits; PIXEL: of one of them
- *   WHOLE_565  the same where texels are colours, if WIDE; PIXEL_565
+ *   ROWS         fxl_paint_rows, or the name that it has for such pixels
+ *   WIDE         0, or 1: pixels of 16 bits
+ *   TABLE        where the face has the table of what texels of 8 bits become; null: texels are pixels
+ *   WHOLE        bytes of the code of 16 pixels with a table; PIXEL: of one of them
+ *   WHOLE_PLAIN  the same where texels are pixels; PIXEL_PLAIN
  *
  * and the label of fxl_paint_segments, or of what it is for such pixels. After it the file has the code
- * of 16 pixels for each width from 32 texels on, by the macro sixteen, from .Lpixels_5 on, and of
- * colours from .Lcolours_5 on. A texel takes 5 instructions (6 by a palette)
+ * of 16 pixels for each width from 32 texels on, by the macro sixteen, from .Lpixels_5 on, and without a table
+ * from .Lplain_5 on. A texel takes 5 instructions (6 by a table)
  * if the texture is 32 to 256 texels wide and no higher than wide; any other takes 9 or 10. A segment
- * takes 43 more; where the weight is constant, 16 columns take 9 more. A row takes about 110. */
+ * takes 46 more; where the weight is constant, 16 columns take 9 more. A row takes about 110. */
 #ifndef FXL_PLAIN_ROWS_ARMV7M_H
 #define FXL_PLAIN_ROWS_ARMV7M_H
 
@@ -21,8 +22,8 @@
 /* The frame: the steps of a segment, then four words of the face, then: */
 #define F_U_DROP   24
 #define F_TEXELS   32
-#define F_PALETTE  40
-#define F_W_LOW    44 /* if WIDE: its register has the palette */
+#define F_TABLE    40
+#define F_W_LOW    44 /* its register has the table */
 #define F_GO       48 /* what paints the next segment */
 #define F_FULL     52 /* what paints a whole one */
 #define F_NEXT     56 /* what follows the pixels of a segment */
@@ -49,7 +50,7 @@ p       .req r1
 step    .req r2
 texels  .req r4
 mask    .req r5
-palette .req r6         /* if WIDE */
+table   .req r6
 w_low   .req r6         /* what is linear, at the end of the segment */
 w       .req r7
 u_low   .req r8
@@ -105,28 +106,22 @@ ROWS:
     add     r8, sp, #F_U_DROP
     stm     r8, {r4-r7}
     ldrb    r4, [r0, #SEGMENT_FACE_FORM]
-    .if     WIDE
-    ldr     r7, [r0, #SEGMENT_FACE_PALETTE]
-    str     r7, [sp, #F_PALETTE]
-    .endif
+    ldr     r7, [r0, #TABLE]
+    str     r7, [sp, #F_TABLE]
     cbz     r4, 2f
-    .if     WIDE
     cbz     r7, 1f
-    .endif
     movw    r5, #WHOLE
     mul     r4, r4, r5
     adr     r5, .Lpixels_5 - WHOLE + 1
     add     r4, r4, r5
     movs    r5, #PIXEL
     b       3f
-    .if     WIDE
-1:  movw    r5, #WHOLE_565
+1:  movw    r5, #WHOLE_PLAIN
     mul     r4, r4, r5
-    adr     r5, .Lcolours_5 - WHOLE_565 + 1
+    adr     r5, .Lplain_5 - WHOLE_PLAIN + 1
     add     r4, r4, r5
-    movs    r5, #PIXEL_565
+    movs    r5, #PIXEL_PLAIN
     b       3f
-    .endif
 2:  ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
     ldrb    r5, [r0, #SEGMENT_FACE_ROW_DROP]
     rsb     r4, r4, #32
@@ -270,9 +265,7 @@ ROWS:
     ldrd    r2, r3, [r1, #PAINT_ROW_V]
     adds    v_low, v_low, r2
     adc     v, v, r3
-    .if     WIDE
     str     w_low, [sp, #F_W_LOW]
-    .endif
     mvn     r3, #0x80000000
     reciprocal r3, r1, w, r3, r2, r5
     ldrd    r4, r5, [sp, #F_U_DROP]
@@ -468,23 +461,17 @@ ROWS:
     subs    pixels, #((16 - (1 << \log)) << WIDE)
     .endif
     ldrd    texels, mask, [sp, #F_TEXELS]
-    .if     WIDE
-    ldr     palette, [sp, #F_PALETTE]
-    .endif
+    ldr     table  , [sp, #F_TABLE]
     ldr     pc, [sp, #F_GO]
     .endm
 
 /* What is linear, at the end of the next segment. */
     .macro  next_values
     ldm     sp, {r1-r5}
-    .if     WIDE
     ldr     w_low, [sp, #F_W_LOW]
-    .endif
     adds    w_low, w_low, r1
     adc     w, w, r2
-    .if     WIDE
     str     w_low, [sp, #F_W_LOW]
-    .endif
     adds    u_low, u_low, r3
     adc     u, u, r4
     adds    v_low, v_low, r5
@@ -553,9 +540,7 @@ ROWS:
     add     p, p, r3, lsl #16
     subs    pixels, #(15 << WIDE)
     ldrd    texels, mask, [sp, #F_TEXELS]
-    .if     WIDE
-    ldr     palette, [sp, #F_PALETTE]
-    .endif
+    ldr     table  , [sp, #F_TABLE]
     ldr     pc, [sp, #F_GO]
 
 /* Less than a segment is left, or nothing. */
@@ -602,9 +587,7 @@ ROWS:
     .align  2
 .Lloop:
     push    {r6-r11}
-    .if     WIDE
-    mov     r11, palette
-    .endif
+    mov     r11, table
     add     r3, sp, #(F_COLUMN + 24)
     ldm     r3, {r6, r7}
     add     r8, pixels, #(16 << WIDE)
@@ -612,9 +595,9 @@ ROWS:
     add     pixels, pixels, r3, lsl #WIDE
     ldr     r3, [sp, #(F_SHORT + 24)]
     str     r3, [sp, #(F_BEFORE + 24)]
-    .if     WIDE
     cmp     r11, #0
     beq     2f
+    .if     WIDE
     mov     r10, step
     ldr     r2, [sp, #(F_FACE + 24)]
     ldr     r2, [r2, #SEGMENT_FACE_IN_BEAM]
@@ -629,29 +612,32 @@ ROWS:
     ldrb    r3, [r2, r3]
 4:  ldrh    r3, [r11, r3, lsl #1]
     strh    r3, [pixels, #2]!
-    .else
-    strb    r3, [pixels, #1]!
-    .endif
-    .if     WIDE
     add     p, p, r10
     .else
+    ldrb    r3, [r11, r3]
+    strb    r3, [pixels, #1]!
     add     p, step
     .endif
     cmp     pixels, r8
     bne     1b
     .if     WIDE
     mov     step, r10
+    .endif
     b       3f
 2:  lsr     r3, p, r7
     ands    r3, mask
     lsr     r9, p, r6
     add     r3, r3, r9
+    .if     WIDE
     ldrh    r3, [texels, r3, lsl #1]
     strh    r3, [pixels, #2]!
+    .else
+    ldrb    r3, [texels, r3]
+    strb    r3, [pixels, #1]!
+    .endif
     add     p, step
     cmp     pixels, r8
     bne     2b
-    .endif
 3:  pop     {r6-r11}
     ldr     pc, [sp, #F_NEXT]
 
@@ -729,9 +715,7 @@ ROWS:
     ldr     pixels, [sp, #F_W_LOW]
     ldr     last, [sp, #F_LAST]
     ldrd    texels, mask, [sp, #F_TEXELS]
-    .if     WIDE
-    ldr     palette, [sp, #F_PALETTE]
-    .endif
+    ldr     table  , [sp, #F_TABLE]
     b       .Lline_begin
 
     .align  2

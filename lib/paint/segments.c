@@ -96,6 +96,7 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
     }
     face->palette = NULL;
     face->in_beam = NULL;
+    face->table = paint->table;
     return find_least(paint, face);
 }
 

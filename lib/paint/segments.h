@@ -72,6 +72,7 @@ struct fxl_segment_face {
     const uint16_t *palette; /* fxl_paint_segments_565: of the texels' colours; null: the texels are
                               * colours themselves */
     const uint8_t *in_beam;  /* the same: what a beam makes of a texel before that; null: no beam */
+    const uint8_t *table;    /* fxl_paint_segments: as of fxl_paint */
 };
 
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
