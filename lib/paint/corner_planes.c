@@ -113,6 +113,22 @@ static inline uint32_t farthest(uint32_t pixel, uint32_t end)
     return (2u * pixel > end ? pixel : end - pixel) + 1u;
 }
 
+/* The box has at most its height above the lowest of the three corners, and below the highest. */
+static inline void find_rows(const fxl_screen_corners *corners, const fxl_lens *lens,
+                             fxl_corner_planes *planes)
+{
+    int32_t top = corners->points[0].y, bottom = top;
+    for (uint32_t i = 1; i < 3; i++) {
+        const int32_t y = corners->points[i].y;
+        top = y < top ? y : top;
+        bottom = y > bottom ? y : bottom;
+    }
+    const int32_t first = (bottom - corners->height) >> 16;
+    const int32_t last = (top + corners->height + 65535) >> 16;
+    planes->first_row = first < 0 ? 0 : first;
+    planes->last_row = last > lens->height ? lens->height : last;
+}
+
 /* Edges are at most 2^22 in 1/65536 pixel, so the area is at most 2^45; of a small face it is at
  * least 2^25. Its upper 31 bits have a reciprocal r within 2^-29. The edges are scaled to less than
  * 2^31, so a product with r is at most 2^62. What is cut off a coefficient is less than 2^-29 of
@@ -156,6 +172,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->rows = farthest((uint32_t)p[0].y >> 16, lens->height);
     planes->is_triangle = corners->is_triangle;
     planes->is_sparse = planes->area << 1 < box;
+    find_rows(corners, lens, planes);
     return true;
 }
 
@@ -262,7 +279,9 @@ static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
     }
 }
 
-/* weight_min: the rule of gradients.h for the rows of the face's box, by powers of 2.
+/* weight_min: the rule of gradients.h for the rows of the face's box, by powers of 2. Where that is
+ * not enough for segments of 16 pixels all over the face, fxl_gradients_find_least takes its place,
+ * which takes longer.
  *
  * Let A be the sum of the coefficients along a row, D the range of an attribute, w and q w the
  * largest weight and the range of the weights, and ' the change a pixel. In the rows of the box |u'
@@ -342,6 +361,11 @@ void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uin
         find_weight(planes);
         find_perspective(planes, values, gradients);
         find_least(planes, most, range, gradients->weight_min);
+        const uint32_t least = largest_of(planes->weights) - range;
+        if ((uint32_t)((uint64_t)least << planes->gradient_exponent >> 32) <
+            gradients->weight_min[0]) {
+            fxl_gradients_find_least(gradients, planes->first_row, planes->last_row);
+        }
     }
 }
 

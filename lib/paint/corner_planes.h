@@ -43,11 +43,12 @@ typedef struct {
     /* A pixel along, values grow by (v1 - v0) along[0] + (v2 - v0) along[1], times 2^-exponent; a
      * pixel down likewise. The coefficients are at most 2^30. */
     int32_t along[2], down[2];
-    int exponent;           /* 20..36 */
-    uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
-    uint64_t area;          /* twice the triangle's, in units of 2^-32 pixel */
-    uint32_t depths[3];     /* proportional to z: from 2^30 to 2^32 */
-    int32_t weights[3];     /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
+    int exponent;                /* 20..36 */
+    uint32_t columns, rows;      /* how far corner 0 is from the ends of the screen, at most */
+    int32_t first_row, last_row; /* of the screen, within which the box lies */
+    uint64_t area;               /* twice the triangle's, in units of 2^-32 pixel */
+    uint32_t depths[3];          /* proportional to z: from 2^30 to 2^32 */
+    int32_t weights[3];          /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
     int weight_exponent;
     bool is_triangle;
     bool is_sparse;        /* the triangle fills less than a quarter of the box */

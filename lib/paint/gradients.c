@@ -142,15 +142,16 @@ static bool is_above(const fxl_real *a, const fxl_real *b)
 /* Of an attribute u, |u' w - w' u| 2^shift, where ' is the change a pixel along the row: it is
  * linear in the row and the same along it. The slopes are cut to 31 bits; so products are below
  * 2^61. What is cut off the four factors changes the difference by less than 2^33. */
-static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w,
-                         const fxl_lens *lens)
+static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w, int32_t first_row,
+                         int32_t last_row)
 {
     const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
     const unsigned drop = bits > 31 ? bits - 31 : 0;
     const int32_t u_slope = (int32_t)(u->along >> drop), w_slope = (int32_t)(w->along >> drop);
-    const int64_t top = fxl_multiply_s32(u_slope, (int32_t)(w->at >> 32)) -
-                        fxl_multiply_s32(w_slope, (int32_t)(u->at >> 32));
-    const int64_t u_end = u->at + lens->height * u->down, w_end = w->at + lens->height * w->down;
+    const int64_t u_begin = u->at + first_row * u->down, w_begin = w->at + first_row * w->down;
+    const int64_t top = fxl_multiply_s32(u_slope, (int32_t)(w_begin >> 32)) -
+                        fxl_multiply_s32(w_slope, (int32_t)(u_begin >> 32));
+    const int64_t u_end = u->at + last_row * u->down, w_end = w->at + last_row * w->down;
     const int64_t bottom = fxl_multiply_s32(u_slope, (int32_t)(w_end >> 32)) -
                            fxl_multiply_s32(w_slope, (int32_t)(u_end >> 32));
     const uint64_t larger =
@@ -255,14 +256,14 @@ static bool is_zero(const fxl_gradient *gradient)
     return (gradient->at | gradient->along | gradient->down) == 0;
 }
 
-static void find_weight_min(fxl_gradients *gradients, const fxl_lens *lens)
+void fxl_gradients_find_least(fxl_gradients *gradients, int32_t first_row, int32_t last_row)
 {
     fxl_real twist = {0, INT16_MIN};
     for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
         const fxl_gradient *attribute = &gradients->attributes[i];
         if (!is_zero(attribute)) {
             const fxl_real own =
-                twist_of(attribute, gradients->shifts[i], &gradients->weight, lens);
+                twist_of(attribute, gradients->shifts[i], &gradients->weight, first_row, last_row);
             twist = is_above(&own, &twist) ? own : twist;
         }
     }
@@ -301,7 +302,7 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
         gradients->shifts[i] = (int8_t)(is_zero(attribute) ? 0 : exponent - weight_exponent);
     }
-    find_weight_min(gradients, &view->lens);
+    fxl_gradients_find_least(gradients, 0, view->lens.height);
 }
 
 /* Differences are at most 2^26, so products are at most 2^52. */
