@@ -84,8 +84,16 @@ fxl_clip_by_view:
     /* r0-r3 after both calls: as transform_vertex_armv7m.S and project_inside_armv7m.S say. */
 .Lmiss:
     ldr     r0, [sp]
+#if FXL_IS_COMPACT
     bl      fxl_transform_vertex
     mov     flags, r1
+#else
+    bl      fxl_transform_and_project
+    cbz     r0, .Lproject
+    adds    r0, r0, #1
+    bne     .Lrange
+    mov     flags, r1
+#endif
 .Lunprojected:
     cmp     flags, #VERTEX_UNPROJECTED
     bne     .Loutside
@@ -94,6 +102,7 @@ fxl_clip_by_view:
     adds    r2, r2, #CACHED_VERTEX_SCREEN
     bl      fxl_project_inside
     cbnz    r0, .Lrange
+.Lproject:
     strd    r1, r3, [point], #8
     movw    r0, #0x7FFF
     add     r1, r1, r0

@@ -34,6 +34,15 @@ factor_17   .req lr     /* 2^17 F, modulo 2^32; later P + h */
 /* For fxl_clip_by_view r1 and r3 return x and y, and r2 is kept. */
 fxl_project_inside:
     push    {r4-r11, lr}
+    b       fxl_project_inside_saved        /* seen by what adds up the stack */
+    .size fxl_project_inside, . - fxl_project_inside
+
+    /* Here with r4-r11 and lr on the stack: fxl_transform_and_project. */
+    .global fxl_project_inside_saved
+    .hidden fxl_project_inside_saved
+    .type fxl_project_inside_saved, %function
+    .thumb_func
+fxl_project_inside_saved:
     ldm     view, {r4-r9}
     ldm     projection, {r3, r10, r11, r12, lr}
     cmp     r9, r10
@@ -90,6 +99,6 @@ slow_path:
     ldrd    r1, r3, [screen]
     pop     {r4-r11, pc}
 
-    .size fxl_project_inside, . - fxl_project_inside
+    .size fxl_project_inside_saved, . - fxl_project_inside_saved
 
 #endif

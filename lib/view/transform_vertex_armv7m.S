@@ -27,14 +27,10 @@ planes      .req lr         /* in the lowest byte */
     strd    r10, \upper, [entry, #CACHED_VERTEX_POSITION + 8 * \number]
     .endm
 
-    .section .text.fxl_transform_vertex, "ax", %progbits
-    .global fxl_transform_vertex
-    .type fxl_transform_vertex, %function
-    .thumb_func
-
-/* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view r1 returns the clip flags, and r2 is
- * kept. */
-fxl_transform_vertex:
+/* Transforms a vertex, and continues with its clip flags in r1: at .Ldecided; if fxl_outcode must say
+ * them at .Lundecided; and if the instance is scaled at .Lscaled. r0: model_view, r1: number, r2:
+ * entry. \at is the end of these names. */
+    .macro  transform at
     push    {r0, r4-r11, lr}
     ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
     add     r6, r6, r1
@@ -48,8 +44,8 @@ fxl_transform_vertex:
     along   2, r0                           /* the last use of the model view */
 
     lsls    r1, planes, #24
-    beq     decided                         /* inside all planes */
-    bmi     scaled
+    beq     .Ldecided\at                    /* inside all planes */
+    bmi     .Lscaled\at
     adds    view, view, #VIEW_FRUSTUM
     ldm     view, {r4-r7}
     ldr     r9, [view, #FRUSTUM_INSET_UPPER]
@@ -70,7 +66,7 @@ fxl_transform_vertex:
     cmphs   r11, #8
     cmphs   r12, #8
     cmphs   r9, #8
-    blo     undecided
+    blo     .Lundecided\at
 
     ldrd    r4, r5, [view, #FRUSTUM_NEAR_Z] /* near_z, far_z */
     ldrd    r6, r7, [view, #FRUSTUM_FAR_Z]
@@ -84,7 +80,7 @@ fxl_transform_vertex:
     orr     r1, r1, r5
     orrs    r1, r1, r7
     mov     r1, #0
-    bpl     decided                         /* inside all planes */
+    bpl     .Ldecided\at                    /* inside all planes */
     lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
                                                changes no sign that is decided */
     lsrs    r7, r7, #31
@@ -99,12 +95,10 @@ fxl_transform_vertex:
     orr     r1, r1, r9, lsl #5
     and     r1, r1, planes
 
-decided:
-    orr     r1, r1, #VERTEX_UNPROJECTED
-    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
-    pop     {r3-r11, pc}
+    .endm
 
-undecided:
+/* Both leave the clip flags in r1, and keep r2. */
+    .macro  find_clip_flags
     mov     r4, entry
     mov     r0, view
     uxtb    r1, planes
@@ -113,9 +107,9 @@ undecided:
     mov     entry, r4
     orr     r1, r0, #VERTEX_UNPROJECTED
     str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
-    pop     {r3-r11, pc}
+    .endm
 
-scaled:
+    .macro  scale_vertex
     mov     r4, entry
     ldr     r0, [sp]                        /* the model view */
     mov     r1, entry
@@ -123,8 +117,65 @@ scaled:
     blx     r3
     mov     r1, r0
     mov     entry, r4
+    .endm
+
+    .section .text.fxl_transform_vertex, "ax", %progbits
+    .global fxl_transform_vertex
+    .type fxl_transform_vertex, %function
+    .thumb_func
+
+/* r0: model_view, r1: number, r2: entry. For fxl_clip_by_view r1 returns the clip flags, and r2 is
+ * kept. */
+fxl_transform_vertex:
+    transform
+.Ldecided:
+    orr     r1, r1, #VERTEX_UNPROJECTED
+    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
+    pop     {r3-r11, pc}
+.Lundecided:
+    find_clip_flags
+    pop     {r3-r11, pc}
+.Lscaled:
+    scale_vertex
     pop     {r3-r11, pc}
 
     .size fxl_transform_vertex, . - fxl_transform_vertex
+
+#if !FXL_IS_COMPACT
+    .section .text.fxl_transform_and_project, "ax", %progbits
+    .global fxl_transform_and_project
+    .hidden fxl_transform_and_project
+    .type fxl_transform_and_project, %function
+    .thumb_func
+
+/* The same for fxl_clip_by_view, and a vertex that is inside all planes is projected in the same
+ * frame on the stack: 30 cycles less on a Cortex-M3. r0 returns what fxl_project_inside returns,
+ * with r1, r2 and r3; or -1 if the vertex is outside a plane. */
+fxl_transform_and_project:
+    transform _and
+.Ldecided_and:
+    orr     r1, r1, #VERTEX_UNPROJECTED
+    str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
+.Lflags_and:
+    cmp     r1, #VERTEX_UNPROJECTED
+    bne     .Loutside_and
+    ldr     r0, [sp], #4                    /* the model view; below are r4-r11 and lr */
+    ldr     r0, [r0, #MODEL_VIEW_VIEW]
+    add     r1, entry, #CACHED_VERTEX_POSITION
+    adds    r2, r2, #CACHED_VERTEX_SCREEN
+    adds    r0, r0, #VIEW_PROJECTION
+    b.w     fxl_project_inside_saved
+.Loutside_and:
+    mov     r0, #-1
+    pop     {r3-r11, pc}
+.Lundecided_and:
+    find_clip_flags
+    b       .Lflags_and
+.Lscaled_and:
+    scale_vertex
+    b       .Lflags_and
+
+    .size fxl_transform_and_project, . - fxl_transform_and_project
+#endif
 
 #endif
