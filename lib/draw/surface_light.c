@@ -47,7 +47,7 @@ static void place_corners(const fxl_scene *scene, const fxl_instance *instance,
 }
 
 /* Below 2^30 * 63. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,
- * which is at most 0.1 of that unit. */
+ * which is at most 0.7 of that unit. */
 static int32_t level_of(fxl_q2_30 brightness, uint32_t levels)
 {
     return (int32_t)fxl_round_shift((int64_t)brightness * (levels - 1), 14) + 32768;

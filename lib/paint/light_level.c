@@ -2,76 +2,142 @@
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
  * or within 2^-29 where its instance has no placement; that is its own, and no error. */
 #include "../math/arith.h"
+#include "../math/family.h"
 #include "rgb565_colour.h"
 #include "../math/plane.h"
 #include "fixel/light.h"
 #include "light_level.h"
+#include "segments.h"
 
-/* a * b, for 0 <= a, b <= 2^30 + 2^3. The product is below 2^61. Error: less than 1. */
-static int64_t fraction_of(int64_t a, int64_t b)
+/* On a core without long products these are calls: in place, all of them take 1 KB more. */
+#if FXL_KERNELS_ARMV6M
+#define PRODUCT static __attribute__((noinline))
+#else
+#define PRODUCT static inline
+#endif
+
+PRODUCT int64_t product(int32_t a, int32_t b)
 {
-    return (a * b) >> 30;
+    return fxl_multiply_s32(a, b);
+}
+
+PRODUCT uint64_t product_unsigned(uint32_t a, uint32_t b)
+{
+    return fxl_multiply_u32(a, b);
+}
+
+/* a * b, for a, b <= 2^30 + 2^3. Error: less than 1. */
+static inline uint32_t fraction_of(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(product_unsigned(a, b) >> 30);
+}
+
+/* A sum of brightness, held to 1. */
+static inline uint32_t sum_of(uint32_t a, uint32_t b)
+{
+    const uint32_t sum = a + b;
+    return sum > FXL_Q2_30_ONE ? FXL_Q2_30_ONE : sum;
 }
 
 /* The light that travels along the direction. Both vectors are below 1 + 2^-26, so the sum is below
  * 2^61. Errors: the sum's shift 1, the product's 1. */
-static int64_t from_direction(const fxl_light_settings *settings, const fxl_direction *normal)
+static uint32_t from_direction(const fxl_light_settings *settings, const fxl_direction *normal)
 {
     const fxl_direction *direction = &settings->direction;
     const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
                              (int64_t)normal->z * direction->z);
-    return facing > 0 ? fraction_of(settings->strength, facing >> 30) : 0;
+    return facing > 0 ? fraction_of((uint32_t)settings->strength, (uint32_t)(facing >> 30)) : 0;
 }
 
-/* The cosine between a normal and a vector to a light; dot is their product, above 0. The square is
- * that of the vector, below 2^60; it is scaled to 2^60..2^62, so its root is 2^30..2^31, with an
- * error of half a unit, which is half a unit of 2^-30 of the cosine. dot is at most the length
- * times (1 + 2^-26) * 2^30, so the scaled dot is below 2^62 and the quotient below 2^31. Errors:
- * the root's 1/2, the quotient's 1. */
-static int64_t cosine(int64_t dot, uint64_t square)
+static inline uint32_t upper(uint32_t a, uint32_t b)
 {
-    const unsigned shift = (62u - fxl_bit_length(square)) & ~1u;
-    return fxl_divide_down(dot << (shift / 2), fxl_square_root(square << shift));
+    return (uint32_t)(product_unsigned(a, b) >> 32);
 }
 
-/* 1 - square / range_square, of 0 < square < range_square <= 2^60. Where both have more than 32
- * bits, their lower ones are cut off: the divisor has 32 bits left, so each of the two cuts moves
- * the quotient by less than 2^-31. Errors: 1 of the cuts, 1 of the quotient. */
-static int64_t fading(uint64_t square, uint64_t range_square)
+/* The upper word of value * 2^shift, 0 <= shift <= 63, by words: cores have no shift of 64 bits. */
+static inline uint32_t upper_of(uint64_t value, unsigned shift)
 {
-    const unsigned bits = fxl_bit_length(range_square);
-    const unsigned shift = bits > 32 ? bits - 32 : 0;
-    uint64_t numerator = (range_square - square) >> shift;
-    const uint32_t divisor = (uint32_t)(range_square >> shift);
-    if (numerator >= divisor) {
-        return FXL_Q2_30_ONE;
-    }
-    /* Below 2^62. */
-    return fxl_divide_down((int64_t)(numerator << 30), divisor);
+    const uint32_t high = (uint32_t)(value >> 32), low = (uint32_t)value;
+    return shift < 32 ? high << shift | low >> 1 >> (31u - shift) : low << (shift - 32u);
+}
+
+/* Requires a value above 0. */
+static inline unsigned zeros_of(uint64_t value)
+{
+    const uint32_t high = (uint32_t)(value >> 32);
+    return high != 0 ? fxl_leading_zeros(high) : 32u + fxl_leading_zeros((uint32_t)value);
+}
+
+/* 2^46 / sqrt(value), for values of 2^30 to 2^32: from 2^30 to 2^31, relatively within 2^-25.
+ *
+ * The table has 8 bits for each 2^25 of the value: within 2^-6.5. Two steps of Newton's method
+ * follow, y (1 + e / 2) with e = 1 - value y^2, of which each leaves 3/2 of the squared error. The
+ * first one is in 16 bits, with e in units of 2^-20; e is below 2^-5.4, so its product is below
+ * 2^31. Of the second one, e is in units of 2^-28 and below 2^-11. */
+static uint32_t root_reciprocal(uint32_t value)
+{
+    static const uint8_t roots[96] = {
+        254, 250, 247, 243, 240, 236, 233, 230, 228, 225, 222, 220, 217, 215, 212, 210,
+        208, 206, 204, 202, 200, 198, 196, 194, 193, 191, 189, 188, 186, 185, 183, 182,
+        180, 179, 178, 176, 175, 174, 172, 171, 170, 169, 168, 167, 166, 165, 163, 162,
+        161, 160, 159, 158, 158, 157, 156, 155, 154, 153, 152, 151, 151, 150, 149, 148,
+        147, 147, 146, 145, 144, 144, 143, 142, 142, 141, 140, 140, 139, 138, 138, 137,
+        137, 136, 135, 135, 134, 134, 133, 132, 132, 131, 131, 130, 130, 129, 129, 128};
+    const uint32_t rough = (uint32_t)roots[(value >> 25) - 32u] << 8;
+    const int32_t first = (int32_t)((1u << 30) - upper(rough * rough, value)) >> 10;
+    const uint32_t root = (rough << 15) + (uint32_t)((int32_t)rough * first >> 6);
+    const int32_t second = (int32_t)((1u << 28) - upper(upper(root, root), value));
+    return root + (uint32_t)(int32_t)(product((int32_t)(root >> 1), second * 16) >> 32);
+}
+
+/* The cosine between a normal and a vector to a light; dot is their product, from 1 to below 2^61,
+ * square that of the vector. It is scaled to 2^62 to 2^64; the dot by the root of that, to at most
+ * 2^62 (1 + 2^-26), of which the upper word is 2^30 times the cosine and the vector's scaled
+ * length, in units of 2^32. Errors: of the root 2^-25, which is 32, of the upper words 2. */
+static uint32_t cosine(int64_t dot, uint64_t square)
+{
+    const unsigned shift = zeros_of(square) & ~1u;
+    const uint32_t facing = upper_of((uint64_t)dot, shift / 2);
+    return fraction_of(facing, root_reciprocal(upper_of(square, shift)));
+}
+
+/* 1 - square / range_square, of 0 < square < range_square <= 2^60. Both are scaled so that the
+ * divisor is from 2^31 to 2^32; half of it has a reciprocal within 2^-29. Errors: 2 of that, 2 of
+ * the upper words. */
+static uint32_t fading(uint64_t square, uint64_t range_square)
+{
+    const unsigned shift = zeros_of(range_square);
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_of(range_square, shift) >> 1);
+    const int32_t left =
+        FXL_Q2_30_ONE - (int32_t)upper(upper_of(square, shift), (uint32_t)reciprocal.value);
+    return left > 0 ? (uint32_t)left : 0;
 }
 
 /* A light at a point. Its place and the face's are doubled. Both are below 2^30 + 2, so differences
- * are below 2^31 + 2. The caller has taken those of 2^30 or more out of the way: then squares are
- * below 2^60, and a sum that is less than range_square too. Errors: cosine 1.5, fading 2, two
- * products 2. */
-static int64_t from_point(const fxl_point_light *light, const fxl_lit_place *place)
+ * are below 2^31 + 4: one that does not fit wraps to more than any range, which is below 2^30, and
+ * whatever the dot is then, the light is out of range. Of words three products are below 2^63. A
+ * light behind the face is left out first. Within the range squares are below 2^60, and a sum that
+ * is less than range_square too. Errors: cosine 34, fading 4, two products 2. */
+static uint32_t from_point(const fxl_point_light *light, const fxl_lit_place *place)
 {
-    const int64_t x = 2 * (int64_t)light->position.x - place->middle.x;
-    const int64_t y = 2 * (int64_t)light->position.y - place->middle.y;
-    const int64_t z = 2 * (int64_t)light->position.z - place->middle.z;
-    const int64_t range = 2 * (int64_t)light->range; /* below 2^30 */
-    if (!fxl_within(x, range) || !fxl_within(y, range) || !fxl_within(z, range)) {
-        return 0;
-    }
-    const uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
-    const uint64_t range_square = (uint64_t)(range * range);
+    const uint32_t x = 2u * (uint32_t)light->position.x - (uint32_t)place->middle.x;
+    const uint32_t y = 2u * (uint32_t)light->position.y - (uint32_t)place->middle.y;
+    const uint32_t z = 2u * (uint32_t)light->position.z - (uint32_t)place->middle.z;
     const fxl_direction *normal = &place->normal;
-    /* Below sqrt(3) * 2^30 * 2^30 * (1 + 2^-26). */
-    const int64_t dot = normal->x * x + normal->y * y + normal->z * z;
-    if (square >= range_square || dot <= 0) {
+    const int64_t dot = product(normal->x, (int32_t)x) + product(normal->y, (int32_t)y) +
+                        product(normal->z, (int32_t)z);
+    const uint32_t range = 2u * (uint32_t)light->range;
+    if (dot <= 0 || x + range > 2u * range || y + range > 2u * range || z + range > 2u * range) {
         return 0;
     }
-    return fraction_of(fraction_of(light->strength, cosine(dot, square)),
+    const uint64_t square = (uint64_t)product((int32_t)x, (int32_t)x) +
+                            (uint64_t)product((int32_t)y, (int32_t)y) +
+                            (uint64_t)product((int32_t)z, (int32_t)z);
+    const uint64_t range_square = product_unsigned(range, range);
+    if (square >= range_square) {
+        return 0;
+    }
+    return fraction_of(fraction_of((uint32_t)light->strength, cosine(dot, square)),
                        fading(square, range_square));
 }
 
@@ -94,24 +160,21 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
     return left >= length * FXL_Q2_30_ONE ? FXL_Q2_30_ONE : fxl_divide_down(left, (uint32_t)length);
 }
 
-/* Errors: of the directional light 2, of four points 4 * 5.5, of the fog 1, of its product 1. Where
+/* Errors: of the directional light 2, of four points 4 * 40, of the fog 1, of its product 1. Where
  * the instance has a placement, its normal is rounded by 1 a component, and its middle by 2 units
  * of 2^-17, which fxl_lit_place is; so these are no errors of this function. */
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place)
 {
-    int64_t sum = settings->ambient;
+    uint32_t sum = (uint32_t)settings->ambient;
     if (settings->strength != 0) {
-        sum += from_direction(settings, &place->normal);
+        sum = sum_of(sum, from_direction(settings, &place->normal));
     }
     for (uint32_t i = 0; i < settings->point_count; i++) {
-        sum += from_point(&settings->points[i], place);
-    }
-    if (sum > FXL_Q2_30_ONE) {
-        sum = FXL_Q2_30_ONE;
+        sum = sum_of(sum, from_point(&settings->points[i], place));
     }
     if (settings->fog_far != 0) {
-        sum = fraction_of(sum, through_fog(settings, camera, &place->middle));
+        sum = fraction_of(sum, (uint32_t)through_fog(settings, camera, &place->middle));
     }
     return (fxl_q2_30)sum;
 }

@@ -41,6 +41,8 @@
     X(cleared) \
     X(brightnesses) \
     X(lamps) \
+    X(lamps_behind) \
+    X(lamps_beyond) \
     X(in_fog) \
     X(surfaces_found) \
     X(attributes_found) \

@@ -255,15 +255,20 @@ WRAPPED(void, fxl_fill_row_rgb565, (uint16_t * pixel, uint16_t *end, uint16_t co
 
 /* --- light and surfaces --------------------------------------------------------------------- */
 
-/* A lamp that lights a face takes a root and two divisions; one out of range, or behind, none. */
-static bool reaches(const fxl_point_light *lamp, const fxl_lit_place *place)
+/* A lamp that lights a face takes a root and a division; one behind it, or out of range, none. */
+static void count_lamp(const fxl_point_light *lamp, const fxl_lit_place *place)
 {
     const double x = lamp->position.x - place->middle.x / 2.0;
     const double y = lamp->position.y - place->middle.y / 2.0;
     const double z = lamp->position.z - place->middle.z / 2.0;
     const double range = lamp->range;
-    return x * x + y * y + z * z < range * range &&
-           place->normal.x * x + place->normal.y * y + place->normal.z * z > 0;
+    if (place->normal.x * x + place->normal.y * y + place->normal.z * z <= 0) {
+        counted.lamps_behind += 1;
+    } else if (x * x + y * y + z * z >= range * range) {
+        counted.lamps_beyond += 1;
+    } else {
+        counted.lamps += 1;
+    }
 }
 
 /* Fog takes a division between its two distances. */
@@ -283,7 +288,7 @@ WRAPPED(fxl_q2_30, fxl_light_brightness,
 {
     counted.brightnesses += 1;
     for (uint32_t i = 0; i < settings->point_count; i++) {
-        counted.lamps += reaches(&settings->points[i], place);
+        count_lamp(&settings->points[i], place);
     }
     counted.in_fog += is_in_fog(settings, camera, place);
     return __real_fxl_light_brightness(settings, camera, place);

@@ -17,7 +17,7 @@ extern "C" {
 /* The bound of a face's brightness, in units of 2^-30: it is this near to the exact value of
  * docs/extras/light.md, section 2. So a face has another level than the exact one only where the
  * exact brightness is this near to the boundary between two levels. */
-#define FXL_LIGHT_ERROR_MAX 26
+#define FXL_LIGHT_ERROR_MAX 164
 
 /* The light of a renderer, which the caller owns. Members are internal. */
 typedef struct {
