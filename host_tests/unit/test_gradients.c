@@ -225,7 +225,7 @@ static void check_least_weight_of_8(double exact)
     TEST_ASSERT_TRUE(of_8[0] == UINT32_MAX && of_8[1] == of_16[0] && of_8[2] == of_16[1]);
 }
 
-/* Over a segment of 16 pixels a line through its ends is off by at most a third of a unit, and
+/* Over a segment of 16 pixels a line through its ends is off by at most 0.3 of a unit, and
  * its ends are below 2^29 (gradients.c). The bound is at most a step of its own above that. */
 void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
 {
@@ -244,8 +244,8 @@ void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
             above = fmax(above, own + slack);
         }
         const double slope = fabs(word(found.weight.along));
-        const double bend = cbrt(twist * slope * 3 / 1024), far = sqrt(twist / (1 << 25));
-        const double bend_above = cbrt(above * (slope + 1e-9) * 3 / 1024),
+        const double bend = cbrt(twist * slope * 27 / 8192), far = sqrt(twist / (1 << 25));
+        const double bend_above = cbrt(above * (slope + 1e-9) * 27 / 8192),
                      far_above = sqrt(above / (1 << 25));
         const double most = fmax(bend_above * 1.004 + 1, far_above * 2.001 + 1);
         TEST_ASSERT_TRUE(found.weight_min[0] >= fmin(fmax(bend, far) * 0.9999, 2147483648.0));

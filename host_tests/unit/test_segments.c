@@ -390,7 +390,7 @@ void test_divided_pixels_are_as_without_a_kernel(void)
     }
 }
 
-/* A chord is off by at most a third of a unit from the exact value, and by a 12th with
+/* A chord is off by at most 0.3 of a unit from the exact value, and by 0.075 with
  * FXL_DIVIDE_8, whatever the face. */
 void test_the_rule_bounds_the_error_of_a_chord(void)
 {
@@ -410,11 +410,11 @@ void test_the_rule_bounds_the_error_of_a_chord(void)
                                     ldexp(1, gradients.shifts[i]));
         }
         gradients.weight_min[0] =
-            (uint32_t)fmin(ceil(cbrt(twist * fabs(slope) * 3 / 1024)), 2147483648.0);
+            (uint32_t)fmin(ceil(cbrt(twist * fabs(slope) * 27 / 8192)), 2147483648.0);
         gradients.weight_min[1] =
-            (uint32_t)fmin(ceil(cbrt(twist * fabs(slope) * 3 / 16384)), 2147483648.0);
+            (uint32_t)fmin(ceil(cbrt(twist * fabs(slope) * 27 / 131072)), 2147483648.0);
         const uint32_t division = n & 1u ? FXL_DIVIDE_8 : FXL_DIVIDE_16;
-        const double most = n & 1u ? 1.0 / 12 : 1.0 / 3;
+        const double most = n & 1u ? 0.075 : 0.3;
         uint32_t least[3];
         fxl_find_least_weights(&gradients, division, least);
         for (int x = 0; x < COLUMNS; x++) {

@@ -198,19 +198,19 @@ static uint32_t times_part(uint32_t weight, uint32_t part)
 
 /* The least weight, at both ends, of a segment of n = 16 pixels, and of one of n = 4, that is
  * divided at its ends alone. Between ends w0 and w1 >= w0 the linear u is off by at most |u1 - u0|
- * (w1 - w0) / (4 w0) = n^2 twist |w'| / (4 w0 w0 w1), which has to be at most 2^16 / 3: so w0^3 has
- * to be at least 3 n^2 2^-18 twist |w'|. And |u1 - u0| = n twist / (w0 w1) has to be at most 2^29,
- * so that an end outside of the face does not overflow: w0^2 at least n 2^-29 twist, of which the
- * root's bound is a power of two. For n = 4 the first weight is that of 16 times 16^(-1/3), and the
- * second one half of it. */
+ * (w1 - w0) / (4 w0) = n^2 twist |w'| / (4 w0 w0 w1), which has to be at most 2^19 / 27: so w0^3
+ * has to be at least 27 n^2 2^-21 twist |w'|. And |u1 - u0| = n twist / (w0 w1) has to be at most
+ * 2^29, so that an end outside of the face does not overflow: w0^2 at least n 2^-29 twist, of which
+ * the root's bound is a power of two. For n = 4 the first weight is that of 16 times 16^(-1/3), and
+ * the second one half of it. */
 static void find_least_weights(const fxl_real *twist, const fxl_gradient *weight,
                                uint32_t weight_min[2])
 {
     const fxl_real slope = bound_of(fxl_magnitude(weight->along) + 1, -32);
-    /* From 2^62 to 2^64, and three quarters of that. A number of 25 to 30 bits is left for the
+    /* From 2^62 to 2^64, and 27/32 of that. A number of 25 to 30 bits is left for the
      * root. */
     const uint64_t product = fxl_multiply_u32(twist->mantissa, slope.mantissa);
-    const uint64_t bend = product - (product >> 2);
+    const uint64_t bend = product - (product >> 3) - (product >> 5); /* 27/32 */
     const int bend_exponent = twist->exponent + slope.exponent + 8 - 16 + 36;
     const int root_exponent = third(bend_exponent);
     const unsigned spare = (unsigned)(bend_exponent - 3 * root_exponent); /* 0..2 */

@@ -72,8 +72,8 @@ typedef struct {
      * list. */
     fxl_scaled_number volume;
     uint32_t weight_min[2]; /* the least weight, at both ends, of a segment of 16, of 4 pixels that
-                               is divided at its ends alone: then all attributes are within a
-                               third of their unit (65536) of the exact ones. At least 1, at most
+                               is divided at its ends alone: then all attributes are within 0.3 of
+                               their unit (65536) of the exact ones. At least 1, at most
                                2^31. */
 } fxl_gradients;
 
@@ -92,7 +92,7 @@ void fxl_gradients_find_least(fxl_gradients *gradients, int32_t first_row, int32
  *
  * Finds the least weights, at both ends of the 16 columns, for 16, 8 and 4 columns of a surface
  * with this division. FXL_DIVIDE_8 takes half of the columns that FXL_DIVIDE_16 takes, and so is
- * within a 12th of a unit. UINT32_MAX: no weight suffices. */
+ * within 0.075 of a unit. UINT32_MAX: no weight suffices. */
 void fxl_find_least_weights(const fxl_gradients *gradients, uint32_t division, uint32_t least[3]);
 
 /* The logarithm of the columns of the segments within 16 columns, by the weights at their ends; 0:

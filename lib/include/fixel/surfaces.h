@@ -55,9 +55,9 @@ typedef struct {
 /* How often texture coordinates and light are divided exactly. Between two divisions they are
  * linear. Columns of the screen count from its left. */
 enum {
-    FXL_DIVIDE_16 = 0, /* at each 16th column; where that may be more than a third of a texel off, at
+    FXL_DIVIDE_16 = 0, /* at each 16th column; where that may be more than 0.3 texel off, at
                           each 8th or 4th one, or at each pixel */
-    FXL_DIVIDE_8 = 1,  /* twice as often: nowhere more than a 12th of a texel off */
+    FXL_DIVIDE_8 = 1,  /* twice as often: nowhere more than 0.075 texel off */
     FXL_DIVIDE_1 = 2,  /* at each pixel */
     FXL_AFFINE = 3 /* nowhere: linear on the screen. Where one of the face's three vertices is not
                       on the screen, as FXL_DIVIDE_16 */
@@ -74,12 +74,12 @@ enum {
 
 /* What faces look like. */
 struct fxl_surface {
-    uint16_t texture; /* its number, counted from 1; 0: the face's own colour */
-    uint8_t division; /* FXL_DIVIDE_16 and so on */
-    uint8_t flags;    /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND, FXL_SURFACE_ADD */
-    uint8_t opacity;  /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
-    uint8_t sixteenths; /* FXL_SURFACE_BLEND: what a frame of 16 bits a pixel shows of the colour
-                           itself, 1..16; 0: 8. Else 0 */
+    uint16_t texture;    /* its number, counted from 1; 0: the face's own colour */
+    uint8_t division;    /* FXL_DIVIDE_16 and so on */
+    uint8_t flags;       /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND, FXL_SURFACE_ADD */
+    uint8_t opacity;     /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
+    uint8_t sixteenths;  /* FXL_SURFACE_BLEND: what a frame of 16 bits a pixel shows of the colour
+                            itself, 1..16; 0: 8. Else 0 */
     uint8_t reserved[2]; /* 0 */
 };
 
