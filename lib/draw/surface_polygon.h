@@ -277,10 +277,6 @@ fxl_depth_finder fxl_find_exact_depth;
 void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_depth_plane *plane);
 
-/* fxl_find_depth of a face without a surface. A piece of it that beams split is not small. */
-void fxl_depth_plane_find(const fxl_model_view *model_view, const fxl_face *face,
-                          const fxl_traversal *traversal, fxl_depth_plane *plane);
-
 /* fxl_target.draw_band: as many rows at a time as the workspace has cells for. Far to near
  * each part is drawn in two passes: what is opaque, then what is blended. A cell and a pixel have
  * so many bytes. */

@@ -222,11 +222,7 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
     polygon->is_in_beam = false;
     polygon->is_evenly_lit = false;
     polygon->has_depth = true;
-    if (FXL_TARGET_DEPTH_BITS == 32) {
-        fxl_find_depth_by_normal(model_view, face, traversal, &polygon->depth);
-    } else {
-        fxl_depth_plane_find(model_view, face, traversal, &polygon->depth);
-    }
+    fxl_find_depth_by_normal(model_view, face, traversal, &polygon->depth);
 }
 
 /* fxl_polygon_painter. */
