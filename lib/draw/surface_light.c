@@ -8,42 +8,24 @@
 #include "../scene/placement_code.h"
 #include "../paint/light_level.h"
 
-/* A corner and its normal in the world. Points of the world are within FXL_COORDINATE_MAX, so
- * doubled ones are below 2^30. */
-static void place_corner(const fxl_point *point, const fxl_direction *normal, fxl_lit_place *place)
+/* A corner of a face of an instance in the world. Points of the world are within
+ * FXL_COORDINATE_MAX, so doubled ones are below 2^30. */
+static void place_corner(const fxl_scene *scene, const fxl_instance *instance, uint32_t number,
+                         const fxl_placement_code *turned, uint32_t vertex, fxl_point *middle)
 {
-    place->normal = *normal;
-    place->middle.x = 2 * point->x;
-    place->middle.y = 2 * point->y;
-    place->middle.z = 2 * point->z;
-}
-
-/* The three corners in a turned instance. fxl_placement_code turns the normal of a face. */
-static void place_turned_corners(const fxl_scene *scene, uint32_t number,
-                                 const fxl_mapped_face *mapped, const fxl_direction *normals,
-                                 fxl_lit_place places[3])
-{
-    const fxl_placement_code *code = scene->placement_code;
-    for (uint32_t i = 0; i < 3; i++) {
-        const fxl_face corner = {.normal = normals[mapped->normals[i]]};
-        const fxl_direction normal = code->normal(scene, number, &corner);
-        const fxl_point point = code->place_vertex(scene, number, mapped->vertices[i]);
-        place_corner(&point, &normal, &places[i]);
+    fxl_point point;
+    if (turned != NULL) {
+        point = turned->place_vertex(scene, number, vertex);
+    } else {
+        const uint32_t first = scene->models[instance->model].first_vertex;
+        const fxl_point *of_model = &scene->vertices[first + vertex];
+        point.x = instance->centre.x + of_model->x;
+        point.y = instance->centre.y + of_model->y;
+        point.z = instance->centre.z + of_model->z;
     }
-}
-
-static void place_corners(const fxl_scene *scene, const fxl_instance *instance,
-                          const fxl_mapped_face *mapped, const fxl_direction *normals,
-                          fxl_lit_place places[3])
-{
-    const fxl_point *vertices = &scene->vertices[scene->models[instance->model].first_vertex];
-    const fxl_point *centre = &instance->centre;
-    for (uint32_t i = 0; i < 3; i++) {
-        const fxl_point *vertex = &vertices[mapped->vertices[i]];
-        const fxl_point point = {centre->x + vertex->x, centre->y + vertex->y,
-                                 centre->z + vertex->z};
-        place_corner(&point, &normals[mapped->normals[i]], &places[i]);
-    }
+    middle->x = 2 * point.x;
+    middle->y = 2 * point.y;
+    middle->z = 2 * point.z;
 }
 
 /* Below 2^30 * 63. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,
@@ -53,6 +35,8 @@ static int32_t level_of(fxl_q2_30 brightness, uint32_t levels)
     return (int32_t)fxl_round_shift((int64_t)brightness * (levels - 1), 14) + 32768;
 }
 
+/* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
+ * face. */
 static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
                           const fxl_instance *instance, const fxl_mapped_face *mapped,
                           int32_t values[3])
@@ -61,16 +45,20 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const fxl_direction *normals = surfaces->set->normals;
     const fxl_scene *scene = renderer->scene;
     const uint32_t number = fxl_instance_number(scene, instance);
-    fxl_lit_place places[3];
-    if (fxl_placement_code_of(scene, number) != NULL) {
-        place_turned_corners(scene, number, mapped, normals, places);
-    } else {
-        place_corners(scene, instance, mapped, normals, places);
-    }
+    const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
+    const bool has_places = settings->point_count != 0 || settings->fog_far != 0;
+    fxl_lit_place place = {{0, 0, 0}, {0, 0, 0}};
     for (uint32_t i = 0; i < 3; i++) {
-        values[i] =
-            level_of(fxl_light_brightness(settings, &renderer->frame.view.camera, &places[i]),
-                     settings->levels);
+        place.normal = normals[mapped->normals[i]];
+        if (turned != NULL) {
+            const fxl_face corner = {.normal = place.normal};
+            place.normal = turned->normal(scene, number, &corner);
+        }
+        if (has_places) {
+            place_corner(scene, instance, number, turned, mapped->vertices[i], &place.middle);
+        }
+        values[i] = level_of(fxl_light_brightness(settings, &renderer->frame.view.camera, &place),
+                             settings->levels);
     }
 }
 
