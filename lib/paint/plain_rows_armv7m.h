@@ -411,9 +411,7 @@ ROWS:
     ldr     r4, [sp, #F_LOG]
     ldrd    r1, r0, [sp, #F_ROW]
     cbz     r4, 1f
-    .if     WIDE
     ldr     w_low, [sp, #F_W_LOW]
-    .endif
     str     r4, [sp, #F_KEPT]
     add     r4, sp, #F_SAVED
     stm     r4, {r6-r12, lr}
