@@ -128,7 +128,8 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
                                      .band = NULL,
                                      .resume = &frame->resume,
                                      .counters = &workspace->counters,
-                                     .mode = mode_of_begin(renderer)};
+                                     .mode = mode_of_begin(renderer),
+                                     .draw = NULL};
     frame->state = FXL_FRAME_BEGUN;
     if (!renderer->order->submit(&traversal) && measures_rows(renderer)) {
         fxl_extents_measure(&traversal, frame);
