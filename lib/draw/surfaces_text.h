@@ -81,6 +81,13 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 
 #endif
 
+/* Whether a kernel paints its rows one after the other. */
+static bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
+{
+    return segments != NULL && paint->ramp == NULL &&
+           (FXL_TARGET_PIXEL_BITS == 16 ? !paint->is_evenly_lit : paint->in_beam == NULL);
+}
+
 #if FXL_TARGET_DEPTH_BITS == 0
 
 /* fxl_row_painter. */
@@ -102,8 +109,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_segment_face face;
     paint_of(surfaces, polygon, band, &paint);
     const fxl_segment_face *segments = segments_of(&paint, &face);
-    if (segments != NULL && paint.ramp == NULL &&
-        (FXL_TARGET_PIXEL_BITS == 16 ? !paint.is_evenly_lit : paint.in_beam == NULL)) {
+    if (has_plain_rows(&paint, segments)) {
         fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                                 &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
     } else {
@@ -177,6 +183,62 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &of);
 }
 
+/* A row whose depths are tested while rows above it, which are visible whole, are still to be
+ * painted. */
+typedef struct {
+    const fxl_paint *paint;
+    fxl_plain_rows *rows;
+    bool *is_whole; /* set where all pixels of this row are visible */
+    int32_t y, x0, x1;
+} plain_row;
+
+/* fxl_run_painter. */
+static inline __attribute__((always_inline)) void
+paint_plain_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
+{
+    const plain_row *of = (const plain_row *)with;
+    (void)cells;
+    (void)line;
+    if (x0 == of->x0 && x1 == of->x1) {
+        *of->is_whole = true;
+        return;
+    }
+    fxl_paint_plain_rows(of->paint, of->y, of->rows, PAINT_ROWS, PAINT_PIXELS);
+    PAINT_PIXELS(of->paint, &of->rows->row, x0, x1);
+}
+
+/* A polygon whose depths are all kept, and whose rows have a kernel: rows that are visible whole are
+ * painted together. Not inline: its rows would be on the stack of others. */
+static __attribute__((noinline)) void paint_plain(const fxl_paint *paint, const fxl_segment_face *segments,
+                        fxl_depth_painting *depth, const fxl_screen_point *points, uint32_t count,
+                        const fxl_band *band, fxl_scan *scan)
+{
+    const fxl_trapezoid *trapezoid;
+    fxl_plain_rows rows;
+    rows.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
+    rows.row.segments = segments;
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        rows.row.pixels =
+            band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
+        fxl_begin_plain_rows(paint->gradients, trapezoid, &rows);
+        for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
+            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
+            bool is_whole = x0 == x1;
+            const plain_row of = {paint, &rows, &is_whole, y, x0, x1};
+            fxl_depth_paint_row(depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_plain_run, &of);
+            if (!is_whole) {
+                fxl_paint_plain_rows(paint, y, &rows, PAINT_ROWS, PAINT_PIXELS);
+                fxl_plain_rows_next(&rows);
+            }
+            fxl_edge_step(&a);
+            fxl_edge_step(&b);
+        }
+        fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, PAINT_ROWS, PAINT_PIXELS);
+    }
+}
+
 static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                           const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                           uint32_t count, const fxl_band *band)
@@ -196,8 +258,14 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
-    fxl_paint_polygon(&paint, segments_of(&paint, &face), points, count, band,
-                      FXL_TARGET_PIXEL_BITS / 8, &workspace->work.scan, paint_row, &depth);
+    const fxl_segment_face *segments = segments_of(&paint, &face);
+    if (!FXL_IS_COMPACT && depth.keeps == FXL_DEPTH_KEEPS_ALL &&
+        has_plain_rows(&paint, segments)) {
+        paint_plain(&paint, segments, &depth, points, count, band, &workspace->work.scan);
+    } else {
+        fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
+                          &workspace->work.scan, paint_row, &depth);
+    }
 }
 
 #if FXL_TARGET_DEPTH_BITS == 32

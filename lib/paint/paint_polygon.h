@@ -67,21 +67,27 @@ fxl_paint_polygon(const fxl_paint *paint, const fxl_segment_face *segments,
     }
 }
 
-/* A trapezoid of a face that has a kernel for its rows, and no light. */
-static inline __attribute__((always_inline)) void fxl_paint_trapezoid(
-    const fxl_paint *paint, const fxl_trapezoid *trapezoid, fxl_plain_rows *rows,
-    bool (*paint_rows)(fxl_plain_rows *rows),
-    void (*paint_pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+/* The rows of a trapezoid of a face that has a kernel for them, and no light. */
+static inline __attribute__((always_inline)) void
+fxl_begin_plain_rows(const fxl_gradients *gradients, const fxl_trapezoid *trapezoid,
+                     fxl_plain_rows *rows)
 {
-    const fxl_gradients *gradients = paint->gradients;
-    int32_t x0, x1;
     fxl_begin_row(gradients, trapezoid->first_row, &rows->row);
     rows->downs[0] = gradients->weight.down;
     rows->downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
     rows->downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
     rows->edges[0] = trapezoid->edges[0];
     rows->edges[1] = trapezoid->edges[1];
-    rows->end_row = trapezoid->end_row;
+}
+
+/* Those above end_row. */
+static inline __attribute__((always_inline)) void fxl_paint_plain_rows(
+    const fxl_paint *paint, int32_t end_row, fxl_plain_rows *rows,
+    bool (*paint_rows)(fxl_plain_rows *rows),
+    void (*paint_pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    int32_t x0, x1;
+    rows->end_row = end_row;
     while (rows->row.y < rows->end_row && paint_rows(rows)) {
         fxl_plain_rows_columns(rows, &x0, &x1);
         paint_pixels(paint, &rows->row, x0, x1);
@@ -89,7 +95,7 @@ static inline __attribute__((always_inline)) void fxl_paint_trapezoid(
     }
 }
 
-/* fxl_paint_polygon of a face that fxl_paint_trapezoid paints. */
+/* fxl_paint_polygon of such a face. */
 static inline __attribute__((always_inline)) void fxl_paint_plain_polygon(
     const fxl_paint *paint, const fxl_segment_face *segments, const fxl_screen_point *points,
     uint32_t count, const fxl_band *band, uint32_t pixel_bytes, fxl_scan *scan,
@@ -104,7 +110,8 @@ static inline __attribute__((always_inline)) void fxl_paint_plain_polygon(
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
         rows.row.pixels =
             band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
-        fxl_paint_trapezoid(paint, trapezoid, &rows, paint_rows, paint_pixels);
+        fxl_begin_plain_rows(paint->gradients, trapezoid, &rows);
+        fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, paint_rows, paint_pixels);
     }
 }
 
