@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "paint/segments.h"
+#include "paint/plain_rows.h"
 #include "unity.h"
 
 enum {
@@ -488,6 +488,97 @@ void test_simple_pixels_are_as_any_pixel(void)
         }
     }
     TEST_ASSERT_TRUE(holes > 1000 && painted > 10000);
+}
+
+/* --- rows of a trapezoid -------------------------------------------------------------------- */
+
+enum {
+    ROWS = 24
+};
+
+/* A trapezoid of a face whose weight is at least what the kernel takes, or not in all rows. */
+static void choose_rows(fxl_plain_rows *rows)
+{
+    memset(rows, 0, sizeof *rows);
+    rows->row = row;
+    rows->row.segments = &face;
+    rows->end_row = ROWS;
+    rows->stride = COLUMNS;
+    rows->downs[0] = (int64_t)ldexp((int)(any() % 4000000u) - 2000000, 32);
+    rows->downs[1] = (int64_t)ldexp((int)(any() % 4000000u) - 2000000, 32);
+    rows->downs[2] = (int64_t)ldexp((int)(any() % 4000000u) - 2000000, 32);
+    for (uint32_t i = 0; i < 2; i++) {
+        rows->edges[i].x = (int32_t)(40u + any() % 48u);
+        rows->edges[i].step = (int32_t)(any() % 2u) - 1;
+        rows->edges[i].step_fraction = any();
+    }
+}
+
+/* Paints a trapezoid: rows that are not the kernel's go to fxl_paint_pixels. first, end: of the
+ * rows that a band has; from, to: the columns that a clipper leaves. */
+static uint32_t paint_trapezoid(const fxl_plain_rows *whole, uint8_t pixels[ROWS][COLUMNS],
+                                int32_t first, int32_t end, int32_t from, int32_t to)
+{
+    fxl_plain_rows rows = *whole;
+    uint32_t left = 0;
+    rows.row.pixels = pixels[0];
+    while (rows.row.y < first) {
+        fxl_plain_rows_next(&rows);
+    }
+    rows.end_row = end;
+    if (from > 0 || to < COLUMNS) {
+        rows.edges[0].x = from;
+        rows.edges[1].x = to;
+        rows.edges[0].step = rows.edges[1].step = 0;
+        rows.edges[0].step_fraction = rows.edges[1].step_fraction = 0;
+    }
+    while (rows.row.y < end && fxl_paint_rows(&rows)) {
+        int32_t x0, x1;
+        fxl_plain_rows_columns(&rows, &x0, &x1);
+        fxl_paint_pixels(&paint, &rows.row, x0, x1);
+        fxl_plain_rows_next(&rows);
+        left++;
+    }
+    return left;
+}
+
+/* Neither the band nor what is cut off a face changes a pixel. */
+void test_bands_and_clips_change_no_pixel(void)
+{
+    static uint8_t all[ROWS][COLUMNS], parts[ROWS][COLUMNS];
+    uint32_t left = 0, painted = 0;
+    choose_size(5, 5);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 200; n++) {
+        fxl_plain_rows rows;
+        const int32_t middle = 1 + (int32_t)(any() % (ROWS - 1));
+        const int32_t from = (int32_t)(any() % 60u), to = from + 1 + (int32_t)(any() % 60u);
+        choose_face();
+        gradients.weight_min[0] = (60u + any() % 300u) << 20;
+        gradients.weight_min[1] = gradients.weight_min[0] * 2u / 5u;
+        gradients.shifts[0] = gradients.shifts[1] = (int8_t)(n % 4 == 0 ? 60 : 24);
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        choose_rows(&rows);
+        memset(all, UNTOUCHED, sizeof all);
+        memset(parts, UNTOUCHED, sizeof parts);
+        left += paint_trapezoid(&rows, all, 0, ROWS, 0, COLUMNS);
+        (void)paint_trapezoid(&rows, parts, 0, middle, 0, COLUMNS);
+        (void)paint_trapezoid(&rows, parts, middle, ROWS, 0, COLUMNS);
+        TEST_ASSERT_EQUAL_MEMORY(all, parts, sizeof all);
+        memset(parts, UNTOUCHED, sizeof parts);
+        (void)paint_trapezoid(&rows, parts, middle / 2, ROWS, from, to);
+        for (uint32_t i = 0; i < ROWS * COLUMNS; i++) {
+            const uint8_t one = all[i / COLUMNS][i % COLUMNS];
+            const uint8_t other = parts[i / COLUMNS][i % COLUMNS];
+            if (one != UNTOUCHED && other != UNTOUCHED) {
+                TEST_ASSERT_EQUAL_UINT8(one, other);
+                painted++;
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(left > 20 && painted > 10000);
 }
 
 static void check_refused(bool expected)
