@@ -169,10 +169,11 @@ static void paint_tiny(const fxl_workspace *workspace, const fxl_surface_polygon
     }
     const fxl_filling filling =
         fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark);
-    for (uint32_t pixels = tiny->pixels; pixels != 0; pixels &= pixels - 1) {
-        const uint32_t last = 31u - fxl_leading_zeros(pixels & (0u - pixels));
+    for (uint32_t pixels = tiny->pixels; pixels != 0;) {
+        const uint32_t last = 31u - fxl_leading_zeros(pixels);
         const int32_t x = tiny->column + (int32_t)(last % FXL_TINY_SIDE);
         const int32_t y = tiny->row + (int32_t)(last / FXL_TINY_SIDE);
+        pixels ^= 1u << last;
         const uint32_t code =
             fxl_depth_code_at(head->scale, &polygon->depth, gradient->at + gradient->down * y, x);
         void *cells = (uint8_t *)(uintptr_t)(head + 1) +
