@@ -54,9 +54,9 @@ static void find_even_light(const int32_t light[3], uint32_t *count, fxl_surface
 /* The gradients of a small face. Returns the level of its texture. */
 static uint8_t find_small(const fxl_surface *surface, const fxl_texture *texture,
                           fxl_corner_planes *planes, fxl_gradient_corners *corners,
-                          fxl_gradients *gradients)
+                          bool is_on_screen, fxl_gradients *gradients)
 {
-    const bool is_affine = surface->division == FXL_AFFINE;
+    const bool is_affine = surface->division == FXL_AFFINE && is_on_screen;
     const bool has_levels = texture != NULL && texture->levels > 1;
     fxl_texel_density density;
     if (has_levels) {
@@ -123,10 +123,10 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
-    polygon->level = has_small_planes
-                         ? find_small(surface, texture, &planes, &corners, &polygon->gradients)
-                         : find_large(surface, texture, model_view, mapped, traversal, &corners,
-                                      &polygon->gradients);
+    polygon->level = has_small_planes ? find_small(surface, texture, &planes, &corners,
+                                                   on_screen.is_on_screen, &polygon->gradients)
+                                      : find_large(surface, texture, model_view, mapped, traversal,
+                                                   &corners, &polygon->gradients);
     polygon->surface = mapped->surface;
     polygon->colour = face->material;
     polygon->shade = 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../view/model_view.h"
+#include "../view/outcode.h"
 #include "../view/project.h"
 #include "surface_polygon.h"
 
@@ -139,11 +140,12 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
     }
 }
 
-/* A vertex that is inside the frustum, in the view and on the screen. False: it is not inside.
- * Which planes the model view leaves out, and what a cache of few vertices displaced, changes
- * nothing. */
-static bool find_inside(const fxl_model_view *model_view, uint32_t number,
-                        const fxl_traversal *traversal, fxl_screen_point *point, fxl_q18_46 *depth)
+/* A vertex between the near and the far plane, in the view and on the screen, or beside it. False:
+ * it cannot be projected. Which planes the model view leaves out, and what a cache of few vertices
+ * displaced, changes nothing. */
+static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
+                           const fxl_traversal *traversal, fxl_screen_point *point,
+                           fxl_q18_46 *depth)
 {
     fxl_cached_vertex other;
     const fxl_cached_vertex *vertex = &other;
@@ -157,7 +159,7 @@ static bool find_inside(const fxl_model_view *model_view, uint32_t number,
         *point = vertex->screen;
         return true;
     }
-    return (vertex->clip_flags & FXL_PLANES_ALL) == 0 &&
+    return (vertex->clip_flags & FXL_PLANES_DEPTH) == 0 &&
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
@@ -173,6 +175,12 @@ static inline void add_point(screen_box *box, const fxl_screen_point *point)
     box->bottom = point->y > box->bottom ? point->y : box->bottom;
 }
 
+static inline bool is_within(const screen_box *box, const fxl_lens *lens)
+{
+    return box->left >= 0 && box->right <= lens->width * 65536 && box->top >= 0 &&
+           box->bottom <= lens->height * 65536;
+}
+
 bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
                              const uint16_t *vertices, const fxl_traversal *traversal,
                              fxl_screen_corners *corners)
@@ -186,12 +194,13 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
     vertices = vertices != NULL ? vertices : indices;
     screen_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (uint32_t i = 0; i < 3; i++) {
-        if (!find_inside(model_view, vertices[i], traversal, &corners->points[i],
-                         &corners->depths[i])) {
+        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
+                            &corners->depths[i])) {
             return false;
         }
         add_point(&box, &corners->points[i]);
     }
+    corners->is_on_screen = is_within(&box, &model_view->view->lens);
     for (uint32_t i = 0; count > 3 && i < count; i++) {
         fxl_screen_point point;
         fxl_q18_46 depth;
@@ -199,7 +208,7 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
         if (number == vertices[0] || number == vertices[1] || number == vertices[2]) {
             continue;
         }
-        if (!find_inside(model_view, number, traversal, &point, &depth)) {
+        if (!find_on_screen(model_view, number, traversal, &point, &depth)) {
             return false;
         }
         add_point(&box, &point);

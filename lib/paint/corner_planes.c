@@ -107,10 +107,11 @@ static inline bool find_weights(const fxl_screen_corners *corners, const fxl_len
     return true;
 }
 
-/* How far the pixels of 0 to `end` are at most from one of them, and one more. */
-static inline uint32_t farthest(uint32_t pixel, uint32_t end)
+/* How far the pixels of 0 to `end` are at most from one of them, or one beside them, and one more.
+ */
+static inline uint32_t farthest(int32_t pixel, int32_t end)
 {
-    return (2u * pixel > end ? pixel : end - pixel) + 1u;
+    return (uint32_t)(2 * pixel > end ? pixel : end - pixel) + 1u;
 }
 
 /* The box has at most its height above the lowest of the three corners, and below the highest. */
@@ -168,8 +169,8 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->down[0] = upper((int32_t)((uint32_t)x2 << scale), reciprocal);
     planes->down[1] = upper((int32_t)((uint32_t)x1 << scale), reciprocal);
     planes->exponent = (int)scale + (high != 0 ? 46 : 14) - (int)zeros;
-    planes->columns = farthest((uint32_t)p[0].x >> 16, (lens->width + 15u) & ~15u);
-    planes->rows = farthest((uint32_t)p[0].y >> 16, lens->height);
+    planes->columns = farthest(p[0].x >> 16, (lens->width + 15) & ~15);
+    planes->rows = farthest(p[0].y >> 16, lens->height);
     planes->is_triangle = corners->is_triangle;
     planes->is_sparse = planes->area << 1 < box;
     find_rows(corners, lens, planes);

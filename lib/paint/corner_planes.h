@@ -30,6 +30,7 @@ typedef struct {
     fxl_q18_46 depths[3];
     int32_t width, height; /* of the box, in 1/65536 pixel */
     bool is_triangle;      /* the face has no other vertices */
+    bool is_on_screen;     /* the three corners are, not beside it */
 } fxl_screen_corners;
 
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
@@ -63,7 +64,7 @@ typedef struct {
  * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest,
  * - with s pixels the shorter side, the corners' 1/z differ by at most s / FXL_SMALL_SLOPES of the
  *   largest one. So what the corners' rounding changes a depth by is below its resolution in 16
- * bits. Requires corners on the screen of the lens. */
+ * bits. Requires a box that reaches the screen of the lens. */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes);
 
