@@ -74,6 +74,9 @@ static void compare_rows(const fxl_segment_face *face, const fxl_paint_row *row,
     rows.stride = (uint32_t)sizeof by_core[0];
     rows.downs[0] =
         (int64_t)(any_64() >> 10 >> (any_32() >> 7) % 30u) * (any_32() >> 9 & 1u ? 1 : -1);
+    if (any_32() >> 30 == 0) {
+        rows.downs[0] = 0; /* rows of one weight */
+    }
     rows.downs[1] = any_value() >> 3;
     rows.downs[2] = any_value() >> 3;
     for (uint32_t i = 0; i < 2; i++) {

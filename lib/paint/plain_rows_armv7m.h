@@ -42,7 +42,7 @@
 #define F_X        116 /* the end of the run; then that of the row */
 #define F_X_END    120
 #define F_KEPT     124 /* 1: the registers from w_low on are those at the beginning of the run */
-#define F_SAVED    128 /* the registers from w_low on */
+#define F_SAVED    128 /* the registers from w_low on; of a line a weight, and what rows of that weight have */
 #define F_SIZE     160
 
 pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
@@ -133,6 +133,7 @@ ROWS:
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
     movs    r5, #0
     str     r5, [sp, #F_KEPT]
+    str     r5, [sp, #F_SAVED]          /* no weight */
     cbz     r1, 4f
     str     r4, [sp, #F_FULL]
     str     r5, [sp, #F_SHORT]
@@ -459,7 +460,7 @@ ROWS:
     subs    pixels, #((16 - (1 << \log)) << WIDE)
     .endif
     ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table  , [sp, #F_TABLE]
+    ldr     table, [sp, #F_TABLE]
     ldr     pc, [sp, #F_GO]
     .endm
 
@@ -538,7 +539,7 @@ ROWS:
     add     p, p, r3, lsl #16
     subs    pixels, #(15 << WIDE)
     ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table  , [sp, #F_TABLE]
+    ldr     table, [sp, #F_TABLE]
     ldr     pc, [sp, #F_GO]
 
 /* Less than a segment is left, or nothing. */
@@ -641,9 +642,9 @@ ROWS:
 
 /* --- rows of constant weight ---------------------------------------------------------------- */
 
-/* A coordinate at the segment r12, its change in 16 columns and in one. r0: face, r1: row, r3: the
- * reciprocal, lr: its leading zeros. Overwrites r4 to r7; \change may be r0. */
-    .macro  find_line at, more, change, face_step, row_value, drop
+/* The change of a coordinate in 16 columns and in one. r0: face, r3: the reciprocal of the weight, lr:
+ * its leading zeros. Overwrites r4 to r7; \change may be r0. */
+    .macro  find_changes more, change, face_step, drop
     ldrd    r4, r5, [r0, #\face_step]
     cmn     r4, #0x80000000
     adc     r5, r5, #0
@@ -656,10 +657,6 @@ ROWS:
     asr     \more, r5, r7
     adds    r7, #4
     asr     \change, r5, r7
-    ldr     r4, [r1, #(\row_value + 4)]
-    smull   r5, r4, r4, r3
-    subs    r7, #4
-    asr     \at, r4, r7
     b       2f
 1:  rsb     r7, r6, #32
     lsl     \more, r5, r7
@@ -668,12 +665,25 @@ ROWS:
     asr     r5, r5, r6
     lsl     r5, r5, #28
     orr     \change, r5, \more, lsr #4
+2:
+    .endm
+
+/* A coordinate at the segment r12; more: its change in 16 columns. r1: row; r3 and lr as above. */
+    .macro  find_coordinate at, more, row_value, drop
+    ldr     r6, [sp, #\drop]
     ldr     r4, [r1, #(\row_value + 4)]
+    add     r6, r6, #(32 - 12)          /* FXL_ROW_BITS */
+    sub     r6, r6, lr
     smull   r5, r4, r4, r3
-    lsl     \at, r4, r7
+    subs    r7, r6, #32
+    bmi     1f
+    asr     r4, r4, r7
+    b       2f
+1:  rsb     r7, r6, #32
+    lsl     r4, r4, r7
     lsr     r5, r5, r6
-    orr     \at, \at, r5
-2:  mla     \at, \more, r12, \at
+    orr     r4, r4, r5
+2:  mla     \at, \more, r12, r4
     .endm
 
 .Lline:
@@ -701,20 +711,35 @@ ROWS:
     adrne   r3, .Lpartial + 1
     str     r3, [sp, #F_GO]
     str     r2, [sp, #F_W_LOW]
+    add     r4, sp, #F_SAVED
+    ldr     r3, [r4], #4
+    cmp     r3, r7
+    bne     .Lother_weight
+    ldm     r4, {r2, r3, r8, r10, lr}
+.Lsame_weight:
+    find_coordinate u, u_more, PAINT_ROW_U, F_U_DROP
+    find_coordinate v, v_more, PAINT_ROW_V, F_U_DROP + 4
+    ldr     pixels, [sp, #F_W_LOW]
+    ldr     last, [sp, #F_LAST]
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    ldr     table, [sp, #F_TABLE]
+    b       .Lline_begin
+
+/* The step of a pixel and the changes are kept for the rows that have the same weight. */
+.Lother_weight:
+    str     r7, [sp, #F_SAVED]
     mvn     r3, #0x80000000
     reciprocal r3, lr, r7, r3, r4, r5
-    find_line u, u_more, r2, SEGMENT_FACE_U_STEP, PAINT_ROW_U, F_U_DROP
-    find_line v, v_more, r0, SEGMENT_FACE_V_STEP, PAINT_ROW_V, F_U_DROP + 4
+    find_changes u_more, r2, SEGMENT_FACE_U_STEP, F_U_DROP
+    find_changes v_more, r0, SEGMENT_FACE_V_STEP, F_U_DROP + 4
     add     r2, r2, #0x8000
     add     r0, r0, #0x8000
     lsr     r2, r2, #16
     asr     r0, r0, #16
     add     step, r0, r2, lsl #16
-    ldr     pixels, [sp, #F_W_LOW]
-    ldr     last, [sp, #F_LAST]
-    ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table  , [sp, #F_TABLE]
-    b       .Lline_begin
+    add     r4, sp, #(F_SAVED + 4)
+    stm     r4, {r2, r3, r8, r10, lr}
+    b       .Lsame_weight
 
     .align  2
 .Lline_next:
