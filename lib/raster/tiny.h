@@ -72,15 +72,15 @@ static inline bool fxl_tiny_find_box(const fxl_screen_point *points, const fxl_b
  * of the edge. It changes by dx from row to row, and by -dy from column to column.
  *
  * The edge function is dx (y - a.y) - dy (x - a.x), above 0 inside. A centre on a left or a top
- * edge, whose function is 0, is covered; of the other edges a unit is taken off. Points and centres
- * are less than 6 pixels apart, 2^19, so the products are below 2^38, and without their 16 lowest
- * bits below 2^23. A centre's neighbours have functions that differ by a multiple of 2^16: the bits
- * that are lost change no sign. Exact. */
+ * edge, whose function is 0, is covered; of a right edge a unit is taken off. The centres on a
+ * bottom edge are below the box. Points and centres are less than 6 pixels apart, 2^19, so the
+ * products are below 2^38, and without their 16 lowest bits below 2^23. A centre's neighbours have
+ * functions that differ by a multiple of 2^16: the bits that are lost change no sign. Exact. */
 static inline int32_t fxl_tiny_edge(const fxl_screen_point *a, const fxl_screen_point *b,
                                     fxl_q16_16 x, fxl_q16_16 y)
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
-    const int32_t open = dy - (dx > 0) < 0 ? 0 : 1;
+    const int32_t open = dy > 0;
     return (int32_t)((fxl_multiply_s32(dx, y - a->y) - fxl_multiply_s32(dy, x - a->x) - open) >>
                      16);
 }
