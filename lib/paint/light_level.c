@@ -7,7 +7,6 @@
 #include "../math/plane.h"
 #include "fixel/light.h"
 #include "light_level.h"
-#include "segments.h"
 
 /* On a core without long products these are calls: in place, all of them take 1 KB more. */
 #if FXL_KERNELS_ARMV6M
@@ -87,7 +86,7 @@ static uint32_t root_reciprocal(uint32_t value)
     const int32_t first = (int32_t)((1u << 30) - upper(rough * rough, value)) >> 10;
     const uint32_t root = (rough << 15) + (uint32_t)((int32_t)rough * first >> 6);
     const int32_t second = (int32_t)((1u << 28) - upper(upper(root, root), value));
-    return root + (uint32_t)(int32_t)(product((int32_t)(root >> 1), second * 16) >> 32);
+    return root + (uint32_t)(int32_t)(product((int32_t)root, second * 8) >> 32);
 }
 
 /* The cosine between a normal and a vector to a light; dot is their product, from 1 to below 2^61,
@@ -102,14 +101,15 @@ static uint32_t cosine(int64_t dot, uint64_t square)
 }
 
 /* 1 - square / range_square, of 0 < square < range_square <= 2^60. Both are scaled so that the
- * divisor is from 2^31 to 2^32; half of it has a reciprocal within 2^-29. Errors: 2 of that, 2 of
- * the upper words. */
+ * divisor is from 2^31 to 2^32. The estimate of 2^62 / divisor has 16 bits; Newton's step leaves the
+ * square of its error, below 2^-29. Errors: 2 of that, 2 of the upper words. */
 static uint32_t fading(uint64_t square, uint64_t range_square)
 {
     const unsigned shift = zeros_of(range_square);
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_of(range_square, shift) >> 1);
-    const int32_t left =
-        FXL_Q2_30_ONE - (int32_t)upper(upper_of(square, shift), (uint32_t)reciprocal.value);
+    const uint32_t divisor = upper_of(range_square, shift);
+    const uint32_t estimate = fxl_divide_half((uint32_t)INT32_MAX, divisor >> 16);
+    const uint32_t reciprocal = (estimate << 16) - upper(estimate * estimate, divisor);
+    const int32_t left = FXL_Q2_30_ONE - (int32_t)upper(upper_of(square, shift), reciprocal);
     return left > 0 ? (uint32_t)left : 0;
 }
 
