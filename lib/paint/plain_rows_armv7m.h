@@ -42,8 +42,16 @@
 #define F_X        116 /* the end of the run; then that of the row */
 #define F_X_END    120
 #define F_KEPT     124 /* 1: the registers from w_low on are those at the beginning of the run */
-#define F_SAVED    128 /* the registers from w_low on; of a line a weight, and what rows of that weight have */
-#define F_SIZE     160
+#define F_SAVED    128 /* the registers from w_low on */
+#define F_IS_LINE  160 /* the weight is constant */
+#define F_SIZE     168
+
+/* The frame of rows of constant weight has in the place of F_SAVED: */
+#define F_LINE     128 /* the weight for which it has: how far coordinates are shifted, */
+#define F_U_LEFT   132
+#define F_V_LEFT   136
+#define F_INVERSE  140 /* the reciprocal, the step of a pixel */
+#define F_MORE     148 /* and those of 16 pixels */
 
 pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
 p       .req r1
@@ -72,6 +80,8 @@ v_more  .req r10
     strd    r4, r1, [sp, #F_DONE]
     bl      .Lprepare
     cmp     r1, #0
+    ldr     r4, [sp, #F_ROW]
+    ldr     r5, [r4, #PAINT_ROW_PIXELS]
     bne     .Lline
     b       .Lweights
     .align  2
@@ -95,6 +105,7 @@ ROWS:
     bl      .Lprepare
     ldr     r2, [r11, #PLAIN_ROWS_EDGES]
     ldr     r6, [r11, #PLAIN_ROWS_EDGES + EDGE_SIZE]
+    ldr     r5, [r11, #PAINT_ROW_PIXELS]
     b       .Lrow
 
 /* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
@@ -133,11 +144,13 @@ ROWS:
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
     movs    r5, #0
     str     r5, [sp, #F_KEPT]
-    str     r5, [sp, #F_SAVED]          /* no weight */
+    str     r1, [sp, #F_IS_LINE]
     cbz     r1, 4f
     str     r4, [sp, #F_FULL]
     str     r5, [sp, #F_SHORT]
     str     r5, [sp, #F_BEFORE]
+    mov     r5, #0x80000000
+    str     r5, [sp, #F_LINE]           /* no weight */
     adr     r4, .Lline_next + 1
     adr     r5, .Lline_resume + 1
     strd    r4, r5, [sp, #F_NEXT]
@@ -166,10 +179,10 @@ ROWS:
     adcs    r6, r6, r8
     strd    r2, r3, [r12, #PLAIN_ROWS_EDGES]
     strd    r6, r7, [r12, #PLAIN_ROWS_EDGES + EDGE_SIZE]
-    ldr     r0, [r12, #PAINT_ROW_PIXELS]
+    ldr     r5, [r12, #PAINT_ROW_PIXELS]
     ldr     r1, [r12, #PLAIN_ROWS_STRIDE]
-    add     r0, r0, r1
-    str     r0, [r12, #PAINT_ROW_PIXELS]
+    add     r5, r5, r1
+    str     r5, [r12, #PAINT_ROW_PIXELS]
     ldr     r0, [r12, #PAINT_ROW_Y]
     ldr     r1, [r12, #PLAIN_ROWS_END]
     adds    r0, #1
@@ -177,7 +190,7 @@ ROWS:
     cmp     r0, r1
     bge     .Lreturn
 
-/* r2, r6: the edges' columns */
+/* r2, r6: the edges' columns, r5: the address of column 0 */
 .Lrow:
     cmp     r2, r6
     beq     .Lnext_row
@@ -186,10 +199,10 @@ ROWS:
     movge   r3, r2
     it      ge
     movge   r2, r6
-    ldr     r0, [sp, #F_FACE]
-    ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
+    ldr     r1, [sp, #F_IS_LINE]
     cmp     r1, #0
     bne     .Lline
+    ldr     r0, [sp, #F_FACE]
 
 /* Which segments the columns r2 to r3 have; r0: face. r10, r11: the weight at the first 16 columns. */
 .Lweights:
@@ -460,7 +473,7 @@ ROWS:
     subs    pixels, #((16 - (1 << \log)) << WIDE)
     .endif
     ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table, [sp, #F_TABLE]
+    ldr     table  , [sp, #F_TABLE]
     ldr     pc, [sp, #F_GO]
     .endm
 
@@ -539,7 +552,7 @@ ROWS:
     add     p, p, r3, lsl #16
     subs    pixels, #(15 << WIDE)
     ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table, [sp, #F_TABLE]
+    ldr     table  , [sp, #F_TABLE]
     ldr     pc, [sp, #F_GO]
 
 /* Less than a segment is left, or nothing. */
@@ -642,16 +655,17 @@ ROWS:
 
 /* --- rows of constant weight ---------------------------------------------------------------- */
 
-/* The change of a coordinate in 16 columns and in one. r0: face, r3: the reciprocal of the weight, lr:
- * its leading zeros. Overwrites r4 to r7; \change may be r0. */
-    .macro  find_changes more, change, face_step, drop
+/* The change of a coordinate in 16 columns and in one. r0: face, r3: the reciprocal, r9: its leading
+ * zeros. Overwrites r4 to r7; \change may be r0. */
+    .macro  line_change more, change, face_step, drop, left
     ldrd    r4, r5, [r0, #\face_step]
     cmn     r4, #0x80000000
     adc     r5, r5, #0
     smull   r4, r5, r5, r3
     ldr     r6, [sp, #\drop]
     add     r6, r6, #(32 - 12)          /* FXL_ROW_BITS */
-    sub     r6, r6, lr
+    sub     r6, r6, r9
+    str     r6, [sp, #\left]
     subs    r7, r6, #32
     bmi     1f
     asr     \more, r5, r7
@@ -668,33 +682,33 @@ ROWS:
 2:
     .endm
 
-/* A coordinate at the segment r12; more: its change in 16 columns. r1: row; r3 and lr as above. */
-    .macro  find_coordinate at, more, row_value, drop
-    ldr     r6, [sp, #\drop]
+    .macro  line_segment
+    lsr     p, v, #16
+    lsr     r3, u, #16
+    add     p, p, r3, lsl #16
+    ldr     pc, [sp, #F_GO]
+    .endm
+
+/* A coordinate at the segment r12. r1: row, r3: the reciprocal. Overwrites r4 to r7. */
+    .macro  line_at at, more, row_value, left
     ldr     r4, [r1, #(\row_value + 4)]
-    add     r6, r6, #(32 - 12)          /* FXL_ROW_BITS */
-    sub     r6, r6, lr
+    ldr     r6, [sp, #\left]
     smull   r5, r4, r4, r3
     subs    r7, r6, #32
     bmi     1f
-    asr     r4, r4, r7
+    asr     \at, r4, r7
     b       2f
 1:  rsb     r7, r6, #32
-    lsl     r4, r4, r7
+    lsl     \at, r4, r7
     lsr     r5, r5, r6
-    orr     r4, r4, r5
-2:  mla     \at, \more, r12, r4
+    orr     \at, \at, r5
+2:  mla     \at, \more, r12, \at
     .endm
 
 .Lline:
     ldr     r1, [sp, #F_ROW]
     ldr     r7, [r1, #PAINT_ROW_WEIGHT + 4]
-    ldr     r4, [r0, #SEGMENT_FACE_LEAST + 12]
-    cmp     r7, r4
-    blt     .Lnot_ours
-    strd    r3, r3, [sp, #F_X]
     and     r6, r2, #15
-    ldr     r5, [r1, #PAINT_ROW_PIXELS]
     sub     r5, r5, #(1 << WIDE)
     add     r3, r5, r3, lsl #WIDE
     sub     r8, r3, #(16 << WIDE)
@@ -702,58 +716,67 @@ ROWS:
     str     r6, [sp, #F_SKIP]
     sub     r3, r2, r6
     lsr     r12, r2, #4
-    add     r2, r5, r3, lsl #WIDE       /* the address before the segment */
-    cmp     r2, r8
+    add     lr, r5, r3, lsl #WIDE       /* the address before the segment */
+    cmp     lr, r8
     it      ls
     cmpls   r6, #0
     ite     eq
     ldreq   r3, [sp, #F_FULL]
     adrne   r3, .Lpartial + 1
     str     r3, [sp, #F_GO]
-    str     r2, [sp, #F_W_LOW]
-    add     r4, sp, #F_SAVED
-    ldr     r3, [r4], #4
-    cmp     r3, r7
-    bne     .Lother_weight
-    ldm     r4, {r2, r3, r8, r10, lr}
-.Lsame_weight:
-    find_coordinate u, u_more, PAINT_ROW_U, F_U_DROP
-    find_coordinate v, v_more, PAINT_ROW_V, F_U_DROP + 4
-    ldr     pixels, [sp, #F_W_LOW]
+    ldr     r4, [sp, #F_LINE]
+    cmp     r4, r7
+    bne     .Lother_line
+.Lsame_line:
+    ldrd    u_more, v_more, [sp, #F_MORE]
+    ldrd    r3, step, [sp, #F_INVERSE]
+    line_at u, u_more, PAINT_ROW_U, F_U_LEFT
+    line_at v, v_more, PAINT_ROW_V, F_V_LEFT
+    mov     pixels, lr
     ldr     last, [sp, #F_LAST]
     ldrd    texels, mask, [sp, #F_TEXELS]
     ldr     table, [sp, #F_TABLE]
-    b       .Lline_begin
+    line_segment
 
-/* The step of a pixel and the changes are kept for the rows that have the same weight. */
-.Lother_weight:
-    str     r7, [sp, #F_SAVED]
+.Lother_line:
+    ldr     r0, [sp, #F_FACE]
+    ldr     r4, [r0, #SEGMENT_FACE_LEAST + 12]
+    cmp     r7, r4
+    blt     .Lnot_ours
+    str     r7, [sp, #F_LINE]
     mvn     r3, #0x80000000
-    reciprocal r3, lr, r7, r3, r4, r5
-    find_changes u_more, r2, SEGMENT_FACE_U_STEP, F_U_DROP
-    find_changes v_more, r0, SEGMENT_FACE_V_STEP, F_U_DROP + 4
+    reciprocal r3, r9, r7, r3, r4, r5
+    line_change u_more, r2, SEGMENT_FACE_U_STEP, F_U_DROP, F_U_LEFT
+    line_change v_more, r0, SEGMENT_FACE_V_STEP, F_U_DROP + 4, F_V_LEFT
     add     r2, r2, #0x8000
     add     r0, r0, #0x8000
     lsr     r2, r2, #16
     asr     r0, r0, #16
     add     step, r0, r2, lsl #16
-    add     r4, sp, #(F_SAVED + 4)
-    stm     r4, {r2, r3, r8, r10, lr}
-    b       .Lsame_weight
+    strd    r3, step, [sp, #F_INVERSE]
+    strd    u_more, v_more, [sp, #F_MORE]
+    b       .Lsame_line
+
+/* Less than 16 columns are left, or nothing. */
+    .align  2
+.Lline_rest:
+    ldr     r3, [sp, #F_END]
+    cmp     pixels, r3
+    it      hs
+    ldrhs   pc, [sp, #F_DONE]
+    adr     r3, .Lpartial + 1
+    str     r3, [sp, #F_GO]
+    b       .Lline_resume
 
     .align  2
 .Lline_next:
     cmp     pixels, last
-    bhi     .Lrest
+    bhi     .Lline_rest
     .align  2
 .Lline_resume:
     add     u, u, u_more
     add     v, v, v_more
-.Lline_begin:
-    lsr     p, v, #16
-    lsr     r3, u, #16
-    add     p, p, r3, lsl #16
-    ldr     pc, [sp, #F_GO]
+    line_segment
 
 /* --- pixels ----------------------------------------------------------------------------------- */
 

@@ -58,8 +58,12 @@ static bool find_least(const fxl_paint *paint, fxl_segment_face *face)
 {
     const bool is_line = face->is_constant && paint->ramp == NULL;
     const uint32_t by_drop = (uint32_t)weight_for(face->drop_min - (is_line ? FXL_ROW_BITS : 0));
-    fxl_find_least_weights(paint->gradients, paint->division, face->least);
     face->least[3] = by_drop;
+    if (is_line) { /* it has no segments */
+        face->least[0] = face->least[1] = face->least[2] = by_drop;
+        return by_drop < INT32_MAX;
+    }
+    fxl_find_least_weights(paint->gradients, paint->division, face->least);
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t least = face->least[i] < by_drop ? by_drop : face->least[i];
         face->least[i] = least > INT32_MAX ? INT32_MAX : least;
