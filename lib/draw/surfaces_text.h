@@ -8,6 +8,7 @@
 #ifndef FXL_SURFACES_TEXT_H
 #define FXL_SURFACES_TEXT_H
 
+#include "../math/family.h"
 #include "../math/memory.h"
 #include "../paint/paint_polygon.h"
 #include "../paint/texture_level.h"
@@ -82,7 +83,7 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 #endif
 
 /* Whether a kernel paints its rows one after the other. */
-static bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
+static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
 {
     return segments != NULL && paint->ramp == NULL &&
            (FXL_TARGET_PIXEL_BITS == 16 ? !paint->is_evenly_lit : paint->in_beam == NULL);
@@ -124,7 +125,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 
 #include "../paint/depth_row.h"
 
-#define SCRATCH 16 /* pixels */
+#define SCRATCH        16 /* pixels */
+
+/* Rows that are visible whole are painted together: for a kernel that has all rows of a trapezoid
+ * in one call. */
+#define HAS_WHOLE_ROWS (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16 && !FXL_IS_COMPACT)
 
 /* A row of a polygon. */
 typedef struct {
@@ -180,8 +185,10 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
 {
     fxl_depth_painting *depth = (fxl_depth_painting *)with;
     const surface_row of = {depth, paint, row};
-    fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_run, &of);
+    fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, false, paint_run, &of);
 }
+
+#if HAS_WHOLE_ROWS
 
 /* A row whose depths are tested while rows above it, which are visible whole, are still to be
  * painted. */
@@ -207,11 +214,11 @@ paint_plain_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth
     PAINT_PIXELS(of->paint, &of->rows->row, x0, x1);
 }
 
-/* A polygon whose depths are all kept, and whose rows have a kernel: rows that are visible whole are
- * painted together. Not inline: its rows would be on the stack of others. */
-static __attribute__((noinline)) void paint_plain(const fxl_paint *paint, const fxl_segment_face *segments,
-                        fxl_depth_painting *depth, const fxl_screen_point *points, uint32_t count,
-                        const fxl_band *band, fxl_scan *scan)
+/* A polygon whose depths are all kept, and whose rows have a kernel: rows that are visible whole
+ * are painted together. Not inline: its rows would be on the stack of others. */
+static __attribute__((noinline)) void
+paint_plain(const fxl_paint *paint, const fxl_segment_face *segments, fxl_depth_painting *depth,
+            const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan)
 {
     const fxl_trapezoid *trapezoid;
     fxl_plain_rows rows;
@@ -227,7 +234,8 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint, const 
             const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
             bool is_whole = x0 == x1;
             const plain_row of = {paint, &rows, &is_whole, y, x0, x1};
-            fxl_depth_paint_row(depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, paint_plain_run, &of);
+            fxl_depth_paint_row(depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, true, paint_plain_run,
+                                &of);
             if (!is_whole) {
                 fxl_paint_plain_rows(paint, y, &rows, PAINT_ROWS, PAINT_PIXELS);
                 fxl_plain_rows_next(&rows);
@@ -238,6 +246,8 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint, const 
         fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, PAINT_ROWS, PAINT_PIXELS);
     }
 }
+
+#endif
 
 static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                           const fxl_surface_polygon *polygon, const fxl_screen_point *points,
@@ -259,13 +269,15 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
     const fxl_segment_face *segments = segments_of(&paint, &face);
-    if (!FXL_IS_COMPACT && depth.keeps == FXL_DEPTH_KEEPS_ALL &&
+#if HAS_WHOLE_ROWS
+    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && !depth.head->or_equal &&
         has_plain_rows(&paint, segments)) {
         paint_plain(&paint, segments, &depth, points, count, band, &workspace->work.scan);
-    } else {
-        fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
-                          &workspace->work.scan, paint_row, &depth);
+        return;
     }
+#endif
+    fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
+                      &workspace->work.scan, paint_row, &depth);
 }
 
 #if FXL_TARGET_DEPTH_BITS == 32

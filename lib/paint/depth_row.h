@@ -90,9 +90,10 @@ static inline int32_t fxl_depth_octave_end(fxl_depth_painting *of, int64_t depth
     return outside;
 }
 
-/* The pixels x0 <= x < x1 of row y. */
+/* The pixels x0 <= x < x1 of row y. never_equal: the head is not or_equal. */
 FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t x0, int32_t x1,
-                                     uint32_t bits, fxl_run_painter *paint, const void *with)
+                                     uint32_t bits, bool never_equal, fxl_run_painter *paint,
+                                     const void *with)
 {
     const fxl_gradient *gradient = &of->plane->gradient;
     const size_t row_bytes = (size_t)of->band->width * (bits / 8u);
@@ -106,7 +107,7 @@ FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t 
         if (!octave->is_constant) {
             line.code += fxl_depth_shifted(depth, octave->drop) + line.step * (uint32_t)x0;
         }
-        if (of->head->or_equal) {
+        if (!never_equal && of->head->or_equal) {
             const fxl_depth_rule rule = {bits == 32, true};
             fxl_depth_paint_line(of, cells, x0, end, line, rule, paint, with);
         } else {

@@ -4,9 +4,7 @@
 #ifndef FXL_TINY_H
 #define FXL_TINY_H
 
-#include "../math/arith.h"
-#include "../math/pixel_centre.h"
-#include "columns.h"
+#include "fixel/records.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -24,111 +22,9 @@ typedef struct {
     uint32_t pixels;
 } fxl_tiny;
 
-/* The centres of a band that lie between the ends of a triangle: so many columns and rows. */
-typedef struct {
-    int32_t column, row, columns, rows;
-} fxl_tiny_box;
-
-static inline void fxl_tiny_extend(fxl_q16_16 *low, fxl_q16_16 *high, fxl_q16_16 place)
-{
-    *low = place < *low ? place : *low;
-    *high = place > *high ? place : *high;
-}
-
-/* Finds the box. Returns false if the triangle has more centres than FXL_TINY_SIDE, of the band or
- * not, in a row or a column: *box is undefined then. So its points are less than FXL_TINY_SIDE + 1
- * pixels apart. */
-static inline bool fxl_tiny_find_box(const fxl_screen_point *points, const fxl_band *band,
-                                     fxl_tiny_box *box)
-{
-    fxl_q16_16 top = points[0].y, bottom = top, left = points[0].x, right = left;
-    fxl_tiny_extend(&top, &bottom, points[1].y);
-    fxl_tiny_extend(&top, &bottom, points[2].y);
-    int32_t row = fxl_first_centre_from(top), end_row = fxl_first_centre_from(bottom);
-    if (end_row - row > FXL_TINY_SIDE) {
-        return false;
-    }
-    fxl_tiny_extend(&left, &right, points[1].x);
-    fxl_tiny_extend(&left, &right, points[2].x);
-    int32_t column = fxl_first_centre_from(left), end_column = fxl_first_centre_from(right);
-    if (end_column - column > FXL_TINY_SIDE) {
-        return false;
-    }
-    const int32_t first_row = band->first_row, band_end = first_row + band->rows;
-    const int32_t first_column = band->first_column,
-                  band_right = (int32_t)fxl_band_end_column(band);
-    row = row < first_row ? first_row : row;
-    end_row = end_row > band_end ? band_end : end_row;
-    column = column < first_column ? first_column : column;
-    end_column = end_column > band_right ? band_right : end_column;
-    box->column = column;
-    box->row = row;
-    box->columns = end_column - column;
-    box->rows = end_row - row;
-    return true;
-}
-
-/* An edge of an outline that goes clockwise, at a centre: not below 0 if the pixel is not outside
- * of the edge. It changes by dx from row to row, and by -dy from column to column.
- *
- * The edge function is dx (y - a.y) - dy (x - a.x), above 0 inside. A centre on a left or a top
- * edge, whose function is 0, is covered; of a right edge a unit is taken off. The centres on a
- * bottom edge are below the box. Points and centres are less than 6 pixels apart, 2^19, so the
- * products are below 2^38, and without their 16 lowest bits below 2^23. A centre's neighbours have
- * functions that differ by a multiple of 2^16: the bits that are lost change no sign. Exact. */
-static inline int32_t fxl_tiny_edge(const fxl_screen_point *a, const fxl_screen_point *b,
-                                    fxl_q16_16 x, fxl_q16_16 y)
-{
-    const int32_t dx = b->x - a->x, dy = b->y - a->y;
-    const int32_t open = dy > 0;
-    return (int32_t)((fxl_multiply_s32(dx, y - a->y) - fxl_multiply_s32(dy, x - a->x) - open) >>
-                     16);
-}
-
-/* The centres of a box that a clockwise triangle covers; 0 of one that goes the other way round. */
-static inline uint32_t fxl_tiny_cover(const fxl_screen_point *a, const fxl_screen_point *b,
-                                      const fxl_screen_point *c, const fxl_tiny_box *box)
-{
-    const fxl_q16_16 x = fxl_centre_of(box->column), y = fxl_centre_of(box->row);
-    int32_t ab = fxl_tiny_edge(a, b, x, y), bc = fxl_tiny_edge(b, c, x, y),
-            ca = fxl_tiny_edge(c, a, x, y);
-    uint32_t pixels = 0;
-    for (int32_t j = 0; j < box->rows; j++) {
-        int32_t of_ab = ab, of_bc = bc, of_ca = ca;
-        for (int32_t i = 0; i < box->columns; i++) {
-            pixels |= (uint32_t)((of_ab | of_bc | of_ca) >= 0) << (FXL_TINY_SIDE * j + i);
-            of_ab -= b->y - a->y;
-            of_bc -= c->y - b->y;
-            of_ca -= a->y - c->y;
-        }
-        ab += b->x - a->x;
-        bc += c->x - b->x;
-        ca += a->x - c->x;
-    }
-    return pixels;
-}
-
 /* Finds the pixels of a band that a triangle covers: those of a scan. Returns false if it is not
  * tiny: *tiny is undefined then. Exact. */
-static inline bool fxl_tiny_find(const fxl_screen_point *points, const fxl_band *band,
-                                 fxl_tiny *tiny)
-{
-    fxl_tiny_box box;
-    if (!fxl_tiny_find_box(points, band, &box)) {
-        return false;
-    }
-    tiny->column = box.column;
-    tiny->row = box.row;
-    tiny->pixels = 0;
-    if (box.rows > 0 && box.columns > 0) {
-        tiny->pixels = fxl_tiny_cover(points, points + 1, points + 2, &box);
-        /* Rounded to the screen, it may go the other way round. */
-        if (tiny->pixels == 0 && fxl_tiny_edge(points, points + 1, points[2].x, points[2].y) < 0) {
-            tiny->pixels = fxl_tiny_cover(points, points + 2, points + 1, &box);
-        }
-    }
-    return true;
-}
+bool fxl_tiny_find(const fxl_screen_point *points, const fxl_band *band, fxl_tiny *tiny);
 
 #ifdef __cplusplus
 }
