@@ -64,7 +64,7 @@ static void draw_by_rows(const polygon *of, const fxl_band *band)
             const row_of_pixels row = {band->pixels + (uint32_t)(y - band->first_row) *
                                                           band->stride * of->pixel_bits / 8,
                                        of->pixel_bits};
-            fxl_depth_paint_row(&painting, y, x0, x1, 16, paint_run, &row);
+            fxl_depth_paint_row(&painting, y, x0, x1, 16, false, paint_run, &row);
             fxl_edge_advance(&a, 1);
             fxl_edge_advance(&b, 1);
         }

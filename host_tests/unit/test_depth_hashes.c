@@ -75,9 +75,9 @@ void test_pixels_are_those_on_record(void)
         {FAR, 0x90909417},
         {CODES_32 | FAR, 0x0A773FFB},
         {EARLY, 0x2188224F},
-        {TEXTURE, 0x9F659790},
-        {CODES_32 | TEXTURE | EARLY, 0x4AAC3083},
-        {TEXTURE | STIPPLE, 0x38FDE8CA},
+        {TEXTURE, 0x60C04359},
+        {CODES_32 | TEXTURE | EARLY, 0x0A39EFB1},
+        {TEXTURE | STIPPLE, 0xB5E0E5CB},
         {CODES_32 | TEXTURE | STIPPLE | FAR, 0xDCE4474C},
     };
     uint32_t wrong = 0;

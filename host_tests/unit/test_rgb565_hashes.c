@@ -79,14 +79,14 @@ static uint32_t hash_of(uint8_t division, uint32_t with)
 void test_pixels_are_those_on_record(void)
 {
     static const hash_record record[] = {
-        {FXL_DIVIDE_16, 0, 0x903A7C08},
-        {FXL_DIVIDE_8, ADD, 0xDC04D7DF},
+        {FXL_DIVIDE_16, 0, 0x2DC2A35C},
+        {FXL_DIVIDE_8, ADD, 0x6EABC728},
         {FXL_DIVIDE_1, BLEND, 0xB864ED7E},
         {FXL_AFFINE, LIT, 0x4BFC3E6C},
         {FXL_DIVIDE_16, LIT | ADD, 0xD2F77E96},
         {FXL_DIVIDE_16, STIPPLE | BLEND, 0xA77AADE6},
         {FXL_DIVIDE_8, LIT | STIPPLE, 0x48AA5070},
-        {FXL_DIVIDE_16, INDICES, 0xE0B1A71B},
+        {FXL_DIVIDE_16, INDICES, 0x4730298B},
         {FXL_DIVIDE_1, INDICES | LIT, 0x511408A8},
         {FXL_DIVIDE_16, INDICES | KEY, 0x97000324},
         {FXL_DIVIDE_8, KEY, 0x5B9A2B5A},
