@@ -43,15 +43,15 @@
 #define F_X_END    120
 #define F_KEPT     124 /* 1: the registers from w_low on are those at the beginning of the run */
 #define F_SAVED    128 /* the registers from w_low on */
-#define F_IS_LINE  160 /* the weight is constant */
+#define F_KIND     164 /* what takes a row of the face */
 #define F_SIZE     168
 
 /* The frame of rows of constant weight has in the place of F_SAVED: */
 #define F_LINE     128 /* the weight for which it has: how far coordinates are shifted, */
 #define F_U_LEFT   132
 #define F_V_LEFT   136
-#define F_INVERSE  140 /* the reciprocal, the step of a pixel */
-#define F_MORE     148 /* and those of 16 pixels */
+#define F_STEPS    140 /* the step of a pixel and the reciprocal; those of 16 pixels of u, and what it is more
+                        * in the middle of them; of v */
 
 pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
 p       .req r1
@@ -144,8 +144,10 @@ ROWS:
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
     movs    r5, #0
     str     r5, [sp, #F_KEPT]
-    str     r1, [sp, #F_IS_LINE]
+    adr     r5, .Lface_weights + 1
+    str     r5, [sp, #F_KIND]
     cbz     r1, 4f
+    movs    r5, #0
     str     r4, [sp, #F_FULL]
     str     r5, [sp, #F_SHORT]
     str     r5, [sp, #F_BEFORE]
@@ -154,6 +156,8 @@ ROWS:
     adr     r4, .Lline_next + 1
     adr     r5, .Lline_resume + 1
     strd    r4, r5, [sp, #F_NEXT]
+    adr     r4, .Lline + 1
+    str     r4, [sp, #F_KIND]
 4:  bx      lr
 
 /* --- rows ----------------------------------------------------------------------------------- */
@@ -199,9 +203,10 @@ ROWS:
     movge   r3, r2
     it      ge
     movge   r2, r6
-    ldr     r1, [sp, #F_IS_LINE]
-    cmp     r1, #0
-    bne     .Lline
+    ldr     pc, [sp, #F_KIND]
+
+    .align  2
+.Lface_weights:
     ldr     r0, [sp, #F_FACE]
 
 /* Which segments the columns r2 to r3 have; r0: face. r10, r11: the weight at the first 16 columns. */
@@ -655,10 +660,10 @@ ROWS:
 
 /* --- rows of constant weight ---------------------------------------------------------------- */
 
-/* The change of a coordinate in 16 columns and in one. r0: face, r3: the reciprocal, r9: its leading
- * zeros. Overwrites r4 to r7; \change may be r0. */
+/* The change of a coordinate in 16 columns and in one. lr: face, r3: the reciprocal, r9: its leading
+ * zeros. Overwrites r4 to r7; \change may be lr. */
     .macro  line_change more, change, face_step, drop, left
-    ldrd    r4, r5, [r0, #\face_step]
+    ldrd    r4, r5, [lr, #\face_step]
     cmn     r4, #0x80000000
     adc     r5, r5, #0
     smull   r4, r5, r5, r3
@@ -689,22 +694,27 @@ ROWS:
     ldr     pc, [sp, #F_GO]
     .endm
 
-/* A coordinate at the segment r12. r1: row, r3: the reciprocal. Overwrites r4 to r7. */
+/* A coordinate at the segment r12, where it has what it is more in the middle of 16 columns. r1: row, r3: the
+ * reciprocal. Overwrites r4 to r7. */
     .macro  line_at at, more, row_value, left
+    mla     \at, \more, r12, \at
     ldr     r4, [r1, #(\row_value + 4)]
     ldr     r6, [sp, #\left]
     smull   r5, r4, r4, r3
     subs    r7, r6, #32
     bmi     1f
-    asr     \at, r4, r7
+    asr     r4, r4, r7
+    add     \at, \at, r4
     b       2f
 1:  rsb     r7, r6, #32
-    lsl     \at, r4, r7
+    lsl     r4, r4, r7
     lsr     r5, r5, r6
-    orr     \at, \at, r5
-2:  mla     \at, \more, r12, \at
+    add     \at, \at, r4
+    add     \at, \at, r5
+2:
     .endm
 
+    .align  2
 .Lline:
     ldr     r1, [sp, #F_ROW]
     ldr     r7, [r1, #PAINT_ROW_WEIGHT + 4]
@@ -716,8 +726,8 @@ ROWS:
     str     r6, [sp, #F_SKIP]
     sub     r3, r2, r6
     lsr     r12, r2, #4
-    add     lr, r5, r3, lsl #WIDE       /* the address before the segment */
-    cmp     lr, r8
+    add     pixels, r5, r3, lsl #WIDE   /* the address before the segment */
+    cmp     pixels, r8
     it      ls
     cmpls   r6, #0
     ite     eq
@@ -728,33 +738,36 @@ ROWS:
     cmp     r4, r7
     bne     .Lother_line
 .Lsame_line:
-    ldrd    u_more, v_more, [sp, #F_MORE]
-    ldrd    r3, step, [sp, #F_INVERSE]
+    add     r4, sp, #F_STEPS
+    ldm     r4, {r2, r3, r8-r11}        /* step, the reciprocal, u_more, u, v_more, v */
     line_at u, u_more, PAINT_ROW_U, F_U_LEFT
     line_at v, v_more, PAINT_ROW_V, F_V_LEFT
-    mov     pixels, lr
     ldr     last, [sp, #F_LAST]
     ldrd    texels, mask, [sp, #F_TEXELS]
     ldr     table, [sp, #F_TABLE]
     line_segment
 
 .Lother_line:
-    ldr     r0, [sp, #F_FACE]
-    ldr     r4, [r0, #SEGMENT_FACE_LEAST + 12]
+    ldr     lr, [sp, #F_FACE]
+    ldr     r4, [lr, #SEGMENT_FACE_LEAST + 12]
     cmp     r7, r4
     blt     .Lnot_ours
     str     r7, [sp, #F_LINE]
     mvn     r3, #0x80000000
     reciprocal r3, r9, r7, r3, r4, r5
     line_change u_more, r2, SEGMENT_FACE_U_STEP, F_U_DROP, F_U_LEFT
-    line_change v_more, r0, SEGMENT_FACE_V_STEP, F_U_DROP + 4, F_V_LEFT
-    add     r2, r2, #0x8000
-    add     r0, r0, #0x8000
-    lsr     r2, r2, #16
-    asr     r0, r0, #16
-    add     step, r0, r2, lsl #16
-    strd    r3, step, [sp, #F_INVERSE]
-    strd    u_more, v_more, [sp, #F_MORE]
+    line_change v_more, lr, SEGMENT_FACE_V_STEP, F_U_DROP + 4, F_V_LEFT
+    add     r4, r2, #0x8000
+    add     r5, lr, #0x8000
+    lsr     r4, r4, #16
+    asr     r5, r5, #16
+    sub     r9, r2, r4, lsl #16
+    sub     r11, lr, r5, lsl #16
+    lsl     r9, r9, #3
+    lsl     r11, r11, #3
+    add     step, r5, r4, lsl #16
+    add     r4, sp, #F_STEPS
+    stm     r4, {r2, r3, r8-r11}
     b       .Lsame_line
 
 /* Less than 16 columns are left, or nothing. */

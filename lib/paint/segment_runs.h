@@ -166,8 +166,14 @@ typedef struct {
     uint32_t at, change, step;
 } row_line;
 
+/* The upper half of a step, rounded to nearest; its lower half is 0. */
+static inline uint32_t upper_half(uint32_t step)
+{
+    return (step + 0x8000u) & 0xFFFF0000u;
+}
+
 /* The change's upper word is rounded: 2^-31 of the largest value on the screen, at most 64 times.
- */
+ * What a step loses is given back in the middle of 16 columns. */
 static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal *reciprocal,
                              int32_t drop, uint32_t segment, row_line *line)
 {
@@ -178,13 +184,7 @@ static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal
     line->step = (uint32_t)shifted(product, left + 4);
     line->at =
         (uint32_t)shifted(fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value), left) +
-        segment * line->change;
-}
-
-/* The upper half of a step, rounded to nearest; its lower half is 0. */
-static inline uint32_t upper_half(uint32_t step)
-{
-    return (step + 0x8000u) & 0xFFFF0000u;
+        segment * line->change + 8u * (line->step - upper_half(line->step));
 }
 
 static void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
