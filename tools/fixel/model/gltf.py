@@ -15,7 +15,7 @@ from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import Material, Surfaces
+from fixel.model.surface import WHITE, Material, Surfaces
 
 _CONVENTION = ("right-handed and counter-clockwise, as glTF is: z was negated and every outline reversed")
 _FLOATS = (gltf_check.FLOAT,)
@@ -148,14 +148,12 @@ class _Reader:
         self.vertices, self.faces, self.places, self.surfaces = [], [], [], Surfaces()
         self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
 
-    def _add_material(self, material, tint=None):
-        """The number of a material, as it is or with another colour."""
-        key = id(material), tint
-        if key not in self.numbers:
-            self.numbers[key] = len(self.surfaces.materials)
-            colour = material.colour if tint is None else tuple(round(a * b / 255) for a, b in zip(material.colour, tint))
-            self.surfaces.materials.append(Material(material.name, colour, material.opacity, material.image))
-        return self.numbers[key]
+    def _add_material(self, material):
+        """The number of a material."""
+        if id(material) not in self.numbers:
+            self.numbers[id(material)] = len(self.surfaces.materials)
+            self.surfaces.materials.append(material)
+        return self.numbers[id(material)]
 
     def _of_vertices(self, attributes, key, kinds, count, where):
         """An attribute of the vertices, None if there is none."""
@@ -223,16 +221,15 @@ class _Reader:
         used, corners = np.unique(triangles, return_inverse=True)
         corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
         self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
-        plain = self._add_material(material)
+        number = self._add_material(material)
         if self.progress:
             self.progress(f"{self.checked.name}: {where}")
         around = None if uvs is None else uvs[triangles[:, ::1 if mirrored else -1]].tolist()
         for face, (three, outline) in enumerate(zip(triangles.tolist(), corners)):
             self.faces.append(outline)
             self.places.append(f"{self.checked.name}: {where}, triangle {face}")
-            number = plain if tints is None else \
-                self._add_material(material, tuple(_srgb(part) for part in tints[three, :3].mean(axis=0)))
-            self.surfaces.add(number, around and around[face])
+            tint = None if tints is None else tuple(_srgb(part) for part in tints[three, :3].mean(axis=0))
+            self.surfaces.add(number, around and around[face], None if tint == WHITE else tint)
 
 
 def _parts(checked, mesh, where):

@@ -16,6 +16,7 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
     says. framed: how a model is framed (FRAMINGS). report: a job.Report. asked: what it is drawn as, a target.Target."""
     report = report or Quiet()
     is_model = model_file.is_model(scene)
+    model_file.refuse_other(scene, scene)
     if not is_model and model_file.suffix_of(scene) != ".toml":
         raise ToolError(f"{scene}: a scene is a .toml file, or a model: {model_file.SUFFIXES}")
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:

@@ -9,11 +9,13 @@ import numpy as np
 from fixel.image import image_surface
 from fixel.scene import texture
 from fixel.base.errors import ToolError
+from fixel.model.surface import product
 from fixel.scene.surfaces import Paint
 from fixel.scene.toml_table import Table
 
 KEYS = {"images"}
 _ROW_KEYS = {"size", "colours", "levels", "bits"}
+TINTED_MAX = 64     # textures that are an image times the colours of vertices: more are left without
 
 
 def _power(side, most):
@@ -85,11 +87,12 @@ class Colours:
 
 @dataclasses.dataclass(eq=False)
 class Images:
-    """What images make of the faces of a file: of each face its Paint or None, its opacity in 16ths, and the colour of
-    its material."""
+    """What images make of the faces of a file: of each face its Paint or None, its opacity in 16ths, and its
+    colour without an image. notes: what there is to say."""
     paints: tuple
     opacities: tuple
     materials: tuple
+    notes: list
 
     @functools.cached_property
     def colours(self):
@@ -127,11 +130,26 @@ def read(table, mesh_of, known):
     return known[key]
 
 
+def _tinted(surfaces):
+    """Of each face (number of its material, what its image is multiplied by), None without an image; and notes."""
+    pairs = [None if uvs is None or surfaces.materials[number].image is None else (number, tint)
+             for number, uvs, tint in zip(surfaces.of_face, surfaces.uvs, surfaces.tints)]
+    with_tint = {pair for pair in pairs if pair and pair[1] is not None}
+    if len(with_tint) <= TINTED_MAX:
+        return pairs, []
+    return [pair and (pair[0], None) for pair in pairs], [
+        f"colours of vertices are left out on faces that show an image: with it they would be {len(with_tint):,} textures, and "
+        f"the limit is {TINTED_MAX}"]
+
+
+def _paint(material, tint, row):
+    colour = material.colour if tint is None else product(material.colour, tint)
+    return Paint(picture(material.image, colour, *row), row[3], False, material.name)
+
+
 def _images(surfaces, row):
-    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), row[3], False,
-                                                              material.name)
-              for material in surfaces.materials]
+    pairs, notes = _tinted(surfaces)
+    made = {pair: _paint(surfaces.materials[pair[0]], pair[1], row) for pair in dict.fromkeys(pairs) if pair}
     opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
-    return Images(tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),
-                  tuple(opacities[number] for number in surfaces.of_face),
-                  tuple(surfaces.materials[number].colour for number in surfaces.of_face))
+    return Images(tuple(pair and made[pair] for pair in pairs), tuple(opacities[number] for number in surfaces.of_face),
+                  tuple(map(surfaces.own_colour, range(len(pairs)))), notes)

@@ -74,6 +74,7 @@ def read(table, key, files, progress):
     name = table.text(key)
     if key == "obj" and model_file.is_model(name) and model_file.suffix_of(name) != ".obj":
         raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
+    model_file.refuse_other(name, f"{table.at(key)}: {quoted(name)}")
     file = files.file(name)
     if file in files:
         return files[file], file, []

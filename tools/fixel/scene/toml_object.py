@@ -132,6 +132,7 @@ class Objects:
             look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
                                      lambda: self.mesh(table)[0], self.images)
             self.plain_look = self.plain_look if says else look
+            self.notes += [f"{table.where}: {note}" for note in look.images.notes] if look.images else []
             return look
         return self.plain_look
 
