@@ -94,7 +94,8 @@ def _nearest(colours, kept):
 
 def _merged(weights, most, kept):
     """{colour: the one that stands for it}: of at most so many colours, those that are kept among them."""
-    others = {colour: weight for colour, weight in weights.items() if colour not in set(kept)}
+    known = set(kept)
+    others = {colour: weight for colour, weight in weights.items() if colour not in known}
     room = most - len(kept)
     if len(others) <= room:
         return {colour: colour for colour in others}

@@ -112,6 +112,11 @@ class Images:
         return all(opacity == image_surface.OPAQUE for opacity in self.opacities)
 
 
+def has_looks(surfaces):
+    """Whether a material of a model has an image, or is partly transparent."""
+    return any(material.image or material.opacity < 1 for material in surfaces.materials)
+
+
 def read(table, mesh_of, known):
     """The Images of the faces of an object's file, by its materials; None unless it asks for images. mesh_of: answers the
     object's mesh. known: those that were made before."""
@@ -122,8 +127,8 @@ def read(table, mesh_of, known):
         if key in table:
             raise ToolError(f"{table.at(key)}: the materials' images and their opacity are the file's; keep one or the other")
     surfaces = mesh_of().surfaces if "solid" not in table else None
-    if surfaces is None or not any(material.image for material in surfaces.materials):
-        raise ToolError(f"{table.at('images')}: the model has no material with an image")
+    if surfaces is None or not has_looks(surfaces):
+        raise ToolError(f"{table.at('images')}: the model has no material with an image, and none that is transparent")
     key = id(surfaces), row
     if key not in known:
         known[key] = _images(surfaces, row)

@@ -146,9 +146,11 @@ class Objects:
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
-        key = (identity, scale, rotation, inside, sides, wanted, look.key)
+        is_middle = table.data.get("anchor") == "middle"
+        key = (identity, scale, rotation, inside, sides, wanted, is_middle, look.key)
         if key not in self.shapes:
             self.progress.stage(table.where)
+            mesh = toml_model.near_origin(mesh) if is_middle else mesh
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)

@@ -90,6 +90,11 @@ def _target(top, scene):
     scene.by_distance = order == "distance"
 
 
+def _is_565(top):
+    """Whether frames are of RGB565, which need no shades of light in the palette."""
+    return top.table("view", _VIEW_KEYS).data.get("pixels") == "rgb565"
+
+
 def _layers(top):
     """The layers that are to have a tree, as text (tree.layers_of), or "none"."""
     layers = top.data.get("tree", "none")
@@ -365,7 +370,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         colours, indices, merged, in_beam = _palette(background, instances, reserved, light, lit)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
-    if merged:
+    if merged and not (_is_565(top) and len(_count_colours(instances, None)) < palette.ENTRIES - len(reserved)):
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     records = Records(indices)
     models, placed, boards = _models(instances, indices, records)

@@ -99,7 +99,7 @@ class Wish:
         self.division = self._division(table)
         self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
         self.mixes = self._mixing(table)
-        self.smooth = table.switch("smooth", False)
+        self.smooth, self.crease = self._smoothness(table)
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
@@ -121,6 +121,15 @@ class Wish:
             raise ToolError(f"{table.at('smooth')}: means nothing for what is not lit")
         if not table.switch("shade", True) and self.lit:
             raise ToolError(f"{table.at('lit')}: shade = false says that light changes no colour")
+
+    @staticmethod
+    def _smoothness(table):
+        """(whether the object is smooth, the degrees from which an edge shows, or None)."""
+        value = table.data.get("smooth", False)
+        if isinstance(value, bool):
+            return value, None
+        degrees = quantity.in_range(quantity.degrees(value, table.at("smooth")), 1, 180, table.at("smooth"), "degrees")
+        return True, degrees
 
     @staticmethod
     def _known(name, table, known):
@@ -174,7 +183,7 @@ class Wish:
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
         return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
-                    self.mixes, self.lit, self.smooth, self.by_file)
+                    self.mixes, self.lit, self.smooth, self.crease, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
@@ -223,7 +232,7 @@ class Wish:
 
     def looks(self, made, coordinates, bake, where):
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
-        normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
         if not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
             bake = keep
@@ -238,7 +247,7 @@ class Wish:
         face, paint = made.faces[number], self.paint_of(made.sources[number])
         opacity = self.opacities[made.sources[number] % len(self.opacities)]
         points = [made.vertices[c] for c in face.corners]
-        if paint is None and not self._has_plain_look():
+        if paint is None and (not self._has_plain_look() or self._is_flat(face, normals, opacity)):
             return None
         corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
         own = tuple(normals[i] for i in corners) if self.lit else ()
@@ -246,6 +255,12 @@ class Wish:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
         colours = baked(paint, face.normal) if baked else self._own_of(paint)
         return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
+
+    def _is_flat(self, face, normals, opacity):
+        """Whether a face without a texture looks like one without a surface: among edges that show, its light is that of its
+        own normal."""
+        return self.crease is not None and not self.mixes and opacity == image_surface.OPAQUE and \
+            all(normal == face.normal for normal in normals)
 
     def _own_of(self, paint):
         """The colours of a paint; the same object for the same paint."""

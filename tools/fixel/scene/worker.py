@@ -13,11 +13,11 @@ if __name__ == "__main__":
     sys.excepthook = interpreter.explain    # of a missing package
 
 from fixel.image import c_scene, image, image_ranges
-from fixel.model import model_file
+from fixel.model import suffixes
 from fixel.scene import c_texture
 from fixel.base import job
 from fixel.base.errors import ToolError
-from fixel.scene import compiler, target
+from fixel.scene import compiler, look, target
 
 
 def _build(request, report):
@@ -25,7 +25,8 @@ def _build(request, report):
     scene = request["scene"]
     screen = request["screen"] and tuple(request["screen"])
     compiled, notes = compiler.compile_scene(scene, request["frames"], screen, request["layers"], request["framed"], report,
-                                             target.Target(**request["target"]))
+                                             target.Target(**request["target"]), look.Look(**request["look"]),
+                                             request["write"])
     report.stage("packing and checking the image")
     return compiler.packed(compiled, scene), compiled, notes
 
@@ -40,7 +41,7 @@ def export(request, report):
     """A scene, a model or a scene image as a C header."""
     scene = request["scene"]
     c_scene.check_name(request["name"])
-    if model_file.suffix_of(scene) == ".fxls":
+    if suffixes.suffix_of(scene) == ".fxls":
         if request["frames"] or request["screen"] or request["layers"]:
             raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
                             "has its path, its screen and its tree already")
@@ -71,7 +72,8 @@ def _write(request, data):
 
 def _written(request, data, compiled, notes):
     _write(request, data)
-    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": notes}
+    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": notes,
+            "text": compiled.text if request["write"] else None}
 
 
 if __name__ == "__main__":
