@@ -346,7 +346,9 @@ def test_faces_without_an_image_keep_their_colour(tmp_path):
     red, cloth = made.models[0].faces
     assert made.palette[red.colour] == (255, 0, 51) and red.mapped is not None      # d = 0.5 is a surface too
     assert made.surfaces.surfaces[red.mapped.surface].texture == 0 and made.surfaces.surfaces[red.mapped.surface].opacity == 8
-    assert made.surfaces.surfaces[cloth.mapped.surface].texture == 1
+    assert made.palette[cloth.colour] == (200, 100, 25) and cloth.mapped is None        # of one colour: no texture
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nimages = true\nshade = false\n', m_obj=QUADS.replace("vt 0.4", "vt 0.6"))
+    assert made.surfaces.surfaces[made.models[0].faces[1].mapped.surface].texture == 1
 
 
 @pytest.mark.parametrize("text, words", [

@@ -18,7 +18,7 @@ from test_model_files import grid
 
 CASES = CHECKOUT / "host_tests" / "tools" / "models"
 CUBE = CHECKOUT / "examples" / "cube" / "cube.obj"
-IMAGE = png([[(250, 40, 0)] * 8 + [(0, 40, 250)] * 8] * 16)
+IMAGE = png([[(4 * x, 4 * y, 40) for x in range(64)] for y in range(64)])
 BALL = [(x, y) for y in range(17) for x in range(17)]
 
 
@@ -100,6 +100,20 @@ def test_export_has_the_surfaces_that_run_shows(tmp_path):
         done = run_cli("export", "--c", tmp_path / "m.glb", "-o", tmp_path / "m.h", *words)
         assert done.returncode == 0, done.stderr
         assert ("m_surfaces" in (tmp_path / "m.h").read_text()) == wanted
+
+
+def test_a_model_that_an_image_cannot_hold_as_it_is_gets_smaller_textures_and_then_flat_faces(tmp_path, monkeypatch):
+    from fixel.scene import worker
+    round_model(tmp_path / "m.glb")
+    asked = {"scene": str(tmp_path / "m.glb"), "frames": 2, "screen": None, "layers": None, "framed": "walk", "target": {},
+             "write": None, "looks": [vars(each) for each in look.smaller(look.Asked(), "rgb565", 16)]}
+    sizes = [len(image.pack(compiled(tmp_path / "m.glb", look.Look(**each)))) for each in asked["looks"]]
+    assert sizes == sorted(sizes, reverse=True)
+    for number, size in enumerate(sizes):
+        monkeypatch.setattr(image, "IMAGE_MAX", size)
+        blob, _, notes = worker._build(asked, compiler.Quiet())
+        first = sizes.index(size)
+        assert len(blob) == size and any("no more" in note for note in notes) == bool(first)
 
 
 def test_text_of_a_scene():
@@ -226,4 +240,4 @@ def test_stl_in_millimetres_is_framed_and_lit(tmp_path):
     (tmp_path / "m.stl").write_bytes(stl([(0, 0, 0), (120, 0, 0), (0, 80, 0), (0, 0, 45)]))
     (tmp_path / "t.stl").write_bytes(stl_text([(0, 0, 0), (120, 0, 0), (0, 80, 0), (0, 0, 45)]))
     assert image.pack(compiled(tmp_path / "m.stl")) == image.pack(compiled(tmp_path / "t.stl"))
-    assert making.build(str(tmp_path / "m.stl"), str(tmp_path / "m.fxls"), look=look.Look()).objects == 1
+    assert making.build(str(tmp_path / "m.stl"), str(tmp_path / "m.fxls"), looks=(look.Look(),)).objects == 1

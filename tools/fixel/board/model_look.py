@@ -119,7 +119,7 @@ class _Chooser:
         options, file = self.options, self.folder / f"model-{len(self.tried)}.fxls"
         try:
             made = making.build(options.scene, file, options.frames, options.screen, limits=bounded.limits_of(options),
-                                asked=options.target, look=look, write=options.look.write)
+                                asked=options.target, looks=(look,), write=options.look.write)
         except ToolError as error:
             if look.texels == 0:
                 raise
@@ -139,11 +139,12 @@ class _Chooser:
 
     def largest(self, pixels, depth):
         """The first Look of a target that the board draws at all; else the last one."""
-        for look in looks.smaller(self.options.look, pixels, depth):
-            drawn = self.draw(look)
-            if not drawn.why_not:
-                break
-        return drawn
+        wanted = looks.smaller(self.options.look, pixels, depth)
+        while True:
+            drawn = self.draw(wanted[0])
+            wanted = wanted[1:] if drawn.scene is None else looks.after(wanted, drawn.scene)
+            if not drawn.why_not or not wanted:
+                return drawn
 
     def is_good(self, drawn, plain):
         """Whether a board is to draw a Look. plain: answers the Drawn of a palette by distance."""

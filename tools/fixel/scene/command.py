@@ -107,7 +107,7 @@ def main(argv):
     is_model = suffixes.is_model(arguments.scene)
     look.check(wanted, arguments.scene, is_model)
     has_tree = arguments.tree not in (None, "none")
-    how = {"look": look.best(wanted, asked, has_tree), "write": wanted.write} if is_model else {}
+    how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write} if is_model else {}
     common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
         made = making.export(arguments.scene, arguments.out, arguments.name, *common, **how)

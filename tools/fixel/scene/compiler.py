@@ -43,7 +43,7 @@ def packed(compiled, name):
     try:
         return image.pack(compiled)
     except ToolError as error:
-        raise ToolError(f"{name}: {error}") from error
+        raise type(error)(f"{name}: {error}") from error
 
 
 def plant(compiled, layers, name, where, report):

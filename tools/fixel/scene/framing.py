@@ -22,6 +22,7 @@ RISE = 15           # degrees that the camera looks down
 FRAMES = 60
 LEVELS = 4          # of a texture
 RAMP = 32           # levels of light at run time
+SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
 _FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
 
@@ -60,6 +61,9 @@ def _distance(points, start, frames, width, height):
     return needed
 
 
+_BAKED = {"colour": "#fff2dc", "sky": "#c4d4ff"}
+
+
 def _is_smooth(mesh, degrees):
     """Whether two faces of a mesh meet at an edge that bends by at most so many degrees, and is not flat."""
     points = np.array(mesh.vertices, dtype=float)
@@ -84,17 +88,20 @@ def _is_smooth(mesh, degrees):
 
 
 def _look_of(mesh, look):
-    """(the keys of the object, those of the light) by which a mesh looks so. Light of the tool's own stays where every
+    """(the keys of the object, those of the light, notes) by which a mesh looks so. Light of the tool's own stays where every
     face has one colour."""
+    if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
+        return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
+                            "are flat; simplify the model to have both"]
     images = look.texels and mesh.surfaces and toml_images.has_looks(mesh.surfaces)
     smooth = look.smooth and _is_smooth(mesh, look.smooth)
     thing = {"images": {"size": look.texels, "bits": look.bits, "levels": LEVELS}} if images else {}
     thing |= {"smooth": look.smooth} if smooth else {}
-    return thing, {"levels": RAMP} if thing else {"colour": "#fff2dc", "sky": "#c4d4ff"}
+    return thing, {"levels": RAMP} if thing else _BAKED, []
 
 
 def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
-    """The scene as a TOML file would say it. screen: width and height, not the usual ones. look: a look.Look."""
+    """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look."""
     radius = framing.radius
     width, height = screen or (WIDTH, HEIGHT)
     points = np.array(mesh.vertices, dtype=float) / UNIT
@@ -108,7 +115,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
-    thing, light = _look_of(mesh, look)
+    thing, light, notes = _look_of(mesh, look)
     view = ({"pixels": "rgb565"} if look.pixels == "rgb565" else {}) | ({"depth": look.depth} if look.depth else {})
     return {
         "screen": {"width": width, "height": height},
@@ -120,7 +127,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
                      **({} if mesh.surfaces else {"colour": "#e8a860"})}],
         "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
                            "frames": frames or FRAMES}},
-    }
+    }, [f"{shortened(name)}: {note}" for note in notes]
 
 
 def _needs_no_depth(scene):
@@ -137,14 +144,14 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = toml_model.near_origin(mesh)
     files[file] = mesh
-    data = scene_data(mesh, name, frames, screen, framing, look)
+    data, more = scene_data(mesh, name, frames, screen, framing, look)
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0
         del data["view"]["depth"]
     scene.names = []    # the file's name, which says nothing to a program
     scene.text = _text_of(data, path, write) if write else None
-    return scene, read_notes + notes + [f"{file}: framed by default: scaled by "
+    return scene, read_notes + more + notes + [f"{file}: framed by default: scaled by "
                            f"{float(data['objects'][0]['scale']):.6g}, turned once in "
                            f"{len(scene.path)} frames"]
 

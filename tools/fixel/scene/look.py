@@ -139,3 +139,16 @@ def smaller(asked, pixels, depth):
     """The Looks of a target, each with a smaller image than the one before."""
     found = [of(asked, pixels, depth, texels) for texels in (*TEXELS, 0)] + [of(asked, pixels, depth, 0, False)]
     return list(dict.fromkeys(found))
+
+
+def after(wanted, compiled):
+    """The Looks behind the first one that make a smaller image. compiled: the SceneImage of the first one."""
+    has_textures = compiled.surfaces is not None and bool(compiled.surfaces.textures)
+    return [each for each in wanted[1:] if has_textures or (each.texels == 0 and each.smooth != wanted[0].smooth)]
+
+
+def smaller_text(name, chosen):
+    """What there is to say of a Look that was not the first of those."""
+    what = f"textures of at most {chosen.texels} texels a side" if chosen.texels else \
+        "no textures" if chosen.smooth else "no textures and no smooth light"
+    return f"{name}: a scene image holds no more than {what} of this model; simplify it to have all"

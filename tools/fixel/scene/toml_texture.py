@@ -218,7 +218,8 @@ class Wish:
 
     def _of_file(self, mesh):
         """Those of the model's file, which are 1 across a texture."""
-        result, found = [], mesh.uvs or (mesh.surfaces.uvs if mesh.surfaces else [])
+        found = self.images.uvs if self.images else mesh.uvs or (mesh.surfaces.uvs if mesh.surfaces else [])
+        result = []
         for number, corners in enumerate(mesh.faces):
             paint = self.paint_of(number)
             size = (paint.picture.width, paint.picture.height) if paint else (0, 0)
@@ -247,7 +248,7 @@ class Wish:
         face, paint = made.faces[number], self.paint_of(made.sources[number])
         opacity = self.opacities[made.sources[number] % len(self.opacities)]
         points = [made.vertices[c] for c in face.corners]
-        if paint is None and (not self._has_plain_look() or self._is_flat(face, normals, opacity)):
+        if paint is None and self._is_flat(face, normals, opacity):
             return None
         corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
         own = tuple(normals[i] for i in corners) if self.lit else ()
@@ -257,10 +258,11 @@ class Wish:
         return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
 
     def _is_flat(self, face, normals, opacity):
-        """Whether a face without a texture looks like one without a surface: among edges that show, its light is that of its
-        own normal."""
-        return self.crease is not None and not self.mixes and opacity == image_surface.OPAQUE and \
-            all(normal == face.normal for normal in normals)
+        """Whether a face without a texture looks like one without a surface: it is opaque, and not lit, or, among edges that
+        show, its light is that of its own normal."""
+        if self.mixes or opacity != image_surface.OPAQUE:
+            return False
+        return not self.lit or (self.crease is not None and all(normal == face.normal for normal in normals))
 
     def _own_of(self, paint):
         """The colours of a paint; the same object for the same paint."""

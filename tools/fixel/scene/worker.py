@@ -20,15 +20,27 @@ from fixel.base.errors import ToolError
 from fixel.scene import compiler, look, target
 
 
+def _compiled(request, wanted, report):
+    """(SceneImage, notes) with one look.Look of a model."""
+    return compiler.compile_scene(request["scene"], request["frames"], request["screen"] and tuple(request["screen"]),
+                                  request["layers"], request["framed"], report, target.Target(**request["target"]), wanted,
+                                  request["write"])
+
+
 def _build(request, report):
-    """The scene image of a scene or a model, and what its caller tells of it."""
-    scene = request["scene"]
-    screen = request["screen"] and tuple(request["screen"])
-    compiled, notes = compiler.compile_scene(scene, request["frames"], screen, request["layers"], request["framed"], report,
-                                             target.Target(**request["target"]), look.Look(**request["look"]),
-                                             request["write"])
-    report.stage("packing and checking the image")
-    return compiler.packed(compiled, scene), compiled, notes
+    """The scene image of a scene or a model, and what its caller tells of it: of several looks the first that an image
+    holds."""
+    wanted, more = [look.Look(**each) for each in request["looks"]], []
+    while True:
+        compiled, notes = _compiled(request, wanted[0], report)
+        report.stage("packing and checking the image")
+        try:
+            return compiler.packed(compiled, request["scene"]), compiled, notes + more
+        except image.TooLarge:
+            wanted = look.after(wanted, compiled)
+            if not wanted:
+                raise
+            more = [look.smaller_text(request["scene"], wanted[0])]
 
 
 def build(request, report):
