@@ -11,12 +11,15 @@ GREY = (200, 192, 176)      # of a material that names no colour
 @dataclass
 class Material:
     """colour: red, green, blue, 0..255, which an image is multiplied by. opacity: 0..1. moves: None, or what becomes of
-    a face's coordinates on the image: a function of (u, v)."""
+    a face's coordinates on the image: a function of (u, v). clamp: beyond its edges the image shows them; else it
+    repeats. is_unlit: light does not change the colour."""
     name: str
     colour: tuple = GREY
     opacity: float = 1.0
     image: object = None        # a texture_image.Texture, or None
     moves: object = None
+    clamp: bool = False
+    is_unlit: bool = False
 
 
 def mean_tint(colours):
@@ -74,6 +77,10 @@ class Surfaces:
             if image is not None and self.uvs[face] is not None:
                 found.setdefault(image, []).append(face)
         return found
+
+    def are_unlit(self):
+        """Whether light changes the colour of no face."""
+        return all(self.materials[number].is_unlit for number in set(self.of_face))
 
     def kind_of(self, face):
         """What two faces have in common that may become one."""

@@ -36,6 +36,27 @@ class Texture:
         cut = np.ascontiguousarray(self.pixels[top:bottom, left:right])
         return np.asarray(Image.fromarray(cut).resize((width, height), Image.Resampling.BOX))
 
+    def _once(self, key, make):
+        """An image that is made of this one, once."""
+        if key not in self.pictures:
+            self.pictures[key] = Texture(self.name, make())
+        return self.pictures[key]
+
+    def with_alpha(self, cutoff):
+        """The image without its alpha, or, from an alpha of 0..1 on, opaque and clear below."""
+        def make():
+            pixels = self.pixels.copy()
+            pixels[..., 3] = 255 if cutoff is None else np.where(pixels[..., 3] >= 255 * cutoff, 255, 0)
+            return pixels
+        return self if (self.pixels[..., 3] == 255).all() and (cutoff is None or cutoff <= 1) else self._once(("alpha", cutoff), make)
+
+    def mirrored(self, across, down):
+        """The image and its mirror image beside it, below it, or both."""
+        def make():
+            wide = np.concatenate([self.pixels, self.pixels[:, ::-1]], axis=1) if across else self.pixels
+            return np.concatenate([wide, wide[::-1]], axis=0) if down else wide
+        return self._once(("mirrored", across, down), make)
+
     def _of_triangles(self, corners):
         """What lies at some places of each triangle, of (count, 3 corners, 2) coordinates; the image repeats."""
         first, along = corners[:, None, 0], corners[:, None, 1:] - corners[:, None, :1]

@@ -93,11 +93,17 @@ def _look_of(mesh, look):
     if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
         return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
                             "are flat; simplify the model to have both"]
+    unlit = bool(mesh.surfaces) and mesh.surfaces.are_unlit()
     images = look.texels and mesh.surfaces and toml_images.has_looks(mesh.surfaces)
-    smooth = look.smooth and _is_smooth(mesh, look.smooth)
+    smooth = look.smooth and not unlit and _is_smooth(mesh, look.smooth)
     thing = {"images": {"size": look.texels, "bits": look.bits, "levels": LEVELS}} if images else {}
     thing |= {"smooth": look.smooth} if smooth else {}
-    return thing, {"levels": RAMP} if thing else _BAKED, []
+    if unlit:
+        return {**thing, "shade": False}, _BAKED, []
+    some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
+            if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
+    notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
+    return thing, {"levels": RAMP} if thing else _BAKED, notes
 
 
 def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):

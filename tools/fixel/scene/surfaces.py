@@ -112,39 +112,48 @@ def _backs(faces):
         seen.add(corners)
 
 
-FACES_AT_ONCE = 256     # of a vertex, among which those within a crease are looked for; of more the mean is that of all
+FACES_AT_ONCE = 64      # of a vertex, among which those within a crease are looked for; of more the mean is that of all
 
 
-def _within(faces, number, crease):
-    """Of the faces at a vertex, (number, area, normal) each, the sum of the areas of those whose normals are within an
-    angle of one's. crease: its cosine."""
-    p, q, r = next(normal for each, _, normal in faces if each == number)
-    return tuple(map(sum, zip(*[area for _, area, (u, v, w) in faces if p * u + q * v + r * w >= crease])))
+class _Creases:
+    """The normals at the vertices of a shape, where a face takes the mean of those alone that bend from it by at most so
+    many degrees."""
 
+    def __init__(self, made, backs, degrees):
+        self.faces, self.backs, self.at, self.whole = made.faces, backs, {}, {}
+        self.areas = [newell([made.vertices[c] for c in face.corners]) for face in made.faces]
+        self.units = [tuple(c / (1 << 30) for c in face.normal) for face in made.faces]
+        self.least = math.cos(math.radians(degrees)) - 1e-6
+        for number, (face, back) in enumerate(zip(made.faces, backs)):
+            for c in face.corners:
+                self.at.setdefault((c, back), []).append(number)
 
-def _creased_normals(made, backs, degrees):
-    """smooth_normals, but that a face takes the mean of those alone that bend from it by at most so many degrees."""
-    at, areas = {}, [newell([made.vertices[c] for c in face.corners]) for face in made.faces]
-    units = [tuple(c / (1 << 30) for c in face.normal) for face in made.faces]
-    for number, (face, back) in enumerate(zip(made.faces, backs)):
-        for c in face.corners:
-            at.setdefault((c, back), []).append((number, areas[number], units[number]))
-    crease = math.cos(math.radians(degrees)) - 1e-6
+    def _sum(self, faces):
+        return tuple(map(sum, zip(*[self.areas[number] for number in faces])))
 
-    def of(number, corner):
-        faces = at[corner, backs[number]]
-        if len(faces) == 1 or all(normal == units[number] for _, _, normal in faces):
-            return made.faces[number].normal
-        total = _within(faces, number, crease if len(faces) <= FACES_AT_ONCE else -2)
-        return unit_normal(total) if any(total) else made.faces[number].normal
-    return [[of(number, c) for c in face.corners] for number, face in enumerate(made.faces)]
+    def of(self, number, corner):
+        """The normal of a face at one of its vertices."""
+        own, place = self.faces[number].normal, (corner, self.backs[number])
+        faces = self.at[place]
+        if len(faces) > FACES_AT_ONCE:
+            if place not in self.whole:
+                self.whole[place] = self._sum(faces)
+            total = self.whole[place]
+        else:
+            p, q, r = self.units[number]
+            near = [each for each in faces for u, v, w in [self.units[each]] if p * u + q * v + r * w >= self.least]
+            if all(self.faces[each].normal == own for each in near):
+                return own
+            total = self._sum(near)
+        return unit_normal(total) if any(total) else own
 
 
 def smooth_normals(made, degrees=None):
     """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
     area. Fronts and backs have means of their own. degrees: an edge that bends more shows."""
     if degrees is not None:
-        return _creased_normals(made, list(_backs(made.faces)), degrees)
+        creases = _Creases(made, list(_backs(made.faces)), degrees)
+        return [[creases.of(number, c) for c in face.corners] for number, face in enumerate(made.faces)]
     totals, backs = {}, list(_backs(made.faces))
     for face, back in zip(made.faces, backs):
         area = newell([made.vertices[c] for c in face.corners])

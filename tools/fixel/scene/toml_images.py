@@ -203,6 +203,11 @@ class _Parts:
         surfaces, (number, tint) = self.surfaces, pair
         material = surfaces.materials[number]
         colour = material.colour if tint is None else product(material.colour, tint)
+        if material.clamp:
+            paint = Paint(picture(material.image, colour, *self.row), self.row[3], True, material.name)
+            for face in faces:
+                self.paints[face] = paint
+            return
         found = _most_frequent(image_parts.colours(material.image, [surfaces.uvs[face] for face in faces]))
         self.colours.update((face, product(plain, colour)) for face, plain in zip(faces, found) if plain is not None)
         others = [face for face, plain in zip(faces, found) if plain is None]

@@ -73,6 +73,10 @@ def read(top, pictures):
     return top.named("textures", "texture", TEXTURES_MAX, lambda data, where: _paint(data, where, pictures))
 
 
+class ManyDirections(Exception):
+    """The textured faces of an object look in more directions than the tool bakes light for."""
+
+
 class _Key(tuple):
     """A tuple, perhaps a long one, whose hash is computed once."""
 
@@ -235,8 +239,8 @@ class Wish:
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
         normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
-        if not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
-            bake = keep
+        if bake is not keep and not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
+            raise ManyDirections(where)
 
         @functools.lru_cache(None)      # one object for all faces that look the same way
         def baked(paint, normal):
@@ -254,7 +258,8 @@ class Wish:
         own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
-        colours = baked(paint, face.normal) if baked else self._own_of(paint)
+        # Light at run time marks colours, whatever way the face looks.
+        colours = baked(paint, None if self.lit else face.normal) if baked else self._own_of(paint)
         return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
 
     def _is_flat(self, face, normals, opacity):
