@@ -159,3 +159,12 @@ def test_one_image_on_all_faces_of_a_cube_is_one_texture():
     import pathlib
     made, _ = compiler.compile_scene(str(pathlib.Path(__file__).parent / "models" / "plain_texture.glb"), 2, look=look.Look())
     assert len(made.surfaces.textures) == 1 and sum(face.mapped is not None for face in made.models[0].faces) == 12
+
+
+@pytest.mark.parametrize("size, sides", [((3, 4), (4, 4)), ((48, 45), (64, 32)), ((300, 1), (256, 1)), ((700, 90), (256, 64))])
+def test_a_picture_of_any_size_is_scaled_to_the_nearest_sides_of_a_texture(tmp_path, size, sides):
+    (tmp_path / "p.png").write_bytes(png(numpy.full((size[1], size[0], 3), 77)))
+    (tmp_path / "s.toml").write_text('[[textures]]\nname = "p"\nfile = "p.png"\n[[objects]]\nsolid = "box"\ntexture = "p"\nshade = false\n')
+    made, _ = compiler.compile_scene(str(tmp_path / "s.toml"))
+    one, = made.surfaces.textures
+    assert (1 << one.log_width, 1 << one.log_height) == sides and {made.palette[entry] for entry in one.texels} == {(77, 77, 77)}

@@ -3,10 +3,14 @@
 
 import pathlib
 
+import numpy
 import pytest
 
+from conftest import run_cli
 from fixel.base.errors import ToolError
+from fixel.board import dump
 from fixel.image import image
+from fixel.model import t_junctions
 from fixel.scene import compiler, look
 from model_files import glb, gltf, png
 from test_model_files import grid
@@ -80,6 +84,34 @@ def test_textures_that_no_light_can_be_baked_into_are_lit_at_run_time(tmp_path):
     assert said(notes, "more than 16 directions", "light.levels = 16", "without light.colour") == 1 and len(made.light.ramp) == 16
     levels, more = compiled(tmp_path / "t.toml")
     assert image.pack(made) == image.pack(levels) and not said(more, "directions")
+
+
+def test_greys_of_16_bits_are_four():
+    made, _ = compiled("grey16.toml")
+    one, = made.surfaces.textures
+    found = {made.palette[entry] for entry in one.texels}
+    assert len(found) == 4 and all(red == green == blue for red, green, blue in found)
+
+
+def cracks(frames):
+    """Pixels of the background between two of a face, over all frames."""
+    bare = [numpy.pad(frame.pixels == 0, 1, constant_values=True) for frame in frames]
+    return sum(int((each[1:-1, 1:-1] & (~each[1:-1, 2:] & ~each[1:-1, :-2] | ~each[2:, 1:-1] & ~each[:-2, 1:-1])).sum()) for each in bare)
+
+
+def test_no_background_shows_at_a_t_junction(build, tmp_path, monkeypatch):
+    _, notes = compiled("t_junction.toml")
+    assert said(notes, "t_junction.obj: 1 edges had vertices of other faces on them") == 1
+    found = {}
+    for name, most in (("mended", t_junctions.EDGES_MAX), ("as it is", 0)):
+        monkeypatch.setattr(t_junctions, "EDGES_MAX", most)
+        made, _ = compiled("t_junction.toml")
+        (tmp_path / "scene.fxls").write_bytes(image.pack(made))
+        done = run_cli("run", "--board", "host", "--scene", tmp_path / "scene.fxls", "--out", tmp_path / name, "--build", build)
+        assert done.returncode == 0, done.stderr
+        frames = dump.read_dump(tmp_path / name / "board.fxld").frames
+        found[name] = len(frames), cracks(frames)
+    assert found == {"mended": (40, 0), "as it is": (40, 1)}
 
 
 # --- glTF -----------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 import struct
 import zlib
 
+import numpy
 import pytest
 
 from fixel.image import image
@@ -182,10 +183,28 @@ def big_png(width, height):
         part(b"IDAT", zlib.compress(b"")) + part(b"IEND", b"")
 
 
-@pytest.mark.parametrize("size", [(60_000, 60_000), (2049, 1), (1, 2049)])
+@pytest.mark.parametrize("size", [(60_000, 60_000), (8193, 1), (1, 8193)])
 def test_images_of_absurd_sizes(size):
-    with pytest.raises(ToolError, match=f"an image of ({size[0]}x{size[1]}|very many) pixels; both sides must be 1..2048"):
+    with pytest.raises(ToolError, match=f"an image of ({size[0]}x{size[1]}|very many) pixels; both sides must be 1..8192"):
         texture_image.decode(big_png(*size), "big.png")
+
+
+def test_an_image_of_more_than_2048_pixels_is_shrunk_by_whole_factors():
+    pixels = numpy.zeros((3, 4098, 3), dtype=numpy.uint8)
+    pixels[:, 3:6] = 90
+    made = texture_image.decode(png(pixels), "wide.png")
+    assert (made.width, made.height) == (1366, 1) and made.pixels[0, :3, 0].tolist() == [0, 90, 0]
+    assert texture_image.decode(png(pixels[:, :2048]), "a.png").width == 2048
+
+
+@pytest.mark.parametrize("mode, values, expected", [
+    ("I;16", [0, 21845, 43690, 65535], [0, 85, 170, 255]), ("L", [0, 85, 170, 255], [0, 85, 170, 255])])
+def test_greys_of_16_bits(mode, values, expected):
+    from PIL import Image
+    import io
+    out = io.BytesIO()
+    Image.fromarray(numpy.array([values], dtype=numpy.uint16 if mode == "I;16" else numpy.uint8)).save(out, "PNG")
+    assert texture_image.decode(out.getvalue(), "g.png").pixels[0].tolist() == [[grey] * 3 + [255] for grey in expected]
 
 
 def test_an_image_of_as_many_bytes_as_are_allowed(monkeypatch):

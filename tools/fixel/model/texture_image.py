@@ -11,8 +11,9 @@ from fixel.base import reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import shortened
 
-FILE_MAX = 16 << 20     # bytes
-SIDE_MAX = 2048         # pixels
+FILE_MAX = 64 << 20     # bytes
+SIDE_MAX = 8192         # pixels
+KEPT_MAX = 2048         # pixels: an image with a longer side is shrunk as it is read
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
 EXIF_MAX, _EXIF = 64, b"Exif\0\0"
 COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
@@ -93,6 +94,22 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
                     for i in range(_STEPS) for j in range(_STEPS - i)])
 
 
+def _pixels(opened):
+    """Rows of red, green, blue, alpha of an image that Pillow has opened: in 8 bits, shrunk by whole factors."""
+    opened.draft("RGB", (KEPT_MAX, KEPT_MAX))       # of a JPEG, which is then decoded smaller
+    if opened.mode.startswith("I"):     # greys of 16 bits, which Pillow would cut off at 255
+        greys = np.asarray(opened).astype(np.int64)
+        opened = Image.fromarray(((np.clip(greys, 0, 65535) * 255 + 32767) // 65535).astype(np.uint8))
+    elif opened.mode == "F":
+        opened = Image.fromarray(np.clip(np.asarray(opened), 0, 255).round().astype(np.uint8))
+    elif opened.mode not in ("RGB", "L"):
+        opened = opened.convert("RGBA")
+    factor = -(-max(opened.size) // KEPT_MAX)
+    if factor > 1:
+        opened = opened.reduce(factor)
+    return np.asarray(opened.convert("RGBA"))
+
+
 def decode(blob, name):
     """The Texture in an image file's bytes."""
     if len(blob) > FILE_MAX:
@@ -108,7 +125,7 @@ def decode(blob, name):
                 width, height = opened.size
                 if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
                     raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
-                return Texture(name, np.asarray(opened.convert("RGBA")))
+                return Texture(name, _pixels(opened))
     except (ToolError, MemoryError):
         raise
     except Image.DecompressionBombError:

@@ -209,8 +209,23 @@ def _source_coordinates(mesh, rows, made, coordinates):
     for face, source in zip(made.faces, made.sources):
         if source != last:      # the pieces of a face stand together
             known, last = {points[c]: uv for c, uv in reversed(list(zip(mesh.faces[source], coordinates[source])))}, source
+            outline = [points[c] for c in mesh.faces[source]]
+        for c in face.corners:
+            if made.vertices[c] not in known:
+                known[made.vertices[c]] = _on_outline(made.vertices[c], outline, known)
         result.append([known[made.vertices[c]] for c in face.corners])
     return result
+
+
+def _on_outline(point, outline, known):
+    """The coordinates at a vertex that lies on an edge of a face's outline (t_junctions.py), between those of its ends."""
+    def off(edge):
+        way, apart = minus(edge[1], edge[0]), minus(point, edge[0])
+        square, across = dot(way, way), cross(apart, way)
+        along = Fraction(dot(apart, way), square) if square else Fraction(-1)
+        return (not 0 <= along <= 1, Fraction(dot(across, across), square) if square else Fraction(0)), along
+    (_, along), edge = min(((off(edge), edge) for edge in zip(outline, outline[1:] + outline[:1])), key=lambda found: found[0])
+    return tuple(a + (b - a) * along for a, b in zip(known[edge[0]], known[edge[1]]))
 
 
 def spread(mesh, rows, made, coordinates):

@@ -8,7 +8,7 @@ import itertools
 import math
 
 from fixel.base import reading
-from fixel.model import merge, model_file, suffixes
+from fixel.model import merge, model_file, suffixes, t_junctions
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
@@ -119,10 +119,13 @@ def wishes(table, name):
     return table.switch("mend", default), table.switch("merge", default)
 
 
-def make(mesh, rows, name, inside, wanted, progress):
-    """The shape of a file's mesh (mesh.shape), with a note that says how far rounding moved it. wanted: see wishes."""
+def make(mesh, rows, name, inside, wanted, progress, splits=True):
+    """The shape of a file's mesh (mesh.shape), with a note that says how far rounding moved it. wanted: see wishes. splits:
+    whether edges are split at T-junctions."""
     mends, merges = wanted
     made = shape(mesh, rows, name, inside, progress, mends)
+    if splits:
+        t_junctions.mend(made, name)
     if merges:
         gone = merge.coplanar(made, mesh.surfaces.kind_of if mesh.surfaces else lambda source: 0, progress)
         if gone:

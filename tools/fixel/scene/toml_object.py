@@ -151,7 +151,7 @@ class Objects:
         if key not in self.shapes:
             self.progress.stage(table.where)
             mesh = toml_model.near_origin(mesh) if is_middle else mesh
-            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
+            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress, "solid" not in table)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
