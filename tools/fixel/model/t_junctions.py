@@ -10,7 +10,7 @@ from fixel.image.image import Face
 from fixel.model import mesh
 
 OFF_MAX = mesh.DENT_MAX     # 1/65536: how far off the edge rounding puts a vertex
-EDGES_MAX = 1 << 16         # without a partner, among which vertices are looked for; a model with more is left as it is
+EDGES_MAX = 1 << 14         # without a partner, among which vertices are looked for; a model with more is left as it is
 
 
 def _open_edges(faces):

@@ -17,13 +17,12 @@
 tools/scene.py is the same without set-up's fixel: scene.py build ..."""
 
 import argparse
-import os
 import re
 
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
-from fixel.image import image_surface
+from fixel.image import c_names, image_surface
 from fixel.model import suffixes
 from fixel.scene import look, making, target
 
@@ -45,7 +44,7 @@ def make_texture(arguments):
                         f"{texture.SIDE_MAX}")
     if not 1 <= arguments.levels <= image_surface.LEVELS_MAX:
         raise ToolError(f"--levels is {arguments.levels}; it must be from 1 to {image_surface.LEVELS_MAX}")
-    name = arguments.name or os.path.splitext(os.path.basename(arguments.image))[0]
+    name = arguments.name or c_names.name_of_file(arguments.image, "texture")
     texels = making.texture(arguments.image, arguments.out, name, size, arguments.levels, arguments.clamp,
                             bounded.limits_of(arguments))
     print(f"{one_line(arguments.out)}: {name}_texture, {2 * texels:,} bytes of texels")

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fixel.base import bounded, output, reading, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
-from fixel.image import image_lens
+from fixel.image import c_names, image_lens
 from fixel.scene.look import PLAIN
 
 WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
@@ -49,8 +49,8 @@ def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=
 
 def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None):
     """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
-    stem = os.path.splitext(os.path.basename(scene))[0]
-    request = {"job": "export", "scene": os.fspath(scene), "name": stem if name is None else name, "frames": frames,
+    own = c_names.name_of_file(scene)
+    request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
                "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write}
     return Made(**_make(out, request, scene, limits))
 

@@ -12,7 +12,7 @@ if __name__ == "__main__":
     from fixel.base import interpreter
     sys.excepthook = interpreter.explain    # of a missing package
 
-from fixel.image import c_scene, image, image_ranges
+from fixel.image import c_names, c_scene, image, image_ranges
 from fixel.model import suffixes
 from fixel.scene import c_texture
 from fixel.base import job
@@ -52,7 +52,7 @@ def build(request, report):
 def export(request, report):
     """A scene, a model or a scene image as a C header."""
     scene = request["scene"]
-    c_scene.check_name(request["name"])
+    c_names.check_name(request["name"])
     if suffixes.suffix_of(scene) == ".fxls":
         if request["frames"] or request["screen"] or request["layers"]:
             raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
