@@ -108,6 +108,17 @@ def test_images_and_buffers_beside_the_file(tmp_path):
     assert mesh.surfaces.colours()[0] == (40, 50, 60)
 
 
+def test_an_image_that_is_not_there_is_a_note_and_others_are_found_by_other_names(tmp_path):
+    data, blob = make(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=png([[(10, 20, 30)]]), material={"baseColorFactor": [1, 0, 0, 1]})
+    data["images"][0] = {"uri": "tex/Gone%20one.png"}
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (255, 0, 0)
+    assert sum('image 0: there is no image "tex/Gone one.png"' in note for note in notes) == 1
+    (tmp_path / "gone one.PNG").write_bytes(png([[(40, 50, 60)]]))
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (40, 0, 0) and sum('"gone one.PNG" is read instead' in note for note in notes) == 1
+
+
 def test_a_mirrored_node_keeps_its_fronts_outside(tmp_path):
     (tmp_path / "model.glb").write_bytes(glb(*make(*TETRAHEDRON, nodes=[{"mesh": 0, "scale": [-1, 1, 1]}])))
     compiled, notes = compiler.compile_scene(str(tmp_path / "model.glb"), 4)
@@ -364,8 +375,7 @@ BAD = {
     "sparse": (changed(["accessors", 0, "sparse"], {}), ["sparse"]),
     "no accessor": (changed(["meshes", 0, "primitives", 0, "indices"], 99), ["accessor 99 does not exist"]),
     "no position": (changed(["meshes", 0, "primitives", 0, "attributes"], {}), ["no POSITION"]),
-    "texture": (changed(["images", 0], {"uri": "gone.png"}), ["image 0", '"gone.png"', "model's folder"]),
-    "outside": (changed(["images", 0], {"uri": "../../etc/passwd"}), ["image 0", "there is no file", "../../etc/passwd"]),
+    "outside": (changed(["buffers", 0], {"uri": "../../etc/gone", "byteLength": 4}), ["buffer 0", "there is no file", "../../etc/gone"]),
     "address": (changed(["images", 0], {"uri": "https://example.org/a.png"}), ["image 0", "model's folder"]),
     "image": (changed(["images", 0, "bufferView"], 0), ["image 0", "cannot be read"]),
     "material": (changed(["meshes", 0, "primitives", 0, "material"], 5), ["material 5 does not exist"]),

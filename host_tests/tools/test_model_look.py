@@ -241,3 +241,11 @@ def test_stl_in_millimetres_is_framed_and_lit(tmp_path):
     (tmp_path / "t.stl").write_bytes(stl_text([(0, 0, 0), (120, 0, 0), (0, 80, 0), (0, 0, 45)]))
     assert image.pack(compiled(tmp_path / "m.stl")) == image.pack(compiled(tmp_path / "t.stl"))
     assert making.build(str(tmp_path / "m.stl"), str(tmp_path / "m.fxls"), looks=(look.Look(),)).objects == 1
+
+
+def test_a_scene_file_that_names_no_order_keeps_its_look_and_is_told_what_helps(build, tmp_path):
+    done = run_cli("run", "--board", "host", "--scene", CASES / "raised_bars.toml", "--frames", 3, "--out", tmp_path / "run")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["order_wrong_pixels"] > 1000
+    assert "Where the order of drawing is wrong" in done.stdout and "DEPTH=16" in done.stdout and "tree" in done.stdout

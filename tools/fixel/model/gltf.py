@@ -215,5 +215,5 @@ def read(path, name=None, progress=None, sources=None):
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    notes += reader.materials.left_out.notes(name, "left out of materials:") + gltf_left_out.notes(checked)
+    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + gltf_left_out.notes(checked)
     return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces), notes

@@ -12,8 +12,8 @@ import numpy as np
 
 from fixel.base import reading
 from fixel.base.errors import ToolError
-from fixel.base.reading import Beside, quoted
-from fixel.model import gltf_left_out, model_text
+from fixel.base.reading import quoted
+from fixel.model import gltf_left_out, model_text, named_file
 
 FILE_MAX = 64 << 20         # bytes, of the file and of its buffers together
 NODES_MAX, DEPTH_MAX = 65_535, 1000
@@ -26,11 +26,11 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 
 class Checked:
-    """A file's JSON and its buffers. What is asked for is checked first."""
+    """A file's JSON and its buffers. What is asked for is checked first. notes: what there is to say of other files."""
 
     def __init__(self, name, data, folder, binary, sources):
         self.name, self.data, self.folder, self.binary, self.sources = name, data, folder, binary, sources
-        self.room, self.buffers, self.lists = FILE_MAX, {}, {}
+        self.room, self.buffers, self.lists, self.notes = FILE_MAX, {}, {}, []
 
     # --- values -----------------------------------------------------------------
 
@@ -83,13 +83,19 @@ class Checked:
         except (binascii.Error, ValueError):
             self.fail(where, "its base64 is damaged; save the model anew")
 
-    def _beside(self, uri, where):
-        """The file that a URI names."""
+    def _find(self, uri, where):
+        """(the file that a URI names, or None where there is none; its name)."""
         name = urllib.parse.unquote(uri)
         if "://" in name or "\0" in name:
             self.fail(where, f"{quoted(name)} is not a file in the model's folder; put it there")
-        file = Beside(self.folder, name)
-        if not file.exists():
+        file, said = named_file.find(self.folder, name)
+        self.notes += [f"{self.name}: {where}: {said}"] if said else []
+        return file, name
+
+    def _beside(self, uri, where):
+        """The file that a URI names."""
+        file, name = self._find(uri, where)
+        if file is None:
             self.fail(where, f"there is no file {quoted(name)}; the path is taken from the model's folder")
         return file
 
@@ -99,14 +105,18 @@ class Checked:
         return self.sources.read(self._beside(uri, where), max(self.room, 0), "simplify the model") if blob is None else blob
 
     def image(self, number):
-        """The texture_image.Texture of an image."""
+        """The texture_image.Texture of an image; None, and a note, where it is in a file that is not there."""
         entry, where = self.rows("images")[number], self.label("image", number)
         place = f"{self.name}: {where}"
         if "bufferView" in entry:
             return self.sources.image_of_bytes(self.view(entry, where)[0], place)
         blob = self._embedded(entry.get("uri"), where)
         if blob is None:
-            return self.sources.image_of_file(self._beside(entry["uri"], where), place)
+            file, name = self._find(entry["uri"], where)
+            if file is None:
+                self.notes.append(f"{place}: there is no image {quoted(name)}: the faces have the colour of their material. The path is "
+                                  "taken from the model's folder")
+            return file and self.sources.image_of_file(file, place)
         return self.sources.image_of_bytes(blob, place)
 
     def buffer(self, number):
