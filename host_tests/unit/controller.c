@@ -4,7 +4,8 @@
 #include "unit.h"
 
 /* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
-static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {128, 64}, {132, 64}};
+static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480},
+                                    {240, 240}, {128, 64},  {132, 64}};
 
 static void take_data(controller *of, uint8_t byte);
 
@@ -20,7 +21,7 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
 {
     memset(of, 0, sizeof *of);
     of->kind = kind;
-    of->is_colour = kind <= CONTROLLER_ST7735;
+    of->is_colour = kind <= CONTROLLER_GC9A01;
     of->columns = sizes[kind][0];
     of->rows = sizes[kind][1];
     of->first_column = first_column;
@@ -36,6 +37,12 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
     TEST_ASSERT_LESS_OR_EQUAL(CONTROLLER_MEMORY,
                               of->is_colour ? 2u * columns * rows : columns * ((rows + 7u) / 8u));
     memset(of->memory, 0xA5, sizeof of->memory);
+}
+
+void controller_strap(controller *of, uint16_t columns, uint16_t rows)
+{
+    of->columns = columns;
+    of->rows = rows;
 }
 
 /* --- colour: the Display Command Set ------------------------------------------------------------

@@ -67,15 +67,14 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
     return true;
 }
 
-const fxl_display_family fxl_display_pages = {&fxl_pixels_mono_pages, set_up, send_rows,
-                                              DISPLAY_ON};
+const fxl_display_family fxl_display_pages = {
+    &fxl_pixels_mono_pages, set_up, send_rows, DISPLAY_ON, 0, 1, 8};
 
 /* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own
  * commands, the columns of its memory, and the column where the glass begins. */
 #define OF_64_ROWS(commands, columns, left) \
     { \
-        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, \
-            {0x09, 0x00, 0x00, 0x00}, false, false \
+        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, 0x09, false \
     }
 
 static const uint8_t sh1106_commands[] = {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Drivers for displays: ST7789, ILI9341 and ST7735 in 16 bits a pixel; SSD1306 and SH1106 in black
- * and white. The caller gives the functions that reach the wires of his chip. A display is where a
- * pump sends its bands (fixel/pump.h). docs/displays.md shows a whole program. */
+/* Drivers for displays: ST7789, ILI9341, ST7735, ST7796 and GC9A01 in 16 bits a pixel; SSD1306 and
+ * SH1106 in black and white. The caller gives the functions that reach the wires of his chip. A
+ * display is where a pump sends its bands (fixel/pump.h). docs/displays.md shows a whole program.
+ */
 #ifndef FXL_DISPLAY_H
 #define FXL_DISPLAY_H
 
@@ -31,22 +32,39 @@ typedef struct {
     void (*pause)(void *user, uint32_t milliseconds);
 } fxl_display_port;
 
-/* A controller: one of the constant records below. A program links those that it names. */
+/* A controller: one of the constant records below, or one of the caller's (struct
+ * fxl_display_driver). A program links those that it names. */
 typedef struct fxl_display_driver fxl_display_driver;
 
 extern const fxl_display_driver fxl_st7789;  /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_ili9341; /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_st7735;  /* 128 x 160, RGB565 */
+extern const fxl_display_driver fxl_st7796;  /* 320 x 480, RGB565 */
+extern const fxl_display_driver fxl_gc9a01;  /* 240 x 240, RGB565 */
 extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
 extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
 
-/* A display module: its controller, and how the glass is joined to it. The defaults are those of
- * a common module; change what yours has otherwise. The glass must lie in the controller's memory:
- * left + width <= columns and top + height <= rows. An access whose bit 5 exchanges rows and
- * columns (ST7789, ILI9341, ST7735) exchanges these limits too.
+/* A module as it is sold: its glass, given once. fxl_display_config_turned computes the rest for
+ * each turn. fixel/modules.h has records of common modules. */
+typedef struct {
+    const fxl_display_driver *driver;
+    uint16_t width, height; /* of the glass, at turn 0 */
+    uint16_t left, top;     /* where the glass begins in the controller's memory, at turn 0 */
+    uint16_t columns, rows; /* of the controller's memory in the mode that the module is wired for;
+                               at most those of the driver */
+    uint8_t access;         /* at turn 0; see fxl_display_config */
+    bool is_inverted;
+} fxl_display_module;
+
+/* How a program talks to a module at one turn. fxl_display_config_turned and
+ * fxl_display_config_default make one. The glass must lie in the controller's memory:
+ * left + width <= columns and top + height <= rows. An access that exchanges rows and columns
+ * exchanges these limits too.
  *
  *   columns x rows   ST7789, ILI9341   240 x 320
  *                    ST7735            132 x 162
+ *                    ST7796            320 x 480
+ *                    GC9A01            240 x 240
  *                    SSD1306           128 x 64
  *                    SH1106            132 x 64    top and height: multiples of 8, as SSD1306 */
 typedef struct {
@@ -76,9 +94,17 @@ typedef struct fxl_display {
     uint16_t frame_height;
 } fxl_display;
 
-/* The configuration of a common module of a controller, turned clockwise by 0 to 3 quarter
- * turns. An SSD1306 or SH1106 turns by 0 and 2 only; for other turns all is 0, driver
- * too, and fxl_display_open refuses the configuration. */
+/* The configuration of a module whose picture is turned clockwise on the glass by 0 to 3 quarter
+ * turns. The picture is upright for a viewer who turns the module counter-clockwise by as many.
+ * On an axis that runs the other way than at turn 0, the glass begins at
+ * memory - size - offset. A driver of pages turns by 0 and 2 only. All is 0, driver too, if the
+ * module has no such turn, has no driver, or has a glass outside its memory, and if the memory is
+ * larger than the driver's. fxl_display_open refuses that configuration. */
+fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
+                                             uint32_t quarter_turns);
+
+/* The same for a common module of a controller. A square ST7789, for example, is not this module:
+ * see fixel/modules.h. */
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns);
 
