@@ -176,8 +176,8 @@ static uint32_t length_of(const controller *of, uint8_t command)
 {
     static const uint8_t both[] = {0x81, 0xA8, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB};
     const bool is_ssd1306 = of->kind == CONTROLLER_SSD1306;
-    if (memchr(both, command, sizeof both) != NULL || command == (is_ssd1306 ? 0x8D : 0xAD) ||
-        (is_ssd1306 && command == 0x20)) {
+    if (memchr(both, command, sizeof both) != NULL || command == 0xAD ||
+        (is_ssd1306 && command == 0x8D) || (is_ssd1306 && command == 0x20)) {
         return 2;
     }
     const bool is_known =
@@ -212,6 +212,8 @@ static void take_page_command(controller *of, const uint8_t *command)
         of->start_row = code & 63u;
     } else if (code >= 0xA4 && code <= 0xA5) {
         of->is_all_on = code == 0xA5;
+    } else if (code == 0xAD && of->kind == CONTROLLER_SSD1306) {
+        of->reference = command[1];
     } else if (code == 0x8D || code == 0xAD) {
         of->is_charged = command[1] == (code == 0x8D ? 0x14 : 0x8B);
     } else if (code >= 0xA0 && code <= 0xA1) {

@@ -38,7 +38,7 @@ typedef struct {
     uint16_t range[2][2]; /* columns, rows: first, last */
     uint16_t x, y;        /* where the next pixel goes */
     uint32_t half;        /* 0, or 256 + the first byte of a pixel */
-    uint8_t multiplex, wires, mode;
+    uint8_t multiplex, wires, mode, reference;
     uint8_t offset, start_row, clock, contrast; /* of the glass; as somebody else left them */
     bool is_all_on;                             /* every pixel, whatever the memory has */
     uint8_t memory[CONTROLLER_MEMORY];

@@ -55,13 +55,19 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
            fxl_display_start_data(display, bytes, size);
 }
 
+static bool send_command(const fxl_display *display, const uint8_t *command, size_t size)
+{
+    return fxl_display_command(display, command[0], command + 1, size - 1u);
+}
+
 /* The bits of MIPI's command 0x36. Bit 3 makes the order of the colours blue, green, red. */
 #define EXCHANGES       0x20u
 #define MIRRORS_COLUMNS 0x40u
 #define MIRRORS_ROWS    0x80u
 
-const fxl_display_family fxl_display_colour = {
-    &fxl_pixels_rgb565, set_up, send_rows, DISPLAY_ON, EXCHANGES, MIRRORS_COLUMNS, MIRRORS_ROWS};
+const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,      send_rows,
+                                               send_command,       DISPLAY_ON,  EXCHANGES,
+                                               MIRRORS_COLUMNS,    MIRRORS_ROWS};
 
 /* A controller whose common glass fills its memory. */
 #define OF_COLOURS(columns, rows, width, height, access, is_inverted) \

@@ -58,7 +58,7 @@ static bool is_sound(const fxl_display_module *module)
 fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                                              uint32_t quarter_turns)
 {
-    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false};
+    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL, 0};
     if (module == NULL || module->driver == NULL || quarter_turns > 3 || !is_sound(module)) {
         return config;
     }
@@ -84,13 +84,20 @@ fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                               (is_mirrored_across ? family->mirrors_columns : 0u) ^
                               (is_mirrored_down ? family->mirrors_rows : 0u));
     config.is_inverted = module->is_inverted;
+    config.com_pins = module->com_pins;
+    config.display_offset = is_mirrored_down && module->display_offset != 0
+                                ? (uint8_t)(module->driver->memory_rows - module->display_offset)
+                                : module->display_offset;
+    config.current_reference = module->current_reference;
+    config.extra_commands = module->extra_commands;
+    config.extra_commands_size = module->extra_commands_size;
     return config;
 }
 
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns)
 {
-    fxl_display_module module = {NULL, 0, 0, 0, 0, 0, 0, 0, false};
+    fxl_display_module module = {NULL, 0, 0, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL, 0};
     if (driver != NULL) {
         module.driver = driver;
         module.width = driver->width;
@@ -160,6 +167,31 @@ static bool is_in_memory(const fxl_display_config *config)
            config->height % page == 0;
 }
 
+/* Whether the caller's commands end with the last of them, and each has a byte. */
+static bool are_whole(const fxl_display_config *config)
+{
+    size_t i = 0;
+    if (config->extra_commands == NULL) {
+        return config->extra_commands_size == 0;
+    }
+    while (i < config->extra_commands_size && config->extra_commands[i] != 0) {
+        i += 1u + config->extra_commands[i];
+    }
+    return i == config->extra_commands_size;
+}
+
+static bool send_extra_commands(const fxl_display *display)
+{
+    const fxl_display_config *config = &display->config;
+    for (size_t i = 0; i < config->extra_commands_size; i += 1u + config->extra_commands[i]) {
+        if (!config->driver->family->send_command(display, &config->extra_commands[i + 1u],
+                                                  config->extra_commands[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette)
 {
@@ -167,7 +199,7 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
         port->send == NULL || port->pause == NULL || (port->start != NULL && port->wait == NULL)) {
         return FXL_E_ARGUMENT;
     }
-    if (config->driver == NULL || !is_in_memory(config)) {
+    if (config->driver == NULL || !is_in_memory(config) || !are_whole(config)) {
         return FXL_E_RANGE;
     }
     const fxl_display_family *family = config->driver->family;
@@ -178,7 +210,7 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
     display->sink.wait = wait;
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
     (void)fxl_display_place(display, config->width, config->height);
-    return family->set_up(display) && make_black(display) &&
+    return family->set_up(display) && send_extra_commands(display) && make_black(display) &&
                    fxl_display_command(display, family->turn_on, NULL, 0)
                ? FXL_OK
                : FXL_E_DISPLAY;

@@ -22,6 +22,9 @@ typedef struct {
     bool (*send_rows)(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
                       uint16_t rows, const uint8_t *bytes, size_t size);
 
+    /* Sends a command with its arguments, `size` bytes in all. */
+    bool (*send_command)(const fxl_display *display, const uint8_t *command, size_t size);
+
     uint8_t turn_on; /* the command */
 
     /* Bits of a configuration's access. Pages cannot exchange rows and columns: 0. */

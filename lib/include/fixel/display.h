@@ -54,6 +54,17 @@ typedef struct {
                                at most those of the driver */
     uint8_t access;         /* at turn 0; see fxl_display_config */
     bool is_inverted;
+
+    /* Of a controller of pages; 0 for those of colours. */
+    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02 */
+    uint8_t display_offset; /* argument of command 0xD3 at turn 0; at turn 2 64 minus that */
+    uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
+
+    /* Commands of the caller's, after those of the driver and before the glass is turned on: for
+     * each of them the number of its bytes, which is at least 1, the command, and its arguments.
+     * They stay the caller's. Null for none. */
+    const uint8_t *extra_commands;
+    size_t extra_commands_size;
 } fxl_display_module;
 
 /* How a program talks to a module at one turn. fxl_display_config_turned and
@@ -75,6 +86,17 @@ typedef struct {
                                argument of command 0x36; for SSD1306 and SH1106 bit 0 mirrors
                                columns and bit 3 rows */
     bool is_inverted;       /* the glass shows true colours only when it is inverted */
+
+    /* Of a controller of pages; 0 for those of colours. */
+    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02 */
+    uint8_t display_offset; /* argument of command 0xD3 */
+    uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
+
+    /* Commands of the caller's, after those of the driver and before the glass is turned on: for
+     * each of them the number of its bytes, which is at least 1, the command, and its arguments.
+     * They stay the caller's. Null for none. */
+    const uint8_t *extra_commands;
+    size_t extra_commands_size;
 } fxl_display_config;
 
 /* An open display, which the caller owns. It may not be moved: sink and pixels are used in place.
@@ -112,9 +134,9 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
  * green, blue, a byte each, and is only read. The display keeps the pointer to the port. The frame
  * fills the glass. Takes some 300 ms.
  * FXL_E_ARGUMENT: a null pointer; a port without send or pause, or with start and no wait.
- * FXL_E_RANGE: no driver, or the glass is not in the controller's memory: fxl_display_config.
- * With each of these statuses: nothing was sent, *display untouched.
- * FXL_E_DISPLAY: a send failed; the display cannot be used until it is opened. */
+ * FXL_E_RANGE: no driver, or the glass is not in the controller's memory, or extra_commands are
+ * none or cut off: fxl_display_config. With each of these statuses: nothing was sent, *display
+ * untouched. FXL_E_DISPLAY: a send failed; the display cannot be used until it is opened. */
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette);
 

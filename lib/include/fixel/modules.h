@@ -28,6 +28,8 @@ extern const fxl_display_module fxl_module_gc9a01_240x240;       /* 1.28", round
 extern const fxl_display_module fxl_module_ssd1306_128x64;       /* 0.96" */
 extern const fxl_display_module fxl_module_ssd1306_128x32;       /* 0.91" */
 extern const fxl_display_module fxl_module_ssd1306_64x48;        /* 0.66" */
+extern const fxl_display_module fxl_module_ssd1306_64x32;        /* 0.49" */
+extern const fxl_display_module fxl_module_ssd1306_72x40;        /* 0.42" */
 extern const fxl_display_module fxl_module_sh1106_128x64;        /* 1.3" */
 
 #ifdef __cplusplus
