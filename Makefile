@@ -156,6 +156,8 @@ IMAGE     := $(BUILD)/flash/$(BOARD_CHOSEN).bin
 SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml)
 # These have been compared with the names that there are: firmware/firmware.mk.
 METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
+# How a model without a scene file is drawn depends on what its frames are predicted to take.
+PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl,$(value SCENE)),$(BUILD)/host/predict)
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 
@@ -177,19 +179,19 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
+run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@tools/setup.sh run
-	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast
+	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(PREDICTS)
 	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
 
-view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
+view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
 	@tools/setup.sh view
-	@$(MAKE) $(WALK) $(BUILD)/host/live
+	@$(MAKE) $(WALK) $(BUILD)/host/live $(PREDICTS)
 	@$(TOOL) view $(DRAW_OPTIONS)
 
-flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
+flash: ## write program and scene to the board's flash image, or to the real board [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PROBE=openocd DRY_RUN=1]
 	@tools/setup.sh $(FLASH_SETUP)
-	@$(MAKE) $(WALK)
+	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
 
 boot: ## boot a board from its flash image [BOARD= FRAMES= PIXELS= ORDER= DEPTH=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
@@ -220,7 +222,7 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
-screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
+screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
@@ -282,7 +284,7 @@ LIST_MOST_OF = $(or $(patsubst WALK_LIST_MOST=%,%,$(filter WALK_LIST_MOST=%,$(BO
 # What the program of a board leaves out, as SURFACES,DEPTH.
 LEFT_OUT_OF = $(subst $(space),$(,),$(patsubst WALK_WITHOUT_%,%,$(filter WALK_WITHOUT_%,$(BOARD_SETTINGS.$(1)))))
 
-predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= JSON=]
+predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= LOOK= JSON=]
 	@tools/setup.sh predict
 	@$(MAKE) $(BUILD)/host/predict
 	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \

@@ -39,8 +39,12 @@ CORE_OUT := $(BUILD)/core
 # --- settings ------------------------------------------------------------------
 
 # Drivers that DRIVER= may name, which a board's memory may look at.
-DRIVERS_OF_COLOUR := st7789 ili9341 st7735
+DRIVERS_OF_COLOUR := st7789 ili9341 st7735 st7796 gc9a01
 DRIVERS_OF_PAGES := ssd1306 sh1106
+# Modules of lib/include/fixel/modules.h, which it may name too.
+DISPLAY_MODULES := $(shell sed -n 's/^extern const fxl_display_module fxl_module_\([a-z0-9_]*\);.*/\1/p' lib/include/fixel/modules.h)
+DRIVERS_OF_PAGES += $(filter $(addsuffix _%,$(DRIVERS_OF_PAGES)),$(DISPLAY_MODULES))
+DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
@@ -201,7 +205,7 @@ endif
 # With DRIVER=, its frames go through that driver of the library too, and what it sends is recorded:
 # boards/parts/driver_panel.c, in bands of eight rows where ROWS= is not given.
 ifeq ($(if $(DRIVER),$(call ONE_OF,$(DRIVER),$(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)),none),)
-$(error there is no DRIVER "$(DRIVER)"; the drivers are: $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES))
+$(error there is no DRIVER "$(DRIVER)"; the drivers are: $(sort $(DRIVERS_OF_COLOUR) $(DRIVERS_OF_PAGES)))
 endif
 ifneq ($(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),$(filter-out $(shell seq 8 8 1024),$(ROWS))),)
 $(error DRIVER=$(DRIVER) takes pages of eight rows: ROWS=$(ROWS) must be a multiple of 8)
@@ -213,7 +217,8 @@ WALK_ROWS_MAX := $(or $(ROWS),$(DRIVER:%=8))
 WALK_CHOICE := $(WALK_METHODS)$(ROWS:%=-rows-%)$(DRIVER:%=-on-%)
 
 # What was chosen, as the library calls it.
-WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(DRIVER:%=fxl_%)
+DRIVER_RECORD = $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),fxl_module_,fxl_)$(DRIVER)
+WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(if $(DRIVER),$(DRIVER_RECORD))
 
 # The program of a board with what was chosen.
 WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))
@@ -260,7 +265,7 @@ endef
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
 BOARD_WIRES_OF = $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires)
-DRIVER_DEFINES := -DDRIVER_NAME=fxl_$(DRIVER) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,16)
+DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,16) $(if $(filter st7796%,$(DRIVER)),-DDRIVER_WIDEST=480)
 
 define DRIVER_RULES
 $(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o: boards/parts/driver_panel.c firmware/firmware.mk boards/$(1)/board.mk

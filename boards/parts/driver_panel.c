@@ -3,12 +3,14 @@
  * get them, and records its wires (make run DRIVER=ili9341). It stands beside the board's own
  * panels: the linker hands their list to it first (firmware/firmware.mk).
  *
- * DRIVER_NAME: a driver of fixel/display.h. DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows
- * of a transfer. */
+ * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module of fixel/modules.h.
+ * DRIVER_BITS: of its pixels. DRIVER_ROWS: the rows of a transfer. DRIVER_WIDEST: the pixels of its
+ * longest row, if more than usual. */
 #include <stddef.h>
 
 #include "contract/panel.h"
 #include "fixel/display.h"
+#include "fixel/modules.h"
 #include "parts/wires.h"
 
 #if DRIVER_BITS == 1
@@ -16,9 +18,18 @@
 #define ROWS          8u /* a page */
 #define QUARTER_TURNS 0u
 #else
-#define WIDEST        320u
+#ifdef DRIVER_WIDEST
+#define WIDEST DRIVER_WIDEST
+#else
+#define WIDEST 320u
+#endif
 #define ROWS          DRIVER_ROWS
 #define QUARTER_TURNS 1u /* the long side is the upper one */
+#endif
+#ifdef DRIVER_IS_MODULE
+#define CONFIG_OF fxl_display_config_turned
+#else
+#define CONFIG_OF fxl_display_config_default
 #endif
 #define PANELS_MAX 32u
 
@@ -109,7 +120,7 @@ static fxl_status open_display(const panel_format *format)
 {
     const bool is_upright = format->height > format->width;
     const fxl_display_config config =
-        fxl_display_config_default(&DRIVER_NAME, is_upright ? 0u : QUARTER_TURNS);
+        CONFIG_OF(&DRIVER_NAME, is_upright ? 0u : QUARTER_TURNS);
     const uint16_t rows = format->height < ROWS ? format->height : (uint16_t)ROWS;
     const fxl_pump_config bands = {&display.pixels, format->width, format->height, rows, NULL};
     fxl_status status = fxl_display_open(&display, &config, &wires, format->palette);

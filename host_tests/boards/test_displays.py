@@ -17,7 +17,7 @@ MOCK = CHECKOUT / "host_tests" / "boards" / "displays"
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedantic", "-Werror"]
 INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
 SCREEN = CHECKOUT / "lib" / "screen"
-LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "mono", "pages", "pixels", "rgb332", "rgb565",
+LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "modules", "mono", "pages", "pixels", "rgb332", "rgb565",
                                             "row_to_16")]
 # A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
 OLED = """
@@ -92,9 +92,9 @@ def fixture_show(request, tmp_path_factory):
     return run
 
 
-def read_wires(file):
-    """The display after all that came: a controller of 240 x 320 that was turned."""
-    display = controllers.MODELS["ili9341"]()
+def read_wires(file, driver="st7789"):
+    """The display after all that came."""
+    display = controllers.start(driver)
     with open(file, "rb") as record:
         assert not list(wires.read(record, display)), "the mock notes no frames"
     return display
@@ -112,11 +112,11 @@ def test_the_display_shows_the_last_frame(show, width, height, rows):
     palette, frames = random_frames(width, height)
     done, record, is_ili9341 = show(palette, frames, rows)
     assert done.returncode == 0, done.stderr.decode()
-    display = read_wires(record)
+    display = read_wires(record, "ili9341" if is_ili9341 else "st7789")
     left, top = (WIDTH - width) // 2, (HEIGHT - height) // 2
     expected = numpy.zeros((HEIGHT, WIDTH), numpy.uint16)
     expected[top:top + height, left:left + width] = rgb565(palette)[frames[1]]
-    assert (display.memory == expected).all()
+    assert (display.picture(1) == expected).all()
     assert display.on
     assert (display.access, display.inverted) == ((0x28, False) if is_ili9341 else (0x60, True))
 
@@ -126,10 +126,11 @@ def test_the_display_shows_a_frame_of_rgb565_with_its_bytes_in_order(show, width
     palette, frames = random_frames(width, height)
     generator = numpy.random.default_rng(height)
     frames = [generator.integers(0, 1 << 16, frame.shape, dtype=numpy.uint16) for frame in frames]
-    done, record, _ = show(palette, frames, rows)
+    done, record, is_ili9341 = show(palette, frames, rows)
     assert done.returncode == 0, done.stderr.decode()
+    shown = read_wires(record, "ili9341" if is_ili9341 else "st7789").picture(1)
     left, top = (WIDTH - width) // 2, (HEIGHT - height) // 2
-    assert (read_wires(record).memory[top:top + height, left:left + width] == frames[1]).all()
+    assert (shown[top:top + height, left:left + width] == frames[1]).all()
 
 
 def test_a_frame_that_is_too_large_is_not_for_it(show):
@@ -155,12 +156,12 @@ def test_a_pump_with_one_buffer_is_caught(tmp_path):
     palette, frames = random_frames(320, 240)
     subprocess.run(["./show", "320", "240", "16", "8"], cwd=tmp_path, check=True,
                    input=palette.tobytes() + b"".join(frame.tobytes() for frame in frames))
-    assert (read_wires(tmp_path / "wires.bin").memory != rgb565(palette)[frames[1]]).any()
+    assert (read_wires(tmp_path / "wires.bin").picture(1) != rgb565(palette)[frames[1]]).any()
 
 
 def read_messages(data):
     """(64 x 128 pixels, whether it is on) of an SSD1306 after these messages."""
-    display = controllers.MODELS["ssd1306"]()
+    display = controllers.start("ssd1306")
     while data:
         size, data = data[0], data[1:]
         message, data = data[:size], data[size:]

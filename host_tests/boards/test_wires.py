@@ -24,7 +24,10 @@ def run_driver(out, driver, screen, board="host", frames=6, **changes):
 
 @pytest.mark.parametrize("driver, screen", [("st7789", "320x240"), ("st7789", "240x320"), ("ili9341", "101x37"),
                                             ("st7735", "160x128"), ("st7735", "128x160"), ("ssd1306", "128x32"),
-                                            ("sh1106", "128x64"), ("sh1106", "77x41")])
+                                            ("sh1106", "128x64"), ("sh1106", "77x41"),
+                                            ("st7789_135x240", "240x135"), ("st7735_128x160_green", "128x160"),
+                                            ("st7796", "480x320"), ("gc9a01_240x240", "240x240"),
+                                            ("ssd1306_64x48", "64x48")])
 def test_every_driver_shows_frames_of_every_shape(tmp_path, driver, screen):
     done = run_driver(tmp_path / "out", driver, screen)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -52,7 +55,7 @@ def test_frames_that_are_larger_than_the_glass_are_refused_before_anything_is_dr
 
 
 def test_what_make_refuses():
-    for settings, sentence in ((["run", "DRIVER=hd44780"], 'there is no DRIVER "hd44780"; the drivers are: st7789'),
+    for settings, sentence in ((["run", "DRIVER=hd44780"], 'there is no DRIVER "hd44780"; the drivers are: gc9a01'),
                                (["run", "DRIVER=ssd1306", "ROWS=12"], "ROWS=12 must be a multiple of 8"),
                                (["run", "DRIVER=ssd1306", "BOARD=stm32vldiscovery"],
                                 "DRIVER=ssd1306 needs more memory than BOARD=stm32vldiscovery has"),
@@ -77,13 +80,13 @@ def pause(milliseconds):
     return [(b"P", struct.pack("<I", milliseconds))]
 
 
-AWAKE = [*command(0x01), *pause(150), *command(0x11), *pause(120), *command(0x3A, 0x55), *command(0x36, 0x20)]
+AWAKE = [*command(0x01), *pause(150), *command(0x11), *pause(120), *command(0x3A, 0x55), *command(0x36, 0x28)]
 DOT = [*command(0x2A, 0, 5, 0, 5), *command(0x2B, 0, 7, 0, 7), *command(0x2C, 0xF8, 0x00)]  # column 5, row 7
 END = (b"F", struct.pack("<I", 0))
 
 
-def read(data, name="ili9341"):
-    return list(wires.read(io.BytesIO(data), controllers.MODELS[name]()))
+def read(data, name="ili9341", turns=1):
+    return list(wires.read(io.BytesIO(data), controllers.start(name), turns))
 
 
 def test_a_record_becomes_a_picture():
@@ -127,12 +130,13 @@ def test_wires_that_break_a_rule_are_told(data, sentence):
 ])
 def test_pages_that_break_a_rule_are_told(data, sentence):
     with pytest.raises(ToolError, match=sentence):
-        read(data, "ssd1306")
+        read(data, "ssd1306", 0)
 
 
 def test_a_byte_of_a_page_is_a_column_of_eight_rows():
     # Page 2, column 0x15, of which the glass of an SH1106 shows all but two on each side; then only the low digit changes.
-    shown, = read(record((b"C", b"\xAF\xB2\x05\x11"), (b"D", b"\x81\x01"), (b"C", b"\x03"), (b"D", b"\xFE"), END), "sh1106")
+    shown, = read(record((b"C", b"\xA1\xC8\xAF\xB2\x05\x11"), (b"D", b"\x81\x01"), (b"C", b"\x03"), (b"D", b"\xFE"),
+                         END), "sh1106", 0)
     assert shown.shape == (64, 128)
     assert [shown[16:24, column].tolist() for column in (0x13 - 2, 0x15 - 2, 0x16 - 2)] == \
         [[0, 1, 1, 1, 1, 1, 1, 1], [1, 0, 0, 0, 0, 0, 0, 1], [1, 0, 0, 0, 0, 0, 0, 0]]
@@ -140,14 +144,35 @@ def test_a_byte_of_a_page_is_a_column_of_eight_rows():
     assert shown[8:16, 0x13].tolist() == shown[16:24, 0x12].tolist() == shown[24:32, 0x13].tolist() == unwritten
 
 
-def test_rows_become_columns_and_the_memory_is_noise_again():
-    upright = [*command(0x36, 0x00), *command(0x2A, 0, 0, 0, 0), *command(0x2B, 1, 0, 1, 0), *command(0x2C, 0x12, 0x34)]
+def test_rows_become_columns_and_run_the_other_way():
+    upright = [*command(0x36, 0x48), *command(0x2A, 0, 0, 0, 0), *command(0x2B, 1, 0, 1, 0), *command(0x2C, 0x12, 0x34)]
     shown, = read(record(*AWAKE, *command(0x29), *DOT, *upright, END))
-    assert shown.shape == (320, 240) and shown[256, 0] == 0x1234
-    assert (shown != controllers.UNWRITTEN).sum() == 1
-    # Another order of the rows alone keeps what was written.
-    shown, = read(record(*AWAKE, *command(0x29), *DOT, *command(0x36, 0xE0), END))
-    assert shown[7, 5] == 0xF800
+    assert shown.shape == (240, 320) and shown[7, 5] == 0xF800
+    assert numpy.rot90(shown, -1)[256, 0] == 0x1234
+    assert (shown != controllers.UNWRITTEN).sum() == 2
+    shown, = read(record(*AWAKE, *command(0x29), *command(0x36, 0xE8), *DOT, END))
+    assert shown[239 - 7, 319 - 5] == 0xF800
+    with pytest.raises(ToolError, match="for another turn"):
+        read(record(*AWAKE, *command(0x29), *command(0x2A, 0, 0, 1, 0), *command(0x36, 0x48), *command(0x2C, 1, 2), END))
+
+
+def test_colours_in_another_order_and_inverted_show():
+    shown, = read(record(*AWAKE, *command(0x36, 0x20), *command(0x29), *DOT, END))
+    assert shown[7, 5] == 0x001F
+    shown, = read(record(*AWAKE, *command(0x21), *command(0x29), *DOT, END))
+    assert shown[7, 5] == 0x07FF
+
+
+def test_rows_of_pages_are_joined_as_they_were_told():
+    dot = [(b"C", b"\xAF\xB0\x00\x10"), (b"D", b"\x01")]
+    for told, place in ((b"\xA1\xC8", (0, 0)), (b"\xA0\xC8", (0, 127)), (b"\xA1\xC0", (63, 0)), (b"\xA1\xC8\xD3\x3E", (2, 0))):
+        blank = [part for page in range(8) for part in
+                 [(b"C", bytes([0xB0 + page, 0x00, 0x10])), (b"D", bytes(128))]]
+        shown, = read(record(*blank, *dot, (b"C", told), END), "ssd1306", 0)
+        assert shown.sum() == 1 and shown[place] == 1
+    for told in (b"\xDA\x02", b"\xA8\x1F"):
+        with pytest.raises(ToolError, match="of another glass"):
+            read(record(*dot, (b"C", told), END), "ssd1306", 0)
 
 
 def test_one_wrong_pixel_is_a_frame_that_differs(tmp_path):
@@ -173,7 +198,7 @@ def test_a_run_whose_wires_differ_fails(tmp_path, monkeypatch):
     """A driver that shows another frame than was drawn ends in FAIL, and exit code 1."""
     from fixel.board import run as run_tool
     made("build/boards/host/walk-on-sh1106", "BOARD=host", "DRIVER=sh1106")
-    monkeypatch.setattr(wires, "shown", lambda driver, pixels, palette: numpy.zeros((64, 128), numpy.uint16))
+    monkeypatch.setattr(wires, "shown", lambda driver, pixels, palette, turns: numpy.zeros((64, 128), numpy.uint16))
     code = run_tool.main(["--board", "host", "--scene", "scenes/tiny.toml", "--screen", "128x64", "--frames", "4",
                           "--driver", "sh1106", "--out", str(tmp_path / "out")])
     assert code == 1

@@ -443,12 +443,19 @@ def test_names_that_are_no_c_names_are_refused(tmp_path, name, words):
 
 def test_a_name_that_is_proposed_is_taken():
     for name in ("9a", "a-b", "", "_a", "a__b", "fxl", "ä", "a" * 41, "-", "fxl" + "_" * 50, "a" * 39 + "_b", "Fxl9"):
-        c_scene.check_name(c_scene.suggestion(name))
+        c_names.check_name(c_names.suggestion(name))
 
 
-def test_a_file_whose_name_is_no_c_name_is_told_to_have_another(tmp_path):
-    (tmp_path / "my model.obj").write_bytes(CUBE.read_bytes())
-    done = run_cli("export", "--c", tmp_path / "my model.obj", "-o", tmp_path / "x.h")
+@pytest.mark.parametrize("file, name", [("my model.obj", "my_model"), ("2 cubes.obj", "scene_2_cubes"), ("cube.obj", "cube")])
+def test_a_file_whose_name_is_no_c_name_gives_one_like_it(tmp_path, file, name):
+    (tmp_path / file).write_bytes(CUBE.read_bytes())
+    done = run_cli("export", "--c", tmp_path / file, "-o", tmp_path / "x.h")
+    assert done.returncode == 0, done.stderr
+    assert f" {name}_scene = " in (tmp_path / "x.h").read_text()
+
+
+def test_a_name_that_is_given_and_is_no_c_name_is_told_to_be_another(tmp_path):
+    done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", "--name", "my model")
     assert_one_sentence(done, '"my model"', "--name my_model")
 
 

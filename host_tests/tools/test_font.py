@@ -82,7 +82,7 @@ def written(folder, text, *options):
     (folder / "made.bdf").write_text(text, encoding="latin-1")
     done = run_cli("font", folder / "made.bdf", "-o", folder / "font.h", *options)
     assert done.returncode == 0, done.stderr
-    assert re.fullmatch(r".*/font.h: [0-9]+ characters\n", done.stderr)
+    assert re.fullmatch(r"(note: .*\n)*.*/font.h: [a-z]+_font, [0-9]+ characters\n", done.stderr), done.stderr
     return (folder / "font.h").read_text()
 
 
@@ -122,10 +122,33 @@ def test_characters_are_chosen_and_the_unknown_one_is_among_them(tmp_path):
     assert ", 63, 9\n}" in written(tmp_path, SOUND.replace("FONT_ASCENT 7\nFONT_DESCENT 2\n", ""))
 
 
+@pytest.mark.parametrize("file, name", [("helvR12-ISO8859-1.bdf", "helvR12_ISO8859_1"), ("6x13 B.bdf", "font_6x13_B"),
+                                         ("fxl.bdf", "font_fxl"), ("\u00fc.bdf", "font"), ("plain.bdf", "plain")])
+def test_names_come_from_those_of_files(tmp_path, file, name):
+    (tmp_path / file).write_text(SOUND)
+    done = run_cli("font", tmp_path / file, "-o", tmp_path / "font.h")
+    assert done.returncode == 0 and f": {name}_font, 3 characters" in done.stderr, done.stderr
+    assert f"{name}_font = " in (tmp_path / "font.h").read_text()
+
+
+def test_a_file_without_its_end_is_read_with_a_note(tmp_path):
+    whole = written(tmp_path, SOUND)
+    assert written(tmp_path, SOUND.replace("ENDFONT\n", "")) == whole
+    assert any("ENDFONT is missing" in note for note in bdf.parse(SOUND.replace("ENDFONT\n", ""), "x").notes)
+    assert not bdf.parse(SOUND, "x").notes
+
+
+def test_a_font_without_letters_of_ascii_is_written_whole(tmp_path):
+    text = HEAD + QUESTION.replace("ENCODING 63", "ENCODING 7") + WIDE.replace("ENCODING 65", "ENCODING 200") + "ENDFONT\n"
+    assert "made_glyphs, 194, 7, 7, 9\n" in written(tmp_path, text)
+    (tmp_path / "made.bdf").write_text(text)
+    done = run_cli("font", tmp_path / "made.bdf", "-o", tmp_path / "font.h")
+    assert "none of the characters 32-126: those from 7 to 200 are written" in done.stderr and "2 characters" in done.stderr
+
+
 @pytest.mark.parametrize("text, words", [
     ("", "is not a BDF font"),
     ("STARTFONT 2.1\n", "ENDFONT is missing"),
-    (SOUND.replace("ENDFONT\n", ""), "ENDFONT is missing"),
     (HEAD + "ENDFONT\n", "has none of the characters 32-126"),
     (SOUND.replace("FONT_ASCENT 7", "FONT_ASCENT high"), "must have 1 whole number"),
     (SOUND.replace("FONT_ASCENT 7", "FONT_ASCENT 255"), "pixels high"),

@@ -108,11 +108,226 @@ def test_images_and_buffers_beside_the_file(tmp_path):
     assert mesh.surfaces.colours()[0] == (40, 50, 60)
 
 
+def test_an_image_that_is_not_there_is_a_note_and_others_are_found_by_other_names(tmp_path):
+    data, blob = make(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=png([[(10, 20, 30)]]), material={"baseColorFactor": [1, 0, 0, 1]})
+    data["images"][0] = {"uri": "tex/Gone%20one.png"}
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (255, 0, 0)
+    assert sum('image 0: there is no image "tex/Gone one.png"' in note for note in notes) == 1
+    (tmp_path / "gone one.PNG").write_bytes(png([[(40, 50, 60)]]))
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (40, 0, 0) and sum('"gone one.PNG" is read instead' in note for note in notes) == 1
+
+
 def test_a_mirrored_node_keeps_its_fronts_outside(tmp_path):
     (tmp_path / "model.glb").write_bytes(glb(*make(*TETRAHEDRON, nodes=[{"mesh": 0, "scale": [-1, 1, 1]}])))
     compiled, notes = compiler.compile_scene(str(tmp_path / "model.glb"), 4)
     assert not any("turned round" in note or "inside out" in note for note in notes)
     assert compiled.models[0].kind == 0 and len(compiled.models[0].faces) == 4
+
+
+# --- materials and accessors as other programs write them -----------------------------------------
+
+STRIPES = png([[(200, 0, 0)] * 4 + [(0, 100, 0)] * 4] * 8)
+
+
+def striped(uvs, changes=None, **more):
+    """A square with an image that is red on the left and green on the right. changes: of the JSON."""
+    data, blob = make(*SQUARE, uvs=uvs, image=more.pop("image", STRIPES), material=more.pop("material", None), **more)
+    if changes:
+        changes(data)
+    return glb(data, blob)
+
+
+def with_transform(**transform):
+    def change(data):
+        info = data["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
+        info["extensions"] = {"KHR_texture_transform": transform}
+    return change
+
+
+@pytest.mark.parametrize("transform, expected", [
+    ({"offset": [0.5, 0.25]}, [(0.5, 0.25), (0.6, 0.25), (0.6, 0.45), (0.5, 0.45)]),
+    ({"scale": [2, 3]}, [(0, 0), (0.2, 0), (0.2, 0.6), (0, 0.6)]),
+    # To the left round, seen with v downward: what went to the right goes upward.
+    ({"rotation": numpy.pi / 2}, [(0, 0), (0, -0.1), (0.2, -0.1), (0.2, 0)]),
+    ({"rotation": numpy.pi / 2, "scale": [2, 1], "offset": [1, 1]}, [(1, 1), (1, 0.8), (1.2, 0.8), (1.2, 1)])])
+def test_a_texture_transform(tmp_path, transform, expected):
+    mesh, _ = read(tmp_path, striped([(0, 0), (0.1, 0), (0.1, 0.2), (0, 0.2)], with_transform(**transform)))
+    assert numpy.allclose(mesh.surfaces.uvs[0][::-1], expected[:3], atol=1e-6)
+
+
+def test_a_texture_transform_may_name_other_coordinates(tmp_path):
+    def change(data):
+        with_transform(texCoord=3)(data)
+        attributes = data["meshes"][0]["primitives"][0]["attributes"]
+        attributes["TEXCOORD_3"] = attributes.pop("TEXCOORD_0")
+    mesh, _ = read(tmp_path, striped([(0, 0), (0.4, 0), (0.4, 1), (0, 1)], change))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0)
+
+
+def with_sampler(across, down):
+    def change(data):
+        data["samplers"], data["textures"][0]["sampler"] = [{"wrapS": across, "wrapT": down}], 0
+    return change
+
+
+REPEAT, CLAMP, MIRROR = 10497, 33071, 33648
+
+
+@pytest.mark.parametrize("wraps, uvs, clamped, note", [
+    ((REPEAT, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 1), (1.1, 1)], False, False),
+    ((CLAMP, CLAMP), [(0.1, 0), (0.4, 0), (0.4, 1), (0.1, 1)], False, False),      # nothing is beyond
+    ((CLAMP, CLAMP), [(1.1, 0), (1.4, 0), (1.4, 1), (1.1, 1)], True, False),
+    ((CLAMP, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 1), (1.1, 1)], True, False),      # upward nothing is beyond
+    ((CLAMP, REPEAT), [(1.1, 0), (1.4, 0), (1.4, 2), (1.1, 2)], False, True)])
+def test_samplers_clamp_where_faces_are_beyond_the_image(tmp_path, wraps, uvs, clamped, note):
+    mesh, notes = read(tmp_path, striped(uvs, with_sampler(*wraps)))
+    assert mesh.surfaces.materials[0].clamp == clamped
+    assert any("clamping of an image along one side alone" in each for each in notes) == note
+
+
+def test_a_sampler_that_mirrors(tmp_path):
+    """Between 1 and 1.4 the image's right part lies mirrored: green."""
+    mesh, _ = read(tmp_path, striped([(1.1, 0), (1.4, 0), (1.4, 1), (1.1, 1)], with_sampler(MIRROR, CLAMP)))
+    assert mesh.surfaces.colours()[0] == (0, 100, 0) and mesh.surfaces.materials[0].image.width == 16
+    mesh, _ = read(tmp_path, striped([(0, 1.2), (0.4, 1.2), (0.4, 1.9), (0, 1.9)], with_sampler(REPEAT, MIRROR)))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0) and mesh.surfaces.materials[0].image.height == 16
+
+
+def rgba(*rows):
+    from PIL import Image
+    import io
+    out = io.BytesIO()
+    Image.fromarray(numpy.array(rows, dtype=numpy.uint8)).save(out, "PNG")
+    return out.getvalue()
+
+
+@pytest.mark.parametrize("entry, factor, alphas, opacity", [
+    ({}, 0.5, [255, 255, 255], 1), ({"alphaMode": "OPAQUE"}, 1, [255, 255, 255], 1), ({"alphaMode": "MASK"}, 1, [0, 255, 255], 1),
+    ({"alphaMode": "MASK", "alphaCutoff": 0.9}, 1, [0, 0, 255], 1), ({"alphaMode": "MASK"}, 0.6, [0, 0, 255], 1),
+    ({"alphaMode": "MASK", "alphaCutoff": 0}, 1, [255, 255, 255], 1), ({"alphaMode": "MASK"}, 0, [0, 0, 0], 1),
+    ({"alphaMode": "BLEND"}, 0.25, [100, 180, 255], 0.25)])
+def test_alpha_modes(tmp_path, entry, factor, alphas, opacity):
+    image = rgba([(9, 9, 9, 100), (9, 9, 9, 180), (9, 9, 9, 255)])
+    mesh, _ = read(tmp_path, striped([(0, 0), (1, 0), (1, 1), (0, 1)], lambda data: data["materials"][0].update(entry), image=image,
+                                     material={"baseColorFactor": [1, 1, 1, factor]}))
+    material = mesh.surfaces.materials[0]
+    assert material.image.pixels[0, :, 3].tolist() == alphas and material.opacity == opacity
+
+
+@pytest.mark.parametrize("entry, colour, unlit, note", [
+    ({"emissiveFactor": [1, 0, 0]}, (255, 0, 0), True, False),
+    ({"emissiveFactor": [0.5, 0, 0], "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 2}}}, (255, 0, 0), True, False),
+    ({"extensions": {"KHR_materials_unlit": {}}}, (0, 0, 0), True, False)])
+def test_emissive_and_unlit_materials(tmp_path, entry, colour, unlit, note):
+    data, blob = make(material={"baseColorFactor": [0, 0, 0, 1]})
+    data["materials"][0].update(entry)
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == colour and mesh.surfaces.are_unlit() == unlit
+    assert any("emissive" in each for each in notes) == note
+
+
+def test_an_emissive_colour_is_added_to_another_one_but_not_to_an_image(tmp_path):
+    data, blob = make(material={"baseColorFactor": [0, 0.2158605, 0, 1]})
+    data["materials"][0]["emissiveFactor"] = [1, 0, 0]
+    mesh, _ = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (255, 128, 0) and not mesh.surfaces.are_unlit()
+    uvs = [(0, 0), (0.4, 0), (0.4, 1), (0, 1)]
+    mesh, notes = read(tmp_path, striped(uvs, lambda data: data["materials"][0].update(emissiveFactor=[0, 0, 1])))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0) and any("1 x \"emissive colours beside an image\"" in note for note in notes)
+    glowing = {"baseColorFactor": [0, 0, 0, 1]}
+    data, blob = make(*SQUARE, uvs=uvs, image=STRIPES, material=glowing)
+    data["materials"][0] |= {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}}
+    mesh, _ = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0) and mesh.surfaces.are_unlit()
+
+
+def test_materials_of_specular_and_glossiness(tmp_path):
+    data, blob = make(*SQUARE, uvs=[(0, 0), (0.4, 0), (0.4, 1), (0, 1)], image=STRIPES, material={})
+    del data["materials"][0]["pbrMetallicRoughness"]
+    data["materials"][0]["extensions"] = {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [0, 1, 1, 1],
+                                                                                "diffuseTexture": {"index": 0}}}
+    mesh, _ = read(tmp_path, glb(data, blob))
+    assert mesh.surfaces.colours()[0] == (0, 0, 0) and mesh.surfaces.materials[0].image
+
+
+def test_a_webp_image_beside_and_a_ktx2_image_alone(tmp_path):
+    def change(data, **extensions):
+        data["textures"][0] = {"extensions": extensions, **({"source": 0} if "both" in extensions else {})}
+    uvs = [(0, 0), (0.4, 0), (0.4, 1), (0, 1)]
+    mesh, _ = read(tmp_path, striped(uvs, lambda data: change(data, EXT_texture_webp={"source": 0})))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0)
+    mesh, _ = read(tmp_path, striped(uvs, lambda data: change(data, both={}, KHR_texture_basisu={"source": 7})))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0)
+    with pytest.raises(ToolError, match="KTX2.*PNG"):
+        read(tmp_path, striped(uvs, lambda data: change(data, KHR_texture_basisu={"source": 0})))
+
+
+def with_bytes(rows, component):
+    """A sound file with other indices: (JSON, binary part), and the number of their accessor."""
+    data, blob = make(*SQUARE)
+    packed = numpy.array(rows, dtype=component).tobytes()
+    data["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(packed)})
+    return data, blob + packed + b"\0" * (-len(packed) % 4)
+
+
+@pytest.mark.parametrize("component, kind", [("<u1", 5121), ("<u2", 5123), ("<u4", 5125)])
+def test_indices_of_every_size(tmp_path, component, kind):
+    data, blob = with_bytes([0, 1, 2, 0, 2, 3], component)
+    data["accessors"].append({"bufferView": len(data["bufferViews"]) - 1, "count": 6, "type": "SCALAR", "componentType": kind})
+    data["meshes"][0]["primitives"][0]["indices"], data["buffers"][0]["byteLength"] = len(data["accessors"]) - 1, len(blob)
+    mesh, _ = read(tmp_path, glb(data, blob))
+    assert len(mesh.faces) == 2
+
+
+def test_signed_normalised_numbers_end_at_minus_one(tmp_path):
+    data, blob = with_bytes([(-128, 127, 0, 0), (127, 127, 0, 0), (0, -127, 64, 0), (1, 2, 3, 0)], "<i1")
+    data["bufferViews"][-1]["byteStride"] = 4
+    data["accessors"][0] = {"bufferView": len(data["bufferViews"]) - 1, "count": 4, "type": "VEC3", "componentType": 5120, "normalized": True}
+    data["buffers"][0]["byteLength"], data["extensionsRequired"] = len(blob), ["KHR_mesh_quantization"]
+    mesh, _ = read(tmp_path, glb(data, blob))
+    assert min(x for x, _, _ in mesh.vertices) == -UNIT and max(y for _, y, _ in mesh.vertices) == UNIT
+
+
+@pytest.mark.parametrize("has_view", [True, False])
+def test_a_sparse_accessor_replaces_some_values(tmp_path, has_view):
+    data, blob = with_bytes([3, 0], "<u2")      # rows 3, and 0 of none
+    values = numpy.array([(7, 8, 9)], dtype="<f4").tobytes()
+    data["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(values)})
+    blob += values
+    data["buffers"][0]["byteLength"] = len(blob)
+    table = data["accessors"][0]
+    table["sparse"] = {"count": 1, "indices": {"bufferView": len(data["bufferViews"]) - 2, "componentType": 5123},
+                       "values": {"bufferView": len(data["bufferViews"]) - 1}}
+    if not has_view:
+        del table["bufferView"]
+    mesh, _ = read(tmp_path, glb(data, blob))
+    points = {(x / UNIT, y / UNIT, -z / UNIT) for x, y, z in mesh.vertices}
+    assert (7, 8, 9) in points and ((1, 1, 0) in points) == has_view
+    table["sparse"]["count"], whole = 2, struct.pack("<H", 4)
+    place = data["bufferViews"][-2]["byteOffset"] + 2
+    with pytest.raises(ToolError, match="do not fit|sparse replaces value 4 of 4"):
+        read(tmp_path, glb(data, blob[:place] + whole + blob[place + 2:]))
+
+
+def test_a_skinned_node_is_not_moved_by_itself(tmp_path):
+    data, blob = make(*TETRAHEDRON, nodes=[{"mesh": 0, "skin": 0, "translation": [9, 9, 9]}])
+    data["skins"] = [{"joints": [0]}]
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert max(max(map(abs, point)) for point in mesh.vertices) == UNIT and any("left out 1 skins" in note for note in notes)
+
+
+def test_everything_that_is_left_out_is_told_in_a_line_each(tmp_path):
+    data, blob = make(*TETRAHEDRON, material={})
+    data["materials"][0] |= {"normalTexture": {"index": 5}, "occlusionTexture": {}}
+    data["meshes"][0]["primitives"][0]["targets"] = [{}]
+    data |= {"animations": [{}, {}], "cameras": [{}], "extensions": {"KHR_lights_punctual": {"lights": [{}]}},
+             "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_variants", "X_other"]}
+    _, notes = read(tmp_path, glb(data, blob))
+    for words in ("left out 2 animations", "left out 1 cameras", "left out 1 lights", "1 parts (morph targets)",
+                  '"KHR_materials_variants", "X_other"', '1 x "normal maps", 1 x "occlusion maps"'):
+        assert sum(words in note for note in notes) == 1, words
 
 
 # --- refusals -----------------------------------------------------------------------
@@ -160,12 +375,20 @@ BAD = {
     "sparse": (changed(["accessors", 0, "sparse"], {}), ["sparse"]),
     "no accessor": (changed(["meshes", 0, "primitives", 0, "indices"], 99), ["accessor 99 does not exist"]),
     "no position": (changed(["meshes", 0, "primitives", 0, "attributes"], {}), ["no POSITION"]),
-    "texture": (changed(["images", 0], {"uri": "gone.png"}), ["image 0", '"gone.png"', "model's folder"]),
-    "outside": (changed(["images", 0], {"uri": "../../etc/passwd"}), ["image 0", "there is no file", "../../etc/passwd"]),
+    "outside": (changed(["buffers", 0], {"uri": "../../etc/gone", "byteLength": 4}), ["buffer 0", "there is no file", "../../etc/gone"]),
     "address": (changed(["images", 0], {"uri": "https://example.org/a.png"}), ["image 0", "model's folder"]),
     "image": (changed(["images", 0, "bufferView"], 0), ["image 0", "cannot be read"]),
     "material": (changed(["meshes", 0, "primitives", 0, "material"], 5), ["material 5 does not exist"]),
     "version": (changed(["asset", "version"], "1.0"), ['"1.0"', "only 2.0"]),
+    "meshopt": (changed(["extensionsRequired"], ["EXT_meshopt_compression"]), ["meshopt", "gltf-transform"]),
+    "draco": (changed(["extensionsRequired"], ["KHR_draco_mesh_compression"]), ["Draco", "gltf-transform"]),
+    "instancing": (changed(["extensionsRequired"], ["EXT_mesh_gpu_instancing"]), ["export the instances as nodes"]),
+    "sampler": (changed(["textures", 0, "sampler"], 3), ["sampler 3 does not exist"]),
+    "alpha": (changed(["materials", 0, "alphaMode"], "GLASS"), ['"GLASS"', "OPAQUE"]),
+    "emissive": (changed(["materials", 0, "emissiveFactor"], [1, 2]), ["emissiveFactor must be 3 numbers"]),
+    "transform": (changed(["materials", 0, "pbrMetallicRoughness", "baseColorTexture", "extensions"],
+                          {"KHR_texture_transform": {"offset": 3}}), ["offset must be 2 numbers"]),
+    "extensions": (changed(["materials", 0, "extensions"], [1]), ["extensions is no object"]),
     "extension": (changed(["extensionsRequired"], ["KHR_draco_mesh_compression"]), ["KHR_draco_mesh_compression"]),
     "no JSON": (b"{nonsense", ["not JSON"]),
     "deep": (b"[" * 100_000, ["nested"]),

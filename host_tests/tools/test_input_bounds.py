@@ -179,10 +179,10 @@ OBJ = {
     "exponent": ("v 1e1000000 0 0\n", ["scene.obj:1", "out of every range"]),
     "tiny exponent": ("v 1e-99999999999999999999999 0 0\n", ["scene.obj:1"]),
     "digits of an index": ("v 0 0 0\nf " + "9" * 5000 + " 1 1\n", ["scene.obj:2", "is not an index"]),
-    "long word": ("x" * 5_000_000, ["scene.obj:1", "unknown statement"]),
+    "long word": ("x" * 5_000_000, ["scene.obj", "no face", "is this an OBJ file?"]),
     "faces": ("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n" * 1_100_000, ["1,048,576 faces"]),
-    "escapes": ("\x1b[31m\x07 1\n", ["\\x1b"]),
-    "no text": ("\0" * 100_000, ["scene.obj:1"]),
+    "escapes": ("\x1b[31m\x07 1\n", ["no face", "is this an OBJ file?"]),
+    "no text": ("\0" * 100_000, ["scene.obj", "no face", "is this an OBJ file?"]),
 }
 
 

@@ -13,7 +13,7 @@ import pytest
 from conftest import CHECKOUT, LAUNCHER, environment, sampled
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, gltf_text, png
 from test_input_bounds import PATH, assert_ended, run_bounded
-from fixel.model import gltf_check, model_file, sources
+from fixel.model import gltf_check, model_file, sources, suffixes
 from fixel.scene import making
 from fixel.base.reading import QUOTE_MAX, Beside
 
@@ -275,7 +275,7 @@ def test_names_of_bare_models_in_messages(tmp_path, kind):
 def test_a_beside_is_a_path_and_a_short_text(tmp_path):
     file = Beside(tmp_path, LONG + "m.obj")
     assert os.fspath(file) == os.path.join(tmp_path, LONG + "m.obj") and not file.exists()
-    assert len(f"{file}") <= QUOTE_MAX and f"{file}".endswith("m.obj") and model_file.suffix_of(file) == ".obj"
+    assert len(f"{file}") <= QUOTE_MAX and f"{file}".endswith("m.obj") and suffixes.suffix_of(file) == ".obj"
     assert not Beside(tmp_path, "a\0b").exists()
 
 

@@ -4,10 +4,12 @@
 import struct
 import zlib
 
+import numpy
 import pytest
 
 from fixel.image import image
 from fixel.model import mesh, texture_image
+from fixel.model import obj as obj_reader
 from fixel.base.errors import ToolError
 from fixel.scene import compiler
 from model_files import SQUARE, TETRAHEDRON, glb, gltf, png, stl
@@ -85,7 +87,6 @@ def test_an_obj_file_without_its_materials_is_drawn_in_one_colour(tmp_path):
 
 
 BAD = {
-    "image": (PAINT, {}, ["paint.mtl:7", '"a skin.png"', "take map_Kd out"]),
     "damaged": (PAINT, {"a__skin_png": SKIN[:40]}, ["paint.mtl:7: a skin.png", "cannot be read"]),
     "no image": (PAINT, {"a__skin_png": b"GIF89a"}, ["cannot be read"]),
     "Kd": ("newmtl red\nKd 1 x 0\n", {}, ["paint.mtl:2", '"x"']),
@@ -93,6 +94,76 @@ BAD = {
     "order": ("Kd 1 1 1\n", {}, ["paint.mtl:1", "before the first newmtl"]),
     "name": ("newmtl red\nmap_Kd -o 1 1 1\n", {}, ["paint.mtl:2", "names no file"]),
 }
+
+
+def painted(tmp_path, paint, name="paint.mtl", obj=QUADS, **files):
+    """The materials' opacities and the faces' colours of an OBJ file with these materials, and the notes."""
+    for file, data in {name: paint, "m.obj": obj, **files}.items():
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_bytes(data.encode() if isinstance(data, str) else data)
+    made, notes = obj_reader.read(str(tmp_path / "m.obj"), "m.obj")
+    return {each.name: each.opacity for each in made.surfaces.materials}, made.surfaces.colours(), notes
+
+
+@pytest.mark.parametrize("red, cloth, opacities", [
+    ("Tr 0.25", "Tr 0", (0.75, 1)),                 # transparency
+    ("Tr 1", "Tr 0.25", (1, 0.25)),                 # the opacity: the one would be invisible
+    ("d 0.25\nTr 0.25", "Tr 0.75", (0.25, 0.75)),   # the opacity too
+    ("d 0.25\nTr 0.75", "Tr 0.75", (0.25, 0.25)),
+    ("d 0.5\nTr 0.5", "Tr 0.75", (0.5, 0.25)),
+    ("Tr 0.9\nd 1", "d 0.5", (1, 0.5)),
+    ("d 0", "d 0.5", (0, 0.5)),
+    ("d 0", "d 0", (1, 1)),                         # a model is not invisible
+])
+def test_tr_in_both_readings(tmp_path, red, cloth, opacities):
+    found, _, notes = painted(tmp_path, f"newmtl red\n{red}\nnewmtl cloth\n{cloth}\n")
+    assert tuple(found[name] for name in ("red", "cloth")) == opacities
+    said = any("Tr is read as the opacity" in note or "all are drawn opaque" in note for note in notes)
+    assert said == (opacities in ((1, 0.25), (0.25, 0.75), (1, 1)))
+
+
+@pytest.mark.parametrize("options, width", [("-s 2 2", 1), ("-o 0.5", 0.5), ("-s 2 -o 0.5 0 0", 0.5), ("-mm 0 1 -clamp on", 0)])
+def test_options_of_map_kd_with_one_two_or_three_numbers(tmp_path, options, width):
+    """The face has u from 0 to 0.4 and v from 0 to 1, upward; the image is red up to 0.4, then blue."""
+    quad = QUADS.replace("vt 0.4", "vt 0.2")
+    _, colours, notes = painted(tmp_path, f"newmtl cloth\nKd 1 1 1\nmap_Kd {options} a skin.png\n", obj=quad,
+                                **{"a skin.png": SKIN})
+    red = {1: 1, 0.5: 0, 0: 1}[width]
+    assert colours[1] == ((200, 100, 50) if red else (0, 0, 255))
+    assert any("1 x \"-mm\", 1 x \"-clamp\"" in note or "1 x \"-clamp\", 1 x \"-mm\"" in note for note in notes) == (width == 0)
+
+
+@pytest.mark.parametrize("named, there, said", [
+    ('"paint.mtl"', "paint.mtl", None), (".\\paint.mtl", "paint.mtl", None), ("parts\\paint.mtl", "parts/paint.mtl", None),
+    ("C:\\Users\\someone\\paint.mtl", "paint.mtl", '"paint.mtl" is read instead'),
+    ("D:/x/Paint.MTL", "paint.mtl", '"paint.mtl" is read instead'), ("Parts/Paint.mtl", "parts/PAINT.MTL", '"parts/PAINT.MTL" is read'),
+    ("my paint.mtl", "my paint.mtl", None)])
+def test_files_are_found_as_other_computers_write_their_names(tmp_path, named, there, said):
+    _, colours, notes = painted(tmp_path, "newmtl red\nKd 1 0 0\nnewmtl cloth\nKd 0 0 1\n", there,
+                                QUADS.replace("mtllib paint.mtl", f"mtllib {named}"))
+    assert colours == [(255, 0, 0), (0, 0, 255)]
+    found = [note for note in notes if "is read instead" in note]
+    assert [said in note for note in found] == ([True] if said else [])
+    _, colours, notes = painted(tmp_path, "newmtl cloth\nKd 1 1 1\nmap_Kd C:\\tex\\Skin.PNG\n", **{"skin.png": SKIN})
+    assert colours[1] == (200, 100, 50) and any('m.obj:1: there is no' in note or '"skin.png" is read instead' in note for note in notes)
+
+
+def test_a_missing_image_is_a_note_and_kd_is_the_colour(tmp_path):
+    _, colours, notes = painted(tmp_path, PAINT)
+    assert colours == [(255, 0, 51), (255, 255, 128)]
+    note, = [note for note in notes if "no image" in note]
+    assert "paint.mtl:7" in note and '"a skin.png"' in note and "colour of Kd" in note
+
+
+def test_an_image_is_not_darkened_by_a_colour_that_nobody_wrote(tmp_path):
+    for kd, said in (("", False), ("Kd 0 0 0\n", True)):
+        _, colours, notes = painted(tmp_path, f"newmtl cloth\n{kd}map_kd skin.png\n", **{"skin.png": SKIN})
+        assert colours[1] == (200, 100, 50) and any("is black" in note for note in notes) == said
+
+
+def test_statements_of_materials_that_are_not_read_are_told_once(tmp_path):
+    _, _, notes = painted(tmp_path, "newmtl red\nKs 1 1 1\nKs 0 0 0\nillum 2\nnewmtl cloth\nmap_bump x.png\n")
+    assert any(note == "paint.mtl: ignored 2 x Ks, 1 x illum, 1 x map_bump (first: paint.mtl:2)" for note in notes)
 
 
 @pytest.mark.parametrize("kind", BAD)
@@ -112,10 +183,28 @@ def big_png(width, height):
         part(b"IDAT", zlib.compress(b"")) + part(b"IEND", b"")
 
 
-@pytest.mark.parametrize("size", [(60_000, 60_000), (2049, 1), (1, 2049)])
+@pytest.mark.parametrize("size", [(60_000, 60_000), (8193, 1), (1, 8193)])
 def test_images_of_absurd_sizes(size):
-    with pytest.raises(ToolError, match=f"an image of ({size[0]}x{size[1]}|very many) pixels; both sides must be 1..2048"):
+    with pytest.raises(ToolError, match=f"an image of ({size[0]}x{size[1]}|very many) pixels; both sides must be 1..8192"):
         texture_image.decode(big_png(*size), "big.png")
+
+
+def test_an_image_of_more_than_2048_pixels_is_shrunk_by_whole_factors():
+    pixels = numpy.zeros((3, 4098, 3), dtype=numpy.uint8)
+    pixels[:, 3:6] = 90
+    made = texture_image.decode(png(pixels), "wide.png")
+    assert (made.width, made.height) == (1366, 1) and made.pixels[0, :3, 0].tolist() == [0, 90, 0]
+    assert texture_image.decode(png(pixels[:, :2048]), "a.png").width == 2048
+
+
+@pytest.mark.parametrize("mode, values, expected", [
+    ("I;16", [0, 21845, 43690, 65535], [0, 85, 170, 255]), ("L", [0, 85, 170, 255], [0, 85, 170, 255])])
+def test_greys_of_16_bits(mode, values, expected):
+    from PIL import Image
+    import io
+    out = io.BytesIO()
+    Image.fromarray(numpy.array([values], dtype=numpy.uint16 if mode == "I;16" else numpy.uint8)).save(out, "PNG")
+    assert texture_image.decode(out.getvalue(), "g.png").pixels[0].tolist() == [[grey] * 3 + [255] for grey in expected]
 
 
 def test_an_image_of_as_many_bytes_as_are_allowed(monkeypatch):
@@ -204,7 +293,7 @@ def test_a_band_that_has_no_front_is_left_as_it_is(tmp_path):
 
 @pytest.mark.parametrize("text, words", [
     ('model = "m.glb"\nsolid = "box"', ["both model and solid"]), ('solid = "box"\nfit = 3', ["fit", "means nothing"]),
-    ('model = "m.glb"\nfit = 1\nscale = 2', ["both fit and scale"]), ('model = "m.ply"', ["m.ply", "there is no file"]),
+    ('model = "m.glb"\nfit = 1\nscale = 2', ["both fit and scale"]), ('model = "m.xyz"', ["m.xyz", "there is no file"]),
     ('obj = "m.glb"', ["no OBJ file"]), ('model = "m.glb"\nfit = 0', ["fit"]), ('model = "m.glb"\nmerge = 1', ["merge"]),
     ('model = "scene.toml"', ["a model is an .obj, .gltf, .glb or .stl file"])])
 def test_keys_that_are_wrong(tmp_path, text, words):
@@ -276,7 +365,9 @@ def test_faces_without_an_image_keep_their_colour(tmp_path):
     red, cloth = made.models[0].faces
     assert made.palette[red.colour] == (255, 0, 51) and red.mapped is not None      # d = 0.5 is a surface too
     assert made.surfaces.surfaces[red.mapped.surface].texture == 0 and made.surfaces.surfaces[red.mapped.surface].opacity == 8
-    assert made.surfaces.surfaces[cloth.mapped.surface].texture == 1
+    assert made.palette[cloth.colour] == (200, 100, 25) and cloth.mapped is None        # of one colour: no texture
+    made, _ = compiled(tmp_path, '[[objects]]\nmodel = "m.obj"\nimages = true\nshade = false\n', m_obj=QUADS.replace("vt 0.4", "vt 0.6"))
+    assert made.surfaces.surfaces[made.models[0].faces[1].mapped.surface].texture == 1
 
 
 @pytest.mark.parametrize("text, words", [

@@ -72,8 +72,6 @@ def test_a_corner_that_is_named_twice_counts_once(tmp_path):
     ("f 1 2 9", ["model.obj:20", "v 9 does not exist", "8 stand above"]),
     ("f 1 2 0", ["model.obj:20", "v 0"]),
     ("f 1 2 -9", ["v -9"]),
-    ("f 1/2 2/1 3/1", ["vt 2"]),
-    ("f 1//1 2//2 3//1", ["vn 2"]),
     ("f 1 2", ["three corners"]),
     ("f 1 2 x", ['"x"']),
     ("f 1 2 3/1/1/1", ["3/1/1/1"]),
@@ -83,7 +81,9 @@ def test_a_corner_that_is_named_twice_counts_once(tmp_path):
     ("v 1 2 nan", ['"nan" is not a number']),
     ("v 1 2 1e30", ["out of every range"]),
     ("v 1 2 three", ['"three"']),
-    ("hello there", ["model.obj:20", "hello"]),
+    ("v 1 2 3 red green blue", ['"red green blue" is no colour']),
+    ("f 1/x 2/1 3/1", ['"x"']),
+    ("f 1//x 2//1 3//1", ['"x"']),
 ])
 def test_complaints_name_file_and_line(tmp_path, line, parts):
     text = CUBE.replace("\\\n  1\n", "1\n") + line + "\n"
@@ -91,6 +91,50 @@ def test_complaints_name_file_and_line(tmp_path, line, parts):
         read(tmp_path, text)
     for part in ("model.obj:", *parts):
         assert part in str(caught.value)
+
+
+def test_normals_and_coordinates_out_of_range_are_no_fault_where_nothing_needs_them(tmp_path):
+    made, notes = read(tmp_path, CUBE + "f 1/2 2/1 3/1\nf 1//0 2//2 3//-9\nf 1/1/7 2/1/7 3/1/7\n")
+    assert len(made.faces) == 9 and made.uvs[6:8] == [None, None] and made.uvs[8] == [(0, 1)] * 3
+    assert not any("vt" in note for note in notes)
+
+
+def test_statements_that_are_not_known_are_told_once(tmp_path):
+    made, notes = read(tmp_path, CUBE.replace("\\\n  1\n", "1\n") + "hello there\nvw 0 1 0.5\nhello again\n\u2028\u0000x 1\n")
+    assert len(made.faces) == 6
+    note, = [note for note in notes if "not known" in note]
+    assert "2 x hello, 1 x vw" in note and "model.obj:20" in note and note.isprintable()
+    _, notes = read(tmp_path, CUBE + "".join(f"word{number}\n" for number in range(40)))
+    note, = [note for note in notes if "not known" in note]
+    assert len(note) < 400 and "28 other words" in note
+
+
+def test_a_text_of_another_kind_is_refused(tmp_path):
+    with pytest.raises(ToolError, match="model.obj: there is no face in this file; is this an OBJ file?"):
+        read(tmp_path, "<html>\n<body>\n")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8-sig", "utf-16"])
+def test_a_byte_order_mark_says_the_encoding(tmp_path, encoding):
+    (tmp_path / "paint.mtl").write_bytes("newmtl gr\u00fcn\nKd 0 1 0\n".encode(encoding))
+    (tmp_path / "model.obj").write_bytes(("mtllib paint.mtl\n" + CUBE.replace("usemtl grey", "usemtl gr\u00fcn")).encode(encoding))
+    made, notes = obj.read(str(tmp_path / "model.obj"), "model.obj")
+    assert len(made.faces) == 6 and made.surfaces.colours() == [(0, 255, 0)] * 6
+    assert not any("not known" in note for note in notes)
+
+
+@pytest.mark.parametrize("most", [1, 255])
+def test_colours_of_vertices_are_a_faces_mean(tmp_path, most):
+    """Of 0..1 or of 0..255. A file without materials takes them as they are, others multiply."""
+    lines = [f"v {x} {y} 0 {r * most} {g * most} {b * most}" for x, y, r, g, b in
+             ((0, 0, 1, 0, 0), (1, 0, 0, 1, 0), (0, 1, 0, 0, 1), (1, 1, 1, 1, 1))] + ["v 5 5 5", "v 6 6 6 1", ""]
+    faces = "f 1 2 3\nf 4 4 4\nf 1 2 5\nf 1 2 6\n"
+    made, notes = read(tmp_path, "\n".join(lines) + faces)
+    assert made.surfaces.colours() == [(85, 85, 85), (255, 255, 255), (200, 192, 176), (200, 192, 176)]
+    assert sum("mean of its corners' colours" in note for note in notes) == 1
+    (tmp_path / "m.mtl").write_text("newmtl a\nKd 1 0.6 0\n")
+    made, _ = read(tmp_path, "mtllib m.mtl\nusemtl a\n" + "\n".join(lines) + faces)
+    assert made.surfaces.colours() == [(85, 51, 0), (255, 153, 0), (255, 153, 0), (255, 153, 0)]
 
 
 def test_a_file_without_faces_is_refused(tmp_path):
@@ -253,7 +297,7 @@ def test_the_camera_stays_outside_the_ball_about_a_model():
     # A bar that points at the camera, on a screen so high that the bar alone would let it come nearer.
     along = [round(UNIT * part(math.radians(framing.WALK.start))) for part in (math.sin, math.cos)]
     bar = SimpleNamespace(vertices=[(sign * along[0], 0, sign * along[1]) for sign in (-1, 1)], surfaces=[])
-    data = framing.scene_data(bar, "bar.obj", 1, (64, 1024))
+    data, _ = framing.scene_data(bar, "bar.obj", 1, (64, 1024))
     distance = math.hypot(data["path"]["orbit"]["radius"], data["path"]["orbit"]["height"])
     assert abs(distance - 1.1 * 4) < 0.02
     assert 0.3 <= data["view"]["near"] < distance - 4 and data["view"]["far"] > distance + 4

@@ -47,6 +47,38 @@ def test_faces_that_look_the_wrong_way_are_turned(tmp_path):
     assert compiled.models[0].kind == 0     # convex: all fronts look outward
 
 
+def test_a_text_in_capitals_and_with_a_byte_order_mark(tmp_path):
+    plain, _ = read(tmp_path, stl_text())
+    for data in (stl_text().upper(), b"\xef\xbb\xbf" + stl_text(), b"\xff\xfe" + stl_text().decode().encode("utf-16-le")):
+        mesh, _ = read(tmp_path, data)
+        assert (mesh.vertices, mesh.faces) == (plain.vertices, plain.faces)
+
+
+@pytest.mark.parametrize("data", [make() + b"\0" * 7, make() + bytes(50), stl_text() + b"\0\0\nsigned by no one\n"])
+def test_what_stands_after_the_end_is_left_out_and_said(tmp_path, data):
+    plain, _ = read(tmp_path, make())
+    mesh, notes = read(tmp_path, data)
+    assert (mesh.vertices, mesh.faces) == (plain.vertices, plain.faces)
+    assert sum("left out" in note and "after the last" in note for note in notes) == 1
+
+
+def with_attributes(values, header=b""):
+    """A binary file whose triangles have these attributes."""
+    blob = bytearray(make())
+    blob[:len(header)] = header
+    for face, value in enumerate(values):
+        struct.pack_into("<H", blob, 84 + 50 * face + 48, value)
+    return bytes(blob)
+
+
+def test_colours_of_a_binary_file(tmp_path):
+    assert read(tmp_path, with_attributes([0, 5, 0x7FFF, 9]))[0].surfaces is None
+    mesh, _ = read(tmp_path, with_attributes([0x8000 | 31 << 10, 0x8000 | 31 << 5, 0x801F, 0]))
+    assert mesh.surfaces.colours() == [(255, 0, 0), (0, 255, 0), (0, 0, 255), (200, 192, 176)]
+    mesh, _ = read(tmp_path, with_attributes([31, 31 << 5, 31 << 10, 0x8000], b"made by hand COLOR=" + bytes((9, 99, 199, 255))))
+    assert mesh.surfaces.colours() == [(255, 0, 0), (0, 255, 0), (0, 0, 255), (9, 99, 199)]
+
+
 BAD = {
     "2 GB": (bytes(80) + struct.pack("<I", 42_949_672) + bytes(200), ["promises 42,949,672 triangles", "2,147,483,684 bytes"]),
     "many": (bytes(80) + struct.pack("<I", (1 << 20) + 1) + bytes(50 * ((1 << 20) + 1)), ["1,048,577 triangles", "1,048,576"]),

@@ -4,7 +4,8 @@
 #include "unit.h"
 
 /* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
-static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {128, 64}, {132, 64}};
+static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480},
+                                    {240, 240}, {128, 64},  {132, 64}};
 
 static void take_data(controller *of, uint8_t byte);
 
@@ -20,7 +21,7 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
 {
     memset(of, 0, sizeof *of);
     of->kind = kind;
-    of->is_colour = kind <= CONTROLLER_ST7735;
+    of->is_colour = kind <= CONTROLLER_GC9A01;
     of->columns = sizes[kind][0];
     of->rows = sizes[kind][1];
     of->first_column = first_column;
@@ -36,6 +37,12 @@ void controller_start(controller *of, int kind, uint16_t first_column, uint16_t 
     TEST_ASSERT_LESS_OR_EQUAL(CONTROLLER_MEMORY,
                               of->is_colour ? 2u * columns * rows : columns * ((rows + 7u) / 8u));
     memset(of->memory, 0xA5, sizeof of->memory);
+}
+
+void controller_strap(controller *of, uint16_t columns, uint16_t rows)
+{
+    of->columns = columns;
+    of->rows = rows;
 }
 
 /* --- colour: the Display Command Set ------------------------------------------------------------
@@ -169,8 +176,8 @@ static uint32_t length_of(const controller *of, uint8_t command)
 {
     static const uint8_t both[] = {0x81, 0xA8, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB};
     const bool is_ssd1306 = of->kind == CONTROLLER_SSD1306;
-    if (memchr(both, command, sizeof both) != NULL || command == (is_ssd1306 ? 0x8D : 0xAD) ||
-        (is_ssd1306 && command == 0x20)) {
+    if (memchr(both, command, sizeof both) != NULL || command == 0xAD ||
+        (is_ssd1306 && command == 0x8D) || (is_ssd1306 && command == 0x20)) {
         return 2;
     }
     const bool is_known =
@@ -205,6 +212,8 @@ static void take_page_command(controller *of, const uint8_t *command)
         of->start_row = code & 63u;
     } else if (code >= 0xA4 && code <= 0xA5) {
         of->is_all_on = code == 0xA5;
+    } else if (code == 0xAD && of->kind == CONTROLLER_SSD1306) {
+        of->reference = command[1];
     } else if (code == 0x8D || code == 0xAD) {
         of->is_charged = command[1] == (code == 0x8D ? 0x14 : 0x8B);
     } else if (code >= 0xA0 && code <= 0xA1) {

@@ -12,6 +12,8 @@ enum {
     CONTROLLER_ST7789,
     CONTROLLER_ILI9341,
     CONTROLLER_ST7735,
+    CONTROLLER_ST7796,
+    CONTROLLER_GC9A01,
     CONTROLLER_SSD1306,
     CONTROLLER_SH1106
 };
@@ -36,7 +38,7 @@ typedef struct {
     uint16_t range[2][2]; /* columns, rows: first, last */
     uint16_t x, y;        /* where the next pixel goes */
     uint32_t half;        /* 0, or 256 + the first byte of a pixel */
-    uint8_t multiplex, wires, mode;
+    uint8_t multiplex, wires, mode, reference;
     uint8_t offset, start_row, clock, contrast; /* of the glass; as somebody else left them */
     bool is_all_on;                             /* every pixel, whatever the memory has */
     uint8_t memory[CONTROLLER_MEMORY];
@@ -47,6 +49,9 @@ typedef struct {
 /* Power comes: the memory holds noise. The model keeps a window of the glass. */
 void controller_start(controller *of, int kind, uint16_t first_column, uint16_t first_row,
                       uint16_t columns, uint16_t rows);
+
+/* The module's straps choose a smaller memory, right after controller_start. */
+void controller_strap(controller *of, uint16_t columns, uint16_t rows);
 
 /* The functions of a port, with the controller as the user. */
 bool controller_send(void *user, bool is_data, const uint8_t *bytes, size_t size);

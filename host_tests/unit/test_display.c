@@ -30,7 +30,9 @@ typedef struct {
 
 static const module colours[] = {{&fxl_st7789, CONTROLLER_ST7789, false, false, true, false},
                                  {&fxl_ili9341, CONTROLLER_ILI9341, true, false, false, true},
-                                 {&fxl_st7735, CONTROLLER_ST7735, true, true, false, false}};
+                                 {&fxl_st7735, CONTROLLER_ST7735, true, true, false, false},
+                                 {&fxl_st7796, CONTROLLER_ST7796, true, false, false, true},
+                                 {&fxl_gc9a01, CONTROLLER_GC9A01, false, false, true, true}};
 static const module oleds[] = {{&fxl_ssd1306, CONTROLLER_SSD1306, true, true, false, false},
                                {&fxl_sh1106, CONTROLLER_SH1106, true, true, false, false}};
 
@@ -57,8 +59,11 @@ static fxl_status show(uint16_t width, uint16_t height, uint16_t rows)
     fxl_status status = fxl_pump_init(&pump, &config, &display.sink, memory, sizeof memory);
     for (uint32_t y = 0; status == FXL_OK && y < height; y += rows) {
         const uint16_t count = (uint16_t)(rows < height - y ? rows : height - y);
-        const fxl_band band = {.pixels = lent, .width = width, .stride = width,
-                               .first_row = (uint16_t)y, .rows = count};
+        const fxl_band band = {.pixels = lent,
+                               .width = width,
+                               .stride = width,
+                               .first_row = (uint16_t)y,
+                               .rows = count};
         memcpy(lent, frame + y * width, (size_t)count * width);
         status = fxl_pump_send_rows(&pump, &band);
         memset(lent, 0xEE, sizeof lent);
@@ -99,8 +104,9 @@ static uint32_t rgb565(uint8_t index)
 /* A module of colours, of width x height before it is turned, with a frame in its middle. */
 static void assert_colours(const module *of, uint32_t turns, const fxl_display_port *port)
 {
-    const uint32_t width = of->kind == CONTROLLER_ST7735 ? 128 : 240;
-    const uint32_t height = of->kind == CONTROLLER_ST7735 ? 160 : 320;
+    static const uint16_t glasses[][2] = {
+        {240, 320}, {240, 320}, {128, 160}, {320, 480}, {240, 240}};
+    const uint32_t width = glasses[of->kind][0], height = glasses[of->kind][1];
     const fxl_display_config config = fxl_display_config_default(of->driver, turns);
     const uint32_t columns = turns % 2u == 0 ? WIDTH : HEIGHT, rows = WIDTH + HEIGHT - columns;
     const uint32_t left = (width - columns) / 2u - BORDER, top = (height - rows) / 2u - BORDER;
@@ -393,10 +399,9 @@ void test_a_glass_beyond_the_memory_is_refused(void)
     static const struct {
         const fxl_display_driver *driver;
         uint16_t columns, rows, page;
-    } memories[] = {{&fxl_st7789, 240, 320, 1},
-                    {&fxl_ili9341, 240, 320, 1},
-                    {&fxl_st7735, 132, 162, 1},
-                    {&fxl_ssd1306, 128, 64, 8},
+    } memories[] = {{&fxl_st7789, 240, 320, 1}, {&fxl_ili9341, 240, 320, 1},
+                    {&fxl_st7735, 132, 162, 1}, {&fxl_st7796, 320, 480, 1},
+                    {&fxl_gc9a01, 240, 240, 1}, {&fxl_ssd1306, 128, 64, 8},
                     {&fxl_sh1106, 132, 64, 8}};
     for (uint32_t i = 0; i < sizeof memories / sizeof memories[0]; i++) {
         const uint16_t columns = memories[i].columns, rows = memories[i].rows;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* ST7789, ILI9341, ST7735: controllers with the commands of MIPI's Display Command Set. All else
- * that they can be told keeps the value that it has after reset. */
+/* ST7789, ILI9341, ST7735, ST7796, GC9A01: controllers with the commands of MIPI's Display Command
+ * Set. All else that they can be told keeps the value that it has after reset. */
 #include "driver.h"
 
 enum {
@@ -55,15 +55,32 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
            fxl_display_start_data(display, bytes, size);
 }
 
-const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up, send_rows, DISPLAY_ON};
+static bool send_command(const fxl_display *display, const uint8_t *command, size_t size)
+{
+    return fxl_display_command(display, command[0], command + 1, size - 1u);
+}
 
-/* Its glass is blue, green, red (bit 3), and its columns run from right to left. */
-const fxl_display_driver fxl_ili9341 = {&fxl_display_colour,      NULL, 0,    240, 320, 240, 320, 0,
-                                        {0x48, 0x28, 0x88, 0xE8}, true, false};
+/* The bits of MIPI's command 0x36. Bit 3 makes the order of the colours blue, green, red. */
+#define EXCHANGES       0x20u
+#define MIRRORS_COLUMNS 0x40u
+#define MIRRORS_ROWS    0x80u
+
+const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,      send_rows,
+                                               send_command,       DISPLAY_ON,  EXCHANGES,
+                                               MIRRORS_COLUMNS,    MIRRORS_ROWS};
+
+/* A controller whose common glass fills its memory. */
+#define OF_COLOURS(columns, rows, width, height, access, is_inverted) \
+    { \
+        &fxl_display_colour, NULL, 0, columns, rows, width, height, 0, access, is_inverted \
+    }
+
+/* Its glass is blue, green, red, and its columns run from right to left. */
+const fxl_display_driver fxl_ili9341 = OF_COLOURS(240, 320, 240, 320, 0x48, false);
 
 /* The glass is mounted with its first row at the bottom, and its first column at the right. */
-const fxl_display_driver fxl_st7735 = {&fxl_display_colour,      NULL, 0,    132, 162, 128, 160, 0,
-                                       {0xC0, 0xA0, 0x00, 0x60}, true, false};
+const fxl_display_driver fxl_st7735 = OF_COLOURS(132, 162, 128, 160, 0xC0, false);
 
-const fxl_display_driver fxl_st7789 = {&fxl_display_colour,      NULL, 0,   240, 320, 240, 320, 0,
-                                       {0x00, 0x60, 0xC0, 0xA0}, true, true};
+const fxl_display_driver fxl_st7789 = OF_COLOURS(240, 320, 240, 320, 0x00, true);
+const fxl_display_driver fxl_st7796 = OF_COLOURS(320, 480, 320, 480, 0x48, false);
+const fxl_display_driver fxl_gc9a01 = OF_COLOURS(240, 240, 240, 240, 0x08, true);

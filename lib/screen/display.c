@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "driver.h"
 
-#define BLACK_BYTES      64u
-#define ACCESS_EXCHANGES 0x20u /* of MIPI's command 0x36: rows and columns are exchanged */
+#define BLACK_BYTES 64u
 
 bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data, size_t size)
 {
@@ -43,22 +42,73 @@ static bool wait(void *user)
     return wait_for_port(((const fxl_display *)user)->port);
 }
 
+/* Whether a glass has pixels and lies in the memory that its module is wired for, and that one in
+ * the controller's. The sums are below 2^17. */
+static bool is_sound(const fxl_display_module *module)
+{
+    return module->width > 0 && module->height > 0 &&
+           (uint32_t)module->left + module->width <= module->columns &&
+           (uint32_t)module->top + module->height <= module->rows &&
+           module->columns <= module->driver->memory_columns &&
+           module->rows <= module->driver->memory_rows;
+}
+
+/* Of pages, mirrored rows are those of the glass: the row of the memory that it begins with stays
+ * the first one. */
+fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
+                                             uint32_t quarter_turns)
+{
+    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL, 0};
+    if (module == NULL || module->driver == NULL || quarter_turns > 3 || !is_sound(module)) {
+        return config;
+    }
+    const fxl_display_family *family = module->driver->family;
+    const bool is_exchanged = quarter_turns % 2u == 1u;
+    const bool is_mirrored_across = quarter_turns == 1 || quarter_turns == 2;
+    const bool is_mirrored_down = quarter_turns >= 2;
+    if (is_exchanged && family->exchanges == 0) {
+        return config;
+    }
+    const uint16_t left = is_mirrored_across
+                              ? (uint16_t)(module->columns - module->width - module->left)
+                              : module->left;
+    const uint16_t top = is_mirrored_down && family->exchanges != 0
+                             ? (uint16_t)(module->rows - module->height - module->top)
+                             : module->top;
+    config.driver = module->driver;
+    config.width = is_exchanged ? module->height : module->width;
+    config.height = is_exchanged ? module->width : module->height;
+    config.left = is_exchanged ? top : left;
+    config.top = is_exchanged ? left : top;
+    config.access = (uint8_t)(module->access ^ (is_exchanged ? family->exchanges : 0u) ^
+                              (is_mirrored_across ? family->mirrors_columns : 0u) ^
+                              (is_mirrored_down ? family->mirrors_rows : 0u));
+    config.is_inverted = module->is_inverted;
+    config.com_pins = module->com_pins;
+    config.display_offset = is_mirrored_down && module->display_offset != 0
+                                ? (uint8_t)(module->driver->memory_rows - module->display_offset)
+                                : module->display_offset;
+    config.current_reference = module->current_reference;
+    config.extra_commands = module->extra_commands;
+    config.extra_commands_size = module->extra_commands_size;
+    return config;
+}
+
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns)
 {
-    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false};
-    if (driver == NULL || quarter_turns > 3 ||
-        (quarter_turns % 2 == 1 && !driver->turns_by_quarters)) {
-        return config;
+    fxl_display_module module = {NULL, 0, 0, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL, 0};
+    if (driver != NULL) {
+        module.driver = driver;
+        module.width = driver->width;
+        module.height = driver->height;
+        module.left = driver->left;
+        module.columns = (uint16_t)(driver->width + 2u * driver->left);
+        module.rows = driver->height;
+        module.access = driver->access;
+        module.is_inverted = driver->is_inverted;
     }
-    const bool is_wide = quarter_turns % 2 == 1;
-    config.driver = driver;
-    config.width = is_wide ? driver->height : driver->width;
-    config.height = is_wide ? driver->width : driver->height;
-    config.left = driver->left;
-    config.access = driver->access[quarter_turns];
-    config.is_inverted = driver->is_inverted;
-    return config;
+    return fxl_display_config_turned(&module, quarter_turns);
 }
 
 fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height)
@@ -108,13 +158,38 @@ static bool is_in_memory(const fxl_display_config *config)
 {
     const fxl_display_driver *driver = config->driver;
     const uint32_t page = driver->family->format->rows;
-    const bool is_exchanged = driver->turns_by_quarters && (config->access & ACCESS_EXCHANGES) != 0;
+    const bool is_exchanged = (config->access & driver->family->exchanges) != 0;
     const uint32_t columns = is_exchanged ? driver->memory_rows : driver->memory_columns;
     const uint32_t rows = is_exchanged ? driver->memory_columns : driver->memory_rows;
     return config->width > 0 && config->height > 0 &&
            (uint32_t)config->left + config->width <= columns &&
            (uint32_t)config->top + config->height <= rows && config->top % page == 0 &&
            config->height % page == 0;
+}
+
+/* Whether the caller's commands end with the last of them, and each has a byte. */
+static bool are_whole(const fxl_display_config *config)
+{
+    size_t i = 0;
+    if (config->extra_commands == NULL) {
+        return config->extra_commands_size == 0;
+    }
+    while (i < config->extra_commands_size && config->extra_commands[i] != 0) {
+        i += 1u + config->extra_commands[i];
+    }
+    return i == config->extra_commands_size;
+}
+
+static bool send_extra_commands(const fxl_display *display)
+{
+    const fxl_display_config *config = &display->config;
+    for (size_t i = 0; i < config->extra_commands_size; i += 1u + config->extra_commands[i]) {
+        if (!config->driver->family->send_command(display, &config->extra_commands[i + 1u],
+                                                  config->extra_commands[i])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
@@ -124,7 +199,7 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
         port->send == NULL || port->pause == NULL || (port->start != NULL && port->wait == NULL)) {
         return FXL_E_ARGUMENT;
     }
-    if (config->driver == NULL || !is_in_memory(config)) {
+    if (config->driver == NULL || !is_in_memory(config) || !are_whole(config)) {
         return FXL_E_RANGE;
     }
     const fxl_display_family *family = config->driver->family;
@@ -135,7 +210,7 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
     display->sink.wait = wait;
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
     (void)fxl_display_place(display, config->width, config->height);
-    return family->set_up(display) && make_black(display) &&
+    return family->set_up(display) && send_extra_commands(display) && make_black(display) &&
                    fxl_display_command(display, family->turn_on, NULL, 0)
                ? FXL_OK
                : FXL_E_DISPLAY;

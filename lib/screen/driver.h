@@ -22,7 +22,13 @@ typedef struct {
     bool (*send_rows)(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
                       uint16_t rows, const uint8_t *bytes, size_t size);
 
+    /* Sends a command with its arguments, `size` bytes in all. */
+    bool (*send_command)(const fxl_display *display, const uint8_t *command, size_t size);
+
     uint8_t turn_on; /* the command */
+
+    /* Bits of a configuration's access. Pages cannot exchange rows and columns: 0. */
+    uint8_t exchanges, mirrors_columns, mirrors_rows;
 } fxl_display_family;
 
 struct fxl_display_driver {
@@ -31,9 +37,8 @@ struct fxl_display_driver {
     uint8_t commands_size;
     uint16_t memory_columns, memory_rows; /* of the controller, by its data sheet; not turned */
     uint16_t width, height;               /* of the glass, not turned */
-    uint16_t left;                        /* where the glass begins in the controller's memory */
-    uint8_t access[4];                    /* for each turn */
-    bool turns_by_quarters;
+    uint16_t left;                        /* columns of the memory on each side of the glass */
+    uint8_t access;                       /* of a common module at turn 0 */
     bool is_inverted;
 };
 

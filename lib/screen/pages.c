@@ -9,6 +9,7 @@ enum {
     SET_COLUMN_HIGH = 0x10, /* and the upper ones */
     MIRROR_COLUMNS = 0xA0,  /* and 0 or 1 */
     INVERT = 0xA6,          /* and 0 or 1 */
+    SET_REFERENCE = 0xAD,   /* and whether an SSD1306 makes its reference current itself */
     MIRROR_ROWS = 0xC0,     /* and 0 or 8 */
     DISPLAY_ON = 0xAF
 };
@@ -25,6 +26,10 @@ static bool send_commands(const fxl_display *display, const uint8_t *commands, s
 static bool set_up(const fxl_display *display)
 {
     const fxl_display_config *config = &display->config;
+    const uint8_t reference[] = {SET_REFERENCE, config->current_reference};
+    const uint8_t com_pins = config->com_pins != 0 ? config->com_pins
+                             : config->height > 32 ? WIRES_IN_TURNS
+                                                   : WIRES_IN_ORDER;
     const uint8_t commands[] = {
         0xAE, /* display off */
         0xD5,
@@ -32,10 +37,10 @@ static bool set_up(const fxl_display *display)
         0xA8,
         (uint8_t)(config->height - 1u), /* rows that the glass has */
         0xD3,
-        0x00, /* the first row of memory is the first one of the glass, */
-        0x40, /* and not scrolled */
+        config->display_offset, /* 0: the first row of memory is the first one of the glass */
+        0x40,                   /* not scrolled */
         0xDA,
-        (uint8_t)(config->height > 32 ? WIRES_IN_TURNS : WIRES_IN_ORDER),
+        com_pins,
         0x81,
         0x80, /* contrast: the middle */
         0xA4, /* memory is shown as it is */
@@ -44,7 +49,8 @@ static bool set_up(const fxl_display *display)
         (uint8_t)(INVERT | (config->is_inverted ? 1u : 0u)),
     };
     return send_commands(display, commands, sizeof commands) &&
-           send_commands(display, config->driver->commands, config->driver->commands_size);
+           send_commands(display, config->driver->commands, config->driver->commands_size) &&
+           (config->current_reference == 0 || send_commands(display, reference, sizeof reference));
 }
 
 /* A page at a time: the controller does not go on to the next one by itself. All but the last one
@@ -67,15 +73,14 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
     return true;
 }
 
-const fxl_display_family fxl_display_pages = {&fxl_pixels_mono_pages, set_up, send_rows,
-                                              DISPLAY_ON};
+const fxl_display_family fxl_display_pages = {
+    &fxl_pixels_mono_pages, set_up, send_rows, send_commands, DISPLAY_ON, 0, 1, 8};
 
 /* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own
  * commands, the columns of its memory, and the column where the glass begins. */
 #define OF_64_ROWS(commands, columns, left) \
     { \
-        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, \
-            {0x09, 0x00, 0x00, 0x00}, false, false \
+        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, 0x09, false \
     }
 
 static const uint8_t sh1106_commands[] = {

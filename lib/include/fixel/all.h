@@ -11,6 +11,7 @@
 #include "fixel/display.h"
 #include "fixel/light.h"
 #include "fixel/line.h"
+#include "fixel/modules.h"
 #include "fixel/motion.h"
 #include "fixel/order.h"
 #include "fixel/orientation.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Drivers for displays: ST7789, ILI9341 and ST7735 in 16 bits a pixel; SSD1306 and SH1106 in black
- * and white. The caller gives the functions that reach the wires of his chip. A display is where a
- * pump sends its bands (fixel/pump.h). docs/displays.md shows a whole program. */
+/* Drivers for displays: ST7789, ILI9341, ST7735, ST7796 and GC9A01 in 16 bits a pixel; SSD1306 and
+ * SH1106 in black and white. The caller gives the functions that reach the wires of his chip. A
+ * display is where a pump sends its bands (fixel/pump.h). docs/displays.md shows a whole program.
+ */
 #ifndef FXL_DISPLAY_H
 #define FXL_DISPLAY_H
 
@@ -31,22 +32,50 @@ typedef struct {
     void (*pause)(void *user, uint32_t milliseconds);
 } fxl_display_port;
 
-/* A controller: one of the constant records below. A program links those that it names. */
+/* A controller: one of the constant records below, or one of the caller's (struct
+ * fxl_display_driver). A program links those that it names. */
 typedef struct fxl_display_driver fxl_display_driver;
 
 extern const fxl_display_driver fxl_st7789;  /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_ili9341; /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_st7735;  /* 128 x 160, RGB565 */
+extern const fxl_display_driver fxl_st7796;  /* 320 x 480, RGB565 */
+extern const fxl_display_driver fxl_gc9a01;  /* 240 x 240, RGB565 */
 extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
 extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
 
-/* A display module: its controller, and how the glass is joined to it. The defaults are those of
- * a common module; change what yours has otherwise. The glass must lie in the controller's memory:
- * left + width <= columns and top + height <= rows. An access whose bit 5 exchanges rows and
- * columns (ST7789, ILI9341, ST7735) exchanges these limits too.
+/* A module as it is sold: its glass, given once. fxl_display_config_turned computes the rest for
+ * each turn. fixel/modules.h has records of common modules. */
+typedef struct {
+    const fxl_display_driver *driver;
+    uint16_t width, height; /* of the glass, at turn 0 */
+    uint16_t left, top;     /* where the glass begins in the controller's memory, at turn 0 */
+    uint16_t columns, rows; /* of the controller's memory in the mode that the module is wired for;
+                               at most those of the driver */
+    uint8_t access;         /* at turn 0; see fxl_display_config */
+    bool is_inverted;
+
+    /* Of a controller of pages; 0 for those of colours. */
+    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02 */
+    uint8_t display_offset; /* argument of command 0xD3 at turn 0; at turn 2 64 minus that */
+    uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
+
+    /* Commands of the caller's, after those of the driver and before the glass is turned on: for
+     * each of them the number of its bytes, which is at least 1, the command, and its arguments.
+     * They stay the caller's. Null for none. */
+    const uint8_t *extra_commands;
+    size_t extra_commands_size;
+} fxl_display_module;
+
+/* How a program talks to a module at one turn. fxl_display_config_turned and
+ * fxl_display_config_default make one. The glass must lie in the controller's memory:
+ * left + width <= columns and top + height <= rows. An access that exchanges rows and columns
+ * exchanges these limits too.
  *
  *   columns x rows   ST7789, ILI9341   240 x 320
  *                    ST7735            132 x 162
+ *                    ST7796            320 x 480
+ *                    GC9A01            240 x 240
  *                    SSD1306           128 x 64
  *                    SH1106            132 x 64    top and height: multiples of 8, as SSD1306 */
 typedef struct {
@@ -57,6 +86,17 @@ typedef struct {
                                argument of command 0x36; for SSD1306 and SH1106 bit 0 mirrors
                                columns and bit 3 rows */
     bool is_inverted;       /* the glass shows true colours only when it is inverted */
+
+    /* Of a controller of pages; 0 for those of colours. */
+    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02 */
+    uint8_t display_offset; /* argument of command 0xD3 */
+    uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
+
+    /* Commands of the caller's, after those of the driver and before the glass is turned on: for
+     * each of them the number of its bytes, which is at least 1, the command, and its arguments.
+     * They stay the caller's. Null for none. */
+    const uint8_t *extra_commands;
+    size_t extra_commands_size;
 } fxl_display_config;
 
 /* An open display, which the caller owns. It may not be moved: sink and pixels are used in place.
@@ -76,9 +116,17 @@ typedef struct fxl_display {
     uint16_t frame_height;
 } fxl_display;
 
-/* The configuration of a common module of a controller, turned clockwise by 0 to 3 quarter
- * turns. An SSD1306 or SH1106 turns by 0 and 2 only; for other turns all is 0, driver
- * too, and fxl_display_open refuses the configuration. */
+/* The configuration of a module whose picture is turned clockwise on the glass by 0 to 3 quarter
+ * turns. The picture is upright for a viewer who turns the module counter-clockwise by as many.
+ * On an axis that runs the other way than at turn 0, the glass begins at
+ * memory - size - offset. A driver of pages turns by 0 and 2 only. All is 0, driver too, if the
+ * module has no such turn, has no driver, or has a glass outside its memory, and if the memory is
+ * larger than the driver's. fxl_display_open refuses that configuration. */
+fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
+                                             uint32_t quarter_turns);
+
+/* The same for a common module of a controller. A square ST7789, for example, is not this module:
+ * see fixel/modules.h. */
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns);
 
@@ -86,9 +134,9 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
  * green, blue, a byte each, and is only read. The display keeps the pointer to the port. The frame
  * fills the glass. Takes some 300 ms.
  * FXL_E_ARGUMENT: a null pointer; a port without send or pause, or with start and no wait.
- * FXL_E_RANGE: no driver, or the glass is not in the controller's memory: fxl_display_config.
- * With each of these statuses: nothing was sent, *display untouched.
- * FXL_E_DISPLAY: a send failed; the display cannot be used until it is opened. */
+ * FXL_E_RANGE: no driver, or the glass is not in the controller's memory, or extra_commands are
+ * none or cut off: fxl_display_config. With each of these statuses: nothing was sent, *display
+ * untouched. FXL_E_DISPLAY: a send failed; the display cannot be used until it is opened. */
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette);
 

@@ -6,7 +6,9 @@ import pathlib
 import sys
 
 from fixel.base import output, scratch
-from fixel.scene import scene_options
+from fixel.board import model_look
+from fixel.model import suffixes
+from fixel.scene import look, scene_options
 from fixel.scene.scene_image import make_scene_image
 from fixel.bench import frame_costs
 from fixel.image import image, memory_needed
@@ -109,12 +111,31 @@ def print_prediction(result):
         print(f"{coloured('no room', 'red')}: {one_line(result['why_not'])}")
 
 
+def room_of(options):
+    """The room of a board's program, by the settings that it is built with."""
+    board, core = board_of(options, frame_costs.load())
+    without = set(options.without.lower().split(","))
+    targets = {(bits, depth) for bits in (8, 16) for depth in (0, 16, 32)
+               if not (bits == 16 and "rgb565" in without or depth and "depth" in without or depth == 32 and "depth_32" in without)}
+    return model_look.Room(options.band, options.order, options.list, options.cache, board["scene_room"], options.list_most,
+                           "surfaces" not in without, frozenset(targets), core)
+
+
+def image_of(options, folder):
+    """The scene image of --scene: of a bare model as the board draws it."""
+    is_model = suffixes.is_model(options.scene)
+    look.check(options.look, options.scene, is_model)
+    if is_model:
+        return model_look.choose(options, room_of(options), options.build, folder)
+    return make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options))
+
+
 def command(options):
     """The command; its exit code."""
     scene_options.check(options)
     output.make_folder(options.build)
     with scratch.folder("predict", options.build) as folder:
-        result = predict(options, make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options)))
+        result = predict(options, image_of(options, folder))
     if options.json == "-":
         print(json.dumps(result, indent=1))
     else:

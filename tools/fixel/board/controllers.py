@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What controllers of displays make of their wires, written from their data sheets: ST7789, ILI9341 and ST7735 in
-RGB565, SSD1306 and SH1106 in black and white. The drivers are in lib/screen; neither was made from the other.
+"""What modules of displays show of their wires. The controllers are written from their data sheets: ST7789, ILI9341,
+ST7735, ST7796 and GC9A01 in RGB565, SSD1306 and SH1106 in black and white. The drivers are in lib/screen; neither was
+made from the other.
 """
+
+import dataclasses
 
 import numpy
 
@@ -17,24 +20,44 @@ def require(holds, sentence):
         raise ToolError(f"the wires of the display: {sentence}", exit_code=1)
 
 
-class Colour:
-    """A controller of MIPI's commands, in pixels of RGB565. columns, rows: of its memory, upright."""
+@dataclasses.dataclass(frozen=True)
+class Glass:
+    """How a glass is joined to its controller. columns, rows: of the memory in the mode that the module is wired for.
+    left, top: where the glass begins, counted from the side of the memory that is at its upper left when the picture is
+    not turned. mirrored: the memory's own columns and rows run against those of the glass."""
+    columns: int
+    rows: int
+    width: int
+    height: int
+    left: int = 0
+    top: int = 0
+    mirrored: tuple = (False, False)
+    blue_first: bool = False    # its sub-pixels are blue, green, red
+    inverted: bool = False      # it shows the complement of what it is sent
+    com_pins: int = 0x12        # how the rows of an OLED are joined to the controller
 
-    def __init__(self, columns, rows):
-        self.size = (columns, rows)
+    def cut(self, memory):
+        """The part of a memory that the glass shows, as seen when the picture is not turned."""
+        seen = memory[::-1 if self.mirrored[1] else 1, ::-1 if self.mirrored[0] else 1]
+        return seen[self.top:self.top + self.height, self.left:self.left + self.width]
+
+
+class Colour:
+    """A controller of MIPI's commands, in pixels of RGB565."""
+
+    def __init__(self, glass):
+        self.glass = glass
+        self.memory = numpy.full((glass.rows, glass.columns), UNWRITTEN, numpy.uint16)
         self.asleep, self.on, self.inverted = True, False, False
         self.format, self.access = 0x66, 0      # after reset: 18 bits
         self.rested = self.awake_for = 0        # milliseconds
         self.command, self.arguments = None, b""
-        self._turn(0)
+        self.window = [(0, glass.columns - 1), (0, glass.rows - 1)]
 
-    def _turn(self, access):
-        """Rows become columns by bit 5."""
-        columns, rows = self.size[::-1] if access & 0x20 else self.size
-        if access & 0x20 != self.access & 0x20 or not hasattr(self, "memory"):
-            self.memory = numpy.full((rows, columns), UNWRITTEN, numpy.uint16)
-            self.window = [(0, columns - 1), (0, rows - 1)]
-        self.access = access
+    def _seen(self):
+        """The memory as pixels are written to it: bit 5 exchanges rows and columns, bits 6 and 7 mirror them."""
+        seen = self.memory[::-1 if self.access & 0x80 else 1, ::-1 if self.access & 0x40 else 1]
+        return seen.T if self.access & 0x20 else seen
 
     def pause(self, milliseconds):
         self.finish()
@@ -76,7 +99,7 @@ class Colour:
         elif command in (0x36, 0x3A):
             require(len(data) == 1, f"command {command:#x} has {len(data)} bytes of data")
             if command == 0x36:
-                self._turn(data[0])
+                self.access = data[0]
             else:
                 self.format = data[0]
         else:
@@ -85,33 +108,40 @@ class Colour:
     def _set_window(self, axis, data):
         require(len(data) == 4, "a window has four bytes an axis")
         first, last = numpy.frombuffer(data, ">u2").tolist()
-        require(first <= last < self.memory.shape[1 - axis], f"the window {first}..{last} is beyond its memory")
+        require(first <= last < self._seen().shape[1 - axis], f"the window {first}..{last} is beyond its memory")
         self.window[axis] = (first, last)
 
     def _write(self, data):
         (left, right), (top, bottom) = self.window
         shape = (bottom - top + 1, right - left + 1)
+        require(right < self._seen().shape[1] and bottom < self._seen().shape[0], "the window was set for another turn")
         require(self.format == 0x55, "pixels come before it was told that they have 16 bits")
         require(len(data) == 2 * shape[0] * shape[1], "the pixels do not fill their window, whole and once")
-        self.memory[top:bottom + 1, left:right + 1] = numpy.frombuffer(data, ">u2").reshape(shape)
+        self._seen()[top:bottom + 1, left:right + 1] = numpy.frombuffer(data, ">u2").reshape(shape)
 
-    def picture(self):
-        """What the glass shows: pixels of RGB565."""
+    def picture(self, turns=0):
+        """What the glass shows whoever turned the module counter-clockwise by quarter turns: pixels of RGB565."""
         require(self.on, "it was never turned on")
-        return self.memory.copy()
+        shown = self.glass.cut(self.memory).copy()
+        if bool(self.access & 8) != self.glass.blue_first:
+            shown = shown << 11 | shown & 0x07E0 | shown >> 11
+        return numpy.rot90(~shown if self.inverted != self.glass.inverted else shown, turns)
 
 
 class Pages:
-    """A controller of pages of eight rows. columns: of its memory, of which the glass shows 128 in the middle."""
+    """A controller of pages of eight rows."""
 
-    WIDTH, PAGES = 128, 8
+    PAGES = 8
     TWO_BYTES = frozenset([0x20, 0x81, 0x8D, 0xA8, 0xAD, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB])  # commands with an argument
     PLAIN = frozenset([0x40, 0xA0, 0xA1, 0xA4, 0xA6, 0xA7, 0xC0, 0xC8])                  # those that it must know
 
-    def __init__(self, columns):
-        self.memory = numpy.full((self.PAGES, columns), 0xA5, numpy.uint8)
+    def __init__(self, glass):
+        self.glass = glass
+        self.memory = numpy.full((self.PAGES, glass.columns), 0xA5, numpy.uint8)
         self.page = self.column = 0
         self.on = False
+        self.settings = {0xA8: 63, 0xD3: 0, 0xDA: 0x12}     # after reset: multiplex, offset of the glass, COM pins
+        self.mirrors_columns = self.mirrors_rows = self.inverted = False
 
     def pause(self, milliseconds):
         """It needs none."""
@@ -123,7 +153,8 @@ class Pages:
         commands = iter(data)
         for command in commands:
             if command in self.TWO_BYTES:
-                require(next(commands, None) is not None, f"command {command:#x} lacks its argument")
+                self.settings[command] = next(commands, None)
+                require(self.settings[command] is not None, f"command {command:#x} lacks its argument")
             elif command < 0x10:
                 self.column = self.column & 0xF0 | command
             elif command < 0x20:
@@ -134,25 +165,80 @@ class Pages:
                 self.on = command == 0xAF
             else:
                 require(command in self.PLAIN, f"there is no command {command:#x}")
+                self._set(command)
+
+    def _set(self, command):
+        """A command without an argument."""
+        if command & 0xFE == 0xA0:
+            self.mirrors_columns = command == 0xA1
+        elif command & 0xFE == 0xA6:
+            self.inverted = command == 0xA7
+        elif command & 0xF0 == 0xC0:
+            self.mirrors_rows = command == 0xC8
 
     def take_data(self, data):
         require(self.column + len(data) <= self.memory.shape[1], "bytes come behind the last column")
         self.memory[self.page, self.column:self.column + len(data)] = numpy.frombuffer(data, numpy.uint8)
         self.column += len(data)
 
-    def picture(self):
-        """What the glass shows: pixels of 0 and 1."""
+    def picture(self, turns=0):
+        """What the glass shows whoever turned the module by two quarter turns or none: pixels of 0 and 1."""
         require(self.on, "it was never turned on")
-        left = (self.memory.shape[1] - self.WIDTH) // 2
-        shown = self.memory[:, None, left:left + self.WIDTH] >> numpy.arange(8, dtype=numpy.uint8)[None, :, None] & 1
-        return shown.reshape(8 * self.PAGES, self.WIDTH)
+        rows, glass = self.settings[0xA8] + 1, self.glass
+        require(rows == glass.height and self.settings[0xDA] == glass.com_pins, "it was told of another glass")
+        lit = self.memory[:, None, :] >> numpy.arange(8, dtype=numpy.uint8)[None, :, None] & 1
+        lit = lit.reshape(8 * self.PAGES, glass.columns)
+        lit = numpy.roll(lit, -self.settings[0xD3], 0)[:rows]
+        pins = lit[::-1 if self.mirrors_rows else 1, ::-1 if self.mirrors_columns else 1]
+        return numpy.rot90(glass.cut(pins ^ self.inverted), turns)
 
 
-# Of each driver of the library: a controller when power comes.
-MODELS = {"st7789": lambda: Colour(240, 320), "ili9341": lambda: Colour(240, 320), "st7735": lambda: Colour(128, 160),
-          "ssd1306": lambda: Pages(128), "sh1106": lambda: Pages(132)}
+def _st7789(*place, **others):
+    """A glass on an ST7789, which is inverted."""
+    return Colour, Glass(240, 320, *place, inverted=True, **others)
 
 
-def is_mono(driver):
-    """Whether a driver's controller is black and white."""
-    return isinstance(MODELS[driver](), Pages)
+def _st7735(*place, **others):
+    """A glass on an ST7735, mounted with its first row at the bottom and its first column at the right."""
+    return Colour, Glass(*place, mirrored=(True, True), **others)
+
+
+def _oled(columns, *place, **others):
+    """A glass on a controller of 64 rows, mounted upside down."""
+    return Pages, Glass(columns, 64, *place, mirrored=(True, True), **others)
+
+
+_ILI9341 = Colour, Glass(240, 320, 240, 320, mirrored=(True, False), blue_first=True)
+_GC9A01 = Colour, Glass(240, 240, 240, 240, blue_first=True, inverted=True)
+
+# Of each driver of the library, a common module, and of each module of fixel/modules.h: its controller and glass.
+MODULES = {
+    "st7789": _st7789(240, 320), "ili9341": _ILI9341, "st7735": _st7735(128, 160, 128, 160),
+    "st7796": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)), "gc9a01": _GC9A01,
+    "ssd1306": _oled(128, 128, 64), "sh1106": _oled(132, 128, 64, 2),
+    "ili9341_240x320": _ILI9341,
+    "st7789_240x320": _st7789(240, 320), "st7789_240x240": _st7789(240, 240), "st7789_135x240": _st7789(135, 240, 52, 40),
+    "st7789_172x320": _st7789(172, 320, 34, blue_first=True), "st7789_170x320": _st7789(170, 320, 35),
+    "st7789_240x280": _st7789(240, 280, 0, 20),
+    "st7735_128x160": _st7735(128, 160, 128, 160),
+    "st7735_128x160_green": _st7735(132, 162, 128, 160, 2, 1, blue_first=True),
+    "st7735_128x128": _st7735(132, 132, 128, 128, 2, 3, blue_first=True),
+    "st7735_80x160": _st7735(132, 162, 80, 160, 26, 1, blue_first=True, inverted=True),
+    "st7796_320x480": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)),
+    "st7796_222x480": (Colour, Glass(320, 480, 222, 480, 49, mirrored=(True, False), blue_first=True)),
+    "gc9a01_240x240": _GC9A01,
+    "ssd1306_128x64": _oled(128, 128, 64), "ssd1306_128x32": _oled(128, 128, 32, com_pins=0x02),
+    "ssd1306_64x48": _oled(128, 64, 48, 32), "ssd1306_64x32": _oled(128, 64, 32, 32), "ssd1306_72x40": _oled(128, 72, 40, 28),
+    "sh1106_128x64": _oled(132, 128, 64, 2),
+}
+
+
+def start(name):
+    """The controller of a module when power comes."""
+    controller, glass = MODULES[name]
+    return controller(glass)
+
+
+def is_mono(name):
+    """Whether a module is black and white."""
+    return MODULES[name][0] is Pages

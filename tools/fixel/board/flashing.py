@@ -4,8 +4,9 @@
 import itertools
 import pathlib
 
-from fixel.scene import making
-from fixel.board import probe
+from fixel.scene import look, making
+from fixel.board import model_look, probe
+from fixel.model import suffixes
 from fixel.base import bounded, output, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.board.flash_memory import flash
@@ -25,9 +26,14 @@ def scene_image(options, work):
     compiled into the folder of --scenes."""
     scene = pathlib.Path(options.scene)
     if scene.suffix == ".fxls":
+        look.check(options.look, options.scene, False)
         return make_scene_image(options.scene, work, options.frames, options.screen, asked=options.target)
     image = pathlib.Path(options.scenes) / f"{scene.stem}.fxls"
     output.make_folder(image.parent)
+    if suffixes.is_model(scene):
+        output.write_file(image, model_look.scene_image(options, options.elf, work).read_bytes())
+        return image
+    look.check(options.look, options.scene, False)
     making.tell(image, making.build(options.scene, image, options.frames, options.screen,
                                     limits=bounded.limits_of(options), asked=options.target))
     return image

@@ -7,15 +7,14 @@ import sys
 
 import numpy
 
-from fixel.base import bounded, kept, output, picture, scratch, spent
-from fixel.board import drawing, dump, emulator, firmware, methods, wires
+from fixel.base import kept, output, picture, scratch, spent
+from fixel.board import drawing, dump, emulator, firmware, methods, model_look, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms
 from fixel.base.progress import Progress, steps
 from fixel.scene import scene_options
-from fixel.scene.scene_image import make_scene_image
 from fixel.base.table import coloured, table
 
 # The files of a result; the last one comes last and goes first, so that a folder with it is whole.
@@ -221,10 +220,10 @@ def run(options, folder):
         # QEMU may be missing: say so before the scene takes its time.
         if options.board != firmware.HOST:
             emulator.find_qemu()
-        image = make_scene_image(options.scene, work, options.frames, options.screen, bounded.limits_of(options), options.target)
+        name = methods.program(options)
+        image = model_look.scene_image(options, methods.elf_of(options.board, options.build, name), work)
         methods.check_scene(options, scene_image.load(image))
         say_what_depth_confuses(image, options)
-        name = methods.program(options)
         record = work / wires.NAME if options.driver else None
         if options.driver:
             scene = scene_image.load(image)

@@ -4,14 +4,12 @@
 from PIL import Image
 
 from fixel.base import output, picture, scratch
-from fixel.board import firmware, flash_memory, methods
-from fixel.base import bounded
+from fixel.board import firmware, flash_memory, methods, model_look
 from fixel.base.errors import ToolError, one_line
 from fixel.image.image import load
 from fixel.base.progress import Progress
 from fixel.board.session import Session
 from fixel.scene import scene_options
-from fixel.scene.scene_image import make_scene_image
 
 DEVICE = "screen"       # what an added display is called
 
@@ -22,7 +20,7 @@ def photograph(options, folder):
     program = firmware.load(elf, options.board)
     if program.hosted:
         raise ToolError(f"board {options.board} has no screen of its own; BOARD= names an emulated one")
-    scene = make_scene_image(options.scene, folder, options.frames, options.screen, bounded.limits_of(options), options.target)
+    scene = model_look.scene_image(options, elf, folder)
     methods.check_scene(options, load(scene))
     frames = options.frames or load(scene).frames
     flash_memory.flash(options.board, elf, scene, folder / "board.bin")

@@ -14,8 +14,6 @@ from fixel.base.errors import ToolError
 
 NAME = "wires.bin"  # as boards write it, in the folder they start in
 HEAD = struct.Struct("<cI")
-# Of the glass of each driver, the longer side first. Only those of colour turn.
-GLASS = {"st7789": (320, 240), "ili9341": (320, 240), "st7735": (160, 128), "ssd1306": (128, 64), "sh1106": (128, 64)}
 
 
 def records(file):
@@ -31,8 +29,9 @@ def records(file):
         yield kind, data
 
 
-def read(file, model):
-    """Plays the record of an open file to a model of fixel.board.controllers; after each whole frame, its picture."""
+def read(file, model, turns=0):
+    """Plays the record of an open file to a model of fixel.board.controllers; after each whole frame, its picture for whoever
+    turned the module by these quarter turns."""
     frames = 0
     for kind, data in records(file):
         if kind == b"C":
@@ -45,7 +44,7 @@ def read(file, model):
             model.finish()
             require(int.from_bytes(data, "little") == frames, f"after frame {frames - 1} comes another than {frames}")
             frames += 1
-            yield model.picture()
+            yield model.picture(turns)
         else:
             require(False, f"their record has an unknown part {kind!r}")
     model.finish()
@@ -57,36 +56,47 @@ def rgb565(palette):
     return (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
 
 
-def shown(driver, pixels, palette):
+def turns_of(driver, width, height):
+    """How many quarter turns the program gives a module for frames of this size: of colours, the long side is the upper one
+    but for upright frames."""
+    return 0 if controllers.is_mono(driver) or height > width else 1
+
+
+def glass_of(driver, turns):
+    """Width and height of a module's glass, as seen."""
+    _, glass = controllers.MODULES[driver]
+    return (glass.height, glass.width) if turns % 2 else (glass.width, glass.height)
+
+
+def shown(driver, pixels, palette, turns):
     """What the glass is to show of a frame: the frame in its middle, black around it."""
     height, width = pixels.shape
-    long, short = GLASS[driver]
-    glass = numpy.zeros((long, short) if height > width and not controllers.is_mono(driver) else (short, long), numpy.uint16)
+    is_mono = controllers.is_mono(driver)
+    glass = numpy.zeros(glass_of(driver, turns)[::-1], numpy.uint16)
     top, left = ((outer - inner) // 2 for outer, inner in zip(glass.shape, pixels.shape))
-    top -= top % 8 if controllers.is_mono(driver) else 0
-    glass[top:top + height, left:left + width] = \
-        grey.levels(pixels, palette, 1) if controllers.is_mono(driver) else rgb565(palette)[pixels]
+    top -= top % 8 if is_mono else 0
+    glass[top:top + height, left:left + width] = grey.levels(pixels, palette, 1) if is_mono else rgb565(palette)[pixels]
     return glass
 
 
 def check_size(driver, width, height):
     """Refuses frames that are larger than the glass."""
-    long, short = GLASS[driver]
-    sides = (width, height) if controllers.is_mono(driver) else (max(width, height), min(width, height))
-    if sides[0] > long or sides[1] > short:
-        raise ToolError(f"frames of {width}x{height} do not fit the {long}x{short} of DRIVER={driver}: "
-                        f"SCREEN={long}x{short} draws smaller ones")
+    glass = glass_of(driver, turns_of(driver, width, height))
+    if width > glass[0] or height > glass[1]:
+        size = "x".join(map(str, glass_of(driver, turns_of(driver, 1, 1))))
+        raise ToolError(f"frames of {width}x{height} do not fit the {size} of DRIVER={driver}: SCREEN={size} draws smaller ones")
 
 
 def compare(path, driver, drawn, progress=None):
     """How many of a dump's frames the wires show as they were drawn, and a SHA-256 of each picture from the wires."""
     equal, hashes = 0, []
     with reading.open_file(path) as file:
-        for picture in read(file, controllers.MODELS[driver]()):
+        turns = turns_of(driver, drawn.frames[0].pixels.shape[1], drawn.frames[0].pixels.shape[0]) if drawn.frames else 0
+        for picture in read(file, controllers.start(driver), turns):
             require(len(hashes) < len(drawn.frames), "more frames come than were drawn")
-            wanted = shown(driver, drawn.frames[len(hashes)].pixels, drawn.palette)
+            wanted = shown(driver, drawn.frames[len(hashes)].pixels, drawn.palette, turns)
             equal += picture.shape == wanted.shape and bool((picture == wanted).all())
-            hashes.append(hashlib.sha256(picture.astype("<u2").tobytes()).hexdigest())
+            hashes.append(hashlib.sha256(picture.astype("<u2").tobytes("C")).hexdigest())
             if progress:
                 progress(len(hashes), len(drawn.frames))
     require(len(hashes) == len(drawn.frames), f"{len(hashes)} frames come, and {len(drawn.frames)} were drawn")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Reading fonts in BDF, Adobe's Glyph Bitmap Distribution Format (version 2.1)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 import re
 
 from fixel.base import reading
@@ -31,6 +31,7 @@ class Font:
     ascent: int
     descent: int
     glyphs: dict
+    notes: list = field(default_factory=list)
 
     @property
     def line_height(self):
@@ -133,7 +134,9 @@ def parse(text, name):
                     raise ToolError(f"{where}: character {code} is there a second time")
                 font.glyphs[code], boxes[code] = glyph, (where, box)
     if not words:
-        raise ToolError(f"{name}: ENDFONT is missing, so the file is not whole")
+        if not font.glyphs:
+            raise ToolError(f"{name}: ENDFONT is missing, and there is no character, so the file is not whole")
+        font.notes.append(f"{name}: ENDFONT is missing: the file may be cut off behind a character")
     return _with_tops(font, bounds, boxes, name)
 
 

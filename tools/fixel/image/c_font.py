@@ -6,10 +6,11 @@ import re
 import sys
 
 from fixel.base import output
-from fixel.image import bdf, c_scene, c_text
+from fixel.image import bdf, c_names, c_scene, c_text
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
 
+DEFAULT = "32-126"      # the characters that are written
 BYTES_MAX = 65535       # of all pictures: fxl_glyph.first_byte
 
 
@@ -49,18 +50,31 @@ def header(font, name, source, first, last):
          c_text.record("fxl_font", f"{name}_font", [members])])
 
 
-def export(source, out, name=None, characters="32-126"):
-    """Writes a font as a header; answers the number of its characters."""
-    name = os.path.splitext(os.path.basename(source))[0] if name is None else name
-    c_scene.check_name(name)
-    first, last = parse_characters(characters)
+def chosen(font, source):
+    """(first, last) of the characters where none are asked for: those of ASCII, or all of a font that has none of these;
+    and a note or None."""
+    first, last = parse_characters(DEFAULT)
+    there = sorted(code for code in font.glyphs if code)
+    if not there or any(first <= code <= last for code in there):
+        return first, last, None
+    return there[0], there[-1], f"{source}: has none of the characters {DEFAULT}: those from {there[0]} to {there[-1]} are written"
+
+
+def export(source, out, name=None, characters=None):
+    """Writes a font as a header; answers (the number of its characters, the name that its names begin with, notes)."""
+    name = c_names.name_of_file(source, "font") if name is None else name
+    c_names.check_name(name)
+    asked = characters and parse_characters(characters)
     font = bdf.read(source)
+    first, last, note = (*asked, None) if asked else chosen(font, source)
     output.write_file(out, header(font, name, os.path.basename(source), first, last))
-    return sum(first <= code <= last for code in font.glyphs)
+    return sum(first <= code <= last for code in font.glyphs), name, font.notes + ([note] if note else [])
 
 
 def command(options):
     """The command; its exit code."""
-    count = export(options.font, options.out, options.name, options.characters)
-    print(f"{one_line(options.out)}: {count} characters", file=sys.stderr)
+    count, name, notes = export(options.font, options.out, options.name, options.characters)
+    for note in notes:
+        print(f"note: {one_line(note)}", file=sys.stderr)
+    print(f"{one_line(options.out)}: {name}_font, {count} characters", file=sys.stderr)
     return 0

@@ -1,11 +1,48 @@
 # SPDX-License-Identifier: MIT
-"""Names of a scene's instances, models, surfaces and textures for a C program: enumerations."""
+"""Names for a C program: of a header by its file, and of a scene's instances, models, surfaces and textures as
+enumerations."""
 
+import os
 import re
 
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
 from fixel.image.c_text import comment
 
+FILE_NAME_MAX = 40       # a C compiler need not read more than 63 letters of a name
 NAME_MAX = 40       # letters of an object's name that are taken
+
+
+def name_of_file(path, before="scene"):
+    """The name that a header's names begin with where none is given: the file's, or one like it that may be used. before:
+    stands before one that may not begin a name."""
+    stem = os.path.splitext(os.path.basename(path))[0]
+    return stem if not _what_is_wrong(stem) else suggestion(stem, before)
+
+
+def check_name(name):
+    """Refuses a name that no C identifier may begin with."""
+    wrong = _what_is_wrong(name)
+    if wrong:
+        raise ToolError(f"the name {quoted(name)} {wrong}: give another with --name, like --name "
+                        f"{suggestion(name)}")
+
+
+def _what_is_wrong(name):
+    """Why a name cannot begin those of a header, or ""."""
+    return ("must begin with a letter, and have only letters of English, digits and _"
+             if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name) else
+             f"is longer than {FILE_NAME_MAX} letters" if len(name) > FILE_NAME_MAX else
+             "has __, which C++ keeps for itself" if "__" in name else
+             "begins with fxl, which the library keeps for itself" if name.lower().startswith("fxl") else "")
+
+
+def suggestion(name, before="scene"):
+    """A name that is like this one and may be used."""
+    plain = re.sub("[^A-Za-z0-9]+", "_", name).strip("_")
+    if not plain[:1].isalpha() or plain.lower().startswith("fxl"):
+        plain = f"{before}_{plain}"
+    return plain[:FILE_NAME_MAX].rstrip("_")
 
 
 def _word(name):

@@ -5,38 +5,15 @@ The header says everything that a check of the scene would compute, so a program
 scene links no check."""
 
 import itertools
-import re
 
 from fixel.image import (c_billboards, c_names, c_surfaces, c_text, image, image_beam, image_keys,
                          memory_needed)
 from fixel.image.c_text import braces, comment, record, split64, table
 from fixel.base.errors import ToolError
-from fixel.base.reading import quoted
 from fixel.image.image_tree import SORTED
 
-NAME_MAX = 40       # a C compiler need not read more than 63 letters of a name
 KINDS = {image.CONVEX: "FXL_MODEL_CONVEX", SORTED: "FXL_MODEL_SORTED"}
 BEAM_KINDS = {image_beam.POINT: "FXL_BEAM_POINT", image_beam.DIRECTION: "FXL_BEAM_DIRECTION"}
-
-
-def check_name(name):
-    """Refuses a name that no C identifier may begin with."""
-    wrong = ("must begin with a letter, and have only letters of English, digits and _"
-             if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name) else
-             f"is longer than {NAME_MAX} letters" if len(name) > NAME_MAX else
-             "has __, which C++ keeps for itself" if "__" in name else
-             "begins with fxl, which the library keeps for itself" if name.lower().startswith("fxl") else "")
-    if wrong:
-        raise ToolError(f"the name {quoted(name)} {wrong}: give another with --name, like --name "
-                        f"{suggestion(name)}")
-
-
-def suggestion(name):
-    """A name that is like this one and may be used."""
-    plain = re.sub("[^A-Za-z0-9]+", "_", name).strip("_")
-    if not plain[:1].isalpha() or plain.lower().startswith("fxl"):
-        plain = f"scene_{plain}"
-    return plain[:NAME_MAX].rstrip("_")
 
 
 def _count(number, one):
@@ -284,7 +261,7 @@ def _capacity(scene, name):
 def header(scene, name, source, frames=False):
     """The text of a header. source: the name of the file that the scene comes from. frames: with the
     scene's path as poses."""
-    check_name(name)
+    c_names.check_name(name)
     if frames and scene.path_kind != image.POSES:
         raise ToolError(f"{source}: the path is keys that a player holds down, not poses, and only poses "
                         "can be exported: leave out --frames")

@@ -2,7 +2,8 @@
 """Writes a bitmap font, a BDF file, as a C header for fxl_draw_text.
 
     fixel font FONT.bdf -o OUT.h [--name NAME] [--characters FIRST-LAST]
-        FIRST-LAST: codes of Latin-1, 32-126 by default"""
+        NAME: by default that of the file, with _ for what no C name has
+        FIRST-LAST: codes of Latin-1, by default 32-126, or all of a font that has none of these"""
 
 import argparse
 
@@ -15,7 +16,7 @@ def parser():
     made.add_argument("font", help="a BDF file")
     made.add_argument("-o", "--out", required=True)
     made.add_argument("--name", help="what the header's names begin with; without, the file's name")
-    made.add_argument("--characters", default="32-126", metavar="FIRST-LAST", help="codes, 32-126 by default")
+    made.add_argument("--characters", metavar="FIRST-LAST", help="codes, 32-126 by default")
     return made
 
 

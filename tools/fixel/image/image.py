@@ -12,11 +12,11 @@ from fixel.image.fields import HEAD, IMAGE_MAX, MAGIC, VERSION
 from fixel.image.image_header import POSES, STRIDES
 from fixel.image.image_models import (CONVEX, FACE_VERTICES_MAX, PLACED_MAX, PLANARITY_MAX, Face, Model, Object,
                                 check_coordinates, check_plane, check_planes, radius_of)
-from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, Node, Tree, check_tree, fail
+from fixel.image.image_tree import COORDINATE_MAX, NORMAL_SQUARE_MAX_ERROR, RADIUS_MAX, SORTED, Node, TooLarge, Tree, check_tree, fail
 
 # What the tools name as image.X, of the modules that an image is made of.
 __all__ = ["CONVEX", "COORDINATE_MAX", "FACE_VERTICES_MAX", "Face", "IMAGE_MAX", "KEYS", "Model", "NORMAL_SQUARE_MAX_ERROR",
-           "Object", "PLACED_MAX", "PLANARITY_MAX", "POSES", "RADIUS_MAX", "SORTED", "STRIDES", "SceneImage",
+           "Object", "PLACED_MAX", "PLANARITY_MAX", "POSES", "RADIUS_MAX", "SORTED", "STRIDES", "SceneImage", "TooLarge",
            "check_coordinates", "check_plane", "load", "pack", "radius_of", "unpack"]
 
 GAIT_MAX, TURN_MAX = 256 << 16, 1 << 30
@@ -84,8 +84,8 @@ def pack(image):
     count, body = image_tables.pack(tables)
     size = HEAD.size + len(body)
     if size > IMAGE_MAX:
-        fail("size", f"the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
-             "use fewer or smaller models or a shorter path")
+        raise TooLarge(f"size: the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
+                       "use fewer or smaller models or a shorter path")
     values = {"magic": MAGIC, "version": VERSION, "section_count": count, "image_size": size, "crc": 0, "width": image.width,
               "height": image.height, "fov": image.fov, "near_z": image.near, "far_z": image.far, "inset": image.inset,
               "background": image.background, "target": image_header.target(image), "dark": image.dark, "start": image.start[:3],

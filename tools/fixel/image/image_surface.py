@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from fixel.base.errors import ToolError
 from fixel.image.fields import entry
 from fixel.image.image_ranges import Ranges
-from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, fail
+from fixel.image.image_tree import NORMAL_SQUARE_MAX_ERROR, TooLarge, fail
 
 TABLE_MAX = 65535
 TEXELS_MAX = 16 << 20           # bytes of all textures
@@ -107,11 +107,11 @@ def tables(surfaces, models):
                                      one.log_height, one.format, one.flags, one.key, one.levels, one.key_565))
     for face in (face for model in models for face in model.faces):
         face_map.append(MAP.pack(numbers.setdefault(face.mapped, len(numbers) + 1) if face.mapped else 0))
+    for many, what in ((numbers, "faces with surfaces that lie differently"), (surfaces.normals, "normals of smooth corners")):
+        if len(many) > TABLE_MAX:
+            raise TooLarge(f"count: {len(many):,} {what} are more than {TABLE_MAX:,}; use smaller models")
     mapped = [MAPPED.pack(one.surface, *one.vertices, *one.normals, 0, *(c for texel in one.texels for c in texel))
               for one in numbers]
-    if len(mapped) > TABLE_MAX:
-        fail("count", f"{len(mapped):,} faces with surfaces that lie differently are more than {TABLE_MAX:,}; use smaller "
-             "models")
     return dict(zip(TABLES, [
         textures, bytes(blob),
         [SURFACE.pack(one.texture, one.division, one.flags, one.opacity, one.sixteenths, 0, 0) for one in surfaces.surfaces],

@@ -15,6 +15,10 @@ COORDINATE_MAX = 8191 << 16
 RADIUS_MAX = 28375 << 16
 
 
+class TooLarge(ToolError):
+    """A scene is more than an image holds."""
+
+
 def fail(status, text):
     raise ToolError(f"{status}: {text}")
 

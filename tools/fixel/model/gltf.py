@@ -10,16 +10,17 @@ import math
 
 import numpy as np
 
-from fixel.model import gltf_check
+from fixel.model import gltf_check, gltf_left_out
 from fixel.base.errors import ToolError
+from fixel.model.gltf_material import Materials, srgb
 from fixel.model.mesh import FILE_FACES_MAX, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import Material, Surfaces
+from fixel.model.surface import WHITE, Surfaces
 
 _CONVENTION = ("right-handed and counter-clockwise, as glTF is: z was negated and every outline reversed")
-_FLOATS = (gltf_check.FLOAT,)
-_PARTS = (gltf_check.FLOAT, 5121, 5123)     # of a coordinate or a colour, the whole ones normalised
+# Of a place, a coordinate or a colour: the whole ones normalised, or as they are (KHR_mesh_quantization).
+_PARTS = (gltf_check.FLOAT, 5120, 5121, 5122, 5123)
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
 _MODES = range(7)
 READ_MAX = 8 << 20          # vertices and indices of the parts of all nodes: nodes may share a mesh
@@ -56,60 +57,6 @@ def _matrix(checked, node, where):
     return matrix
 
 
-# --- materials --------------------------------------------------------------------
-
-def _srgb(linear):
-    """A part 0..1 of light as 0..255 of a screen."""
-    linear = min(max(linear, 0.0), 1.0)
-    return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
-
-
-def _name(entry, number):
-    """A material's name, or its number."""
-    name = entry.get("name")
-    return name if isinstance(name, str) else str(number)
-
-
-class _Materials:
-    """The materials of a file, each read when a part asks for it."""
-
-    def __init__(self, checked):
-        self.checked, self.found, self.images = checked, {}, {}
-
-    def _image(self, number):
-        if number not in self.images:
-            self.images[number] = self.checked.image(number)
-        return self.images[number]
-
-    def _texture(self, base, where):
-        """(image, number of the texture coordinates); the image is None without one."""
-        if "baseColorTexture" not in base:
-            return None, 0
-        info = base["baseColorTexture"]
-        if not isinstance(info, dict):
-            self.checked.fail(where, "baseColorTexture is no object: the file is damaged")
-        _, texture = self.checked.entry("textures", info, "index", where)
-        image, _ = self.checked.entry("images", texture, "source", where)
-        return self._image(image), self.checked.whole(info, "texCoord", where, 0, 7)
-
-    def get(self, part, where):
-        """(Material, number of the texture coordinates) of a part."""
-        checked = self.checked
-        if "material" not in part:
-            return self.found.setdefault(None, (Material("none"), 0))
-        number, entry = checked.entry("materials", part, "material", where)
-        if number not in self.found:
-            where, base = checked.label("material", number), entry.get("pbrMetallicRoughness", {})
-            if not isinstance(base, dict):
-                checked.fail(where, "pbrMetallicRoughness is no object: the file is damaged")
-            factor = gltf_check.numbers(checked, base, "baseColorFactor", 4, where) if "baseColorFactor" in base else [1] * 4
-            image, coordinates = self._texture(base, where)
-            self.found[number] = (Material(_name(entry, number), tuple(map(_srgb, factor[:3])),
-                                           1.0 if entry.get("alphaMode", "OPAQUE") == "OPAQUE" else min(max(factor[3], 0), 1),
-                                           image), coordinates)
-        return self.found[number]
-
-
 # --- parts ------------------------------------------------------------------------
 
 def _triangles(checked, part, count, where):
@@ -135,7 +82,7 @@ def _triangles(checked, part, count, where):
 def _positions(checked, attributes, where):
     if "POSITION" not in attributes:
         checked.fail(where, "it has no POSITION: the file is damaged")
-    points = checked.accessor(attributes["POSITION"], where, ("VEC3",), _FLOATS)
+    points = checked.accessor(attributes["POSITION"], where, ("VEC3",), _PARTS)
     return points
 
 
@@ -144,24 +91,22 @@ class _Reader:
 
     def __init__(self, checked, progress):
         self.checked, self.progress = checked, progress
-        self.materials, self.numbers = _Materials(checked), {}
+        self.materials, self.numbers = Materials(checked), {}
         self.vertices, self.faces, self.places, self.surfaces = [], [], [], Surfaces()
         self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
 
-    def _add_material(self, material, tint=None):
-        """The number of a material, as it is or with another colour."""
-        key = id(material), tint
-        if key not in self.numbers:
-            self.numbers[key] = len(self.surfaces.materials)
-            colour = material.colour if tint is None else tuple(round(a * b / 255) for a, b in zip(material.colour, tint))
-            self.surfaces.materials.append(Material(material.name, colour, material.opacity, material.image))
-        return self.numbers[key]
+    def _add_material(self, material):
+        """The number of a material."""
+        if id(material) not in self.numbers:
+            self.numbers[id(material)] = len(self.surfaces.materials)
+            self.surfaces.materials.append(material)
+        return self.numbers[id(material)]
 
     def _of_vertices(self, attributes, key, kinds, count, where):
         """An attribute of the vertices, None if there is none."""
         if key not in attributes:
             return None
-        values = self.checked.accessor(attributes[key], where, kinds, _PARTS)
+        values = self.checked.accessor(attributes[key], where, kinds, _PARTS).astype(float)
         if len(values) != count:
             self.checked.fail(where, f"{key} has {len(values):,} values for {count:,} vertices: the file is damaged")
         wrong = np.argwhere(~np.isfinite(values))
@@ -170,9 +115,17 @@ class _Reader:
             self.checked.fail(where, f"{key} of vertex {row} has the value {values[row, column]:g}; it must be finite")
         return values
 
-    def _coordinates(self, attributes, material, number, count, where):
-        values = self._of_vertices(attributes, f"TEXCOORD_{number}", ("VEC2",), count, where) if material.image else None
-        return None if values is None else np.where(np.abs(values) <= 1e6, values, 0.0)
+    def _coordinates(self, attributes, read, triangles, count, where):
+        """(material, coordinates of each vertex on its image or None)."""
+        material = read.material
+        values = self._of_vertices(attributes, f"TEXCOORD_{read.coordinates}", ("VEC2",), count, where) if material.image else None
+        if values is None or not triangles.size:
+            return material, None
+        values, used = np.where(np.abs(values) <= 1e6, values, 0.0), np.unique(triangles)
+        material, moved = self.materials.wrapped(read, values[used], where)
+        values = values.astype(float)
+        values[used] = np.where(np.abs(moved) <= 1e6, moved, 0.0)
+        return material, values
 
     def part(self, part, matrix, where):
         """A primitive of a mesh at a node."""
@@ -190,8 +143,8 @@ class _Reader:
         if len(self.faces) + len(triangles) > FILE_FACES_MAX:
             checked.fail(where, f"the model has more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify "
                          "it")
-        material, number = self.materials.get(part, where)
-        uvs = self._coordinates(attributes, material, number, len(points), where)
+        read = self.materials.get(part, where)
+        material, uvs = self._coordinates(attributes, read, triangles, len(points), where)
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
         placed = self._placed(points, matrix, where)
         self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
@@ -223,16 +176,15 @@ class _Reader:
         used, corners = np.unique(triangles, return_inverse=True)
         corners = (corners.reshape(-1, 3) + len(self.vertices))[:, ::1 if mirrored else -1].tolist()
         self.vertices += [(exact(x), exact(y), -exact(z)) for x, y, z in points[used].tolist()]
-        plain = self._add_material(material)
+        number = self._add_material(material)
         if self.progress:
             self.progress(f"{self.checked.name}: {where}")
         around = None if uvs is None else uvs[triangles[:, ::1 if mirrored else -1]].tolist()
         for face, (three, outline) in enumerate(zip(triangles.tolist(), corners)):
             self.faces.append(outline)
             self.places.append(f"{self.checked.name}: {where}, triangle {face}")
-            number = plain if tints is None else \
-                self._add_material(material, tuple(_srgb(part) for part in tints[three, :3].mean(axis=0)))
-            self.surfaces.add(number, around and around[face])
+            tint = None if tints is None else tuple(srgb(part) for part in tints[three, :3].mean(axis=0))
+            self.surfaces.add(number, around and around[face], None if tint == WHITE else tint)
 
 
 def _parts(checked, mesh, where):
@@ -253,12 +205,15 @@ def read(path, name=None, progress=None, sources=None):
         node, where = nodes[number], checked.label("node", number)
         matrices[number] = matrices[parent] @ _matrix(checked, node, where)
         if "mesh" in node:
+            # The joints place what hangs on them: in the pose in which they were bound, which is that of the vertices.
+            matrix = np.eye(4) if "skin" in node else matrices[number]
             chosen, mesh = checked.entry("meshes", node, "mesh", where)
             for i, part in enumerate(_parts(checked, mesh, checked.label("mesh", chosen))):
-                reader.part(part, matrices[number], f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
+                reader.part(part, matrix, f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
     if not reader.faces:
         raise ToolError(f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
+    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + gltf_left_out.notes(checked)
     return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces), notes

@@ -12,24 +12,25 @@ import numpy as np
 
 from fixel.base import reading
 from fixel.base.errors import ToolError
-from fixel.base.reading import Beside, quoted
+from fixel.base.reading import quoted
+from fixel.model import gltf_left_out, model_text, named_file
 
 FILE_MAX = 64 << 20         # bytes, of the file and of its buffers together
 NODES_MAX, DEPTH_MAX = 65_535, 1000
+SPARSE_MAX = 1 << 22        # values of an accessor that has no bytes of its own
 _GLB_HEAD, _CHUNK_HEAD = struct.Struct("<4sII"), struct.Struct("<II")
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _COMPONENTS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 FLOAT, UNSIGNED = 5126, (5121, 5123, 5125)
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
-_KNOWN_EXTENSIONS = ("KHR_materials_", "KHR_texture_transform", "KHR_lights_punctual")
 
 
 class Checked:
-    """A file's JSON and its buffers. What is asked for is checked first."""
+    """A file's JSON and its buffers. What is asked for is checked first. notes: what there is to say of other files."""
 
     def __init__(self, name, data, folder, binary, sources):
         self.name, self.data, self.folder, self.binary, self.sources = name, data, folder, binary, sources
-        self.room, self.buffers, self.lists = FILE_MAX, {}, {}
+        self.room, self.buffers, self.lists, self.notes = FILE_MAX, {}, {}, []
 
     # --- values -----------------------------------------------------------------
 
@@ -82,13 +83,19 @@ class Checked:
         except (binascii.Error, ValueError):
             self.fail(where, "its base64 is damaged; save the model anew")
 
-    def _beside(self, uri, where):
-        """The file that a URI names."""
+    def _find(self, uri, where):
+        """(the file that a URI names, or None where there is none; its name)."""
         name = urllib.parse.unquote(uri)
         if "://" in name or "\0" in name:
             self.fail(where, f"{quoted(name)} is not a file in the model's folder; put it there")
-        file = Beside(self.folder, name)
-        if not file.exists():
+        file, said = named_file.find(self.folder, name)
+        self.notes += [f"{self.name}: {where}: {said}"] if said else []
+        return file, name
+
+    def _beside(self, uri, where):
+        """The file that a URI names."""
+        file, name = self._find(uri, where)
+        if file is None:
             self.fail(where, f"there is no file {quoted(name)}; the path is taken from the model's folder")
         return file
 
@@ -98,14 +105,18 @@ class Checked:
         return self.sources.read(self._beside(uri, where), max(self.room, 0), "simplify the model") if blob is None else blob
 
     def image(self, number):
-        """The texture_image.Texture of an image."""
+        """The texture_image.Texture of an image; None, and a note, where it is in a file that is not there."""
         entry, where = self.rows("images")[number], self.label("image", number)
         place = f"{self.name}: {where}"
         if "bufferView" in entry:
             return self.sources.image_of_bytes(self.view(entry, where)[0], place)
         blob = self._embedded(entry.get("uri"), where)
         if blob is None:
-            return self.sources.image_of_file(self._beside(entry["uri"], where), place)
+            file, name = self._find(entry["uri"], where)
+            if file is None:
+                self.notes.append(f"{place}: there is no image {quoted(name)}: the faces have the colour of their material. The path is "
+                                  "taken from the model's folder")
+            return file and self.sources.image_of_file(file, place)
         return self.sources.image_of_bytes(blob, place)
 
     def buffer(self, number):
@@ -134,28 +145,54 @@ class Checked:
             self.fail(where, f"its buffer view reaches {start + length - len(blob):,} bytes past the buffer")
         return blob[start:start + length], self.whole(view, "byteStride", where, 0, 252)
 
+    def _layout(self, table, kinds, components, where):
+        """(type of a number, how many a value has, how many values) of an accessor."""
+        kind, component = table.get("type"), table.get("componentType")
+        if kind not in kinds or component not in components:
+            self.fail(where, f"values of type {quoted(kind)} and component {quoted(component)} are not read here")
+        return np.dtype(_COMPONENTS[component]), _WIDTHS[kind], self.whole(table, "count", where)
+
+    def _array(self, table, numbers_of, width, count, where):
+        """Values in a buffer view, a row each; without a view zeros."""
+        if "bufferView" not in table:
+            if count > SPARSE_MAX:
+                self.fail(where, f"{count:,} values without bytes are more than the limit of {SPARSE_MAX:,}")
+            return np.zeros((count, width), numbers_of)
+        blob, stride = self.view(table, where)
+        size = numbers_of.itemsize * width
+        start, stride = self.whole(table, "byteOffset", where, 0), stride or size
+        if stride < size or (count and start + (count - 1) * stride + size > len(blob)):
+            self.fail(where, f"{count:,} values do not fit its {len(blob):,} bytes: the file is damaged")
+        return np.ndarray((count, width), numbers_of, blob, start, (stride, numbers_of.itemsize)) if count else \
+            np.zeros((0, width), numbers_of)
+
+    def _replaced(self, values, sparse, where):
+        """Values of which a sparse accessor replaces some."""
+        places = sparse.get("indices") if isinstance(sparse, dict) else None
+        if not isinstance(places, dict) or not isinstance(sparse.get("values"), dict):
+            self.fail(where, "sparse has no indices or no values: the file is damaged")
+        count, component = self.whole(sparse, "count", where), places.get("componentType")
+        if component not in UNSIGNED or "bufferView" not in places or "bufferView" not in sparse["values"]:
+            self.fail(where, "sparse has indices that are not read: the file is damaged")
+        rows = self._array(places, np.dtype(_COMPONENTS[component]), 1, count, where)[:, 0].astype(np.int64)
+        if count and rows.max() >= len(values):
+            self.fail(where, f"sparse replaces value {rows.max():,} of {len(values):,}: the file is damaged")
+        changed = values.copy()
+        changed[rows] = self._array(sparse["values"], values.dtype, values.shape[1], count, where)
+        return changed
+
     def accessor(self, number, where, kinds, components):
         """The values of an accessor as a numpy array, a row each; normalised ones as doubles."""
         rows = self.rows("accessors")
         if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < len(rows):
             self.fail(where, f"accessor {quoted(number)} does not exist; there are {len(rows)}")
         table, where = rows[number], f"{where}: accessor {number}"
-        if "sparse" in table or "bufferView" not in table:
-            self.fail(where, "sparse accessors are not read; save the model without them")
-        kind, component = table.get("type"), table.get("componentType")
-        if kind not in kinds or component not in components:
-            self.fail(where, f"values of type {quoted(kind)} and component {quoted(component)} are not read here")
-        count = self.whole(table, "count", where)
-        blob, stride = self.view(table, where)
-        numbers_of, width = np.dtype(_COMPONENTS[component]), _WIDTHS[kind]
-        size = numbers_of.itemsize * width
-        start, stride = self.whole(table, "byteOffset", where, 0), stride or size
-        if stride < size or (count and start + (count - 1) * stride + size > len(blob)):
-            self.fail(where, f"{count:,} values do not fit its {len(blob):,} bytes: the file is damaged")
-        values = np.ndarray((count, width), numbers_of, blob, start, (stride, numbers_of.itemsize)) if count else \
-            np.zeros((0, width), numbers_of)
+        numbers_of, width, count = self._layout(table, kinds, components, where)
+        values = self._array(table, numbers_of, width, count, where)
+        if "sparse" in table:
+            values = self._replaced(values, table["sparse"], where)
         if table.get("normalized") is True and numbers_of.kind != "f":
-            return values / float(np.iinfo(numbers_of).max)
+            return np.maximum(values / float(np.iinfo(numbers_of).max), -1.0)
         return values.astype(float) if numbers_of.kind == "f" else values.astype(np.int64)
 
 
@@ -183,7 +220,8 @@ def _parse(text, name):
     def refuse(word):
         raise ToolError(f"{name}: its JSON has the value {word}, which is not a number of JSON: save the model again")
     try:
-        data = json.loads(text.decode("utf-8"), parse_constant=refuse)
+        text, encoding = model_text.without_mark(bytes(text))
+        data = json.loads(text.decode(encoding), parse_constant=refuse)
     except RecursionError:
         raise ToolError(f"{name}: its JSON is nested deeper than any model's") from None
     except json.JSONDecodeError as error:
@@ -203,12 +241,9 @@ def open_file(path, name, sources):
     asset = data.get("asset")
     version = asset.get("version") if isinstance(asset, dict) else None
     if not isinstance(version, str) or not version.startswith("2."):
-        raise ToolError(f"{name}: asset: a glTF file of version {quoted(version)}; only 2.0 is read")
-    required = data.get("extensionsRequired", [])
-    for extension in required if isinstance(required, list) else [required]:
-        if not isinstance(extension, str) or not extension.startswith(_KNOWN_EXTENSIONS):
-            raise ToolError(f"{name}: the model requires the extension {quoted(extension)}, which is not read; save it "
-                            "without, for example without compression")
+        raise ToolError(f"{name}: asset: a glTF file of version {quoted(version)}; only 2.0 is read: gltf-pipeline "
+                        "(npx gltf-pipeline -i in.gltf -o out.glb) or Blender converts it")
+    gltf_left_out.refuse_required(name, data.get("extensionsRequired", []))
     return Checked(name, data, os.path.dirname(path), binary, sources)
 
 

@@ -213,7 +213,12 @@ def _pieces(corners, points, place, counts):
     return [(t, unit_normal(a)) for t, a in pieces if a != (0, 0, 0)]
 
 
-def _open_edges(faces):
+def pieces(corners, points):
+    """Corners of an outline as pairs (corners, normal) that the library takes."""
+    return _pieces(corners, points, "", _Counts())
+
+
+def open_edges(faces):
     """How many edges are not shared by two faces that agree on the front."""
     balance = collections.Counter([edge for face in faces for edge in zip(face.corners, face.corners[1:] + face.corners[:1])])
     # Of an edge that runs as often one way as the other, none is left. One without a partner stands there once.
@@ -280,7 +285,7 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
     result = _used(points, faces, sources, counts.notes(name))
     if mends:
         _mend(result, name)
-    result.open_edges = _open_edges(result.faces)
+    result.open_edges = open_edges(result.faces)
     if not result.open_edges and _volume(result.vertices, result.faces) < 0:
         result.faces = [turned(face) for face in result.faces]
         result.notes.append(f"{name}: the model was inside out (every front looked inward): "

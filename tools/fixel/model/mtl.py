@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: MIT
-"""Reading the materials of Wavefront OBJ files: newmtl, Kd, map_Kd, d and Tr of an MTL file."""
+"""Reading the materials of Wavefront OBJ files: newmtl, Kd, map_Kd, d and Tr of an MTL file.
+
+Tr is transparency, and some programs write the opacity there. The one or the other is chosen for a whole file
+(_means_opacity), and said."""
 
 from fixel.base import reading
 from fixel.base.errors import ToolError
-from fixel.base.reading import Beside, quoted
-from fixel.model import number_text
-from fixel.model.surface import Material
+from fixel.base.reading import quoted
+from fixel.model import model_text, named_file, number_text
+from fixel.model.surface import GREY, WHITE, Material
 
 FILE_MAX = 1 << 20          # bytes
 MATERIALS_MAX = 4096
-_OPTIONS = {"-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-bm": 1, "-boost": 1, "-imfchan": 1,
-            "-mm": 2, "-o": 3, "-s": 3, "-t": 3}
+_WORDS = {"-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-bm": 1, "-boost": 1, "-imfchan": 1, "-mm": 2,
+          "-type": 1}
+_NUMBERS = {"-o": 0.0, "-s": 1.0, "-t": 0.0}    # up to three of them, and what those left out are
+_READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "d", "Tr")}      # in any case
 
 
 def _number(words, where, what):
@@ -28,67 +33,153 @@ def _colour(words, where):
     return tuple(round(255 * part) for part in (parts * 3)[:3])
 
 
-def _image_name(words, where):
-    """The file's name, which stands behind the options and may have blanks."""
-    place = 0
-    while place < len(words) and words[place] in _OPTIONS:
-        place += 1 + _OPTIONS[words[place]]
-    if place >= len(words):
-        raise ToolError(f"{where}: map_Kd names no file")
-    return " ".join(words[place:]).replace("\\", "/")
+def _numbers(words, least):
+    """(three numbers that words begin with, how many there are). least: what those left out are."""
+    found = []
+    for word in words[:3]:
+        if not number_text.is_decimal(word):
+            break
+        found.append(number_text.decimal(word))
+    return found + [least] * (3 - len(found)), len(found)
+
+
+def _options(words):
+    """({option: its numbers or words}, how many words they are) that stand before a file's name."""
+    place, found = 0, {}
+    while place < len(words) and words[place] in {**_WORDS, **_NUMBERS}:
+        option = words[place]
+        if option in _NUMBERS:
+            found[option], count = _numbers(words[place + 1:], _NUMBERS[option])
+        else:
+            count = _WORDS[option]
+            found[option] = words[place + 1:place + 1 + count]
+        place += 1 + count
+    return found, place
+
+
+def _moves(options):
+    """What -s and -o of a map make of a face's coordinates; None where they leave them as they are."""
+    (along, up, _), (right, above, _) = options.get("-s", [1.0] * 3), options.get("-o", [0.0] * 3)
+    if (along, up, right, above) == (1, 1, 0, 0):
+        return None
+    # v is downward here, and upward in the file.
+    return lambda u, v: (u * along + right, 1 - ((1 - v) * up + above))
 
 
 class Reader:
-    """Reads the MTL files of one OBJ file, each once. sources: where their bytes and images come from."""
+    """Reads the MTL files of one OBJ file, each once. sources: where their bytes and images come from. notes: what there
+    is to say about them."""
 
     def __init__(self, folder, sources):
         self.folder, self.sources, self.materials = folder, sources, {}
-        self.known, self.images, self.done = {}, {}, set()  # by name whether there is such a file, its image; what was read
+        self.known, self.images, self.done = {}, {}, set()  # by name the file and what to say; its image; what was read
+        self.notes, self.left_out = [], model_text.LeftOut()
+
+    def _find(self, name):
+        if name not in self.known:
+            self.known[name] = named_file.find(self.folder, name)
+        return self.known[name]
 
     def _image(self, name, where):
+        """The image of a name, None where there is no such file."""
         if name not in self.images:
-            self.images[name] = self._read_image(name, where)
+            file, said = self._find(name)
+            if said:
+                self.notes.append(f"{where}: {said}")
+            if file is None:
+                self.notes.append(f"{where}: there is no image {quoted(name)}: the faces have the colour of Kd. The path is taken "
+                                  "from the model's folder")
+            self.images[name] = file and self.sources.image_of_file(file, f"{where}: {file}")
         return self.images[name]
-
-    def _read_image(self, name, where):
-        file = Beside(self.folder, name)
-        if not file.exists():
-            raise ToolError(f"{where}: there is no image {quoted(name)}; the path is taken from the model's folder. "
-                            "Put the image there, or take map_Kd out")
-        return self.sources.image_of_file(file, f"{where}: {file}")
 
     def exists(self, name):
         """Whether there is a file of this name."""
-        if name not in self.known:
-            self.known[name] = bool(name) and Beside(self.folder, name).exists()
-        return self.known[name]
+        return self._find(name)[0] is not None
 
-    def read(self, name):
-        """Adds the materials of a file to self.materials, by name. One that was read already adds nothing."""
+    def read(self, name, where):
+        """Adds the materials of a file to self.materials, by name. One that was read already adds nothing. where: what
+        names it."""
         if name in self.done:
             return
-        file = Beside(self.folder, name)
+        file, said = self._find(name)
         known = {name, reading.identity(file)}
-        if known & self.done:
-            self.done |= known
-            return
+        is_new = not known & self.done
         self.done |= known
+        if is_new:
+            self.notes += [f"{where}: {said}"] if said else []
+            self._read(file)
+
+    def _read(self, file):
         blob = self.sources.read(file, FILE_MAX, "take out what the model does not use")
-        current = None
-        for number, line in enumerate(blob.decode("utf-8", "replace").splitlines(), 1):
+        current, begun, left_out = None, [], model_text.LeftOut()
+        for number, line in model_text.lines_of(blob):
             word, *rest = line.split("#", 1)[0].split() or [""]
-            where = f"{file}:{number}"
+            word, where = _READ.get(word.lower(), word), f"{file}:{number}"
             if word == "newmtl":
-                current = Material(" ".join(rest))
-                self.materials[current.name] = current
-                if len(self.materials) > MATERIALS_MAX:
+                current = _Entry(" ".join(rest))
+                begun.append(current)
+                if len(self.materials) + len(begun) > MATERIALS_MAX:
                     raise ToolError(f"{where}: more than {MATERIALS_MAX:,} materials; take out what is not used")
-            elif word in ("Kd", "map_Kd", "d", "Tr") and current is None:
-                raise ToolError(f"{where}: {word} stands before the first newmtl")
-            elif word == "Kd":
-                current.colour = _colour(rest, where)
-            elif word == "map_Kd":
-                current.image = self._image(_image_name(rest, where), where)
-            elif word in ("d", "Tr"):
-                value = _number(rest[1:] if rest[:1] == ["-halo"] else rest, where, word)
-                current.opacity = value if word == "d" else 1 - value
+            elif word in _READ.values():
+                if current is None:
+                    raise ToolError(f"{where}: {word} stands before the first newmtl")
+                self._statement(current, word, rest, where, left_out)
+            elif word:
+                left_out.add(word, where)
+        self._finish(begun, file)
+        self.notes += left_out.notes(file, "ignored")
+
+    def _statement(self, entry, word, rest, where, left_out):
+        if word == "Kd":
+            entry.colour = _colour(rest, where)
+        elif word == "map_Kd":
+            options, place = _options(rest)
+            if place >= len(rest):
+                raise ToolError(f"{where}: map_Kd names no file")
+            for option in options.keys() - {"-o", "-s"}:
+                left_out.add(option, where)
+            entry.image, entry.moves = self._image(named_file.plain(" ".join(rest[place:])), where), _moves(options)
+        elif word == "d":
+            entry.d = _number(rest[1:] if rest[:1] == ["-halo"] else rest, where, word)
+        else:
+            entry.tr = _number(rest, where, word)
+
+    def _finish(self, entries, file):
+        """Makes materials of what a file says."""
+        means_opacity = _means_opacity(entries)
+        if means_opacity:
+            self.notes.append(f"{file}: Tr is read as the opacity, as which the material {quoted(means_opacity)} has it")
+        opacities = [entry.opacity(bool(means_opacity)) for entry in entries]
+        if opacities and not any(opacities):
+            self.notes.append(f"{file}: every material is wholly transparent: all are drawn opaque")
+            opacities = [1.0] * len(opacities)
+        for entry, opacity in zip(entries, opacities):
+            colour = entry.colour or (WHITE if entry.image else GREY)
+            if entry.image and colour == (0, 0, 0):
+                self.notes.append(f"{file}: the material {quoted(entry.name)} has an image and is black: the image is shown as it is")
+                colour = WHITE
+            self.materials[entry.name] = Material(entry.name, colour, opacity, entry.image, entry.moves)
+
+
+class _Entry:
+    """A material as a file says it."""
+
+    def __init__(self, name):
+        self.name, self.colour, self.image, self.moves, self.d, self.tr = name, None, None, None, None, None
+
+    def opacity(self, tr_is_opacity):
+        """0..1. d goes before Tr."""
+        if self.d is not None:
+            return self.d
+        if self.tr is None:
+            return 1.0
+        return self.tr if tr_is_opacity else 1 - self.tr
+
+
+def _means_opacity(entries):
+    """The name of a material by which Tr of a file can only be the opacity: one that would be invisible, or whose d is the
+    same; None without one."""
+    for entry in entries:
+        if entry.tr is not None and (entry.tr == 1 if entry.d is None else entry.d == entry.tr != 0.5):
+            return entry.name
+    return None

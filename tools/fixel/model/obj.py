@@ -11,23 +11,22 @@ looks along +z with x to the right. So an outline is still counter-clockwise,
 and its corners are taken in reverse."""
 
 from decimal import Decimal, InvalidOperation
-import io
 import os
 import re
 
-from fixel.model import mtl, number_text
+from fixel.model import model_text, mtl, named_file, number_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
-from fixel.model.surface import Material, Surfaces
+from fixel.model.surface import GREY, WHITE, Material, Surfaces, mean_tint
 
 FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
 COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
-_IGNORED = {"s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod",
-            "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
+_DISPLAY = {"s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj",
+            "trace_obj"}
 _PLAIN = re.compile(r"(-?)([0-9]{1,8})(?:\.([0-9]{1,18}))?")    # a number that needs no rounding
 GROUPS_MAX = 8              # names of one g
 _PLACES = 18                # of UNIT
@@ -45,7 +44,7 @@ def _coordinate(words, where):
 
 
 def _vertex(words, where):
-    """x, y, z in units of 1/UNIT, z negated. What follows (w, colour) is not needed."""
+    """x, y, z in units of 1/UNIT, z negated."""
     point = []
     for word in words[:3]:
         plain = _PLAIN.fullmatch(word)
@@ -68,8 +67,28 @@ def _vertex(words, where):
     return point[0], point[1], -point[2]
 
 
+def _colour(words, where):
+    """What stands behind x, y, z and is a colour: three numbers, as they are written; None without one."""
+    if len(words) < 3:
+        return None
+    try:
+        return tuple(number_text.decimal(word) for word in words[-3:])
+    except ValueError:
+        raise ToolError(f"{where}: {quoted(' '.join(words[-3:]))} is no colour of a vertex") from None
+
+
+def _tint(colours, corners, most):
+    """What a face's colour is multiplied by: the mean of its vertices' colours; None where one has none, or it is white.
+    most: what stands for full brightness in the file."""
+    found = [colours[corner] for corner in corners]
+    if None in found:
+        return None
+    mean = mean_tint([tuple(round(255 * min(max(part / most, 0), 1)) for part in colour) for colour in found])
+    return None if mean == WHITE else mean
+
+
 def _index(text, counts, kind, where):
-    """An index, from 1 or negative from the end, as a number from 0."""
+    """An index, from 1 or negative from the end, as a number from 0. One of a vt or vn that does not exist is None."""
     try:
         index = number_text.whole(text)
     except ValueError:
@@ -77,23 +96,26 @@ def _index(text, counts, kind, where):
     count = counts[kind]
     number = index - 1 if index > 0 else count + index
     if index == 0 or not 0 <= number < count:
+        if kind != "v":
+            return None
         raise ToolError(f"{where}: {kind} {quoted(index)} does not exist; {count} stand above this line")
     return number
 
 
 def _corner(word, counts, where):
-    """Numbers of a vertex and of a texture coordinate, None without."""
+    """Numbers of a vertex and of a texture coordinate, None without; and whether a vt is named that does not exist."""
     parts = word.split("/")
     if len(parts) > 3 or not parts[0]:
         raise ToolError(f"{where}: {quoted(word)} is not a corner (v, v/vt, v//vn or v/vt/vn)")
     more = [_index(text, counts, kind, where) if text else None for text, kind in zip(parts[1:], ("vt", "vn"))]
-    return _index(parts[0], counts, "v", where), more[0] if more else None
+    coordinate = more[0] if more else None
+    return _index(parts[0], counts, "v", where), coordinate, coordinate is None and bool(more) and bool(parts[1])
 
 
 def _lines(blob):
     """(line number, words), continued lines joined and comments cut."""
     held = []
-    for number, line in enumerate(io.TextIOWrapper(io.BytesIO(blob), "utf-8-sig", "replace"), 1):
+    for number, line in model_text.lines_of(blob):
         line = line.split("#", 1)[0].rstrip()
         if line.endswith("\\"):
             held.append(line[:-1])
@@ -106,7 +128,8 @@ def _lines(blob):
 
 
 def _face(rest, counts, where):
-    """(numbers of a face's vertices, in the order of Fixel; those of its texture coordinates, None if a corner has none)."""
+    """(numbers of a face's vertices, in the order of Fixel; those of its texture coordinates, None if a corner has none;
+    whether one of these does not exist)."""
     if len(rest) < 3:
         raise ToolError(f"{where}: a face needs three corners, found {len(rest)}")
     if len(rest) > CORNERS_MAX:
@@ -116,9 +139,9 @@ def _face(rest, counts, where):
     if plain.isascii() and plain.isdigit() and len(plain) < 10 * len(rest):     # vertices alone, counted from 1: most files
         numbers = [int(text) - 1 for text in reversed(rest)]
         if 0 <= min(numbers) and max(numbers) < counts["v"]:
-            return numbers, None
-    vertices, coordinates = zip(*[_corner(text, counts, where) for text in reversed(rest)])
-    return list(vertices), None if None in coordinates else coordinates
+            return numbers, None, False
+    vertices, coordinates, missing = zip(*[_corner(text, counts, where) for text in reversed(rest)])
+    return list(vertices), None if None in coordinates else coordinates, any(missing)
 
 
 def _refuse_many_faces(name, count):
@@ -132,14 +155,15 @@ class _Materials:
     def __init__(self, folder, name, sources):
         self.reader, self.name = mtl.Reader(folder, sources), name
         self.surfaces, self.numbers, self.current = Surfaces(), {}, None
-        self.missing, self.unknown, self.used = None, 0, 0
+        self.missing, self.unknown, self.used, self.bare, self.is_coloured = None, 0, 0, 0, False
 
     def library(self, words, where):
         """mtllib: the names of files, or one name with blanks."""
-        names = words if any(self.reader.exists(word) for word in words) else [" ".join(words)]
+        whole = " ".join(words)
+        names = [whole] if named_file.plain(whole) != whole or not any(map(self.reader.exists, words)) else words
         for each in names:
             if self.reader.exists(each):
-                self.reader.read(each)
+                self.reader.read(each, where)
             else:
                 self.missing = self.missing or f"{where}: there is no {quoted(each)}"
 
@@ -148,22 +172,45 @@ class _Materials:
         self.current = " ".join(words)
         self.used += 1
 
-    def add(self, coordinates):
-        """One more face with these texture coordinates, None where a corner has none."""
+    def add(self, coordinates, bare):
+        """One more face with these texture coordinates, None where a corner has none. bare: it names some that do not
+        exist."""
         material = self.reader.materials.get(self.current)
         self.unknown += material is None and self.current is not None
         key = id(material)
         if key not in self.numbers:
             self.numbers[key] = len(self.surfaces.materials)
             self.surfaces.materials.append(material or Material("none"))
+        if material and material.image:
+            self.bare += bare
+            if material.moves and coordinates:
+                coordinates = [material.moves(*each) for each in coordinates]
         self.surfaces.add(self.numbers[key], coordinates)
+
+    def tint(self, colours, faces):
+        """Multiplies the colours of faces by those of their vertices: colours, of each vertex, as they are written."""
+        parts = [part for colour in colours if colour for part in colour]
+        if not parts:
+            return []
+        most = 255 if max(parts) > 1 else 1
+        self.surfaces.tints = [_tint(colours, face, most) for face in faces]
+        if not self.reader.materials:   # the vertices' colours are the faces'
+            self.surfaces.materials = [Material(each.name, WHITE) for each in self.surfaces.materials]
+            grey = {number for number, tint in enumerate(self.surfaces.tints)
+                    if tint is None and None in [colours[c] for c in faces[number]]}
+            self.surfaces.tints = [GREY if number in grey else tint for number, tint in enumerate(self.surfaces.tints)]
+        self.is_coloured = True
+        return [f"{self.name}: the vertices have colours: each face has the mean of its corners' colours"]
 
     def result(self):
         """The surfaces, None where the file has no material; and notes."""
         notes = [f"{self.missing}: its materials are left out"] if self.missing else []
         if self.unknown and self.reader.materials:
             notes.append(f"{self.name}: faces whose material no mtllib has: {self.unknown:,}")
-        return self.surfaces if self.reader.materials else None, notes
+        if self.bare:
+            notes.append(f"{self.name}: faces that name a vt that does not exist, and show their colour instead of an image: "
+                         f"{self.bare:,}")
+        return self.surfaces if self.reader.materials or self.is_coloured else None, self.reader.notes + notes
 
 
 class _Groups:
@@ -195,16 +242,17 @@ class _Parser:
 
     def __init__(self, name, folder, sources):
         self.name = name
-        self.vertices, self.coordinates, self.faces, self.lines = [], [], [], []
-        self.counts, self.ignored = {"v": 0, "vt": 0, "vn": 0}, {}
+        self.vertices, self.colours, self.coordinates, self.faces, self.lines = [], [], [], [], []
+        self.counts = {"v": 0, "vt": 0, "vn": 0}
+        self.ignored, self.unknown = model_text.LeftOut(), model_text.LeftOut()
         self.materials, self.groups = _Materials(folder, name, sources), _Groups()
 
     def _add_face(self, rest, where):
-        vertices, numbers = _face(rest, self.counts, where)
+        vertices, numbers, bare = _face(rest, self.counts, where)
         self.faces.append(vertices)
         self.lines.append(where)
         _refuse_many_faces(self.name, len(self.faces))
-        self.materials.add(numbers and [self.coordinates[number] for number in numbers])
+        self.materials.add(numbers and [self.coordinates[number] for number in numbers], bare)
 
     def _add_numbers(self, word, rest, where):
         if len(rest) < _SIZES[word]:
@@ -212,6 +260,7 @@ class _Parser:
         self.counts[word] += 1
         if word == "v":
             self.vertices.append(_vertex(rest, where))
+            self.colours.append(_colour(rest[3:], where))
         elif word == "vt":
             self.coordinates.append(_coordinate(rest, where))
 
@@ -227,10 +276,25 @@ class _Parser:
             self.materials.use(rest)
         elif word in ("o", "g"):
             self.groups.begin(word, rest, len(self.faces))
-        elif word in _IGNORED:
-            self.ignored[word] = self.ignored.get(word, 0) + 1
         else:
-            raise ToolError(f"{where}: unknown statement {quoted(word)}; is this an OBJ file?")
+            (self.ignored if word in _DISPLAY else self.unknown).add(word, where)
+
+    def result(self):
+        """(mesh, notes) of the whole file."""
+        name = self.name
+        if not self.faces:
+            raise ToolError(f"{name}: there is no face in this file" + ("; is this an OBJ file?" if self.unknown.counts else ""))
+        notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every outline reversed",
+                 *self.materials.tint(self.colours, self.faces)]
+        vertices, faces, unused = without_unused(self.vertices, self.faces)
+        surfaces, more = self.materials.result()
+        if not surfaces and self.materials.used:
+            self.ignored.counts["usemtl"] = self.materials.used
+        notes += self.ignored.notes(name, "ignored") + self.unknown.notes(name, "left out statements that are not known:")
+        if unused:
+            notes.append(f"{name}: left out vertices that no face has: {unused:,}")
+        groups = self.groups.result(len(faces))
+        return Mesh(vertices, faces, self.lines, surfaces, self.materials.surfaces.uvs, groups), notes + more
 
 
 def read(path, name=None, progress=None, sources=None):
@@ -244,17 +308,4 @@ def read(path, name=None, progress=None, sources=None):
         if progress and number % _LINES_A_WORD == 0:
             progress(f"{name}: line {number:,}")
         parser.line(word, rest, f"{name}:{number}")
-    if not parser.faces:
-        raise ToolError(f"{name}: there is no face in this file")
-    vertices, faces, unused = without_unused(parser.vertices, parser.faces)
-    notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every "
-             "outline reversed"]
-    surfaces, more = parser.materials.result()
-    if not surfaces and parser.materials.used:
-        parser.ignored["usemtl"] = parser.materials.used
-    if parser.ignored:
-        notes.append(f"{name}: ignored " + ", ".join(f"{n} x {w}" for w, n in parser.ignored.items()))
-    if unused:
-        notes.append(f"{name}: left out vertices that no face has: {unused:,}")
-    groups = parser.groups.result(len(faces))
-    return Mesh(vertices, faces, parser.lines, surfaces, parser.materials.surfaces.uvs, groups), notes + more
+    return parser.result()

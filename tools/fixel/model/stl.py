@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Reading STL, binary and text. x is to the right, y ahead and z upward, and outlines run counter-clockwise.
 
+A binary file may have a colour of 15 bits in the two bytes behind each triangle, in one of two ways. With COLOR= in the
+header (Magics), bit 15 is clear for a colour and red is lowest; without, bit 15 is set for a colour and blue is lowest.
+
 The project has a reader of its own for STL: a refusal of a text file names the line, and a binary file is one table."""
 
 import re
@@ -8,16 +11,19 @@ import re
 import numpy as np
 
 from fixel.base.errors import ToolError
-from fixel.model import number_text
+from fixel.model import model_text, number_text
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
+from fixel.model.surface import GREY, Material, Surfaces
 
 FILE_MAX = 64 << 20         # bytes
 COORDINATE_LIMIT = 10 ** 9
+_START = 4096               # bytes in which a text has its first vertex
 _HEAD = 84                  # bytes before the triangles of a binary file
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _SKIPPED = {"solid", "facet", "outer", "endloop", "endfacet", "endsolid"}
+_COLOUR = b"COLOR="
 _CONVENTION = ("right-handed, counter-clockwise and with z upward, as STL is: y and z were exchanged and every outline "
                "reversed")
 
@@ -34,15 +40,43 @@ def _refuse_many(name, count):
                         "fewer, so simplify the model")
 
 
+def _five_bits(value, lowest):
+    """Three numbers of five bits as red, green, blue of 0..255. lowest: whether red, and not blue, is lowest."""
+    parts = [(value >> shift & 31) * 255 // 31 for shift in (0, 5, 10)]
+    return tuple(parts if lowest else parts[::-1])
+
+
+def _surfaces(blob, attributes):
+    """The surface.Surfaces of a binary file; None where no triangle has a colour. Of a file with COLOR= those without
+    have that one."""
+    place = blob.find(_COLOUR, 0, _HEAD - 8)     # four bytes of colour stand behind it
+    common = tuple(blob[place + len(_COLOUR):][:3]) if place >= 0 else GREY
+    has_own = attributes >> 15 == (0 if place >= 0 else 1)
+    if place < 0 and not has_own.any():
+        return None
+    made, numbers = Surfaces(), {}
+    for own, value in zip(has_own.tolist(), (attributes & 0x7FFF).tolist()):
+        colour = _five_bits(value, place >= 0) if own else common
+        if colour not in numbers:
+            numbers[colour] = len(numbers)
+            made.materials.append(Material("none", colour))
+        made.add(numbers[colour])
+    return made
+
+
 def _binary(blob, name, count):
     _refuse_many(name, count)
-    corners = np.frombuffer(blob, _TRIANGLE, count, _HEAD)["corners"].astype(float)
+    rows = np.frombuffer(blob, _TRIANGLE, count, _HEAD)
+    corners = rows["corners"].astype(float)
     wrong = np.argwhere(~(np.abs(corners) <= COORDINATE_LIMIT))
     if len(wrong):
         face, corner, axis = wrong[0]
         raise ToolError(f"{name}: triangle {face}: {'xyz'[axis]} of corner {corner} is {corners[face, corner, axis]:g}; "
                         f"it must be within {COORDINATE_LIMIT:,}")
-    return corners.reshape(-1, 3).tolist(), [f"{name}: triangle {face}" for face in range(count)]
+    after = len(blob) - _HEAD - count * _TRIANGLE.itemsize
+    notes = [f"{name}: left out bytes after the last triangle: {after:,}"] if after else []
+    return corners.reshape(-1, 3).tolist(), [f"{name}: triangle {face}" for face in range(count)], \
+        _surfaces(blob, rows["attribute"]), notes
 
 
 def _number(word, where):
@@ -57,13 +91,17 @@ def _number(word, where):
 
 
 def _text(blob, name, progress):
-    points, places, begun = [], [], 0
-    for number, line in enumerate(blob.decode("utf-8", "replace").splitlines(), 1):
+    points, places, begun, ended, after = [], [], 0, False, 0
+    for number, line in model_text.lines_of(blob):
         words, where = line.split(), f"{name}:{number}"
         if progress and number % 4096 == 0:
             progress(f"{name}: line {number:,}")
         word = words[0].lower() if words else ""
-        if word == "vertex":
+        if word in _SKIPPED:
+            ended = word == "endsolid"
+        if ended and word not in _SKIPPED:
+            after += bool(word)
+        elif word == "vertex":
             if len(words) != 4:
                 raise ToolError(f"{where}: vertex needs 3 numbers, found {len(words) - 1}")
             points.append([_number(each, where) for each in words[1:]])
@@ -78,11 +116,18 @@ def _text(blob, name, progress):
             raise ToolError(f"{where}: unknown statement {quoted(words[0])}; is this an STL file?")
     if len(points) != 3 * len(places):
         raise ToolError(f"{name}: the file ends within a facet: its last lines are missing")
-    return points, places
+    return points, places, None, [f"{name}: left out lines after the last endsolid: {after:,}"] if after else []
 
 
 def _is_text(blob):
-    return re.match(rb"\s*solid\b", blob) and b"vertex" in blob[:4096]
+    start = "".join(line for _, line in model_text.lines_of(blob[:_START])).lower()
+    return re.match(r"\s*solid\b", start) and "vertex" in start
+
+
+def _is_binary(blob, count):
+    """Whether the header's triangles are there; a file that is longer is one unless it is a text."""
+    whole = _HEAD + count * _TRIANGLE.itemsize
+    return len(blob) == whole or (count and len(blob) > whole)
 
 
 def read(path, name=None, progress=None, sources=None):
@@ -91,10 +136,10 @@ def read(path, name=None, progress=None, sources=None):
     sources = sources or Sources()
     blob = sources.read(path, FILE_MAX, "simplify the model")
     count = int.from_bytes(blob[80:_HEAD], "little")
-    if len(blob) >= _HEAD and len(blob) == _HEAD + count * _TRIANGLE.itemsize:
-        points, places = _binary(blob, name, count)
+    if len(blob) >= _HEAD and _is_binary(blob, count):
+        points, places, surfaces, notes = _binary(blob, name, count)
     elif _is_text(blob):
-        points, places = _text(blob, name, progress)
+        points, places, surfaces, notes = _text(blob, name, progress)
     elif len(blob) < _HEAD:
         raise ToolError(f"{name}: {len(blob)} bytes are fewer than the {_HEAD} of the header of an STL file")
     else:
@@ -104,4 +149,4 @@ def read(path, name=None, progress=None, sources=None):
         raise ToolError(f"{name}: there is no face in this file")
     vertices = [(exact(x), exact(z), exact(y)) for x, y, z in points]
     faces = [[3 * face + 2, 3 * face + 1, 3 * face] for face in range(len(places))]
-    return Mesh(vertices, faces, places), [f"{name}: {_CONVENTION}"]
+    return Mesh(vertices, faces, places, surfaces, surfaces.uvs if surfaces else []), [f"{name}: {_CONVENTION}", *notes]

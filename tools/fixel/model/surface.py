@@ -4,41 +4,69 @@
 from dataclasses import dataclass, field
 
 
+WHITE = (255, 255, 255)
+GREY = (200, 192, 176)      # of a material that names no colour
+
+
 @dataclass
 class Material:
-    """colour: red, green, blue, 0..255, which an image is multiplied by. opacity: 0..1."""
+    """colour: red, green, blue, 0..255, which an image is multiplied by. opacity: 0..1. moves: None, or what becomes of
+    a face's coordinates on the image: a function of (u, v). clamp: beyond its edges the image shows them; else it
+    repeats. is_unlit: light does not change the colour."""
     name: str
-    colour: tuple = (200, 192, 176)
+    colour: tuple = GREY
     opacity: float = 1.0
     image: object = None        # a texture_image.Texture, or None
+    moves: object = None
+    clamp: bool = False
+    is_unlit: bool = False
+
+
+def mean_tint(colours):
+    """The mean of the colours of a face's vertices, red, green, blue of 0..255."""
+    return tuple((2 * sum(parts) + len(colours)) // (2 * len(colours)) for parts in zip(*colours))
+
+
+def product(one, other):
+    """A colour times another one."""
+    return tuple(round(a * b / 255) for a, b in zip(one, other))
 
 
 @dataclass
 class Surfaces:
     """The materials of a model, and those of its faces. of_face: a material's number for each face. uvs: for each
-    face (u, v) of each corner, u to the right and v downward, 1 across the image; None where there are none."""
+    face (u, v) of each corner, u to the right and v downward, 1 across the image; None where there are none. tints: for
+    each face what its material's colour is multiplied by: the mean colour of its vertices; None where they have none."""
     materials: list = field(default_factory=list)
     of_face: list = field(default_factory=list)
     uvs: list = field(default_factory=list)
+    tints: list = field(default_factory=list)
     _colours: list = field(default_factory=list)
 
-    def add(self, material, uvs=None):
+    def add(self, material, uvs=None, tint=None):
         """One more face."""
         self.of_face.append(material)
         self.uvs.append(uvs)
+        self.tints.append(tint)
 
     def part(self, faces):
         """The surfaces of some faces."""
-        return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces])
+        return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces],
+                        [self.tints[face] for face in faces])
+
+    def own_colour(self, face):
+        """The colour of a face without its image."""
+        colour, tint = self.materials[self.of_face[face]].colour, self.tints[face]
+        return colour if tint is None else product(colour, tint)
 
     def colours(self):
         """The colour of each face, red, green and blue: with an image the mean of what lies on it. Computed once."""
         if len(self._colours) != len(self.of_face):
-            self._colours = [self.materials[number].colour for number in self.of_face]
+            self._colours = list(map(self.own_colour, range(len(self.of_face))))
             for image, faces in self._with_images().items():
                 means = image.means([self.uvs[face] for face in faces])
                 for face, mean in zip(faces, means):
-                    self._colours[face] = tuple(round(a * b / 255) for a, b in zip(mean, self._colours[face]))
+                    self._colours[face] = product(mean, self._colours[face])
         return self._colours
 
     def _with_images(self):
@@ -49,6 +77,10 @@ class Surfaces:
             if image is not None and self.uvs[face] is not None:
                 found.setdefault(image, []).append(face)
         return found
+
+    def are_unlit(self):
+        """Whether light changes the colour of no face."""
+        return all(self.materials[number].is_unlit for number in set(self.of_face))
 
     def kind_of(self, face):
         """What two faces have in common that may become one."""

@@ -11,8 +11,9 @@ from fixel.base import reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import shortened
 
-FILE_MAX = 16 << 20     # bytes
-SIDE_MAX = 2048         # pixels
+FILE_MAX = 64 << 20     # bytes
+SIDE_MAX = 8192         # pixels
+KEPT_MAX = 2048         # pixels: an image with a longer side is shrunk as it is read
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
 EXIF_MAX, _EXIF = 64, b"Exif\0\0"
 COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
@@ -30,32 +31,83 @@ class Texture:
         self.pictures = {}      # made of it for textures (toml_images.py)
         self.height, self.width = pixels.shape[:2]
 
-    def scaled(self, width, height):
-        """Its pixels in another size, each the mean of what it covers."""
-        return np.asarray(Image.fromarray(self.pixels).resize((width, height), Image.Resampling.BOX))
+    def scaled(self, width, height, part=None):
+        """Its pixels, or those of a part (left, top, right, bottom), in another size, each the mean of what it covers."""
+        left, top, right, bottom = part or (0, 0, self.width, self.height)
+        cut = np.ascontiguousarray(self.pixels[top:bottom, left:right])
+        return np.asarray(Image.fromarray(cut).resize((width, height), Image.Resampling.BOX))
 
-    def _mean_of_triangles(self, corners):
-        """The mean colour of what lies in each triangle, of (count, 3 corners, 2) coordinates; the image repeats."""
+    def _once(self, key, make):
+        """An image that is made of this one, once."""
+        if key not in self.pictures:
+            self.pictures[key] = Texture(self.name, make())
+        return self.pictures[key]
+
+    def with_alpha(self, cutoff):
+        """The image without its alpha, or, from an alpha of 0..1 on, opaque and clear below."""
+        def make():
+            pixels = self.pixels.copy()
+            pixels[..., 3] = 255 if cutoff is None else np.where(pixels[..., 3] >= 255 * cutoff, 255, 0)
+            return pixels
+        return self if (self.pixels[..., 3] == 255).all() and (cutoff is None or cutoff <= 1) else self._once(("alpha", cutoff), make)
+
+    def mirrored(self, across, down):
+        """The image and its mirror image beside it, below it, or both."""
+        def make():
+            wide = np.concatenate([self.pixels, self.pixels[:, ::-1]], axis=1) if across else self.pixels
+            return np.concatenate([wide, wide[::-1]], axis=0) if down else wide
+        return self._once(("mirrored", across, down), make)
+
+    def _of_triangles(self, corners):
+        """What lies at some places of each triangle, of (count, 3 corners, 2) coordinates; the image repeats."""
         first, along = corners[:, None, 0], corners[:, None, 1:] - corners[:, None, :1]
         places = (first + along[:, :, 0] * _INSIDE[:, :1] + along[:, :, 1] * _INSIDE[:, 1:]) % 1.0
         columns = np.minimum((places[:, :, 0] * self.width).astype(int), self.width - 1)
         rows = np.minimum((places[:, :, 1] * self.height).astype(int), self.height - 1)
-        return self.pixels[rows, columns, :3].mean(axis=1)
+        return self.pixels[rows, columns]
+
+    def _of_fans(self, outlines, figure):
+        """(a figure of what lies in each triangle of the outlines' fans, the first triangle of each, how many it has)."""
+        fans = [[(outline[0], b, c) for b, c in zip(outline[1:], outline[2:])] for outline in outlines]
+        corners = np.array([three for fan in fans for three in fan], dtype=float)
+        found = np.concatenate([figure(self._of_triangles(corners[start:start + _CHUNK]))
+                                for start in range(0, len(corners), _CHUNK)])
+        counts = np.array([len(fan) for fan in fans])
+        return found, np.cumsum(counts) - counts, counts
 
     def means(self, outlines):
         """The mean colour of what lies between the corners of each outline, as a fan of triangles."""
-        fans = [[(outline[0], b, c) for b, c in zip(outline[1:], outline[2:])] for outline in outlines]
-        corners = np.array([three for fan in fans for three in fan], dtype=float)
-        found = np.concatenate([self._mean_of_triangles(corners[start:start + _CHUNK])
-                                for start in range(0, len(corners), _CHUNK)])
-        counts = np.array([len(fan) for fan in fans])
-        sums = np.add.reduceat(found, np.cumsum(counts) - counts, axis=0)
+        found, firsts, counts = self._of_fans(outlines, lambda seen: seen[..., :3].mean(axis=1))
+        sums = np.add.reduceat(found, firsts, axis=0)
         return list(map(tuple, (sums / counts[:, None]).round().astype(int).tolist()))
+
+    def spreads(self, outlines):
+        """Of each outline the most by which red, green, blue or alpha differ at some places between its corners."""
+        low, firsts, _ = self._of_fans(outlines, lambda seen: seen.min(axis=1))
+        high, *_ = self._of_fans(outlines, lambda seen: seen.max(axis=1))
+        spread = np.maximum.reduceat(high, firsts, axis=0).astype(int) - np.minimum.reduceat(low, firsts, axis=0)
+        return spread.max(axis=1).tolist()
 
 
 # Places in a triangle, as parts of its two edges from the first corner.
 _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS + 1))
                     for i in range(_STEPS) for j in range(_STEPS - i)])
+
+
+def _pixels(opened):
+    """Rows of red, green, blue, alpha of an image that Pillow has opened: in 8 bits, shrunk by whole factors."""
+    opened.draft("RGB", (KEPT_MAX, KEPT_MAX))       # of a JPEG, which is then decoded smaller
+    if opened.mode.startswith("I"):     # greys of 16 bits, which Pillow would cut off at 255
+        greys = np.asarray(opened).astype(np.int64)
+        opened = Image.fromarray(((np.clip(greys, 0, 65535) * 255 + 32767) // 65535).astype(np.uint8))
+    elif opened.mode == "F":
+        opened = Image.fromarray(np.clip(np.asarray(opened), 0, 255).round().astype(np.uint8))
+    elif opened.mode not in ("RGB", "L"):
+        opened = opened.convert("RGBA")
+    factor = -(-max(opened.size) // KEPT_MAX)
+    if factor > 1:
+        opened = opened.reduce(factor)
+    return np.asarray(opened.convert("RGBA"))
 
 
 def decode(blob, name):
@@ -73,7 +125,7 @@ def decode(blob, name):
                 width, height = opened.size
                 if not (1 <= width <= SIDE_MAX and 1 <= height <= SIDE_MAX):
                     raise ToolError(f"{name}: an image of {width}x{height} pixels{_TOO_LARGE}")
-                return Texture(name, np.asarray(opened.convert("RGBA")))
+                return Texture(name, _pixels(opened))
     except (ToolError, MemoryError):
         raise
     except Image.DecompressionBombError:

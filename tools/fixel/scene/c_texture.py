@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 
-from fixel.image import c_scene, c_surfaces, c_text, image_surface
+from fixel.image import c_names, c_scene, c_surfaces, c_text, image_surface
 from fixel.model import texture_image
 from fixel.scene import texture
 from fixel.image.c_text import record, table
@@ -35,7 +35,7 @@ def texels_of(levels):
 
 def header(file, name, size=None, levels=1, clamp=False):
     """(the text of a header with the table of an image file's texels and its fxl_texture, texels)."""
-    c_scene.check_name(name)
+    c_names.check_name(name)
     made = texture.levels_of(codes_of(file, size), levels)
     texels, key = texels_of(made)
     flags = (image_surface.CLAMP if clamp else 0) | (image_surface.KEYED if key is not None else 0)

@@ -2,12 +2,13 @@
 """Scene files into scene images or C headers, and scene images explained.
 
     fixel build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
-                [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32]
+                [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32] [LOOK]
         SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces),
         or none; without --tree, what the scene's key "tree" says;
-        --pixels, --order and --depth stand in the place of what its [view] says
+        --pixels, --order and --depth stand in the place of what its [view] says;
+        LOOK, of a model: [--palette] [--flat | --smooth DEGREES] [--no-textures] [--sorted] [--write SCENE.toml]
     fixel export --c SCENE -o OUT.h [--name NAME] [--frames N] [--screen WxH] [--tree LAYERS]
-                [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32]
+                [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32] [LOOK]
         SCENE is a .toml, a model or a .fxls; --frames N exports the path too, as N poses
     fixel texture IMAGE -o OUT.h [--name NAME] [--size WxH] [--levels N] [--clamp]
         an image as a texture of a program's RGB565 frames
@@ -16,14 +17,14 @@
 tools/scene.py is the same without set-up's fixel: scene.py build ..."""
 
 import argparse
-import os
 import re
 
-from fixel.base import bounded
+from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
-from fixel.image import image_surface
-from fixel.scene import making, target
+from fixel.image import c_names, image_surface
+from fixel.model import suffixes
+from fixel.scene import look, making, target
 
 
 def whole(text):
@@ -43,7 +44,7 @@ def make_texture(arguments):
                         f"{texture.SIDE_MAX}")
     if not 1 <= arguments.levels <= image_surface.LEVELS_MAX:
         raise ToolError(f"--levels is {arguments.levels}; it must be from 1 to {image_surface.LEVELS_MAX}")
-    name = arguments.name or os.path.splitext(os.path.basename(arguments.image))[0]
+    name = arguments.name or c_names.name_of_file(arguments.image, "texture")
     texels = making.texture(arguments.image, arguments.out, name, size, arguments.levels, arguments.clamp,
                             bounded.limits_of(arguments))
     print(f"{one_line(arguments.out)}: {name}_texture, {2 * texels:,} bytes of texels")
@@ -65,6 +66,7 @@ def _parsers():
         command.add_argument("--tree", metavar="LAYERS", help="draw these layers by a tree: 5, or 2,4,5, or all, or most, "
                              "or none, instead of what the scene says")
         target.add_options(command)
+        look.add_options(command)
     drawing = commands.add_parser("texture", help="write an image as a texture of RGB565, in C")
     drawing.add_argument("image")
     drawing.add_argument("-o", "--out", required=True)
@@ -100,10 +102,17 @@ def main(argv):
         make_texture(arguments)
         return 0
     limits, screen = bounded.limits_of(arguments), making.parse_screen(arguments.screen) if arguments.screen else None
-    asked = target.of_options(arguments)
+    asked, wanted = target.of_options(arguments), look.of_options(arguments)
+    is_model = suffixes.is_model(arguments.scene)
+    look.check(wanted, arguments.scene, is_model)
+    has_tree = arguments.tree not in (None, "none")
+    how = {"looks": look.smaller(wanted, *look.targets(wanted, asked, has_tree)[0]), "write": wanted.write} if is_model else {}
+    common = arguments.frames, screen, arguments.tree, limits, asked
     if arguments.command == "export":
-        made = making.export(arguments.scene, arguments.out, arguments.name, arguments.frames, screen, arguments.tree, limits, asked)
+        made = making.export(arguments.scene, arguments.out, arguments.name, *common, **how)
     else:
-        made = making.build(arguments.scene, arguments.out, arguments.frames, screen, arguments.tree, limits, asked)
+        made = making.build(arguments.scene, arguments.out, *common, **how)
     making.tell(arguments.out, made)
+    if wanted.write:
+        output.write_file(wanted.write, made.text.encode())
     return 0

@@ -2,27 +2,30 @@
 """Compiles a scene file or a model in this process. Tools do it in a process under limits: fixel/scene/making.py."""
 
 from fixel.image import image
-from fixel.model import model_file
-from fixel.scene import framing, target, toml_scene, tree
+from fixel.model import suffixes
+from fixel.scene import framing, look as looks, target, toml_scene, tree
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 
 FRAMINGS = {"walk": framing.WALK, "program": framing.PROGRAM}
 
 
-def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", report=None, asked=None):
+def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", report=None, asked=None, look=looks.PLAIN,
+                  write=None):
     """Compiles a .toml or a model; answers the SceneImage and what there is to say about it. screen: width
     and height instead of the scene's. layers: those that are to have a tree (tree.layers_of), instead of what the scene
-    says. framed: how a model is framed (FRAMINGS). report: a job.Report. asked: what it is drawn as, a target.Target."""
+    says. framed: how a model is framed (FRAMINGS). report: a job.Report. asked: what it is drawn as, a target.Target. look:
+    a look.Look of a model; write: where its scene file is to stand."""
     report = report or Quiet()
-    is_model = model_file.is_model(scene)
-    if not is_model and model_file.suffix_of(scene) != ".toml":
-        raise ToolError(f"{scene}: a scene is a .toml file, or a model: {model_file.SUFFIXES}")
+    is_model = suffixes.is_model(scene)
+    suffixes.refuse_other(scene, scene)
+    if not is_model and suffixes.suffix_of(scene) != ".toml":
+        raise ToolError(f"{scene}: a scene is a .toml file, or a model: {suffixes.SUFFIXES}")
     if frames is not None and not 1 <= frames <= toml_scene.FRAMES_MAX:
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
     report.stage("reading the file")
     if is_model:
-        compiled, notes = framing.compile_model(scene, frames, report, screen, FRAMINGS[framed])
+        compiled, notes = framing.compile_model(scene, frames, report, screen, FRAMINGS[framed], look, write)
     else:
         compiled, notes = toml_scene.compile_file(scene, frames, report, screen)
     where, layers = (f"{scene}: --tree", layers) if layers else (f"{scene}: tree", compiled.layers)
@@ -40,7 +43,7 @@ def packed(compiled, name):
     try:
         return image.pack(compiled)
     except ToolError as error:
-        raise ToolError(f"{name}: {error}") from error
+        raise type(error)(f"{name}: {error}") from error
 
 
 def plant(compiled, layers, name, where, report):

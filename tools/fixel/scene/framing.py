@@ -1,23 +1,29 @@
 # SPDX-License-Identifier: MIT
 """A scene for a bare model file: the model in the middle, the camera about it."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 import math
 import os
 
 import numpy as np
 
+from fixel.image import image
 from fixel.model import model_file
-from fixel.scene import toml_model, toml_scene
+from fixel.scene import toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
 from fixel.base.reading import shortened
+from fixel.scene.look import PLAIN
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
 MARGIN = 0.9        # how much of the screen the model may fill
 RISE = 15           # degrees that the camera looks down
 FRAMES = 60
+LEVELS = 4          # of a texture
+RAMP = 32           # levels of light at run time
+SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
+_FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
 
 
@@ -55,17 +61,53 @@ def _distance(points, start, frames, width, height):
     return needed
 
 
-def _centred(mesh):
-    """The mesh about its origin, if it is farther from there than it is large: the scale could not hold both."""
-    low, high = ([end(axis) for axis in zip(*mesh.vertices)] for end in (min, max))
-    middle = [(a + b) // 2 for a, b in zip(low, high)]
-    if max(map(abs, middle)) <= max(b - a for a, b in zip(low, high)):
-        return mesh
-    return replace(mesh, vertices=[tuple(c - m for c, m in zip(vertex, middle)) for vertex in mesh.vertices])
+_BAKED = {"colour": "#fff2dc", "sky": "#c4d4ff"}
 
 
-def scene_data(mesh, name, frames=None, screen=None, framing=WALK):
-    """The scene as a TOML file would say it. screen: width and height, not the usual ones."""
+def _is_smooth(mesh, degrees):
+    """Whether two faces of a mesh meet at an edge that bends by at most so many degrees, and is not flat."""
+    points = np.array(mesh.vertices, dtype=float)
+    places = {}
+    numbers = [places.setdefault(vertex, len(places)) for vertex in mesh.vertices]
+    across, crease = {}, math.cos(math.radians(degrees)) - 1e-6
+    for face in mesh.faces:
+        first, one, two = points[face[0]], points[face[1:-1]], points[face[2:]]
+        normal = np.cross(one - first, two - first).sum(axis=0)
+        length = math.sqrt(normal @ normal)
+        if length == 0:
+            continue
+        normal = (normal / length).tolist()
+        for a, b in zip(face, [*face[1:], face[0]]):
+            edge = (numbers[a], numbers[b])
+            other = across.pop(edge[::-1], None)
+            if other is None:
+                across[edge] = normal
+            elif crease <= sum(p * q for p, q in zip(normal, other)) < _FLAT:
+                return True
+    return False
+
+
+def _look_of(mesh, look):
+    """(the keys of the object, those of the light, notes) by which a mesh looks so. Light of the tool's own stays where every
+    face has one colour."""
+    if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
+        return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
+                            "are flat; simplify the model to have both"]
+    unlit = bool(mesh.surfaces) and mesh.surfaces.are_unlit()
+    images = look.texels and mesh.surfaces and toml_images.has_looks(mesh.surfaces)
+    smooth = look.smooth and not unlit and _is_smooth(mesh, look.smooth)
+    thing = {"images": {"size": look.texels, "bits": look.bits, "levels": LEVELS}} if images else {}
+    thing |= {"smooth": look.smooth} if smooth else {}
+    if unlit:
+        return {**thing, "shade": False}, _BAKED, []
+    some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
+            if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
+    notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
+    return thing, {"levels": RAMP} if thing else _BAKED, notes
+
+
+def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
+    """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look."""
     radius = framing.radius
     width, height = screen or (WIDTH, HEIGHT)
     points = np.array(mesh.vertices, dtype=float) / UNIT
@@ -79,31 +121,48 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK):
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
+    thing, light, notes = _look_of(mesh, look)
+    view = ({"pixels": "rgb565"} if look.pixels == "rgb565" else {}) | ({"depth": look.depth} if look.depth else {})
     return {
         "screen": {"width": width, "height": height},
         "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - radius) * Fraction(9, 10)),
-                 "far": (distance + radius) * Fraction(11, 10)},
+                 "far": (distance + radius) * Fraction(11, 10), **view},
         "background": "#1b2a38",
-        "light": {"direction": list(framing.light), "ambient": Fraction(1, 3),
-                  "colour": "#fff2dc", "sky": "#c4d4ff"},
-        "objects": [{"name": name, "model": name, "scale": scale, "anchor": "middle", "two_sided": "open",
+        "light": {"direction": list(framing.light), "ambient": Fraction(1, 3), **light},
+        "objects": [{"name": name, "model": name, "scale": scale, "anchor": "middle", "two_sided": "open", **thing,
                      **({} if mesh.surfaces else {"colour": "#e8a860"})}],
         "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
                            "frames": frames or FRAMES}},
-    }
+    }, [f"{shortened(name)}: {note}" for note in notes]
 
 
-def compile_model(path, frames=None, progress=None, screen=None, framing=WALK):
-    """A bare model file -> (SceneImage, notes)."""
+def _needs_no_depth(scene):
+    """Whether a scene is one convex model: nothing of it hides anything of it."""
+    return len(scene.objects) == 1 and scene.models[0].kind == image.CONVEX
+
+
+def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, look=PLAIN, write=None):
+    """A bare model file -> (SceneImage, notes). look: a look.Look. write: where the scene file is to stand that gives the
+    same frames; it is then scene.text."""
     folder, name = os.path.split(path)
     files = toml_model.Files(folder)
     file = files.file(name)
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
-    mesh = _centred(mesh)
+    mesh = toml_model.near_origin(mesh)
     files[file] = mesh
-    data = scene_data(mesh, name, frames, screen, framing)
+    data, more = scene_data(mesh, name, frames, screen, framing, look)
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
+    if scene.depth_bits and _needs_no_depth(scene):
+        scene.depth_bits = 0
+        del data["view"]["depth"]
     scene.names = []    # the file's name, which says nothing to a program
-    return scene, read_notes + notes + [f"{file}: framed by default: scaled by "
+    scene.text = _text_of(data, path, write) if write else None
+    return scene, read_notes + more + notes + [f"{file}: framed by default: scaled by "
                            f"{float(data['objects'][0]['scale']):.6g}, turned once in "
                            f"{len(scene.path)} frames"]
+
+
+def _text_of(data, path, write):
+    """The scene file of a model that is to stand at a place."""
+    thing = {**data["objects"][0], "model": os.path.relpath(path, os.path.dirname(write) or ".")}
+    return toml_text.text({**data, "objects": [thing]})

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from fixel.base import bounded, output, reading, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.base.reading import quoted
-from fixel.image import image_lens
+from fixel.image import c_names, image_lens
+from fixel.scene.look import PLAIN
 
 WORKER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "worker.py")
 
@@ -22,6 +23,7 @@ class Made:
     objects: int
     frames: int
     notes: list
+    text: str       # the scene file of a model, where one is asked for
 
 
 def _make(out, request, subject, limits):
@@ -35,20 +37,21 @@ def _make(out, request, subject, limits):
     return answer
 
 
-def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None):
+def build(scene, out, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None):
     """Compiles a scene file or a model into an image file; answers a Made. screen: width and height instead of the
     scene's. layers: those that are to have a tree, or "none"; without it, what the scene says. limits: a bounded.Limits. asked: what it is drawn as instead,
-    a target.Target."""
+    a target.Target. looks: how a
+    model looks, look.Looks: the first that an image holds. write: where its scene file is to stand."""
     request = {"job": "build", "scene": os.fspath(scene), "frames": frames, "screen": screen, "layers": layers, "framed": "walk",
-               "target": vars(asked) if asked else {}}
+               "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write}
     return Made(**_make(out, request, scene, limits))
 
 
-def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None):
+def export(scene, out, name=None, frames=None, screen=None, layers=None, limits=None, asked=None, looks=(PLAIN,), write=None):
     """Writes a scene, a model or a scene image as a C header; answers a Made. frames: with so many poses of the path."""
-    stem = os.path.splitext(os.path.basename(scene))[0]
-    request = {"job": "export", "scene": os.fspath(scene), "name": stem if name is None else name, "frames": frames,
-               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}}
+    own = c_names.name_of_file(scene)
+    request = {"job": "export", "scene": os.fspath(scene), "name": own if name is None else name, "frames": frames,
+               "screen": screen, "layers": layers, "framed": "program", "target": vars(asked) if asked else {}, "looks": [vars(look) for look in looks], "write": write}
     return Made(**_make(out, request, scene, limits))
 
 

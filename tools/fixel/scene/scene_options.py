@@ -4,11 +4,12 @@
 from fixel.base import bounded
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
-from fixel.scene import making, target
+from fixel.scene import look, making, target
 
 
-def add(parser, frames=True, targets=True):
-    """--scene, --screen, the limits of compiling, --frames, and what it is drawn as: --pixels, --order, --depth."""
+def add(parser, frames=True, targets=True, looks=True):
+    """--scene, --screen, the limits of compiling, --frames, what it is drawn as: --pixels, --order, --depth, and how a model
+    looks: --palette and others."""
     parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
     if frames:
         parser.add_argument("--frames", help="number of frames (default: the whole path)")
@@ -16,15 +17,19 @@ def add(parser, frames=True, targets=True):
         parser.set_defaults(frames=None)
     parser.add_argument("--screen", help="width and height, like 128x64 (default: the scene's)")
     bounded.add_options(parser)
-    parser.set_defaults(has_targets=targets)     # another command may have an --order of its own
+    parser.set_defaults(has_targets=targets, has_looks=looks)     # another command may have an --order of its own
     if targets:
         target.add_options(parser)
+    if looks:
+        look.add_options(parser)
 
 
 def check(options):
-    """Makes numbers of --frames and --screen where they are given, and options.target of what it is drawn as."""
+    """Makes numbers of --frames and --screen where they are given, and options.target and options.look of what it
+    is drawn as."""
     options.frames = frame_count(options.frames) if options.frames is not None else None
     options.screen = making.parse_screen(options.screen) if options.screen else None
+    options.look = look.of_options(options) if options.has_looks else look.Asked()
     options.target = target.of_options(options) if options.has_targets else target.Target()
 
 

@@ -7,6 +7,7 @@ coordinates are not is cut into triangles."""
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 import functools
+import math
 from math import lcm
 
 from fixel.image import image_surface
@@ -111,9 +112,48 @@ def _backs(faces):
         seen.add(corners)
 
 
-def smooth_normals(made):
+FACES_AT_ONCE = 64      # of a vertex, among which those within a crease are looked for; of more the mean is that of all
+
+
+class _Creases:
+    """The normals at the vertices of a shape, where a face takes the mean of those alone that bend from it by at most so
+    many degrees."""
+
+    def __init__(self, made, backs, degrees):
+        self.faces, self.backs, self.at, self.whole = made.faces, backs, {}, {}
+        self.areas = [newell([made.vertices[c] for c in face.corners]) for face in made.faces]
+        self.units = [tuple(c / (1 << 30) for c in face.normal) for face in made.faces]
+        self.least = math.cos(math.radians(degrees)) - 1e-6
+        for number, (face, back) in enumerate(zip(made.faces, backs)):
+            for c in face.corners:
+                self.at.setdefault((c, back), []).append(number)
+
+    def _sum(self, faces):
+        return tuple(map(sum, zip(*[self.areas[number] for number in faces])))
+
+    def of(self, number, corner):
+        """The normal of a face at one of its vertices."""
+        own, place = self.faces[number].normal, (corner, self.backs[number])
+        faces = self.at[place]
+        if len(faces) > FACES_AT_ONCE:
+            if place not in self.whole:
+                self.whole[place] = self._sum(faces)
+            total = self.whole[place]
+        else:
+            p, q, r = self.units[number]
+            near = [each for each in faces for u, v, w in [self.units[each]] if p * u + q * v + r * w >= self.least]
+            if all(self.faces[each].normal == own for each in near):
+                return own
+            total = self._sum(near)
+        return unit_normal(total) if any(total) else own
+
+
+def smooth_normals(made, degrees=None):
     """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
-    area. Fronts and backs have means of their own."""
+    area. Fronts and backs have means of their own. degrees: an edge that bends more shows."""
+    if degrees is not None:
+        creases = _Creases(made, list(_backs(made.faces)), degrees)
+        return [[creases.of(number, c) for c in face.corners] for number, face in enumerate(made.faces)]
     totals, backs = {}, list(_backs(made.faces))
     for face, back in zip(made.faces, backs):
         area = newell([made.vertices[c] for c in face.corners])
@@ -169,8 +209,23 @@ def _source_coordinates(mesh, rows, made, coordinates):
     for face, source in zip(made.faces, made.sources):
         if source != last:      # the pieces of a face stand together
             known, last = {points[c]: uv for c, uv in reversed(list(zip(mesh.faces[source], coordinates[source])))}, source
+            outline = [points[c] for c in mesh.faces[source]]
+        for c in face.corners:
+            if made.vertices[c] not in known:
+                known[made.vertices[c]] = _on_outline(made.vertices[c], outline, known)
         result.append([known[made.vertices[c]] for c in face.corners])
     return result
+
+
+def _on_outline(point, outline, known):
+    """The coordinates at a vertex that lies on an edge of a face's outline (t_junctions.py), between those of its ends."""
+    def off(edge):
+        way, apart = minus(edge[1], edge[0]), minus(point, edge[0])
+        square, across = dot(way, way), cross(apart, way)
+        along = Fraction(dot(apart, way), square) if square else Fraction(-1)
+        return (not 0 <= along <= 1, Fraction(dot(across, across), square) if square else Fraction(0)), along
+    (_, along), edge = min(((off(edge), edge) for edge in zip(outline, outline[1:] + outline[:1])), key=lambda found: found[0])
+    return tuple(a + (b - a) * along for a, b in zip(known[edge[0]], known[edge[1]]))
 
 
 def spread(mesh, rows, made, coordinates):

@@ -62,6 +62,12 @@ def is_side(number):
     return 1 <= number <= SIDE_MAX and number & (number - 1) == 0
 
 
+def _nearest_side(number):
+    """The side of a texture that is nearest to a picture's, by ratio."""
+    below = 1 << number.bit_length() - 1
+    return min(SIDE_MAX, below if number * number <= 2 * below * below else 2 * below)
+
+
 def codes_of(pixels, clear):
     """An image's colours, rows of (red, green, blue, ...), as one number each: 65536 red + 256 green + blue, or
     _CLEAR_CODE."""
@@ -94,7 +100,8 @@ def _nearest(colours, kept):
 
 def _merged(weights, most, kept):
     """{colour: the one that stands for it}: of at most so many colours, those that are kept among them."""
-    others = {colour: weight for colour, weight in weights.items() if colour not in set(kept)}
+    known = set(kept)
+    others = {colour: weight for colour, weight in weights.items() if colour not in known}
     room = most - len(kept)
     if len(others) <= room:
         return {colour: colour for colour in others}
@@ -156,8 +163,7 @@ def from_pixels(pixels, name, most, any_side=False, key=None):
     if any_side and max(width, height) > SIDE_MAX:
         raise ToolError(f"{name}: a picture of {width} x {height}; a side is at most {SIDE_MAX}, so scale it")
     if not any_side and not (is_side(width) and is_side(height)):
-        raise ToolError(f"{name}: a picture of {width} x {height}; the sides of a texture are powers of "
-                        f"two up to {SIDE_MAX}, so scale it")
+        pixels = texture_image.Texture(name, pixels).scaled(_nearest_side(width), _nearest_side(height))
     codes = codes_of(pixels, pixels[..., 3] < OPAQUE_FROM)
     if key:
         codes[codes == (key[0] << 16 | key[1] << 8 | key[2])] = _CLEAR_CODE

@@ -1,19 +1,23 @@
 # SPDX-License-Identifier: MIT
 """Images of a model's materials as textures of its faces."""
 
+import collections
 import dataclasses
 import functools
 
 import numpy as np
 
 from fixel.image import image_surface
-from fixel.scene import texture
+from fixel.scene import image_parts, texture
 from fixel.base.errors import ToolError
+from fixel.model.surface import product
 from fixel.scene.surfaces import Paint
 from fixel.scene.toml_table import Table
 
 KEYS = {"images"}
 _ROW_KEYS = {"size", "colours", "levels", "bits"}
+PLAIN_MAX = 128     # colours of an image that faces have instead of a texture
+TINTED_MAX = 64     # textures that are an image times the colours of vertices: more are left without
 
 
 def _power(side, most):
@@ -21,22 +25,46 @@ def _power(side, most):
     return min(most, 1 << side.bit_length() - 1)
 
 
-def _scaled(image, width, height):
+def _power_above(side, most):
+    """The least power of two that is not less than a part's side, or this if that is less."""
+    return min(most, 1 << (side - 1).bit_length())
+
+
+def _sides(image, part, size, bits):
+    """Texels of the picture of an image, or of a part of it, which is not made smaller than it need be."""
+    least = 2 if bits == 4 else 1       # of a row
+    if part is None:
+        return max(least, _power(image.width, size)), _power(image.height, size)
+    left, top, right, bottom = part
+    return max(least, _power_above(right - left, size)), _power_above(bottom - top, size)
+
+
+def _scaled(image, width, height, part):
     """An image's pixels, scaled by a box filter; many materials may ask for the same."""
-    key = width, height
+    key = width, height, part
     if key not in image.pictures:
-        image.pictures[key] = image.scaled(width, height).reshape(-1, 4)
+        image.pictures[key] = image.scaled(width, height, part).reshape(-1, 4)
     return image.pictures[key]
 
 
-def picture(image, colour, size, most, levels, bits):
-    """The texture.Picture of an image that is multiplied by a colour, scaled by a box filter to powers of two."""
-    key = colour, size, most, levels, bits
+def _of_565(pixels):
+    """The nearest colours of RGB565, which texels of 16 bits keep: fewer colours, and so less work."""
+    most = np.array([31, 63, 31])
+    values = (pixels.astype(int) * most * 2 + 255) // 510
+    return values * 255 // most
+
+
+def picture(image, colour, size, most, levels, bits, part=None):
+    """The texture.Picture of an image, or of a part of it, that is multiplied by a colour, scaled by a box filter to
+    powers of two."""
+    key = colour, size, most, levels, bits, part
     if key not in image.pictures:
-        least = 2 if bits == 4 else 1       # texels of a row
-        width, height = max(least, _power(image.width, size)), _power(image.height, size)
-        scaled = _scaled(image, width, height)
+        least = 2 if bits == 4 else 1
+        width, height = _sides(image, part, size, bits)
+        scaled = _scaled(image, width, height, part)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
+        if bits == 16:
+            scaled = np.column_stack([_of_565(scaled[:, :3]), scaled[:, 3]])
         codes = texture.codes_of(scaled, scaled[:, 3] < texture.OPAQUE_FROM).reshape(height, width)
         is_565 = bits == 16
         own = most if levels == 1 or is_565 else max(1, 3 * most // 4)   # the others are for the smaller levels
@@ -85,18 +113,20 @@ class Colours:
 
 @dataclasses.dataclass(eq=False)
 class Images:
-    """What images make of the faces of a file: of each face its Paint or None, its opacity in 16ths, and the colour of
-    its material."""
+    """What images make of the faces of a file: of each face its Paint or None, its opacity in 16ths, its
+    colour without a texture, and its coordinates. notes: what there is to say."""
     paints: tuple
     opacities: tuple
     materials: tuple
+    uvs: tuple
+    notes: list
 
     @functools.cached_property
     def colours(self):
         """Of each face, the mean colour of its image, or that of its material."""
         means = {paint: paint.picture.mean for paint in dict.fromkeys(self.paints) if paint}
-        return Colours(tuple(means[paint] if paint else colour for paint, colour in zip(self.paints, self.materials)),
-                       self.covered)
+        paints = self.paints if len(self.paints) > 1 else self.paints * len(self.materials)
+        return Colours(tuple(means[paint] if paint else colour for paint, colour in zip(paints, self.materials)), self.covered)
 
     @functools.cached_property
     def covered(self):
@@ -109,6 +139,11 @@ class Images:
         return all(opacity == image_surface.OPAQUE for opacity in self.opacities)
 
 
+def has_looks(surfaces):
+    """Whether a material of a model has an image, or is partly transparent."""
+    return any(material.image or material.opacity < 1 for material in surfaces.materials)
+
+
 def read(table, mesh_of, known):
     """The Images of the faces of an object's file, by its materials; None unless it asks for images. mesh_of: answers the
     object's mesh. known: those that were made before."""
@@ -119,19 +154,81 @@ def read(table, mesh_of, known):
         if key in table:
             raise ToolError(f"{table.at(key)}: the materials' images and their opacity are the file's; keep one or the other")
     surfaces = mesh_of().surfaces if "solid" not in table else None
-    if surfaces is None or not any(material.image for material in surfaces.materials):
-        raise ToolError(f"{table.at('images')}: the model has no material with an image")
+    if surfaces is None or not has_looks(surfaces):
+        raise ToolError(f"{table.at('images')}: the model has no material with an image, and none that is transparent")
     key = id(surfaces), row
     if key not in known:
         known[key] = _images(surfaces, row)
     return known[key]
 
 
+def _tinted(surfaces):
+    """Of each face (number of its material, what its image is multiplied by), None without an image; and notes."""
+    pairs = [None if uvs is None or surfaces.materials[number].image is None else (number, tint)
+             for number, uvs, tint in zip(surfaces.of_face, surfaces.uvs, surfaces.tints)]
+    with_tint = {pair for pair in pairs if pair and pair[1] is not None}
+    if len(with_tint) <= TINTED_MAX:
+        return pairs, []
+    return [pair and (pair[0], None) for pair in pairs], [
+        f"colours of vertices are left out on faces that show an image: with it they would be {len(with_tint):,} textures, and "
+        f"the limit is {TINTED_MAX}"]
+
+
+def _grouped(pairs):
+    """{pair: its faces}."""
+    found = {}
+    for face, pair in enumerate(pairs):
+        if pair is not None:
+            found.setdefault(pair, []).append(face)
+    return found
+
+
+def _most_frequent(colours):
+    """The colours of faces, None for those that PLAIN_MAX others have on more faces: all share one palette."""
+    counts = collections.Counter(colour for colour in colours if colour is not None)
+    kept = dict(counts.most_common(PLAIN_MAX))
+    return [colour if colour in kept else None for colour in colours]
+
+
+class _Parts:
+    """What faces show of the images of their materials. colours: of faces that show one colour; others have a paint, and
+    uvs on its picture."""
+
+    def __init__(self, surfaces, row):
+        self.surfaces, self.row = surfaces, row
+        self.paints, self.colours, self.uvs = [None] * len(surfaces.of_face), {}, list(surfaces.uvs)
+
+    def add(self, pair, faces):
+        """The faces of a material and of a colour that multiplies its image."""
+        surfaces, (number, tint) = self.surfaces, pair
+        material = surfaces.materials[number]
+        colour = material.colour if tint is None else product(material.colour, tint)
+        if material.clamp:
+            paint = Paint(picture(material.image, colour, *self.row), self.row[3], True, material.name)
+            for face in faces:
+                self.paints[face] = paint
+            return
+        found = _most_frequent(image_parts.colours(material.image, [surfaces.uvs[face] for face in faces]))
+        self.colours.update((face, product(plain, colour)) for face, plain in zip(faces, found) if plain is not None)
+        others = [face for face, plain in zip(faces, found) if plain is None]
+        if not others:
+            return
+        part = image_parts.rectangle(material.image, [surfaces.uvs[face] for face in others])
+        paint = Paint(picture(material.image, colour, *self.row, part), self.row[3], False, material.name)
+        for face in others:
+            self.paints[face] = paint
+            if part:
+                self.uvs[face] = image_parts.within(surfaces.uvs[face], material.image, part)
+
+
 def _images(surfaces, row):
-    paints = [None if material.image is None else Paint(picture(material.image, material.colour, *row), row[3], False,
-                                                              material.name)
-              for material in surfaces.materials]
+    pairs, notes = _tinted(surfaces)
+    parts = _Parts(surfaces, row)
+    for pair, faces in _grouped(pairs).items():
+        parts.add(pair, faces)
     opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
-    return Images(tuple(None if uvs is None else paints[number] for number, uvs in zip(surfaces.of_face, surfaces.uvs)),
-                  tuple(opacities[number] for number in surfaces.of_face),
-                  tuple(surfaces.materials[number].colour for number in surfaces.of_face))
+    own = [parts.colours[face] if face in parts.colours else surfaces.own_colour(face) for face in range(len(pairs))]
+    paints = tuple(parts.paints) if any(parts.paints) else (None,)
+    opacities = tuple(opacities[number] for number in surfaces.of_face)
+    return Images(paints, opacities if set(opacities) != {image_surface.OPAQUE} else (image_surface.OPAQUE,), tuple(own),
+                  tuple(parts.uvs), notes)

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
 
+from dataclasses import replace
 import difflib
 from fractions import Fraction
 import itertools
 import math
 
 from fixel.base import reading
-from fixel.model import merge, model_file
+from fixel.model import merge, model_file, suffixes, t_junctions
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
@@ -31,7 +32,7 @@ class Files:
         if name not in self.by_name:
             file = Beside(self.folder, name)
             real = reading.identity(file)
-            reader = model_file.READERS.get(model_file.suffix_of(file), model_file.READERS[".obj"])
+            reader = model_file.READERS.get(suffixes.suffix_of(file), model_file.READERS[".obj"])
             self.by_name[name] = self.by_path.setdefault((real, reader), file)
         return self.by_name[name]
 
@@ -72,8 +73,9 @@ def _check_group(mesh, file, group, where):
 def read(table, key, files, progress):
     """(mesh, its Beside, notes) of an object's file; files: a Files with those that were read already."""
     name = table.text(key)
-    if key == "obj" and model_file.is_model(name) and model_file.suffix_of(name) != ".obj":
+    if key == "obj" and suffixes.is_model(name) and suffixes.suffix_of(name) != ".obj":
         raise ToolError(f"{table.at('obj')}: {quoted(name)} is no OBJ file; say model = instead of obj =")
+    suffixes.refuse_other(name, f"{table.at(key)}: {quoted(name)}")
     file = files.file(name)
     if file in files:
         return files[file], file, []
@@ -83,6 +85,16 @@ def read(table, key, files, progress):
     progress.stage(f"reading {file}")
     mesh, notes = reader(file, None, progress, files.sources)
     return mesh, file, notes
+
+
+def near_origin(mesh):
+    """The mesh about its origin, if it is farther from there than it is large: the scale could not hold both. For what is
+    placed by its middle."""
+    low, high = ([end(axis) for axis in zip(*mesh.vertices)] for end in (min, max))
+    middle = [(a + b) // 2 for a, b in zip(low, high)]
+    if max(map(abs, middle)) <= max(b - a for a, b in zip(low, high)):
+        return mesh
+    return replace(mesh, vertices=[tuple(c - m for c, m in zip(vertex, middle)) for vertex in mesh.vertices])
 
 
 def short(value):
@@ -103,14 +115,17 @@ def fit(table, mesh):
 
 def wishes(table, name):
     """(mend, merge) of an object with a file."""
-    default = model_file.holds_triangles(name)
+    default = suffixes.holds_triangles(name)
     return table.switch("mend", default), table.switch("merge", default)
 
 
-def make(mesh, rows, name, inside, wanted, progress):
-    """The shape of a file's mesh (mesh.shape), with a note that says how far rounding moved it. wanted: see wishes."""
+def make(mesh, rows, name, inside, wanted, progress, splits=True):
+    """The shape of a file's mesh (mesh.shape), with a note that says how far rounding moved it. wanted: see wishes. splits:
+    whether edges are split at T-junctions."""
     mends, merges = wanted
     made = shape(mesh, rows, name, inside, progress, mends)
+    if splits:
+        t_junctions.mend(made, name)
     if merges:
         gone = merge.coplanar(made, mesh.surfaces.kind_of if mesh.surfaces else lambda source: 0, progress)
         if gone:

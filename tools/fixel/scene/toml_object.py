@@ -132,6 +132,7 @@ class Objects:
             look = toml_texture.Wish(table, self.textures, not isinstance(self.light, toml_light.RunTime),
                                      lambda: self.mesh(table)[0], self.images)
             self.plain_look = self.plain_look if says else look
+            self.notes += [f"{table.where}: {note}" for note in look.images.notes] if look.images else []
             return look
         return self.plain_look
 
@@ -145,10 +146,12 @@ class Objects:
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
-        key = (identity, scale, rotation, inside, sides, wanted, look.key)
+        is_middle = table.data.get("anchor") == "middle"
+        key = (identity, scale, rotation, inside, sides, wanted, is_middle, look.key)
         if key not in self.shapes:
             self.progress.stage(table.where)
-            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress)
+            mesh = toml_model.near_origin(mesh) if is_middle else mesh
+            made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress, "solid" not in table)
             self.notes += made.notes
             made = self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None

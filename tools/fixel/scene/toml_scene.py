@@ -90,6 +90,11 @@ def _target(top, scene):
     scene.by_distance = order == "distance"
 
 
+def _is_565(top):
+    """Whether frames are of RGB565, which need no shades of light in the palette."""
+    return top.table("view", _VIEW_KEYS).data.get("pixels") == "rgb565"
+
+
 def _layers(top):
     """The layers that are to have a tree, as text (tree.layers_of), or "none"."""
     layers = top.data.get("tree", "none")
@@ -336,7 +341,31 @@ def _models(instances, indices, records):
     return models, objects, boards
 
 
+RAMP = 16           # levels of light at run time, where the tool's own cannot be baked
+
+
+def _lit_at_run_time(data, where):
+    """(the scene with light at run time, what to say of it). where: the object whose textures need it."""
+    light = dict(data.get("light", {}))
+    gone = [f"light.{key}" for key in toml_light.BAKED if light.pop(key, None) is not None]
+    note = f"{where}: its textured faces look in more than {toml_texture.DIRECTIONS_MAX} directions: light.levels = {RAMP} is " \
+        "taken, so the scene's light is made at run time"
+    return {**data, "light": {**light, "levels": RAMP}}, note + (f", without {' and '.join(gone)}" if gone else "")
+
+
 def compile_data(data, name, folder, frames=None, progress=None, screen=None, files=None):
+    """A scene as a dictionary of TOML's shape -> (SceneImage, notes). See _compile_data. Textures that the tool's light
+    cannot be baked into get light at run time."""
+    files = files or toml_model.Files(folder)
+    try:
+        return _compile_data(data, name, folder, frames, progress, screen, files)
+    except toml_texture.ManyDirections as found:
+        changed, note = _lit_at_run_time(data, found)
+    scene, notes = _compile_data(changed, name, folder, frames, progress, screen, files)
+    return scene, [note, *notes]
+
+
+def _compile_data(data, name, folder, frames, progress, screen, files):
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). screen:
     width and height instead of the scene's, seen with the same field of view.
     files: a toml_model.Files with what was read already. progress: a job.Report."""
@@ -347,7 +376,6 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         lens = _on_screen(lens, screen)
     notes = []
     background = palette.parse(data.get("background", "#101820"), top.at("background"))
-    files = files or toml_model.Files(folder)
     kind, entries, start, gait = _path(top, frames)
     beams, lit = _beams(top)
     reserved = _reserved(top)
@@ -365,7 +393,7 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
         colours, indices, merged, in_beam = _palette(background, instances, reserved, light, lit)
     except ToolError as error:
         raise ToolError(f"{name}: {error}") from error
-    if merged:
+    if merged and not (_is_565(top) and len(_count_colours(instances, None)) < palette.ENTRIES - len(reserved)):
         notes.append(f"{name}: {merged} colours were merged into what the palette holds")
     records = Records(indices)
     models, placed, boards = _models(instances, indices, records)

@@ -73,6 +73,10 @@ def read(top, pictures):
     return top.named("textures", "texture", TEXTURES_MAX, lambda data, where: _paint(data, where, pictures))
 
 
+class ManyDirections(Exception):
+    """The textured faces of an object look in more directions than the tool bakes light for."""
+
+
 class _Key(tuple):
     """A tuple, perhaps a long one, whose hash is computed once."""
 
@@ -99,7 +103,7 @@ class Wish:
         self.division = self._division(table)
         self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
         self.mixes = self._mixing(table)
-        self.smooth = table.switch("smooth", False)
+        self.smooth, self.crease = self._smoothness(table)
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
@@ -121,6 +125,15 @@ class Wish:
             raise ToolError(f"{table.at('smooth')}: means nothing for what is not lit")
         if not table.switch("shade", True) and self.lit:
             raise ToolError(f"{table.at('lit')}: shade = false says that light changes no colour")
+
+    @staticmethod
+    def _smoothness(table):
+        """(whether the object is smooth, the degrees from which an edge shows, or None)."""
+        value = table.data.get("smooth", False)
+        if isinstance(value, bool):
+            return value, None
+        degrees = quantity.in_range(quantity.degrees(value, table.at("smooth")), 1, 180, table.at("smooth"), "degrees")
+        return True, degrees
 
     @staticmethod
     def _known(name, table, known):
@@ -174,7 +187,7 @@ class Wish:
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
         return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
-                    self.mixes, self.lit, self.smooth, self.by_file)
+                    self.mixes, self.lit, self.smooth, self.crease, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
@@ -209,7 +222,8 @@ class Wish:
 
     def _of_file(self, mesh):
         """Those of the model's file, which are 1 across a texture."""
-        result, found = [], mesh.uvs or (mesh.surfaces.uvs if mesh.surfaces else [])
+        found = self.images.uvs if self.images else mesh.uvs or (mesh.surfaces.uvs if mesh.surfaces else [])
+        result = []
         for number, corners in enumerate(mesh.faces):
             paint = self.paint_of(number)
             size = (paint.picture.width, paint.picture.height) if paint else (0, 0)
@@ -223,10 +237,10 @@ class Wish:
 
     def looks(self, made, coordinates, bake, where):
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
-        normals = surfaces.smooth_normals(made) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
-        if not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
-            bake = keep
+        if bake is not keep and not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
+            raise ManyDirections(where)
 
         @functools.lru_cache(None)      # one object for all faces that look the same way
         def baked(paint, normal):
@@ -238,14 +252,22 @@ class Wish:
         face, paint = made.faces[number], self.paint_of(made.sources[number])
         opacity = self.opacities[made.sources[number] % len(self.opacities)]
         points = [made.vertices[c] for c in face.corners]
-        if paint is None and not self._has_plain_look():
+        if paint is None and self._is_flat(face, normals, opacity):
             return None
         corners, texels = surfaces.place(points, coordinates, paint or _NO_PAINT, where)
         own = tuple(normals[i] for i in corners) if self.lit else ()
         if paint is None:
             return Look(None, (), 0, self._flags(), opacity, corners, ((0, 0),) * 3, own)
-        colours = baked(paint, face.normal) if baked else self._own_of(paint)
+        # Light at run time marks colours, whatever way the face looks.
+        colours = baked(paint, None if self.lit else face.normal) if baked else self._own_of(paint)
         return Look(paint, colours, self.division, self._flags(), opacity, corners, texels, own)
+
+    def _is_flat(self, face, normals, opacity):
+        """Whether a face without a texture looks like one without a surface: it is opaque, and not lit, or, among edges that
+        show, its light is that of its own normal."""
+        if self.mixes or opacity != image_surface.OPAQUE:
+            return False
+        return not self.lit or (self.crease is not None and all(normal == face.normal for normal in normals))
 
     def _own_of(self, paint):
         """The colours of a paint; the same object for the same paint."""

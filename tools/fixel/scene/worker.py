@@ -12,22 +12,35 @@ if __name__ == "__main__":
     from fixel.base import interpreter
     sys.excepthook = interpreter.explain    # of a missing package
 
-from fixel.image import c_scene, image, image_ranges
-from fixel.model import model_file
+from fixel.image import c_names, c_scene, image, image_ranges
+from fixel.model import suffixes
 from fixel.scene import c_texture
 from fixel.base import job
 from fixel.base.errors import ToolError
-from fixel.scene import compiler, target
+from fixel.scene import compiler, look, target
+
+
+def _compiled(request, wanted, report):
+    """(SceneImage, notes) with one look.Look of a model."""
+    return compiler.compile_scene(request["scene"], request["frames"], request["screen"] and tuple(request["screen"]),
+                                  request["layers"], request["framed"], report, target.Target(**request["target"]), wanted,
+                                  request["write"])
 
 
 def _build(request, report):
-    """The scene image of a scene or a model, and what its caller tells of it."""
-    scene = request["scene"]
-    screen = request["screen"] and tuple(request["screen"])
-    compiled, notes = compiler.compile_scene(scene, request["frames"], screen, request["layers"], request["framed"], report,
-                                             target.Target(**request["target"]))
-    report.stage("packing and checking the image")
-    return compiler.packed(compiled, scene), compiled, notes
+    """The scene image of a scene or a model, and what its caller tells of it: of several looks the first that an image
+    holds."""
+    wanted, more = [look.Look(**each) for each in request["looks"]], []
+    while True:
+        compiled, notes = _compiled(request, wanted[0], report)
+        report.stage("packing and checking the image")
+        try:
+            return compiler.packed(compiled, request["scene"]), compiled, notes + more
+        except image.TooLarge:
+            wanted = look.after(wanted, compiled)
+            if not wanted:
+                raise
+            more = [look.smaller_text(request["scene"], wanted[0])]
 
 
 def build(request, report):
@@ -39,8 +52,8 @@ def build(request, report):
 def export(request, report):
     """A scene, a model or a scene image as a C header."""
     scene = request["scene"]
-    c_scene.check_name(request["name"])
-    if model_file.suffix_of(scene) == ".fxls":
+    c_names.check_name(request["name"])
+    if suffixes.suffix_of(scene) == ".fxls":
         if request["frames"] or request["screen"] or request["layers"]:
             raise ToolError(f"{scene}: --frames, --screen and --tree are for a .toml or a model; a scene image "
                             "has its path, its screen and its tree already")
@@ -71,7 +84,8 @@ def _write(request, data):
 
 def _written(request, data, compiled, notes):
     _write(request, data)
-    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": notes}
+    return {"size": len(data), "objects": len(compiled.objects), "frames": compiled.frames, "notes": notes,
+            "text": compiled.text if request["write"] else None}
 
 
 if __name__ == "__main__":

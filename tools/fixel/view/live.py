@@ -8,15 +8,13 @@ import signal
 import webbrowser
 
 from fixel.base import output, scratch
-from fixel.board import firmware, flash_memory, methods
-from fixel.base import bounded
+from fixel.board import firmware, flash_memory, methods, model_look
 from fixel.base.errors import ENDINGS, ToolError, one_line
 from fixel.view.view_board import Board
 from fixel.view.view_pump import IDLE_RATE, Pump
 from fixel.view.view_server import Hub, Server, hello
 from fixel.view.view_reference import Reference
 from fixel.image import image
-from fixel.scene.scene_image import make_scene_image
 from fixel.scene import scene_options
 
 
@@ -65,7 +63,7 @@ def view(options):
         raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
     output.make_folder(options.build)
     with scratch.folder("view", options.build) as folder:
-        scene_image = make_scene_image(options.scene, folder, None, options.screen, bounded.limits_of(options), options.target)
+        scene_image = model_look.scene_image(options, elf, folder)
         methods.check_scene(options, image.load(scene_image))
         flash_memory.flash(options.board, elf, scene_image, folder / "flash.bin")
         with contextlib.closing(Board(program, folder / "flash.bin", folder)) as board:

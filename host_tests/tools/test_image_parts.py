@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""Faces that show one colour of an image need no texture, and of others a texture has the part that faces show."""
+
+import numpy
+import pytest
+
+from fixel.image import image
+from fixel.model import texture_image
+from fixel.scene import compiler, image_parts, look
+from fixel.scene.palette import rgb565
+from model_files import glb, gltf, png
+from test_model_files import colours, compiled
+
+
+def texture(pixels):
+    """An image of rows of red, green, blue, alpha or of red, green, blue."""
+    pixels = numpy.array(pixels, dtype=numpy.uint8)
+    alpha = numpy.full((*pixels.shape[:2], 4 - pixels.shape[2]), 255, dtype=numpy.uint8)
+    return texture_image.Texture("t", numpy.concatenate([pixels, alpha], axis=2))
+
+
+def atlas(side, cells, seed=1):
+    """An image of cells by cells of one colour each, side texels wide; and their colours."""
+    found = numpy.random.default_rng(seed).integers(0, 256, (cells, cells, 3), dtype=numpy.uint8)
+    return found.repeat(side // cells, axis=0).repeat(side // cells, axis=1), found
+
+
+def squares(count):
+    """(vertices, triangles) of so many unit squares in a row, with gaps."""
+    points = [(2 * i + x, y, 0) for i in range(count) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    return points, [tuple(4 * i + c for c in three) for i in range(count) for three in ((0, 1, 2), (0, 2, 3))]
+
+
+def scene_of(folder, uvs, pixels, **more):
+    """The scene of squares with these coordinates, four each, without light."""
+    points, triangles = squares(len(uvs) // 4)
+    more = "".join(f"{key} = {value}\n" for key, value in more.items()) or "images = true\n"
+    return compiled(folder, f'[[objects]]\nmodel = "m.glb"\nshade = false\nmerge = false\n{more}',
+                    m_glb=glb(*gltf(points, triangles, uvs=uvs, image=png(pixels))))[0]
+
+
+def test_colours_of_a_palette_of_256_texels_are_exact(tmp_path):
+    """The case that was tried: points of a palette of 256 x 1, which a texture of 64 x 1 would mix."""
+    pixels, _ = numpy.random.default_rng(2).integers(0, 256, (1, 256, 3), dtype=numpy.uint8), None
+    chosen = range(0, 256, 17)
+    made = scene_of(tmp_path, [((i + 0.5) / 256, 0.5) for i in chosen for _ in range(4)], pixels)
+    assert made.surfaces is None
+    assert colours(made) == {tuple(pixels[0, i].tolist()) for i in chosen}
+
+
+@pytest.mark.parametrize("inset", [0, 0.3])
+def test_cells_of_an_atlas_that_faces_fill_exactly_are_one_colour(tmp_path, inset):
+    pixels, cells = atlas(256, 8)
+    uvs = [((x + (inset, 1 - inset)[right]) / 8, (y + (inset, 1 - inset)[low]) / 8) for x, y in ((0, 0), (3, 5), (7, 7))
+           for right, low in ((0, 1), (1, 1), (1, 0), (0, 0))]
+    made = scene_of(tmp_path, uvs, pixels)
+    assert made.surfaces is None and colours(made) == {tuple(cells[y, x].tolist()) for x, y in ((0, 0), (3, 5), (7, 7))}
+
+
+@pytest.mark.parametrize("by, plain", [(4, True), (5, False)])
+def test_how_far_the_texels_of_one_colour_may_differ(by, plain):
+    found = image_parts.colours(texture([[(100, 100, 100), (100 + by, 100, 100)]]), [[(0, 0), (1, 0), (1, 1), (0, 1)]])
+    assert found == [(102, 100, 100) if plain else None]
+
+
+def test_a_texel_between_the_places_of_a_sample_is_seen():
+    """A face over 200 x 200 texels of which one differs."""
+    pixels = numpy.full((200, 200, 3), 90)
+    square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    for x, y in ((0, 0), (3, 190), (101, 77), (199, 199)):
+        changed = pixels.copy()
+        changed[y, x] = 200
+        assert image_parts.colours(texture(changed), [square, [(0, 0), (0.001, 0), (0, 0.001)]])[0] is None
+    assert image_parts.colours(texture(pixels), [square]) == [(90, 90, 90)]
+
+
+def test_texels_beside_a_triangle_do_not_count():
+    """Only those that it touches, judged point by point."""
+    rng = numpy.random.default_rng(3)
+    for _ in range(40):
+        three = rng.uniform(0, 12, (3, 2))
+        touched = numpy.zeros((12, 12), dtype=bool)
+        for s, t in rng.uniform(0, 1, (4000, 2)):
+            s, t = (1 - s, 1 - t) if s + t > 1 else (s, t)
+            x, y = three[0] + s * (three[1] - three[0]) + t * (three[2] - three[0])
+            touched[int(y), int(x)] = True
+        pixels = numpy.where(touched[..., None], 50, 200) * numpy.ones(3)
+        found = image_parts.colours(texture(pixels), [(three / 12).tolist()])[0]
+        grown = numpy.pad(touched, 1)
+        near = sum(grown[1 + a:13 + a, 1 + b:13 + b] for a in (-1, 0, 1) for b in (-1, 0, 1)) > 0
+        near_alone = image_parts.colours(texture(numpy.where(near[..., None], 50, 200) * numpy.ones(3)), [(three / 12).tolist()])[0]
+        assert near_alone == (50, 50, 50) and found in ((50, 50, 50), None)
+
+
+def test_of_very_many_colours_the_most_frequent_are_flat(tmp_path, monkeypatch):
+    """The palette has no room for more; the others keep a texture."""
+    from fixel.scene import toml_images
+    monkeypatch.setattr(toml_images, "PLAIN_MAX", 2)
+    pixels = [[(10, 20, 30), (90, 20, 30), (10, 99, 30), (9, 9, 99)]]
+    uvs = [((i + 0.5) / 4, 0.5) for i in (0, 1, 1, 2, 3, 3, 3) for _ in range(4)]
+    made = scene_of(tmp_path, uvs, pixels, images="{ size = 4 }")
+    plain = [made.palette[face.colour] for face in made.models[0].faces if face.mapped is None]
+    assert sorted(set(plain)) == [(9, 9, 99), (90, 20, 30)] and len(plain) == 10 and len(made.models[0].faces) == 14
+
+
+def test_what_is_clear_keeps_its_texture():
+    clear = [[(9, 9, 9, 0)] * 4] * 4
+    assert image_parts.colours(texture(clear), [[(0, 0), (1, 0), (1, 1)]]) == [None]
+
+
+def test_a_texture_is_cut_to_what_faces_show_and_padded():
+    pixels = numpy.random.default_rng(4).integers(0, 256, (64, 128, 3))
+    square = [(32 / 128, 16 / 64), (64 / 128, 16 / 64), (64 / 128, 32 / 64), (32 / 128, 32 / 64)]
+    assert image_parts.rectangle(texture(pixels), [square]) == (30, 14, 66, 34)
+    moved = [(u + 3, v - 2) for u, v in square]     # by whole images
+    assert image_parts.rectangle(texture(pixels), [square, moved]) == (30, 14, 66, 34)
+    assert numpy.allclose(image_parts.within(moved, texture(pixels), (30, 14, 66, 34)),
+                          [(2 / 36, 2 / 20), (34 / 36, 2 / 20), (34 / 36, 18 / 20), (2 / 36, 18 / 20)])
+    assert image_parts.rectangle(texture(pixels), [[(0, 0), (1.5, 0), (1, 1)]]) is None     # it repeats
+    assert image_parts.rectangle(texture(pixels), [[(0, 0), (1, 0), (1, 0.9)]]) is None     # nearly all
+    assert image_parts.rectangle(texture(pixels), [[(0, 0), (0.1, 0), (0, 0.1)]]) == (0, 0, 15, 9)
+
+
+@pytest.mark.parametrize("bits", [8, 16])
+def test_the_texels_of_a_part_are_those_of_the_image(tmp_path, bits):
+    """Faces on 12 x 12 texels of an image of 256 x 256: the part of 16 x 16 is not scaled."""
+    pixels = numpy.zeros((256, 256, 3), dtype=numpy.uint8)
+    pixels[100:112, 40:52] = numpy.random.default_rng(5).integers(0, 4, (12, 12, 3)) * 64 + 30
+    uvs = [(40 / 256, 112 / 256), (52 / 256, 112 / 256), (52 / 256, 100 / 256), (40 / 256, 100 / 256)]
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(*squares(1), uvs=uvs, image=png(pixels))))
+    (tmp_path / "s.toml").write_text(f'[view]\npixels = "rgb565"\n[[objects]]\nmodel = "m.glb"\nshade = false\n'
+                                     f'images = {{ bits = {bits}, size = 64{", colours = 255" if bits == 8 else ""} }}\n')
+    made, _ = compiler.compile_scene(str(tmp_path / "s.toml"))
+    found, = made.surfaces.textures
+    assert (found.log_width, found.log_height) == (4, 4)
+    step = bits // 8
+    for face in made.models[0].faces:
+        for u, v in face.mapped.texels:
+            assert u in (2 << 16, 14 << 16) and v in (2 << 16, 14 << 16)
+    for y in range(16):
+        for x in range(16):
+            texel = int.from_bytes(found.texels[step * (16 * y + x):][:step], "little")
+            real = tuple(pixels[98 + y, 38 + x].tolist())
+            assert made.palette[texel] == real if bits == 8 else abs((texel >> 5 & 63) - (rgb565(real) >> 5 & 63)) <= 1
+
+
+def test_a_model_of_which_every_face_has_one_colour_is_flat_and_merges(tmp_path):
+    pixels, cells = atlas(256, 8)
+    point = (2.5 / 8, 4.5 / 8)
+    data = glb(*gltf(*squares(1), uvs=[point] * 4, image=png(pixels)))
+    (tmp_path / "m.glb").write_bytes(data)
+    made, _ = compiler.compile_scene(str(tmp_path / "m.glb"), 2, look=look.Look())
+    assert made.surfaces is None and {len(face.corners) for face in made.models[0].faces} == {4}
+    assert image.unpack(image.pack(made)) == made
+    assert (made.pixel_bits, cells[4, 2].tolist() != [0, 0, 0]) == (16, True)
+
+
+def test_one_image_on_all_faces_of_a_cube_is_one_texture():
+    import pathlib
+    made, _ = compiler.compile_scene(str(pathlib.Path(__file__).parent / "models" / "plain_texture.glb"), 2, look=look.Look())
+    assert len(made.surfaces.textures) == 1 and sum(face.mapped is not None for face in made.models[0].faces) == 12
+
+
+@pytest.mark.parametrize("size, sides", [((3, 4), (4, 4)), ((48, 45), (64, 32)), ((300, 1), (256, 1)), ((700, 90), (256, 64))])
+def test_a_picture_of_any_size_is_scaled_to_the_nearest_sides_of_a_texture(tmp_path, size, sides):
+    (tmp_path / "p.png").write_bytes(png(numpy.full((size[1], size[0], 3), 77)))
+    (tmp_path / "s.toml").write_text('[[textures]]\nname = "p"\nfile = "p.png"\n[[objects]]\nsolid = "box"\ntexture = "p"\nshade = false\n')
+    made, _ = compiler.compile_scene(str(tmp_path / "s.toml"))
+    one, = made.surfaces.textures
+    assert (1 << one.log_width, 1 << one.log_height) == sides and {made.palette[entry] for entry in one.texels} == {(77, 77, 77)}

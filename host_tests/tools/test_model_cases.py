@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: MIT
+"""Models as other programs write them, in the folder models: what each must look like, and what must be said of it."""
+
+import pathlib
+
+import numpy
+import pytest
+
+from conftest import run_cli
+from fixel.base.errors import ToolError
+from fixel.board import dump
+from fixel.image import image
+from fixel.model import t_junctions
+from fixel.scene import compiler, look
+from model_files import glb, gltf, png
+from test_model_files import grid
+
+MODELS = pathlib.Path(__file__).parent / "models"
+
+
+def compiled(name):
+    """The scene of a file of the folder, and the tool's notes."""
+    made, notes = compiler.compile_scene(str(MODELS / name), None if str(name).endswith(".toml") else 4)
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
+
+
+def colours(made):
+    """The colours of all faces."""
+    return {made.palette[face.colour] for model in made.models for face in model.faces}
+
+
+def said(notes, *words):
+    """How many notes have all of these words."""
+    return sum(all(word in note for word in words) for note in notes)
+
+
+def test_colours_of_vertices_are_kept():
+    made, notes = compiled("vertex_colours.obj")
+    assert len(colours(made)) == 6 and said(notes, "vertices have colours", "mean of its corners' colours") == 1
+
+
+def test_an_image_that_is_not_there():
+    made, notes = compiled("missing_image.obj")
+    red, green, blue = max(colours(made))
+    assert red > green > blue and said(notes, "missing_image.mtl:3", "wood.png", "the colour of Kd") == 1
+
+
+def test_a_file_whose_name_has_another_case():
+    made, notes = compiled("case.obj")
+    red, green, blue = max(colours(made))
+    assert blue > green > red and said(notes, 'no "Case.MTL": "case.mtl" is read instead') == 1
+
+
+def test_a_text_of_stl_in_capitals():
+    made, _ = compiled("capitals.stl")
+    assert sum(len(model.faces) for model in made.models) == 6
+
+
+def test_a_statement_that_is_not_known():
+    made, notes = compiled("unknown_statement.obj")
+    assert len(made.models[0].faces) == 6 and said(notes, "not known", "1 x vw", "unknown_statement.obj:9") == 1
+
+
+def test_a_ball_with_an_image_is_lit_from_one_side():
+    for name in ("lit_images.toml", "lit_images_levels.toml"):
+        made, _ = compiled(name)
+        assert made.light or len({(face.colour, face.normal) for face in made.models[0].faces}) > 4 * len({"red", "green", "blue", "yellow"})
+    made, _ = compiled("lit_images.toml")
+    bright = {face.normal: sum(made.palette[face.colour]) for face in made.models[0].faces if face.mapped is None}
+    towards, away = ([bright[normal] for normal in bright if sign * (0.8 * normal[0] - normal[1] + 0.4 * normal[2]) > 1 << 30]
+                     for sign in (-1, 1))
+    assert min(towards) > max(away) - 120 and sum(towards) / len(towards) > 1.3 * sum(away) / len(away)
+
+
+def test_textures_that_no_light_can_be_baked_into_are_lit_at_run_time(tmp_path):
+    image_of = png([[(4 * x, 4 * y, 40) for x in range(64)] for y in range(64)])
+    points, triangles = grid(8, lambda x, y: x * y / 9)
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(points, triangles, uvs=[(x / 8, y / 8) for x, y, _ in points], image=image_of)))
+    scene = '[light]\ndirection = [0.8, -1, 0.4]\ncolour = "#fff0e0"\n{}[[objects]]\nmodel = "m.glb"\nimages = true\n'
+    (tmp_path / "s.toml").write_text(scene.format(""))
+    (tmp_path / "t.toml").write_text(scene.replace('colour = "#fff0e0"\n', "").format("levels = 16\n"))
+    made, notes = compiled(tmp_path / "s.toml")
+    assert said(notes, "more than 16 directions", "light.levels = 16", "without light.colour") == 1 and len(made.light.ramp) == 16
+    levels, more = compiled(tmp_path / "t.toml")
+    assert image.pack(made) == image.pack(levels) and not said(more, "directions")
+
+
+def test_greys_of_16_bits_are_four():
+    made, _ = compiled("grey16.toml")
+    one, = made.surfaces.textures
+    found = {made.palette[entry] for entry in one.texels}
+    assert len(found) == 4 and all(red == green == blue for red, green, blue in found)
+
+
+def cracks(frames):
+    """Pixels of the background between two of a face, over all frames."""
+    bare = [numpy.pad(frame.pixels == 0, 1, constant_values=True) for frame in frames]
+    return sum(int((each[1:-1, 1:-1] & (~each[1:-1, 2:] & ~each[1:-1, :-2] | ~each[2:, 1:-1] & ~each[:-2, 1:-1])).sum()) for each in bare)
+
+
+def test_no_background_shows_at_a_t_junction(build, tmp_path, monkeypatch):
+    _, notes = compiled("t_junction.toml")
+    assert said(notes, "t_junction.obj: 1 edges had vertices of other faces on them") == 1
+    found = {}
+    for name, most in (("mended", t_junctions.EDGES_MAX), ("as it is", 0)):
+        monkeypatch.setattr(t_junctions, "EDGES_MAX", most)
+        made, _ = compiled("t_junction.toml")
+        (tmp_path / "scene.fxls").write_bytes(image.pack(made))
+        done = run_cli("run", "--board", "host", "--scene", tmp_path / "scene.fxls", "--out", tmp_path / name, "--build", build)
+        assert done.returncode == 0, done.stderr
+        frames = dump.read_dump(tmp_path / name / "board.fxld").frames
+        found[name] = len(frames), cracks(frames)
+    assert found == {"mended": (40, 0), "as it is": (40, 1)}
+
+
+# --- glTF -----------------------------------------------------------------------------------
+
+def as_made(name):
+    """The scene of a model as its author made it, and the notes."""
+    made, notes = compiler.compile_scene(str(MODELS / name), 4, look=look.Look())
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
+
+
+def texels(made):
+    """The texels of the only texture's largest level, None where it is clear."""
+    one, = made.surfaces.textures
+    found = [int.from_bytes(one.texels[2 * i:2 * i + 2], "little") for i in range(1 << one.log_width + one.log_height)]
+    return [None if one.flags & 2 and value == one.key_565 else value for value in found]
+
+
+def test_a_texture_alone_is_shown():
+    made, _ = as_made("plain_texture.glb")
+    assert all(face.mapped for face in made.models[0].faces) and len(set(texels(made))) == 4
+
+
+def test_alpha_of_an_opaque_material_is_left_out_of_account():
+    made, _ = as_made("opaque_with_alpha.glb")
+    shown = [face for face in made.models[0].faces if face.mapped]
+    assert not any(made.surfaces.textures[made.surfaces.surfaces[face.mapped.surface].texture - 1].flags & 2 for face in shown)
+    assert len(made.models[0].faces) == 12
+
+
+def test_alpha_of_a_mask_makes_holes():
+    made, _ = as_made("mask_with_alpha.glb")
+    found = texels(made)
+    side = 1 << made.surfaces.textures[0].log_width
+    assert all((found[row * side + column] is None) == (2 * column >= side) for row in range(side) for column in range(side))
+
+
+def test_a_texture_transform_moves_the_coordinates():
+    """The sides show the quarter that is red alone, so no texture is left."""
+    made, notes = as_made("texture_transform.glb")
+    assert made.surfaces is None and len(colours(made)) <= 6
+    assert all(red > 2 * max(green, blue) for red, green, blue in colours(made)) and not said(notes, "KHR_texture_transform")
+
+
+def test_animations_are_left_out_with_a_note():
+    _, notes = as_made("animated.glb")
+    assert said(notes, "animated.glb: left out 1 animations") == 1
+
+
+def test_a_material_that_shines_is_as_bright_on_every_side():
+    made, _ = as_made("emissive.glb")
+    assert colours(made) == {(255, 203, 89)} and made.light is None
+
+
+def test_a_mirrored_node_is_not_inside_out():
+    _, notes = as_made("mirrored.glb")
+    assert not said(notes, "inside out") and not said(notes, "turned round")
+
+
+def test_quantized_vertices_are_read():
+    made, _ = as_made("quantized.glb")
+    assert len(made.models[0].vertices) == 8 and made.models[0].kind == image.CONVEX
+
+
+@pytest.mark.parametrize("suffix, words", [
+    ("fbx", ["FBX", "Blender", ".glb"]), ("dae", ["Collada", ".glb"]), ("3mf", ["3MF", "STL"]), ("vox", ["MagicaVoxel", "OBJ"]),
+    ("blend", ["Blender", ".glb"]), ("ZIP", ["archive", "unpack"]), ("ply", ["PLY", "OBJ"])])
+def test_formats_that_are_not_read_are_refused_by_name_with_the_way_to_go(tmp_path, suffix, words):
+    (tmp_path / f"model.{suffix}").write_bytes(b"x")
+    (tmp_path / "scene.toml").write_text(f'[[objects]]\nmodel = "model.{suffix}"\n')
+    for name in (f"model.{suffix}", "scene.toml"):
+        with pytest.raises(ToolError) as caught:
+            compiler.compile_scene(str(tmp_path / name))
+        assert all(word in str(caught.value) for word in (f"model.{suffix}", *words)) and "\n" not in str(caught.value)

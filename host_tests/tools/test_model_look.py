@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: MIT
+"""A model without a scene file looks as its author made it: what is chosen, on which board, and how one chooses otherwise."""
+
+import json
+import types
+
+import numpy
+import pytest
+
+from conftest import CHECKOUT, assert_one_sentence, run_cli, without_progress
+from fixel.base.errors import ToolError
+from fixel.board import model_look
+from fixel.image import image
+from fixel.model.mesh import cross, dot
+from fixel.scene import compiler, look, making, surfaces, target, toml_scene, toml_text
+from model_files import glb, gltf, png, stl, stl_text
+from test_model_files import grid
+
+CASES = CHECKOUT / "host_tests" / "tools" / "models"
+CUBE = CHECKOUT / "examples" / "cube" / "cube.obj"
+IMAGE = png([[(4 * x, 4 * y, 40) for x in range(64)] for y in range(64)])
+BALL = [(x, y) for y in range(17) for x in range(17)]
+
+
+def round_model(path, uvs=True):
+    """A bowl of 512 triangles with an image."""
+    points, triangles = grid(16, lambda x, y: -((x - 8) ** 2 + (y - 8) ** 2) / 16)
+    path.write_bytes(glb(*gltf(points, triangles, uvs=[(x / 16, y / 16) for x, y in BALL] if uvs else None,
+                               image=IMAGE if uvs else None)))
+    return path
+
+
+def compiled(path, wanted=look.Look(), **more):
+    made, _ = compiler.compile_scene(str(path), 2, look=wanted, **more)
+    assert image.unpack(image.pack(made)) == made
+    return made
+
+
+def test_a_model_has_its_textures_smooth_light_rgb565_and_depth(tmp_path):
+    made = compiled(round_model(tmp_path / "m.glb"))
+    assert (made.pixel_bits, made.depth_bits) == (16, 16) and made.light and len(made.surfaces.textures) == 1
+    assert made.surfaces.textures[0].format == 2 and len(made.surfaces.normals) > 100
+    plain, _ = compiler.compile_scene(str(tmp_path / "m.glb"), 2)       # as a scene file's defaults
+    assert (plain.pixel_bits, plain.depth_bits, plain.light, plain.surfaces) == (8, 0, None, None)
+
+
+def test_a_convex_model_alone_needs_no_depth_and_a_flat_one_no_light_at_run_time():
+    made = compiled(CUBE)
+    assert (made.pixel_bits, made.depth_bits, made.light, made.surfaces) == (16, 0, None, None)
+    bars = compiled(CASES / "raised_bars.obj")
+    assert bars.depth_bits == 16 and bars.surfaces is None
+
+
+@pytest.mark.parametrize("words, expected", [
+    ([], ("rgb565", 16, 128, 40)), (["--palette"], ("palette", 16, 128, 40)), (["--flat"], ("rgb565", 16, 128, 0)),
+    (["--no-textures"], ("rgb565", 16, 0, 40)), (["--sorted"], ("rgb565", 0, 128, 40)), (["--smooth", "20"], ("rgb565", 16, 128, 20)),
+    (["--look", "--palette --flat"], ("palette", 16, 128, 0)), (["--look", "--smooth 7", "--sorted"], ("rgb565", 0, 128, 7)),
+    (["--pixels", "palette"], ("palette", 16, 128, 40)), (["--depth", "32"], ("rgb565", 32, 128, 40)),
+    (["--order", "tree"], ("rgb565", 0, 128, 40))])
+def test_options_choose_otherwise(words, expected):
+    import argparse
+    parser = argparse.ArgumentParser()
+    look.add_options(parser)
+    target.add_options(parser)
+    options = parser.parse_args(words)
+    chosen = look.best(look.of_options(options), target.of_options(options), False)
+    assert (chosen.pixels, chosen.depth, chosen.texels, chosen.smooth) == expected
+
+
+@pytest.mark.parametrize("words, said", [
+    (["--flat", "--smooth", "3"], "--flat and --smooth exclude"), (["--palette", "--pixels", "rgb565"], "exclude"),
+    (["--sorted", "--depth", "16"], "exclude"), (["--look=--x"], "LOOK"), (["--look='"], "quote"), (["--look=--smooth x"], "LOOK")])
+def test_options_that_exclude_each_other(tmp_path, words, said):
+    assert_one_sentence(run_cli("build", CUBE, "-o", tmp_path / "a.fxls", *words), said)
+
+
+def test_options_of_a_model_are_refused_for_a_scene_file(tmp_path):
+    (tmp_path / "scene.toml").write_text('[[objects]]\nsolid = "box"\n')
+    done = run_cli("build", tmp_path / "scene.toml", "-o", tmp_path / "a.fxls", "--flat")
+    assert_one_sentence(done, "--flat is for a model without a scene file", "scene.toml")
+
+
+@pytest.mark.parametrize("words", [[], ["--palette", "--smooth", "10"], ["--flat"], ["--no-textures", "--sorted"]])
+@pytest.mark.parametrize("far", [0, 900])
+def test_the_scene_file_that_is_written_gives_the_same_frames(tmp_path, words, far):
+    points, triangles = grid(6, lambda x, y: x * y / 9)
+    points = [(x + far, y, z) for x, y, z in points]
+    (tmp_path / "a b").mkdir()
+    (tmp_path / "a b" / 'm"1.glb').write_bytes(glb(*gltf(points, triangles, uvs=[(x / 6, y / 6) for x, y, _ in points], image=IMAGE)))
+    done = run_cli("build", tmp_path / "a b" / 'm"1.glb', "-o", tmp_path / "one.fxls", "--frames", 3, "--write", tmp_path / "s.toml", *words)
+    assert done.returncode == 0, done.stderr
+    done = run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "two.fxls")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "one.fxls").read_bytes() == (tmp_path / "two.fxls").read_bytes()
+
+
+def test_export_has_the_surfaces_that_run_shows(tmp_path):
+    round_model(tmp_path / "m.glb")
+    for words, wanted in (([], True), (["--flat", "--no-textures"], False)):
+        done = run_cli("export", "--c", tmp_path / "m.glb", "-o", tmp_path / "m.h", *words)
+        assert done.returncode == 0, done.stderr
+        assert ("m_surfaces" in (tmp_path / "m.h").read_text()) == wanted
+
+
+def test_a_model_that_an_image_cannot_hold_as_it_is_gets_smaller_textures_and_then_flat_faces(tmp_path, monkeypatch):
+    from fixel.scene import worker
+    round_model(tmp_path / "m.glb")
+    asked = {"scene": str(tmp_path / "m.glb"), "frames": 2, "screen": None, "layers": None, "framed": "walk", "target": {},
+             "write": None, "looks": [vars(each) for each in look.smaller(look.Asked(), "rgb565", 16)]}
+    sizes = [len(image.pack(compiled(tmp_path / "m.glb", look.Look(**each)))) for each in asked["looks"]]
+    assert sizes == sorted(sizes, reverse=True)
+    for number, size in enumerate(sizes):
+        monkeypatch.setattr(image, "IMAGE_MAX", size)
+        blob, _, notes = worker._build(asked, compiler.Quiet())
+        first = sizes.index(size)
+        assert len(blob) == size and any("no more" in note for note in notes) == bool(first)
+
+
+def test_text_of_a_scene():
+    from fractions import Fraction
+    import tomllib
+    data = {"a": "q\"\\\n\x7fü𝄞", "v": {"x": Fraction(1, 3), "y": Fraction(4), "z": True}, "o": [{"b": [1, "c"], "d": {"e": 2.5}}, {"b": []}]}
+    assert tomllib.loads(toml_text.text(data)) == {**data, "v": {"x": "1/3", "y": 4, "z": True}}
+
+
+# --- smooth = degrees ---------------------------------------------------------------------
+
+def shape_of(text, degrees):
+    """The corners' normals of a scene's first object, by its faces."""
+    scene, _ = toml_scene.compile_data({"light": {"levels": 8}, "objects": [{**text, "smooth": degrees}]}, "s", "")
+    return scene
+
+
+def test_edges_that_bend_more_than_the_crease_show():
+    """A prism of 12 sides: 30 degrees from side to side, 90 to its ends."""
+    sides = {"solid": "prism", "sides": 12}
+    for degrees, smooth in ((29, 0), (31, 12), (89, 12), (91, 14)):
+        faces = shape_of(sides, degrees).models[0].faces
+        assert sum(face.mapped is not None for face in faces) == smooth, degrees
+    scene = shape_of(sides, 31)
+    for face in scene.models[0].faces:
+        for number in face.mapped.normals if face.mapped else ():
+            normal = scene.surfaces.normals[number]
+            assert normal[1] == 0 and dot(normal, face.normal) > 2 ** 60 * numpy.cos(numpy.radians(15.1))
+
+
+def test_a_crease_of_180_degrees_is_smooth_as_true_is():
+    made = toml_scene.compile_data({"objects": [{"solid": "sphere"}]}, "s", "")[0].models[0]
+    shape = types.SimpleNamespace(vertices=made.vertices, faces=made.faces)
+    assert surfaces.smooth_normals(shape, 180) == surfaces.smooth_normals(shape)
+    assert surfaces.smooth_normals(shape, 1) == [[face.normal] * len(face.corners) for face in made.faces]
+    assert all(any(cross(a, b)) for face in surfaces.smooth_normals(shape, 60) for a, b in zip(face, face[1:]))
+
+
+@pytest.mark.parametrize("value", ["0", "181", '"x"', "[1]"])
+def test_a_crease_that_is_wrong(tmp_path, value):
+    (tmp_path / "s.toml").write_text(f'[light]\nlevels = 8\n[[objects]]\nsolid = "box"\nsmooth = {value}\n')
+    with pytest.raises(ToolError, match="smooth"):
+        toml_scene.compile_file(str(tmp_path / "s.toml"))
+
+
+# --- what a board has room for --------------------------------------------------------------
+
+ALL = frozenset((bits, depth) for bits in (8, 16) for depth in (0, 16, 32))
+LARGE = model_look.Room(1 << 20, 65_536, 1 << 18, 1024, 3 << 20, 0, True, ALL, "m3")
+
+
+def chosen(tmp_path, room, monkeypatch=None, costs=None, asked=look.Asked(), model=None):
+    """(Drawn, why not better) of the bowl in a room. costs: {(bits, depth): (whether the list holds it, instructions)}."""
+    options = types.SimpleNamespace(scene=str(model or round_model(tmp_path / "m.glb")), frames=2, screen=None, cpu_limit=None,
+                                    memory_limit=None, allow_outside=False, target=target.Target(), look=asked)
+    monkeypatch.setattr(model_look.bounded, "limits_of", lambda _: None)
+    monkeypatch.setattr(model_look, "_predicted", lambda room, build, file: (costs or {}).get(
+        (lambda made: (made.pixel_bits, made.depth_bits))(image.load(file)), (True, 1000.0)))
+    return model_look._Chooser(options, room, tmp_path, tmp_path).choose()
+
+
+def replaced(**changes):
+    import dataclasses
+    return dataclasses.replace(LARGE, **changes)
+
+
+def kind(drawn):
+    return drawn.scene.pixel_bits, drawn.scene.depth_bits, drawn.look.texels, drawn.look.smooth
+
+
+ROW = 2 * 320
+
+
+@pytest.mark.parametrize("room, costs, expected", [
+    (LARGE, {}, (16, 16, 128, 40)),
+    (replaced(band=16 * ROW), {}, (16, 16, 128, 40)),                                       # bands, and the list holds the frame
+    (replaced(band=15 * ROW), {(16, 16): (True, 2001.0)}, (8, 16, 128, 40)),                 # 30 rows of a palette
+    (replaced(band=15 * ROW), {(16, 16): (True, 2000.0)}, (16, 16, 128, 40)),                # at most twice as dear
+    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 1999.0)}, (8, 16, 128, 40)),
+    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 2001.0)}, (8, 0, 128, 40)),
+    (replaced(targets=frozenset({(8, 0), (8, 16)})), {}, (8, 16, 128, 40)),
+    (replaced(targets=frozenset({(8, 0)})), {}, (8, 0, 128, 40)),
+    (replaced(targets=frozenset({(8, 0)}), has_surfaces=False), {}, (8, 0, 0, 0)),
+    (replaced(scene=60_000), {}, (16, 16, 0, 0)),
+])
+def test_what_a_board_draws_by_its_memory_and_by_predicted_instructions(tmp_path, monkeypatch, room, costs, expected):
+    drawn, why = chosen(tmp_path, room, monkeypatch, costs)
+    assert kind(drawn) == expected
+    assert len(why) == [(16, 16), (8, 16), (8, 0)].index(expected[:2])
+
+
+def test_textures_get_smaller_before_they_go(tmp_path, monkeypatch):
+    points, triangles = grid(2, lambda x, y: x * y)
+    wide = png(numpy.random.default_rng(1).integers(0, 255, (128, 128, 3), dtype=numpy.uint8))
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(points, triangles, uvs=[(x / 2, y / 2) for x, y, _ in points], image=wide)))
+    sizes = [kind(chosen(tmp_path, replaced(scene=size), monkeypatch, model=tmp_path / "m.glb")[0])[2]
+             for size in (60_000, 30_000, 16_000, 12_000)]
+    assert sizes == [128, 64, 32, 16]
+
+
+def test_the_room_is_that_of_the_boards_program(build):
+    room = model_look.room_of(build / "boards" / "mps2-an385" / "walk.elf")
+    assert (room.band, room.order, room.list, room.cache) == (1 << 20, 65_536, 1 << 18, 1024)
+    assert room.targets == ALL and room.has_surfaces and room.core == "m3"
+    host = model_look.room_of(build / "boards" / "host" / "walk")
+    assert (host.band, host.order, host.list, host.cache) == (8192, 131_072, 69_632, 32) and host.targets == ALL
+
+
+@pytest.mark.parametrize("name", ["raised_bars.obj", "ball_textured.obj", "plain_texture.glb"])
+def test_a_bare_model_is_drawn_as_double_draws_it_and_in_the_right_order(build, tmp_path, name):
+    done = run_cli("run", "--board", "mps2-an385", "--scene", CASES / name, "--frames", 3, "--out", tmp_path / "run",
+                   "--write", tmp_path / "s.toml", "--allow-outside")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
+    line, = [line for line in without_progress(done.stderr) if "RAM for pixels" in line]
+    assert "RGB565" in line and "whole frame 320x240" in line
+    again = run_cli("run", "--board", "mps2-an385", "--scene", tmp_path / "s.toml", "--out", tmp_path / "again", "--allow-outside")
+    assert again.returncode == 0, again.stderr
+    assert json.loads((tmp_path / "again" / "summary.json").read_text())["frame_sha256"] == summary["frame_sha256"]
+
+
+def test_stl_in_millimetres_is_framed_and_lit(tmp_path):
+    (tmp_path / "m.stl").write_bytes(stl([(0, 0, 0), (120, 0, 0), (0, 80, 0), (0, 0, 45)]))
+    (tmp_path / "t.stl").write_bytes(stl_text([(0, 0, 0), (120, 0, 0), (0, 80, 0), (0, 0, 45)]))
+    assert image.pack(compiled(tmp_path / "m.stl")) == image.pack(compiled(tmp_path / "t.stl"))
+    assert making.build(str(tmp_path / "m.stl"), str(tmp_path / "m.fxls"), looks=(look.Look(),)).objects == 1
+
+
+def test_a_scene_file_that_names_no_order_keeps_its_look_and_is_told_what_helps(build, tmp_path):
+    done = run_cli("run", "--board", "host", "--scene", CASES / "raised_bars.toml", "--frames", 3, "--out", tmp_path / "run")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["order_wrong_pixels"] > 1000
+    assert "Where the order of drawing is wrong" in done.stdout and "DEPTH=16" in done.stdout and "tree" in done.stdout

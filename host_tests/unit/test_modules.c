@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+/* Modules as they are sold, at each turn: the corners of the picture are at the corners of the
+ * glass, in the right colours, and nothing is written outside it. The table is written from the
+ * facts that public libraries agree on, and not from the library's records. */
+#include "controller.h"
+#include "fixel/modules.h"
+#include "unit.h"
+
+enum {
+    WINDOW = 12, /* pixels around a corner that the model keeps: half of them on the glass */
+    WIDEST = 480
+};
+
+static controller model;
+static fxl_display display;
+static const uint8_t palette[768];
+static const fxl_display_port port = {&model, controller_send, NULL, NULL, controller_pause};
+
+/* Offsets are those of the glass in the memory as the driver of turn 0 counts it. */
+typedef struct {
+    const fxl_display_module *module;
+    int kind;
+    uint16_t width, height, left, top, columns, rows;
+    bool columns_mirrored, rows_mirrored, is_blue_first, is_inverted;
+} facts;
+
+static const facts colours[] = {
+    {&fxl_module_ili9341_240x320, CONTROLLER_ILI9341, 240, 320, 0, 0, 240, 320, true, false, true,
+     false},
+    {&fxl_module_st7789_240x320, CONTROLLER_ST7789, 240, 320, 0, 0, 240, 320, false, false, false,
+     true},
+    {&fxl_module_st7789_240x240, CONTROLLER_ST7789, 240, 240, 0, 0, 240, 320, false, false, false,
+     true},
+    {&fxl_module_st7789_135x240, CONTROLLER_ST7789, 135, 240, 52, 40, 240, 320, false, false, false,
+     true},
+    {&fxl_module_st7789_172x320, CONTROLLER_ST7789, 172, 320, 34, 0, 240, 320, false, false, true,
+     true},
+    {&fxl_module_st7789_170x320, CONTROLLER_ST7789, 170, 320, 35, 0, 240, 320, false, false, false,
+     true},
+    {&fxl_module_st7789_240x280, CONTROLLER_ST7789, 240, 280, 0, 20, 240, 320, false, false, false,
+     true},
+    {&fxl_module_st7735_128x160, CONTROLLER_ST7735, 128, 160, 0, 0, 128, 160, true, true, false,
+     false},
+    {&fxl_module_st7735_128x160_green, CONTROLLER_ST7735, 128, 160, 2, 1, 132, 162, true, true,
+     true, false},
+    {&fxl_module_st7735_128x128, CONTROLLER_ST7735, 128, 128, 2, 3, 132, 132, true, true, true,
+     false},
+    {&fxl_module_st7735_80x160, CONTROLLER_ST7735, 80, 160, 26, 1, 132, 162, true, true, true,
+     true},
+    {&fxl_module_st7796_320x480, CONTROLLER_ST7796, 320, 480, 0, 0, 320, 480, true, false, true,
+     false},
+    {&fxl_module_st7796_222x480, CONTROLLER_ST7796, 222, 480, 49, 0, 320, 480, true, false, true,
+     false},
+    {&fxl_module_gc9a01_240x240, CONTROLLER_GC9A01, 240, 240, 0, 0, 240, 240, false, false, true,
+     true},
+};
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* Colours of the picture's corners, as they are sent: upper left, upper right, lower left, lower
+ * right. All else is black. */
+static const uint16_t corner_colours[4] = {0xF800, 0x07E0, 0x001F, 0xFFFF};
+
+/* The picture's corner (0 left or up, 1 right or down) that lies at a corner of the glass, if the
+ * picture is turned clockwise. Its upper left corner, for example, goes to the upper right one. */
+static uint32_t corner_at(uint32_t right, uint32_t down, uint32_t turns)
+{
+    uint32_t x = right, y = down;
+    for (uint32_t i = 0; i < turns; i++) {
+        const uint32_t was_x = x;
+        x = y;
+        y = 1u - was_x;
+    }
+    return 2u * y + x;
+}
+
+static void send_corners(uint16_t width, uint16_t height)
+{
+    static uint8_t bytes[2 * WIDEST];
+    for (uint32_t down = 0; down < 2; down++) {
+        const uint16_t left = corner_colours[2 * down], right = corner_colours[2 * down + 1];
+        memset(bytes, 0, sizeof bytes);
+        bytes[0] = (uint8_t)(left >> 8);
+        bytes[1] = (uint8_t)left;
+        bytes[2 * width - 2] = (uint8_t)(right >> 8);
+        bytes[2 * width - 1] = (uint8_t)right;
+        TEST_ASSERT_TRUE(display.sink.start(
+            display.sink.user, (uint16_t)(down == 0 ? 0 : height - 1), 1, bytes, 2u * width));
+    }
+}
+
+/* A column or row of the memory itself, of one that turn 0 counts. */
+static uint32_t place_of(uint32_t first, uint32_t at, uint32_t size, bool is_mirrored)
+{
+    return is_mirrored ? size - 1u - first - at : first + at;
+}
+
+/* One corner of the glass, as seen at turn 0, at a turn of the picture. */
+static void assert_corner(const facts *of, uint32_t turns, uint32_t right, uint32_t down)
+{
+    const fxl_display_config config = fxl_display_config_turned(of->module, turns);
+    const uint32_t column =
+        place_of(of->left, right * (of->width - 1u), of->columns, of->columns_mirrored);
+    const uint32_t row = place_of(of->top, down * (of->height - 1u), of->rows, of->rows_mirrored);
+    const uint32_t first_column = column < WINDOW / 2 ? 0 : column - WINDOW / 2;
+    const uint32_t first_row = row < WINDOW / 2 ? 0 : row - WINDOW / 2;
+    controller_start(&model, of->kind, (uint16_t)first_column, (uint16_t)first_row, WINDOW, WINDOW);
+    controller_strap(&model, of->columns, of->rows);
+    TEST_ASSERT_EQUAL(turns % 2 == 0 ? of->width : of->height, config.width);
+    TEST_ASSERT_EQUAL(turns % 2 == 0 ? of->height : of->width, config.height);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    send_corners(config.width, config.height);
+    TEST_ASSERT_TRUE(model.is_on && model.is_inverted == of->is_inverted);
+    TEST_ASSERT_EQUAL(of->is_blue_first, (model.access & 8u) != 0);
+    for (uint32_t y = 0; y < WINDOW && first_row + y < of->rows; y++) {
+        for (uint32_t x = 0; x < WINDOW && first_column + x < of->columns; x++) {
+            const uint32_t glass_x =
+                place_of(0, first_column + x, of->columns, of->columns_mirrored) - of->left;
+            const uint32_t glass_y =
+                place_of(0, first_row + y, of->rows, of->rows_mirrored) - of->top;
+            const bool is_glass = glass_x < of->width && glass_y < of->height;
+            const bool is_corner = first_column + x == column && first_row + y == row;
+            TEST_ASSERT_EQUAL_HEX16(
+                is_corner  ? corner_colours[corner_at(right, down, turns)]
+                : is_glass ? 0
+                           : 0xA5A5,
+                controller_pixel(&model, (uint16_t)(first_column + x), (uint16_t)(first_row + y)));
+        }
+    }
+}
+
+void test_corners_and_colours_of_each_module_at_each_turn(void)
+{
+    for (uint32_t i = 0; i < sizeof colours / sizeof colours[0]; i++) {
+        for (uint32_t each = 0; each < 16; each++) {
+            assert_corner(&colours[i], each / 4, each & 1u, each >> 1 & 1u);
+        }
+    }
+}
+
+/* Columns and sizes of modules of pages. Where the controller counts columns from the other side,
+ * the glass lies in the middle, so its first column stays. */
+void test_modules_of_pages_at_each_turn(void)
+{
+    static const struct {
+        const fxl_display_module *module;
+        int kind;
+        uint16_t width, height, left;
+        uint8_t wires, reference;
+    } pages[] = {{&fxl_module_ssd1306_128x64, CONTROLLER_SSD1306, 128, 64, 0, 0x12, 0},
+                 {&fxl_module_ssd1306_128x32, CONTROLLER_SSD1306, 128, 32, 0, 0x02, 0},
+                 {&fxl_module_ssd1306_64x48, CONTROLLER_SSD1306, 64, 48, 32, 0x12, 0},
+                 {&fxl_module_ssd1306_64x32, CONTROLLER_SSD1306, 64, 32, 32, 0x12, 0},
+                 {&fxl_module_ssd1306_72x40, CONTROLLER_SSD1306, 72, 40, 28, 0x12, 0x30},
+                 {&fxl_module_sh1106_128x64, CONTROLLER_SH1106, 128, 64, 2, 0x12, 0}};
+    for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
+        for (uint32_t turns = 0; turns < 4; turns++) {
+            const fxl_display_config config = fxl_display_config_turned(pages[i].module, turns);
+            if (turns % 2 == 1) {
+                TEST_ASSERT_NULL(config.driver);
+                continue;
+            }
+            controller_start(&model, pages[i].kind, 0, 0, 128, 64);
+            TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+            TEST_ASSERT_EQUAL(pages[i].height - 1, model.multiplex);
+            TEST_ASSERT_EQUAL_HEX8(pages[i].wires, model.wires);
+            TEST_ASSERT_EQUAL_HEX8(pages[i].reference, model.reference);
+            TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 9 : 0, model.access);
+            for (uint16_t x = 0; x < 128; x++) {
+                const bool is_glass = (uint16_t)(x - pages[i].left) < pages[i].width;
+                TEST_ASSERT_EQUAL(is_glass ? 0 : 1, controller_pixel(&model, x, 0));
+            }
+            TEST_ASSERT_EQUAL(0, controller_pixel(&model, pages[i].left, pages[i].height - 1));
+        }
+    }
+}
+
+/* A glass at one side of the memory begins elsewhere at a half turn: 128 - 48 - 8 columns. */
+void test_a_glass_of_pages_at_one_side(void)
+{
+    const fxl_display_module module = {&fxl_ssd1306, 48,   16,   8,    8,    128, 64, 0,
+                                       false,        0x22, 0x0C, 0x10, NULL, 0};
+    TEST_ASSERT_EQUAL(8, fxl_display_config_turned(&module, 0).left);
+    TEST_ASSERT_EQUAL(72, fxl_display_config_turned(&module, 2).left);
+    TEST_ASSERT_EQUAL(8, fxl_display_config_turned(&module, 2).top);
+    TEST_ASSERT_EQUAL_HEX8(9, fxl_display_config_turned(&module, 2).access);
+    TEST_ASSERT_EQUAL_HEX8(0x34, fxl_display_config_turned(&module, 2).display_offset);
+    const fxl_display_config config = fxl_display_config_turned(&module, 0);
+    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 128, 64);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_TRUE(model.wires == 0x22 && model.offset == 0x0C && model.reference == 0x10);
+}
+
+static void expect_none(fxl_display_module module, uint32_t turns)
+{
+    TEST_ASSERT_NULL(fxl_display_config_turned(&module, turns).driver);
+}
+
+void test_modules_that_there_cannot_be(void)
+{
+    const fxl_display_module whole = fxl_module_st7789_240x240;
+    fxl_display_module wrong = whole;
+    TEST_ASSERT_NOT_NULL(fxl_display_config_turned(&whole, 3).driver);
+    TEST_ASSERT_NULL(fxl_display_config_turned(NULL, 0).driver);
+    expect_none(whole, 4);
+    wrong.driver = NULL;
+    expect_none(wrong, 0);
+    wrong = whole;
+    wrong.width = 0;
+    expect_none(wrong, 0);
+    wrong = whole;
+    wrong.height = 0;
+    expect_none(wrong, 0);
+    wrong = whole;
+    wrong.left = 1;
+    expect_none(wrong, 0);
+    wrong = whole;
+    wrong.top = 81;
+    expect_none(wrong, 0);
+    wrong.top = 65535;
+    expect_none(wrong, 0);
+    wrong = whole;
+    wrong.columns = 241; /* more than the controller has */
+    expect_none(wrong, 0);
+    wrong = whole;
+    wrong.rows = 321;
+    expect_none(wrong, 0);
+}
+
+/* What a caller adds comes after the driver's own, and before the glass is turned on. */
+void test_extra_commands(void)
+{
+    static const uint8_t pages[] = {2, 0x81, 0xCF, 1, 0xA7}, colour[] = {2, 0x36, 0xC8, 1, 0x20};
+    fxl_display_module module = fxl_module_ssd1306_128x32;
+    module.extra_commands = pages;
+    module.extra_commands_size = sizeof pages;
+    fxl_display_config config = fxl_display_config_turned(&module, 0);
+    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 128, 64);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_TRUE(model.is_on && model.is_inverted && model.contrast == 0xCF);
+    config = fxl_display_config_turned(&fxl_module_st7789_240x320, 0);
+    config.extra_commands = colour;
+    config.extra_commands_size = sizeof colour;
+    controller_start(&model, CONTROLLER_ST7789, 0, 0, WINDOW, WINDOW);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_TRUE(model.is_on && !model.is_inverted && model.access == 0xC8);
+    const uint32_t sends = model.sends;
+    controller_start(&model, CONTROLLER_ST7789, 0, 0, WINDOW, WINDOW);
+    config.extra_commands = NULL;
+    config.extra_commands_size = 0;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_EQUAL(sends - 3u, model.sends);
+    config.extra_commands = colour;
+    config.extra_commands_size = sizeof colour;
+    for (uint32_t n = 0; n < sends; n += n < 20 ? 1u : sends / 3u) {
+        controller_start(&model, CONTROLLER_ST7789, 0, 0, WINDOW, WINDOW);
+        model.refused = n;
+        TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_open(&display, &config, &port, palette));
+        TEST_ASSERT_EQUAL(n + 1u, model.sends);
+    }
+}
+
+void test_extra_commands_that_are_cut_off(void)
+{
+    static const uint8_t cut[] = {2, 0x81, 0xCF, 2, 0x81}, none[] = {1, 0xA7, 0, 0xA7};
+    fxl_display_config config = fxl_display_config_turned(&fxl_module_ssd1306_128x32, 0);
+    controller_start(&model, CONTROLLER_SSD1306, 0, 0, 128, 64);
+    config.extra_commands = cut;
+    config.extra_commands_size = sizeof cut;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &port, palette));
+    config.extra_commands = none;
+    config.extra_commands_size = sizeof none;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &port, palette));
+    config.extra_commands = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_display_open(&display, &config, &port, palette));
+    TEST_ASSERT_EQUAL(0, model.sends);
+}

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: MIT
+"""How a board draws a model without a scene file: as its author made it where the board has the room, and else as much
+of that as fits (scene/look.py has the steps).
+
+A board draws a Look if it holds the whole frame; or bands of at least ROWS_MIN rows, with a display list that holds the
+frame; or if its frames are predicted to take at most DEARER_MAX times those of a palette by distance. A program's file
+says how much memory it has and what it draws. The predictions are those of make predict; where its program is not
+built, the memory alone decides."""
+
+import pathlib
+import sys
+from dataclasses import dataclass
+
+from fixel.base import bounded, output
+from fixel.base.errors import ToolError, one_line
+from fixel.bench import frame_costs
+from fixel.board import firmware
+from fixel.image import image as images
+from fixel.image.fields import IMAGE_MAX
+from fixel.model import suffixes
+from fixel.scene import look as looks
+from fixel.scene import making
+from fixel.scene.scene_image import make_scene_image
+
+ROWS_MIN = 16
+DEARER_MAX = 2
+CHEAPER_FACES_MAX = 8192    # of a model whose frames in a palette are predicted too, for the line alone
+HOST_LIST_MOST = 4096       # WALK_LIST_MOST of the host
+_ARRAYS = {"band": "band_pixels", "order": "order", "list": "list", "cache": "cache"}
+_ENTRY = {"order": 12, "cache": 40}     # bytes
+
+
+@dataclass(frozen=True)
+class Room:
+    """What a program has room for: bytes of a band, of the display list and of a scene; entries of the order and of the
+    cache; the targets that it draws, (bits of a pixel, bits of its depth); the core whose costs it has."""
+    band: int
+    order: int
+    list: int
+    cache: int
+    scene: int
+    list_most: int
+    has_surfaces: bool
+    targets: frozenset
+    core: str
+
+
+def _symbols(elf):
+    table = firmware.open_elf(elf).get_section_by_name(".symtab")
+    return {symbol.name: symbol for symbol in table.iter_symbols()} if table else {}
+
+
+def room_of(elf):
+    """The Room of a program's file."""
+    program, symbols = firmware.load(elf), _symbols(elf)
+    sizes = {name: symbols[array]["st_size"] if array in symbols else 0 for name, array in _ARRAYS.items()}
+    targets = {(8, 0)} | {(bits, depth) for bits, kind in ((8, "palette"), (16, "rgb565")) for depth in (0, 16, 32)
+                          if f"fxl_{kind}" + (f"_depth_{depth}" if depth else "") in symbols}
+    return Room(sizes["band"], sizes["order"] // _ENTRY["order"], sizes["list"], sizes["cache"] // _ENTRY["cache"],
+                IMAGE_MAX if program.hosted else program.scene_size, HOST_LIST_MOST if program.hosted else 0,
+                "fxl_attach_surfaces" in symbols, frozenset(targets), "m0" if program.cpu.lower().endswith("m0") else "m3")
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A Look as a board draws it: its scene image, rows of a band, whether the list holds every frame, instructions of a
+    mean frame or None, or why it cannot."""
+    look: looks.Look
+    image: object
+    scene: object
+    made: making.Made
+    rows: int = 0
+    is_held: bool = False
+    instructions: float = None
+    why_not: str = ""
+
+    @property
+    def is_whole(self):
+        return self.rows >= self.scene.height
+
+
+def _predicted(room, build, file):
+    """(whether the list holds every frame, instructions of a mean frame) by make predict's program; (None, None) where it is
+    not built. frame_costs.NoRoom where the board cannot."""
+    if not (pathlib.Path(build) / "host" / "predict").exists():
+        return None, None
+    names, counts = frame_costs.count(build, file, room.band, room.order, room.list, room.cache, room.list_most)
+    costs = frame_costs.load()["cores"][room.core]
+    spilled = counts[:, [names.index("spilled_faces")]].sum()
+    return spilled == 0, float(frame_costs.instructions(costs, names, counts).mean())
+
+
+def _refusal(room, scene, size):
+    """Why a program cannot draw a scene image at all, or ""."""
+    if size > room.scene:
+        return f"its image has {size:,} bytes, and the board has room for {room.scene:,}"
+    if (scene.pixel_bits, scene.depth_bits) not in room.targets:
+        return "the board's program does not draw " + ("RGB565" if scene.pixel_bits == 16 else "in a palette") + \
+            (f" with {scene.depth_bits} bits of depth" if scene.depth_bits else "")
+    if scene.surfaces and not room.has_surfaces:
+        return "the board's program draws no surfaces"
+    return ""
+
+
+class _Chooser:
+    """Tries Looks of one model on one board."""
+
+    def __init__(self, options, room, build, folder):
+        self.options, self.room, self.build, self.folder = options, room, build, pathlib.Path(folder)
+        self.tried = {}
+
+    def draw(self, look):
+        """The Drawn of a Look, made once."""
+        if look not in self.tried:
+            self.tried[look] = self._draw(look)
+        return self.tried[look]
+
+    def _draw(self, look):
+        options, file = self.options, self.folder / f"model-{len(self.tried)}.fxls"
+        try:
+            made = making.build(options.scene, file, options.frames, options.screen, limits=bounded.limits_of(options),
+                                asked=options.target, looks=(look,), write=options.look.write)
+        except ToolError as error:
+            if look.texels == 0:
+                raise
+            return Drawn(look, None, None, None, why_not=str(error))    # such as an image of more than 16 MiB
+        scene, size = images.load(file), file.stat().st_size
+        row = scene.width * scene.pixel_bits // 8
+        drawn = {"look": look, "image": file, "scene": scene, "made": made, "rows": min(scene.height, self.room.band // row)}
+        why_not = _refusal(self.room, scene, size)
+        if why_not:
+            return Drawn(**drawn, why_not=why_not)
+        try:
+            is_held, instructions = _predicted(self.room, self.build, file)
+        except frame_costs.NoRoom as error:
+            return Drawn(**drawn, why_not=str(error).rpartition(": ")[2])
+        return Drawn(**drawn, is_held=bool(is_held) if is_held is not None else drawn["rows"] >= ROWS_MIN,
+                     instructions=instructions)
+
+    def largest(self, pixels, depth):
+        """The first Look of a target that the board draws at all; else the last one."""
+        wanted = looks.smaller(self.options.look, pixels, depth)
+        while True:
+            drawn = self.draw(wanted[0])
+            wanted = wanted[1:] if drawn.scene is None else looks.after(wanted, drawn.scene)
+            if not drawn.why_not or not wanted:
+                return drawn
+
+    def is_good(self, drawn, plain):
+        """Whether a board is to draw a Look. plain: answers the Drawn of a palette by distance."""
+        if drawn.why_not:
+            return False
+        if drawn.is_whole or drawn.rows >= ROWS_MIN and drawn.is_held:
+            return True
+        other = plain()
+        return bool(drawn.instructions and other.instructions) and drawn.instructions <= DEARER_MAX * other.instructions
+
+    def choose(self):
+        """The Drawn of the best Look that the board has room for; and why better ones are not drawn."""
+        wanted, why = looks.targets(self.options.look, self.options.target, False), []
+        for pixels, depth in wanted:
+            found = self.largest(pixels, depth)
+            if (pixels, depth) == wanted[-1] or self.is_good(found, lambda: self.largest(*wanted[-1])):
+                return found, why
+            why.append(f"{_target_text(pixels, depth)}: {found.why_not or _dear(found)}")
+        raise AssertionError("there is a last one")
+
+
+def _dear(drawn):
+    """What is against a Look that a board could draw."""
+    how = "" if drawn.is_held else ", and the display list does not hold a frame"
+    cost = f", {_short(drawn.instructions)} instructions a frame" if drawn.instructions else ""
+    return f"bands of {drawn.rows} rows{how}{cost}"
+
+
+def _short(number):
+    """A number of two or three digits, as 1.9 M."""
+    for unit, name in ((1e6, " M"), (1e3, " K")):
+        if number >= unit:
+            return f"{number / unit:.{0 if number >= 10 * unit else 1}f}{name}"
+    return f"{number:.0f}"
+
+
+def _target_text(pixels, depth):
+    return ("RGB565" if pixels == "rgb565" else "palette") + (f", depth {depth}" if depth else "")
+
+
+def _parts(look, scene):
+    """What a Look shows beside colours."""
+    found = []
+    if scene.surfaces and scene.surfaces.textures:
+        found.append(f"textures of at most {look.texels} texels a side")
+    if scene.light:
+        found.append("light at run time")
+    return "".join(f", {part}" for part in found)
+
+
+def _line(drawn, cheaper):
+    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None."""
+    scene, look = drawn.scene, drawn.look
+    pixels = "rgb565" if scene.pixel_bits == 16 else "palette"
+    taken = scene.width * drawn.rows * (scene.pixel_bits + scene.depth_bits) // 8
+    bands = f"whole frame {scene.width}x{scene.height}" if drawn.is_whole else \
+        f"bands of {drawn.rows} rows of {scene.width}x{scene.height}"
+    text = f"{_target_text(pixels, scene.depth_bits)}, {bands}{_parts(look, scene)}: {-(-taken // 1024):,} KB of RAM for pixels" \
+        f"{' and depth' if scene.depth_bits else ''}, an image of {drawn.made.size:,} bytes"
+    text += f"; {_short(drawn.instructions)} instructions a frame" if drawn.instructions else ""
+    return text + (f"; --palette: {_short(cheaper.instructions)}" if cheaper and cheaper.instructions else "")
+
+
+def choose(options, room, build, folder):
+    """The scene image of a bare model where there is so much room, with a line about what was chosen."""
+    chooser = _Chooser(options, room, build, folder)
+    drawn, why = chooser.choose()
+    if drawn.image is None:
+        raise ToolError(drawn.why_not)
+    for note in drawn.made.notes:
+        print(f"  {one_line(note)}", file=sys.stderr)
+    cheaper = None
+    is_small = sum(len(model.faces) for model in drawn.scene.models) <= CHEAPER_FACES_MAX
+    if drawn.instructions and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
+        cheaper = chooser.draw(looks.Look("palette", drawn.look.depth, drawn.look.texels, drawn.look.smooth))
+    for each in why:
+        print(f"  {one_line(options.scene)}: not in {each}", file=sys.stderr)
+    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper)}", file=sys.stderr)
+    if options.look.write:
+        output.write_file(options.look.write, drawn.made.text.encode())
+        print(f"  the same as a scene file: {one_line(options.look.write)}", file=sys.stderr)
+    return drawn.image
+
+
+def scene_image(options, elf, folder):
+    """The scene image that a program draws of --scene. options.look: a look.Asked."""
+    looks.check(options.look, options.scene, suffixes.is_model(options.scene))
+    is_chosen = getattr(options, "visibility", None)
+    if is_chosen and options.look:
+        raise ToolError(f"VISIBILITY={is_chosen} stands for how a scene is drawn: leave out {options.look.text}")
+    if is_chosen or not suffixes.is_model(options.scene):
+        return make_scene_image(options.scene, pathlib.Path(folder), options.frames, options.screen, bounded.limits_of(options),
+                                options.target)
+    return choose(options, room_of(elf), pathlib.Path(elf).parents[2], folder)

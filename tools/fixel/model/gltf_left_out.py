@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""What of a glTF file the tool does not read, for a note; and what it refuses, with the way to go."""
+
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
+
+_CONVERT = "gltf-transform (npx @gltf-transform/cli copy in.glb out.glb) writes it without, or export it so"
+_REFUSED = {"KHR_draco_mesh_compression": f"its meshes are compressed by Draco: {_CONVERT}",
+            "EXT_meshopt_compression": f"its buffers are compressed by meshopt: {_CONVERT}",
+            "KHR_texture_basisu": "its images are KTX2: gltf-transform (npx @gltf-transform/cli) writes the model with PNG images, or "
+                                  "export it so",
+            "EXT_mesh_gpu_instancing": "its meshes are placed by lists of instances: export the instances as nodes"}
+READ = ("KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_unlit", "KHR_materials_emissive_strength",
+        "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp")
+_HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
+_LISTS = {"animations": "animations: the model is shown as it stands without", "skins": "skins: what hangs on joints is shown in the pose "
+          "in which it was bound", "cameras": "cameras"}
+
+
+def refuse_required(name, required):
+    """Refuses a file that requires an extension that is not read."""
+    for extension in required if isinstance(required, list) else [required]:
+        if isinstance(extension, str) and extension in _REFUSED:
+            raise ToolError(f"{name}: {extension}: {_REFUSED[extension]}")
+        if not isinstance(extension, str) or not (extension in READ or extension.startswith(_HARMLESS)):
+            raise ToolError(f"{name}: the model requires the extension {quoted(extension)}, which is not read; save it "
+                            "without, for example without compression")
+
+
+def _count(value):
+    return len(value) if isinstance(value, list) else 0
+
+
+def _morphs(checked):
+    """How many parts of meshes have other shapes to change to."""
+    return sum("targets" in part for mesh in checked.rows("meshes") for part in mesh.get("primitives", ()) if isinstance(part, dict))
+
+
+def notes(checked):
+    """A note for each kind of thing that is left out."""
+    name, found = checked.name, []
+    for key, what in _LISTS.items():
+        if _count(checked.data.get(key)):
+            found.append(f"{name}: left out {_count(checked.data[key]):,} {what}")
+    if _morphs(checked):
+        found.append(f"{name}: left out the other shapes of {_morphs(checked):,} parts (morph targets)")
+    extensions = checked.data.get("extensions")
+    lights = extensions.get("KHR_lights_punctual") if isinstance(extensions, dict) else None
+    if isinstance(lights, dict) and _count(lights.get("lights")):
+        found.append(f"{name}: left out {_count(lights['lights']):,} lights: the tool's own light falls on the model")
+    used = checked.data.get("extensionsUsed", [])
+    others = sorted({each for each in used if isinstance(each, str) and each not in READ and each != "KHR_lights_punctual"}
+                    if isinstance(used, list) else ())
+    if others:
+        shown = ", ".join(map(quoted, others[:6])) + (f" and {len(others) - 6:,} others" if len(others) > 6 else "")
+        found.append(f"{name}: left out what the extensions {shown} say")
+    return found

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: MIT
+"""Materials of glTF: base colour, image with its transform and its wrapping, alpha modes, unlit and emissive ones.
+
+An emissive material whose base is black, and an unlit one, has its colour whatever the light. Of other emissive
+materials the colour is added to the base. What is not read is counted, and told once."""
+
+import dataclasses
+import math
+
+import numpy as np
+
+from fixel.model import gltf_check, model_text
+from fixel.model.surface import Material
+
+_TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
+_STRENGTH, _GLOSS = "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"
+_WEBP, _KTX = "EXT_texture_webp", "KHR_texture_basisu"
+_REPEAT, _CLAMP, _MIRROR = 10497, 33071, 33648
+_ROUNDING = 1e-5        # of an image: so far beyond it a coordinate is on its edge
+_LEFT_OUT = {"normalTexture": "normal maps", "occlusionTexture": "occlusion maps"}
+
+
+def srgb(linear):
+    """A part 0..1 of light as 0..255 of a screen."""
+    linear = min(max(linear, 0.0), 1.0)
+    return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
+
+
+def _name(entry, number):
+    """A material's name, or its number."""
+    name = entry.get("name")
+    return name if isinstance(name, str) else str(number)
+
+
+@dataclasses.dataclass
+class Read:
+    """A material, the number of its texture coordinates, a matrix of 2x3 that they go through or None, and how the image
+    goes on beyond its left and right, its upper and lower edge."""
+    material: Material
+    coordinates: int = 0
+    matrix: object = None
+    wraps: tuple = (_REPEAT, _REPEAT)
+
+
+class Materials:
+    """The materials of a file, each read when a part asks for it."""
+
+    def __init__(self, checked):
+        self.checked, self.found, self.images, self.variants = checked, {}, {}, {}
+        self.left_out = model_text.LeftOut()
+
+    # --- parts of a material -----------------------------------------------------
+
+    def _table(self, table, key, where):
+        """An object in an object, an empty one without it."""
+        value = table.get(key, {})
+        if not isinstance(value, dict):
+            self.checked.fail(where, f"{key} is no object: the file is damaged")
+        return value
+
+    def _numbers(self, table, key, default, where):
+        return gltf_check.numbers(self.checked, table, key, len(default), where) if key in table else list(default)
+
+    def _extension(self, table, name, where):
+        """An extension of an object, None without it."""
+        extensions = self._table(table, "extensions", where)
+        return self._table(extensions, name, where) if name in extensions else None
+
+    def _image(self, texture, where):
+        """The image of an entry of textures."""
+        source = texture
+        if "source" not in texture:
+            webp = self._extension(texture, _WEBP, where)
+            if webp is None and self._extension(texture, _KTX, where) is not None:
+                self.checked.fail(where, f"its image is KTX2 ({_KTX}), which is not read: gltf-transform (npx @gltf-transform/cli) "
+                                  "writes the model with PNG images, or export it so")
+            source = webp if webp is not None else texture
+        number, _ = self.checked.entry("images", source, "source", where)
+        if number not in self.images:
+            self.images[number] = self.checked.image(number)
+        return self.images[number]
+
+    def _wraps(self, texture, where):
+        if "sampler" not in texture:
+            return _REPEAT, _REPEAT
+        _, sampler = self.checked.entry("samplers", texture, "sampler", where)
+        found = tuple(self.checked.whole(sampler, key, where, _REPEAT) for key in ("wrapS", "wrapT"))
+        for each in found:
+            if each not in (_REPEAT, _CLAMP, _MIRROR):
+                self.checked.fail(where, f"its sampler wraps by {each}, which glTF has not: the file is damaged")
+        return found
+
+    def _matrix(self, info, where):
+        """(matrix or None, number of the coordinates or None) of a texture's transform."""
+        transform = self._extension(info, _TRANSFORM, where)
+        if transform is None:
+            return None, None
+        (right, down), (wide, high) = (self._numbers(transform, key, default, where) for key, default in
+                                       (("offset", (0, 0)), ("scale", (1, 1))))
+        turn, = gltf_check.numbers(self.checked, {"rotation": [transform.get("rotation", 0)]}, "rotation", 1, where)
+        sine, cosine = math.sin(turn), math.cos(turn)
+        matrix = np.array([[cosine * wide, sine * high, right], [-sine * wide, cosine * high, down]])
+        coordinates = self.checked.whole(transform, "texCoord", where, 0, 7) if "texCoord" in transform else None
+        return (None if (matrix == np.eye(2, 3)).all() else matrix), coordinates
+
+    def _texture(self, info, where):
+        """(image, number of the coordinates, matrix, wraps) of a texture that a material names."""
+        _, texture = self.checked.entry("textures", info, "index", where)
+        matrix, coordinates = self._matrix(info, where)
+        if coordinates is None:
+            coordinates = self.checked.whole(info, "texCoord", where, 0, 7)
+        return self._image(texture, where), coordinates, matrix, self._wraps(texture, where)
+
+    def _base(self, entry, where):
+        """(factor of red, green, blue and alpha, the texture's table or None)."""
+        gloss = self._extension(entry, _GLOSS, where)
+        base = self._table(entry, "pbrMetallicRoughness", where)
+        if gloss is not None and "baseColorTexture" not in base:
+            return self._numbers(gloss, "diffuseFactor", (1, 1, 1, 1), where), \
+                self._table(gloss, "diffuseTexture", where) if "diffuseTexture" in gloss else None
+        return self._numbers(base, "baseColorFactor", (1, 1, 1, 1), where), \
+            self._table(base, "baseColorTexture", where) if "baseColorTexture" in base else None
+
+    def _emissive(self, entry, where):
+        """(red, green, blue of light, the texture's table or None)."""
+        factor = self._numbers(entry, "emissiveFactor", (0, 0, 0), where)
+        more = self._extension(entry, _STRENGTH, where) or {}
+        strength, = gltf_check.numbers(self.checked, {"emissiveStrength": [more.get("emissiveStrength", 1)]}, "emissiveStrength", 1,
+                                       where)
+        return [part * strength for part in factor], \
+            self._table(entry, "emissiveTexture", where) if "emissiveTexture" in entry and any(factor) else None
+
+    @staticmethod
+    def _with_alpha(image, mode, factor, cutoff):
+        """An image as an alpha mode shows it."""
+        if image is None or mode == "BLEND":
+            return image
+        return image.with_alpha(None if mode == "OPAQUE" else math.inf if factor <= 0 else cutoff / factor)
+
+    def _read(self, entry, number, where):
+        """The Read of an entry of materials."""
+        factor, texture = self._base(entry, where)
+        glow, glow_texture = self._emissive(entry, where)
+        for key, what in _LEFT_OUT.items():
+            if key in entry:
+                self.left_out.add(what, where)
+        is_black, keeps_colour = not any(factor[:3]), self._extension(entry, _UNLIT, where) is not None
+        if any(glow) and not keeps_colour and is_black:
+            factor, texture, keeps_colour = [*glow, factor[3]], glow_texture, True
+        elif any(glow) and not keeps_colour and texture is None and glow_texture is None:
+            factor = [min(1, a + b) for a, b in zip(factor, glow)] + [factor[3]]
+        elif any(glow) and not keeps_colour:
+            self.left_out.add("emissive colours beside an image", where)
+        mode = entry.get("alphaMode", "OPAQUE")
+        if mode not in ("OPAQUE", "MASK", "BLEND"):
+            self.checked.fail(where, f"alphaMode {gltf_check.quoted(mode)} is none of OPAQUE, MASK and BLEND: the file is damaged")
+        image, *rest = self._texture(texture, where) if texture is not None else (None,)
+        cutoff, = gltf_check.numbers(self.checked, {"alphaCutoff": [entry.get("alphaCutoff", 0.5)]}, "alphaCutoff", 1, where)
+        material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), min(max(factor[3], 0.0), 1.0) if mode == "BLEND" else 1.0,
+                            self._with_alpha(image, mode, factor[3], cutoff), is_unlit=keeps_colour)
+        return Read(material, *rest)
+
+    # --- what parts ask for ------------------------------------------------------
+
+    def get(self, part, where):
+        """The Read of a part's material."""
+        if "material" not in part:
+            return self.found.setdefault(None, Read(Material("none")))
+        number, entry = self.checked.entry("materials", part, "material", where)
+        if number not in self.found:
+            self.found[number] = self._read(entry, number, self.checked.label("material", number))
+        return self.found[number]
+
+    def _variant(self, material, **changes):
+        """A material with changes, the same object for the same ones."""
+        key = id(material), *changes.items()
+        if key not in self.variants:
+            self.variants[key] = dataclasses.replace(material, **changes)
+        return self.variants[key]
+
+    def wrapped(self, read, uvs, where):
+        """(material, coordinates) of a part: transformed, and as its image goes on beyond its edges. uvs: those that faces
+        use."""
+        if read.matrix is not None:
+            uvs = uvs @ read.matrix[:, :2].T + read.matrix[:, 2]
+        low, high = uvs.min(axis=0), uvs.max(axis=0)
+        beyond = [wrap if low[axis] < -_ROUNDING or high[axis] > 1 + _ROUNDING else _REPEAT for axis, wrap in enumerate(read.wraps)]
+        material = read.material
+        mirrored = [wrap == _MIRROR for wrap in beyond]
+        if any(mirrored):
+            material = self._variant(material, image=material.image.mirrored(*mirrored))
+            uvs = uvs / [2 if each else 1 for each in mirrored]
+        if beyond.count(_CLAMP) == 2 or (_CLAMP in beyond and not any(mirrored) and self._is_inside(uvs, 1 - beyond.index(_CLAMP))):
+            return self._variant(material, clamp=True), uvs
+        if _CLAMP in beyond:
+            self.left_out.add("clamping of an image along one side alone", where)
+        return material, uvs
+
+    @staticmethod
+    def _is_inside(uvs, axis):
+        return uvs[:, axis].min() >= -_ROUNDING and uvs[:, axis].max() <= 1 + _ROUNDING

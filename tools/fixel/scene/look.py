@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: MIT
+"""How a model without a scene file is drawn: as its author made it, or as the options --palette, --flat, --no-textures,
+--sorted and --smooth say. A scene file says it itself."""
+
+import argparse
+import re
+import shlex
+from dataclasses import dataclass, fields
+
+from fixel.base.errors import ToolError
+from fixel.base.reading import quoted
+
+CREASE = 40                     # degrees: edges that bend less do not show
+TEXELS = (128, 64, 32, 16)      # of a texture's side: the most first
+
+
+@dataclass(frozen=True)
+class Look:
+    """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
+    0 without textures. smooth: degrees up to which an edge does not show, 0 for flat faces."""
+    pixels: str = "rgb565"
+    depth: int = 16
+    texels: int = TEXELS[0]
+    smooth: int = CREASE
+
+    @property
+    def bits(self):
+        """Of a texel."""
+        return 16 if self.pixels == "rgb565" else 8
+
+
+PLAIN = Look("palette", 0, 0, 0)
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a command line asks for. write: a scene file to write, or None."""
+    palette: bool = False
+    flat: bool = False
+    no_textures: bool = False
+    sorted: bool = False
+    smooth: int = None
+    write: str = None
+
+    def __bool__(self):
+        return self != Asked()
+
+    @property
+    def text(self):
+        """The first option that is given."""
+        name = next(each.name for each in fields(self) if getattr(self, each.name) != each.default)
+        return f"--{name.replace('_', '-')}"
+
+
+def _degrees(text):
+    if not re.fullmatch("[0-9]{1,3}", text) or int(text) > 180:
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is not a whole number of degrees from 0 to 180")
+    return int(text)
+
+
+def _add(group):
+    group.add_argument("--palette", action="store_true", help="draw in a palette instead of RGB565")
+    group.add_argument("--flat", action="store_true", help="light each face as a whole, also where normals are smooth")
+    group.add_argument("--no-textures", action="store_true", help="give each face its image's mean colour")
+    group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
+    group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help=f"edges that bend less do not show (default: {CREASE})")
+    group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
+
+
+def add_options(parser):
+    """The options of a bare model; of_options reads them."""
+    group = parser.add_argument_group("a model without a scene file")
+    _add(group)
+    group.add_argument("--look", dest="look_words", metavar="OPTIONS", help="these options as one word, such as "
+                       "\"--palette --flat\": make passes LOOK= on so")
+
+
+class _Words(argparse.ArgumentParser):
+    """Reads the options in one word; what is wrong is one sentence."""
+
+    def error(self, message):
+        raise ToolError(f"LOOK: {quoted(message)}; it has options such as --palette --flat")
+
+
+def _spelled_out(words):
+    """The options in one word, as argparse has them."""
+    parser = _Words(add_help=False, allow_abbrev=False)
+    _add(parser)
+    try:
+        return parser.parse_args(shlex.split(words))
+    except ValueError:
+        raise ToolError(f"LOOK is {quoted(words)}: a quote is not closed") from None
+
+
+def of_options(options):
+    """The Asked of a command line."""
+    more = _spelled_out(options.look_words) if getattr(options, "look_words", None) else None
+    asked = Asked(**{each.name: getattr(more, each.name, each.default) if getattr(more, each.name, each.default) != each.default
+                     else getattr(options, each.name, each.default) for each in fields(Asked)})
+    if asked.flat and asked.smooth is not None:
+        raise ToolError("--flat and --smooth exclude each other: leave one out")
+    return asked
+
+
+def check(asked, scene, is_model):
+    """Refuses options of a bare model for anything else."""
+    if asked and not is_model:
+        raise ToolError(f"{asked.text} is for a model without a scene file; {scene} says itself how it is drawn")
+
+
+def targets(asked, target, has_tree):
+    """[(pixels, depth)] that may be, the best first. target: a target.Target."""
+    pixels = ["palette"] if asked.palette else [target.pixels] if target.pixels else ["rgb565", "palette"]
+    if asked.palette and target.pixels == "rgb565":
+        raise ToolError("--palette and PIXELS=rgb565 exclude each other: leave one out")
+    if asked.sorted and target.depth not in (None, "0"):
+        raise ToolError(f"--sorted and DEPTH={target.depth} exclude each other: leave one out")
+    if asked.sorted or has_tree or target.order == "tree":
+        depths = [0]
+    else:
+        depths = [int(target.depth)] if target.depth else [16, 0]
+    found = [(each, depth) for depth in depths for each in pixels]
+    # RGB565 in a wrong order is no better than a palette in it.
+    return [each for each in found if each != ("rgb565", 0)] if len(pixels) > 1 and len(depths) > 1 else found
+
+
+def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
+    """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
+    crease = CREASE if asked.smooth is None else asked.smooth
+    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0)
+
+
+def best(asked, target, has_tree):
+    """The Look where there is room for all."""
+    return of(asked, *targets(asked, target, has_tree)[0])
+
+
+def smaller(asked, pixels, depth):
+    """The Looks of a target, each with a smaller image than the one before."""
+    found = [of(asked, pixels, depth, texels) for texels in (*TEXELS, 0)] + [of(asked, pixels, depth, 0, False)]
+    return list(dict.fromkeys(found))
+
+
+def after(wanted, compiled):
+    """The Looks behind the first one that make a smaller image. compiled: the SceneImage of the first one."""
+    has_textures = compiled.surfaces is not None and bool(compiled.surfaces.textures)
+    return [each for each in wanted[1:] if has_textures or (each.texels == 0 and each.smooth != wanted[0].smooth)]
+
+
+def smaller_text(name, chosen):
+    """What there is to say of a Look that was not the first of those."""
+    what = f"textures of at most {chosen.texels} texels a side" if chosen.texels else \
+        "no textures" if chosen.smooth else "no textures and no smooth light"
+    return f"{name}: a scene image holds no more than {what} of this model; simplify it to have all"
