@@ -88,11 +88,11 @@ def read(table, key, files, progress):
 
 
 def near_origin(mesh):
-    """The mesh about its origin, if it is farther from there than it is large: the scale could not hold both. For what is
-    placed by its middle."""
+    """The mesh about its origin, if it is eight times farther from there than it is large: the scale could hardly hold both. For
+    what is placed by its middle."""
     low, high = ([end(axis) for axis in zip(*mesh.vertices)] for end in (min, max))
     middle = [(a + b) // 2 for a, b in zip(low, high)]
-    if max(map(abs, middle)) <= max(b - a for a, b in zip(low, high)):
+    if max(map(abs, middle)) <= 8 * max(b - a for a, b in zip(low, high)):
         return mesh
     return replace(mesh, vertices=[tuple(c - m for c, m in zip(vertex, middle)) for vertex in mesh.vertices])
 
