@@ -18,7 +18,7 @@ WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Wpedan
 INCLUDES = [f"-I{CHECKOUT / 'boards'}", f"-I{CHECKOUT / 'lib' / 'include'}"]
 SCREEN = CHECKOUT / "lib" / "screen"
 LIBRARY = [SCREEN / f"{name}.c" for name in ("colour", "display", "grey", "grey4", "modules", "mono", "pages", "pixels", "rgb332", "rgb565",
-                                            "row_to_16")]
+                                            "row_to_16", "ssd1351")]
 # A frame of an OLED by a pump; the messages go to stdout, each with its length before it.
 OLED = """
 #include <stdio.h>
@@ -49,6 +49,22 @@ int main(void)
     return fxl_pump_wait(&pump) != FXL_OK;
 }
 """
+OWN = """
+#include <fixel/display.h>
+#include "wires_mock.h"
+extern const fxl_display_port wires;
+extern const fxl_display_driver hx8357;
+bool wires_open(void);
+static const uint8_t palette[768];
+static fxl_display display;
+int main(void)
+{
+    const fxl_display_config config = fxl_display_config_default(&hx8357, 1);
+    if (!wires_open() || fxl_display_open(&display, &config, &wires, palette)) { return 1; }
+    wires_mock_end();
+    return 0;
+}
+"""
 # The panel draws no frame itself, so what the pump calls to draw one is not linked.
 LINK = ["-ffunction-sections", "-Wl,--gc-sections"]
 SHOW = ["tft_panel.c", "board.c", MOCK / "wires_mock.c", MOCK / "show.c", CHECKOUT / "boards" / "parts" / "display.c",
@@ -58,9 +74,10 @@ WIDTH, HEIGHT = 320, 240
 
 def write_sources(folder):
     """The page's pieces of code as files."""
-    i2c, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
+    i2c, own, driver, board = re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)
     assert "tft_panel" in driver and "board_panels" in board
-    assert "i2c_write" in i2c
+    assert "i2c_write" in i2c and "fxl_display_driver hx8357" in own
+    (folder / "own_driver.c").write_text(own, encoding="utf-8")
     (folder / "i2c_wires.c").write_text(i2c, encoding="utf-8")
     (folder / "tft_panel.c").write_text(driver, encoding="utf-8")
     # The dump has a file of its own to go to, which is not this test's.
@@ -143,6 +160,21 @@ def test_the_driver_compiles_for_a_microcontroller(tmp_path):
     write_sources(tmp_path)
     compile_all(["arm-none-eabi-gcc", "-mcpu=cortex-m0", "-mthumb", "-ffreestanding", "-O2"], tmp_path,
                 "-c", "tft_panel.c", "-o", "tft_panel.o")
+
+
+def test_a_driver_outside_the_library_drives_a_display(tmp_path):
+    """docs/displays.md, "A driver of your own": a list of commands, and the commands of MIPI for all else."""
+    write_sources(tmp_path)
+    (tmp_path / "main.c").write_text(OWN, encoding="utf-8")
+    compile_all(["gcc", "-g", "-fsanitize=address,undefined"], tmp_path, "main.c", "own_driver.c", MOCK / "wires_mock.c",
+                *LIBRARY, SCREEN / "pump.c", *LINK, "-o", "own")
+    subprocess.run(["./own"], cwd=tmp_path, check=True)
+    with open(tmp_path / "wires.bin", "rb") as record:
+        sent = [(kind, data) for kind, data in wires.records(record)]
+    at = sent.index((b"C", b"\xB9"))
+    assert sent[at + 1] == (b"D", b"\xFF\x83\x57")
+    assert sent.index((b"C", b"\x36")) < at and sent[sent.index((b"C", b"\x36")) + 1] == (b"D", b"\xA0")
+    assert (b"D", b"\x00\x00\x00\x1F") in sent and sent[-1] == (b"C", b"\x29")
 
 
 def test_a_pump_with_one_buffer_is_caught(tmp_path):

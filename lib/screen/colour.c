@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* ST7789, ILI9341, ST7735, ST7796, GC9A01: controllers with the commands of MIPI's Display Command
  * Set. All else that they can be told keeps the value that it has after reset. */
-#include "driver.h"
+#include "fixel/driver.h"
 
 enum {
     SOFTWARE_RESET = 0x01,

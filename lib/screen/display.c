@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "driver.h"
+#include "fixel/driver.h"
 
 #define BLACK_BYTES 64u
 
@@ -180,12 +180,11 @@ static bool are_whole(const fxl_display_config *config)
     return i == config->extra_commands_size;
 }
 
-static bool send_extra_commands(const fxl_display *display)
+bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands, size_t size)
 {
-    const fxl_display_config *config = &display->config;
-    for (size_t i = 0; i < config->extra_commands_size; i += 1u + config->extra_commands[i]) {
-        if (!config->driver->family->send_command(display, &config->extra_commands[i + 1u],
-                                                  config->extra_commands[i])) {
+    for (size_t i = 0; i < size; i += 1u + commands[i]) {
+        if (!display->config.driver->family->send_command(display, &commands[i + 1u],
+                                                          commands[i])) {
             return false;
         }
     }
@@ -210,8 +209,10 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
     display->sink.wait = wait;
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
     (void)fxl_display_place(display, config->width, config->height);
-    return family->set_up(display) && send_extra_commands(display) && make_black(display) &&
-                   fxl_display_command(display, family->turn_on, NULL, 0)
+    return family->set_up(display) &&
+                   fxl_display_send_commands(display, config->extra_commands,
+                                             config->extra_commands_size) &&
+                   make_black(display) && fxl_display_command(display, family->turn_on, NULL, 0)
                ? FXL_OK
                : FXL_E_DISPLAY;
 }

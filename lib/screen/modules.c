@@ -43,6 +43,8 @@ const fxl_display_module fxl_module_st7796_222x480 =
     COLOURS(fxl_st7796, 222, 480, 49, 0, 320, 480, 0x48, false);
 const fxl_display_module fxl_module_gc9a01_240x240 =
     COLOURS(fxl_gc9a01, 240, 240, 0, 0, 240, 240, 0x08, true);
+const fxl_display_module fxl_module_ssd1351_128x128 =
+    COLOURS(fxl_ssd1351, 128, 128, 0, 0, 128, 128, 0x74, false);
 const fxl_display_module fxl_module_ssd1306_128x64 = PAGES(fxl_ssd1306, 128, 64, 0, 128, 0x12, 0);
 const fxl_display_module fxl_module_ssd1306_128x32 = PAGES(fxl_ssd1306, 128, 32, 0, 128, 0x02, 0);
 const fxl_display_module fxl_module_ssd1306_64x48 = PAGES(fxl_ssd1306, 64, 48, 32, 128, 0x12, 0);

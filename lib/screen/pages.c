@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* SSD1306 and SH1106: controllers of pages of eight rows. Both know the page addressing mode; the
  * SH1106 knows no other. Every byte of a command, its arguments too, is sent as a command. */
-#include "driver.h"
+#include "fixel/driver.h"
 
 enum {
     SET_PAGE = 0xB0,        /* and the number of the page */

@@ -9,6 +9,7 @@
 #include "fixel/camera.h"
 #include "fixel/collide.h"
 #include "fixel/display.h"
+#include "fixel/driver.h"
 #include "fixel/light.h"
 #include "fixel/line.h"
 #include "fixel/modules.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Drivers for displays: ST7789, ILI9341, ST7735, ST7796 and GC9A01 in 16 bits a pixel; SSD1306 and
- * SH1106 in black and white. The caller gives the functions that reach the wires of his chip. A
- * display is where a pump sends its bands (fixel/pump.h). docs/displays.md shows a whole program.
+/* Drivers for displays: ST7789, ILI9341, ST7735, ST7796, GC9A01 and SSD1351 in 16 bits a pixel;
+ * SSD1306 and SH1106 in black and white. The caller gives the functions that reach the wires of his
+ * chip. A display is where a pump sends its bands (fixel/pump.h). docs/displays.md shows a whole
+ * program.
  */
 #ifndef FXL_DISPLAY_H
 #define FXL_DISPLAY_H
@@ -32,8 +33,8 @@ typedef struct {
     void (*pause)(void *user, uint32_t milliseconds);
 } fxl_display_port;
 
-/* A controller: one of the constant records below, or one of the caller's (struct
- * fxl_display_driver). A program links those that it names. */
+/* A controller: one of the constant records below, or one of the caller's
+ * (fixel/driver.h). A program links those that it names. */
 typedef struct fxl_display_driver fxl_display_driver;
 
 extern const fxl_display_driver fxl_st7789;  /* 240 x 320, RGB565 */
@@ -41,6 +42,7 @@ extern const fxl_display_driver fxl_ili9341; /* 240 x 320, RGB565 */
 extern const fxl_display_driver fxl_st7735;  /* 128 x 160, RGB565 */
 extern const fxl_display_driver fxl_st7796;  /* 320 x 480, RGB565 */
 extern const fxl_display_driver fxl_gc9a01;  /* 240 x 240, RGB565 */
+extern const fxl_display_driver fxl_ssd1351; /* 128 x 128, RGB565 */
 extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
 extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
 
@@ -76,6 +78,7 @@ typedef struct {
  *                    ST7735            132 x 162
  *                    ST7796            320 x 480
  *                    GC9A01            240 x 240
+ *                    SSD1351           128 x 128
  *                    SSD1306           128 x 64
  *                    SH1106            132 x 64    top and height: multiples of 8, as SSD1306 */
 typedef struct {
@@ -83,8 +86,8 @@ typedef struct {
     uint16_t width, height; /* of the glass, as the viewer sees it; at least 1 */
     uint16_t left, top;     /* where the glass begins in the controller's memory, as seen */
     uint8_t access;         /* which way rows and columns run, in the controller's own bits: the
-                               argument of command 0x36; for SSD1306 and SH1106 bit 0 mirrors
-                               columns and bit 3 rows */
+                               argument of command 0x36; of 0xA0 for SSD1351; for SSD1306 and SH1106 bit 0
+                               mirrors         columns and bit 3 rows */
     bool is_inverted;       /* the glass shows true colours only when it is inverted */
 
     /* Of a controller of pages; 0 for those of colours. */

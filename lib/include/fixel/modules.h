@@ -25,6 +25,7 @@ extern const fxl_display_module fxl_module_st7735_80x160;        /* 0.96" */
 extern const fxl_display_module fxl_module_st7796_320x480;       /* 3.5" */
 extern const fxl_display_module fxl_module_st7796_222x480;       /* 222 x 480 */
 extern const fxl_display_module fxl_module_gc9a01_240x240;       /* 1.28", round */
+extern const fxl_display_module fxl_module_ssd1351_128x128;      /* 1.5" */
 extern const fxl_display_module fxl_module_ssd1306_128x64;       /* 0.96" */
 extern const fxl_display_module fxl_module_ssd1306_128x32;       /* 0.91" */
 extern const fxl_display_module fxl_module_ssd1306_64x48;        /* 0.66" */

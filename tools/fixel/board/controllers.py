@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What modules of displays show of their wires. The controllers are written from their data sheets: ST7789, ILI9341,
-ST7735, ST7796 and GC9A01 in RGB565, SSD1306 and SH1106 in black and white. The drivers are in lib/screen; neither was
+ST7735, ST7796, GC9A01 and SSD1351 in RGB565, SSD1306 and SH1106 in black and white. The drivers are in lib/screen; neither was
 made from the other.
 """
 
@@ -128,6 +128,47 @@ class Colour:
         return numpy.rot90(~shown if self.inverted != self.glass.inverted else shown, turns)
 
 
+class Ssd1351(Colour):
+    """An OLED of colours: commands of its own, and bits 0, 1 and 4 of its access are 5, 6 and 7 of MIPI's."""
+
+    ARGUMENTS = {0xA0: 1, 0xA1: 1, 0xA2: 1, 0xAB: 1, 0xB1: 1, 0xB3: 1, 0xB4: 3, 0xB5: 1, 0xB6: 1, 0xBE: 1, 0xC1: 3, 0xC7: 1,
+                 0xCA: 1, 0xFD: 1, 0x15: 2, 0x75: 2, 0xA6: 0, 0xA7: 0, 0xAE: 0, 0xAF: 0}
+    LOCKED = frozenset([0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1])     # until FD B1 came
+
+    def __init__(self, glass):
+        super().__init__(glass)
+        self.unlocked, self.start_line = False, 0
+
+    def _do(self, command, data):
+        if command == 0x5C:
+            self._write(data)
+            return
+        require(len(data) == self.ARGUMENTS.get(command, -1), f"command {command:#x} has {len(data)} bytes of data")
+        require(self.unlocked or command not in self.LOCKED, f"command {command:#x} is locked")
+        if command == 0xFD:
+            self.unlocked = data[0] == 0xB1
+        elif command in (0x15, 0x75):
+            axis = int(command == 0x75)
+            require(data[0] <= data[1] < self.memory.shape[1 - axis], "the window is beyond its memory")
+            self.window[axis ^ self.access >> 5 & 1] = (data[0], data[1])
+        elif command == 0xA0:
+            self.format = 0x55 if data[0] & 0xC0 == 0x40 else 0
+            require(data[0] & 0x20, "odd and even rows are joined on two sides")
+            self.access = (data[0] & 1) << 5 | (data[0] & 2) << 5 | (data[0] & 0x10) << 3 | (0 if data[0] & 4 else 8)
+        elif command == 0xA1:
+            self.start_line = data[0] & 127
+        elif command in (0xA6, 0xA7):
+            self.inverted = command == 0xA7
+        elif command in (0xAE, 0xAF):
+            self.on = command == 0xAF
+        elif command == 0xCA:
+            require(data[0] + 1 == self.glass.height, "it was told of another glass")
+
+    def picture(self, turns=0):
+        require(self.start_line == 0, "its first row is not the first one of the glass")
+        return super().picture(turns)
+
+
 class Pages:
     """A controller of pages of eight rows."""
 
@@ -209,12 +250,14 @@ def _oled(columns, *place, **others):
 
 
 _ILI9341 = Colour, Glass(240, 320, 240, 320, mirrored=(True, False), blue_first=True)
+_SSD1351 = Ssd1351, Glass(128, 128, 128, 128, mirrored=(False, True))
 _GC9A01 = Colour, Glass(240, 240, 240, 240, blue_first=True, inverted=True)
 
 # Of each driver of the library, a common module, and of each module of fixel/modules.h: its controller and glass.
 MODULES = {
     "st7789": _st7789(240, 320), "ili9341": _ILI9341, "st7735": _st7735(128, 160, 128, 160),
     "st7796": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)), "gc9a01": _GC9A01,
+    "ssd1351": _SSD1351, "ssd1351_128x128": _SSD1351,
     "ssd1306": _oled(128, 128, 64), "sh1106": _oled(132, 128, 64, 2),
     "ili9341_240x320": _ILI9341,
     "st7789_240x320": _st7789(240, 320), "st7789_240x240": _st7789(240, 240), "st7789_135x240": _st7789(135, 240, 52, 40),

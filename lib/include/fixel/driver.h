@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What a driver is to fxl_display: a record of its family's functions and its own constants.
- * Internal. */
+/* The record of a driver, for programs that bring their own: the functions of a family of
+ * controllers, and the constants of one of them. docs/displays.md, "A driver of your own", has an
+ * example. Programs that use the library's drivers need display.h only. */
 #ifndef FXL_DRIVER_H
 #define FXL_DRIVER_H
 
@@ -44,10 +45,15 @@ struct fxl_display_driver {
 
 extern const fxl_display_family fxl_display_colour; /* commands of MIPI DCS */
 extern const fxl_display_family fxl_display_pages;  /* those of an SSD1306 */
+extern const fxl_display_family fxl_display_ssd1351;
 
 /* Sends a command, and bytes of data that belong to it. */
 bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data,
                          size_t size);
+
+/* Sends a list of commands by the family's send_command: for each the number of its bytes, which is
+ * at least 1, the command, and its arguments. False as soon as one fails. Requires a whole list. */
+bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands, size_t size);
 
 /* Begins to send data, or sends it where the port cannot do that. */
 bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, size_t size);
