@@ -765,6 +765,8 @@ ROWS:
     sub     r11, lr, r5, lsl #16
     lsl     r9, r9, #3
     lsl     r11, r11, #3
+    add     r9, r9, #0x8000
+    add     r11, r11, #0x8000
     add     step, r5, r4, lsl #16
     add     r4, sp, #F_STEPS
     stm     r4, {r2, r3, r8-r11}

@@ -173,7 +173,8 @@ static inline uint32_t upper_half(uint32_t step)
 }
 
 /* The change's upper word is rounded: 2^-31 of the largest value on the screen, at most 64 times.
- * What a step loses is given back in the middle of 16 columns. */
+ * What a step loses is given back in the middle of 16 columns, and half a unit of the position,
+ * which is cut off. */
 static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal *reciprocal,
                              int32_t drop, uint32_t segment, row_line *line)
 {
@@ -184,7 +185,7 @@ static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal
     line->step = (uint32_t)shifted(product, left + 4);
     line->at =
         (uint32_t)shifted(fxl_multiply_s32((int32_t)(value >> 32), reciprocal->value), left) +
-        segment * line->change + 8u * (line->step - upper_half(line->step));
+        segment * line->change + 8u * (line->step - upper_half(line->step)) + 0x8000u;
 }
 
 static void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,

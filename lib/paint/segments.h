@@ -22,8 +22,8 @@
  * Where the weight is the same in all columns and there is no light, a row is one line. Its
  * coordinates have 32 bits, FXL_ROW_BITS more than U and V: at column 16 k they are those of column
  * 0 and k times their change in 16 columns, modulo 2^32. p is their upper halves there, and the
- * step is a 16th of the change, rounded to the upper half; 8 times what that loses is added to the
- * coordinates, so that the middle of 16 columns is right. So p begins anew every 16 columns.
+ * step is a 16th of the change, rounded to the upper half; 8 times what that loses, and half a unit of p,
+ * are added to the coordinates, so that the middle of 16 columns is right. So p begins anew every 16 columns.
  *
  * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
  * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
