@@ -31,7 +31,7 @@
 #else
 #define CONFIG_OF fxl_display_config_default
 #endif
-#define PANELS_MAX 32u
+#define PANELS_MAX 24u
 
 /* The kinds of docs/formats.md, section 5. */
 enum {

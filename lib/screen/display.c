@@ -58,7 +58,7 @@ static bool is_sound(const fxl_display_module *module)
 fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                                              uint32_t quarter_turns)
 {
-    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL, 0};
+    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL};
     if (module == NULL || module->driver == NULL || quarter_turns > 3 || !is_sound(module)) {
         return config;
     }
@@ -90,14 +90,13 @@ fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                                 : module->display_offset;
     config.current_reference = module->current_reference;
     config.extra_commands = module->extra_commands;
-    config.extra_commands_size = module->extra_commands_size;
     return config;
 }
 
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns)
 {
-    fxl_display_module module = {NULL, 0, 0, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL, 0};
+    fxl_display_module module = {NULL, 0, 0, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL};
     if (driver != NULL) {
         module.driver = driver;
         module.width = driver->width;
@@ -167,24 +166,10 @@ static bool is_in_memory(const fxl_display_config *config)
            config->height % page == 0;
 }
 
-/* Whether the caller's commands end with the last of them, and each has a byte. */
-static bool are_whole(const fxl_display_config *config)
+bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands)
 {
-    size_t i = 0;
-    if (config->extra_commands == NULL) {
-        return config->extra_commands_size == 0;
-    }
-    while (i < config->extra_commands_size && config->extra_commands[i] != 0) {
-        i += 1u + config->extra_commands[i];
-    }
-    return i == config->extra_commands_size;
-}
-
-bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands, size_t size)
-{
-    for (size_t i = 0; i < size; i += 1u + commands[i]) {
-        if (!display->config.driver->family->send_command(display, &commands[i + 1u],
-                                                          commands[i])) {
+    for (; *commands != 0; commands += 1u + *commands) {
+        if (!display->config.driver->family->send_command(display, commands + 1, *commands)) {
             return false;
         }
     }
@@ -198,7 +183,7 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
         port->send == NULL || port->pause == NULL || (port->start != NULL && port->wait == NULL)) {
         return FXL_E_ARGUMENT;
     }
-    if (config->driver == NULL || !is_in_memory(config) || !are_whole(config)) {
+    if (config->driver == NULL || !is_in_memory(config)) {
         return FXL_E_RANGE;
     }
     const fxl_display_family *family = config->driver->family;
@@ -210,8 +195,8 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
     (void)fxl_display_place(display, config->width, config->height);
     return family->set_up(display) &&
-                   fxl_display_send_commands(display, config->extra_commands,
-                                             config->extra_commands_size) &&
+                   (config->extra_commands == NULL ||
+                    fxl_display_send_commands(display, config->extra_commands)) &&
                    make_black(display) && fxl_display_command(display, family->turn_on, NULL, 0)
                ? FXL_OK
                : FXL_E_DISPLAY;

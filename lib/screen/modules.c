@@ -5,14 +5,14 @@
 /* A module of colours. */
 #define COLOURS(driver, width, height, left, top, columns, rows, access, is_inverted) \
     { \
-        &(driver), width, height, left, top, columns, rows, access, is_inverted, 0, 0, 0, NULL, 0 \
+        &(driver), width, height, left, top, columns, rows, access, is_inverted, 0, 0, 0, NULL \
     }
 
 /* A module of pages, mounted upside down. */
 #define PAGES(driver, width, height, left, columns, com_pins, current_reference) \
     { \
         &(driver), width, height, left, 0, columns, 64, 0x09, false, com_pins, 0, \
-            current_reference, NULL, 0 \
+            current_reference, NULL \
     }
 
 const fxl_display_module fxl_module_ili9341_240x320 =

@@ -34,6 +34,7 @@ static const uint8_t start_commands[] = {
     2, 0xC7, 0x0F,             /* and of all: the highest */
     4, 0xB4, 0xA0, 0xB5, 0x55, /* low voltage from outside */
     2, 0xB6, 0x01,             /* second precharge */
+    0,
 };
 
 static bool send_command(const fxl_display *display, const uint8_t *command, size_t size)
@@ -48,7 +49,7 @@ static bool set_up(const fxl_display *display)
     const uint32_t rows = (config->access & EXCHANGES) != 0 ? config->width : config->height;
     const uint8_t multiplex = (uint8_t)(rows - 1u);
     const uint8_t line = (config->access & MIRRORS_ROWS) != 0 ? (uint8_t)(rows & LINES) : 0;
-    return fxl_display_send_commands(display, start_commands, sizeof start_commands) &&
+    return fxl_display_send_commands(display, start_commands) &&
            fxl_display_command(display, SET_MULTIPLEX, &multiplex, 1) &&
            fxl_display_command(display, SET_ACCESS, &config->access, 1) &&
            fxl_display_command(display, SET_START_LINE, &line, 1) &&

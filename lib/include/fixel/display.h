@@ -63,10 +63,9 @@ typedef struct {
     uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
 
     /* Commands of the caller's, after those of the driver and before the glass is turned on: for
-     * each of them the number of its bytes, which is at least 1, the command, and its arguments.
-     * They stay the caller's. Null for none. */
+     * each of them the number of its bytes, the command, and its arguments; a 0 ends them. They
+     * stay the caller's. Null for none. */
     const uint8_t *extra_commands;
-    size_t extra_commands_size;
 } fxl_display_module;
 
 /* How a program talks to a module at one turn. fxl_display_config_turned and
@@ -96,10 +95,9 @@ typedef struct {
     uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
 
     /* Commands of the caller's, after those of the driver and before the glass is turned on: for
-     * each of them the number of its bytes, which is at least 1, the command, and its arguments.
-     * They stay the caller's. Null for none. */
+     * each of them the number of its bytes, the command, and its arguments; a 0 ends them. They
+     * stay the caller's. Null for none. */
     const uint8_t *extra_commands;
-    size_t extra_commands_size;
 } fxl_display_config;
 
 /* An open display, which the caller owns. It may not be moved: sink and pixels are used in place.

@@ -51,9 +51,9 @@ extern const fxl_display_family fxl_display_ssd1351;
 bool fxl_display_command(const fxl_display *display, uint8_t code, const uint8_t *data,
                          size_t size);
 
-/* Sends a list of commands by the family's send_command: for each the number of its bytes, which is
- * at least 1, the command, and its arguments. False as soon as one fails. Requires a whole list. */
-bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands, size_t size);
+/* Sends a list of commands by the family's send_command: for each the number of its bytes, the
+ * command, and its arguments; a 0 ends the list. False as soon as one fails. */
+bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands);
 
 /* Begins to send data, or sends it where the port cannot do that. */
 bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, size_t size);
