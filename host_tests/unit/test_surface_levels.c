@@ -149,7 +149,7 @@ void test_an_off_centre_lens_shows_the_same_texels(void)
         }
     }
     TEST_ASSERT_GREATER_THAN(10 * ROUNDS, compared);
-    TEST_ASSERT_LESS_THAN(1 + compared / 500, different);
+    TEST_ASSERT_LESS_THAN(3 + compared / 500, different); /* of the 1,500 of a small board, too */
 }
 
 static void expect_same_in_bands(quad_scene *quad)
