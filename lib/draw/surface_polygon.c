@@ -181,6 +181,16 @@ static inline bool is_within(const screen_box *box, const fxl_lens *lens)
            box->bottom <= lens->height * 65536;
 }
 
+static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        if (indices[i] == number) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
                              const uint16_t *vertices, const fxl_traversal *traversal,
                              fxl_screen_corners *corners)
@@ -191,10 +201,10 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
         indices += count;
         count = face->whole_count;
     }
-    vertices = vertices != NULL ? vertices : indices;
     screen_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (uint32_t i = 0; i < 3; i++) {
-        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
+        if ((vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) ||
+            !find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
                             &corners->depths[i])) {
             return false;
         }

@@ -86,9 +86,9 @@ bool fxl_mixed_draw_list(const fxl_traversal *traversal);
 void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
                      const fxl_traversal *traversal, fxl_view_point *corner);
 
-/* Where all vertices of a whole face can be projected, between the near and the far plane: three of
- * them on the screen, and the box of all; false otherwise, and *corners is undefined. vertices: numbers of the three; null: the
- * first three. Requires the model view of the face's instance. */
+/* Where all vertices of a whole face can be projected, between the near and the far plane, and the
+ * given three are some of them: these three on the screen, and the box of all; false otherwise, and
+ * *corners is undefined. Requires the model view of the face's instance. */
 bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
                              const uint16_t *vertices, const fxl_traversal *traversal,
                              fxl_screen_corners *corners);
