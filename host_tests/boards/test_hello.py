@@ -354,7 +354,7 @@ def test_an_st7789_shows_the_picture(page, picture):
     drawn(page, "screen.c", "wired.c", mock / "wires_mock.c", f"-I{mock}")
     display = read_wires(page / "wires.bin")
     assert display.on and display.inverted and display.access == 0x60
-    assert numpy.array_equal(display.memory, rgb565(palette_of(page))[picture])
+    assert numpy.array_equal(display.picture(1), rgb565(palette_of(page))[picture])
     assert len([line for line in BLOCKS["screen.c"].splitlines() if line.strip()]) <= 22
 
 
