@@ -47,12 +47,11 @@ static void attach(fxl_renderer *renderer, fxl_surfaces *surfaces, const fxl_sur
                                        : FXL_SURFACES_OF(fxl_palette)) == FXL_OK);
 }
 
-/* In frames of a palette if they can show the set. */
+/* In the image's light, if it has one. */
 static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
-                      const fxl_pose *pose)
+                      const fxl_pose *pose, bool is_wide)
 {
     const fxl_scene *scene = &opened->scene;
-    const bool is_wide = fxl_surfaces_check(set, scene, 8, NULL) != FXL_OK;
     fxl_draw_entry *order = malloc(scene->draw_list_needed * sizeof *order);
     fxl_renderer *renderer = malloc(sizeof *renderer);
     uint16_t *pixels = malloc((size_t)opened->lens.width * ROWS * sizeof *pixels);
@@ -65,9 +64,17 @@ static void draw_rows(const fxl_scene_image *opened, const fxl_surface_set *set,
                            .rows = rows,
                            .palette = is_wide ? palette : NULL};
     fxl_surfaces surfaces;
+    fxl_light light;
+    fxl_lit_surfaces lit;
     DEMAND(order != NULL && renderer != NULL && pixels != NULL);
     DEMAND(fxl_renderer_init_with(renderer, scene, &opened->lens, &memory) == FXL_OK);
     attach(renderer, &surfaces, set, is_wide);
+    if (opened->light.base != NULL) {
+        fxl_light_settings settings;
+        fxl_light_settings_of(&opened->light, &settings);
+        DEMAND(fxl_attach_light(renderer, &light, &settings) == FXL_OK);
+        DEMAND(fxl_attach_lit(renderer, &lit) == FXL_OK);
+    }
     fxl_frame_fill(renderer, &band, 0);
     if (fxl_frame_begin(renderer, pose) == FXL_OK) {
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
@@ -100,7 +107,12 @@ void open_surfaces(const fxl_scene_image *opened, const fxl_pose *pose)
         }
         record_number(sum);
         if (draw_model_view(&opened->scene) <= FACES) {
-            draw_rows(opened, &set, pose);
+            if (fxl_surfaces_check(&set, &opened->scene, 8, NULL) == FXL_OK) {
+                draw_rows(opened, &set, pose, false);
+            }
+            if (fxl_surfaces_check(&set, &opened->scene, 16, NULL) == FXL_OK) {
+                draw_rows(opened, &set, pose, true);
+            }
         }
     } else {
         DEMAND(memcmp(&set, &untouched, sizeof set) == 0);
