@@ -75,4 +75,6 @@ def test_a_command_works(name, copy):
     refused = TABLE[name].get("refused", "")
     assert (done.returncode != 0) == bool(refused) and refused in said, said[-4000:]
     assert TABLE[name].get("prints", "") in said
+    if "prints_first_of" in TABLE[name]:
+        assert (CHECKOUT / TABLE[name]["prints_first_of"]).read_text(encoding="utf-8").split()[0] in said
     assert "Traceback" not in said
