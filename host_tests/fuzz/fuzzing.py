@@ -10,7 +10,9 @@ from hypothesis import HealthCheck, seed, settings
 from fixel.base.errors import ToolError
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "150"))
-SEED = int(os.environ.get("FUZZ_SEED", "13"))
+FIXED_SEED = 13
+SEED = int(os.environ.get("FUZZ_SEED", FIXED_SEED))
+FEW = 1000              # examples of any seed, below which their share of sound ones says nothing
 MESSAGE_MAX = 600       # characters: two quotes, the known keys, the file's name
 
 taken = collections.Counter()   # what became of the inputs of a test
@@ -18,7 +20,8 @@ taken = collections.Counter()   # what became of the inputs of a test
 
 def fuzzed(least):
     """A test with a fixed number of examples by a fixed seed. least: the share of them that must be sound, or what
-    comes behind the checks is not tried: about two thirds of the share of any seed."""
+    comes behind the checks is not tried: about two thirds of the share of any seed. A few examples of another seed than
+    the fixed one may have any share."""
     quiet = [HealthCheck.too_slow, HealthCheck.data_too_large, HealthCheck.filter_too_much]
 
     def of(test):
@@ -28,7 +31,8 @@ def fuzzed(least):
         def whole():
             taken.clear()
             run()
-            assert taken["sound"] >= least * taken.total(), taken
+            if SEED == FIXED_SEED or EXAMPLES >= FEW:
+                assert taken["sound"] >= least * taken.total(), taken
 
         whole.__name__ = test.__name__
         return whole
