@@ -3,6 +3,7 @@
  * glass, in the right colours, and nothing is written outside it. The table is written from the
  * facts that public libraries agree on, and not from the library's records. */
 #include "controller.h"
+#include "fixel/driver.h"
 #include "fixel/modules.h"
 #include "unit.h"
 
@@ -195,6 +196,39 @@ void test_a_glass_of_pages_at_one_side(void)
     controller_start(&model, CONTROLLER_SSD1306, 0, 0, 128, 64);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
     TEST_ASSERT_TRUE(model.wires == 0x22 && model.offset == 0x0C && model.reference == 0x10);
+}
+
+/* A driver's own module is a module: its glass lies in the middle of the columns, in all rows. */
+void test_the_default_is_a_module_too(void)
+{
+    fxl_display_driver narrow = fxl_st7735;
+    narrow.left = 6;
+    narrow.width = 120;
+    narrow.height = 162;
+    const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_st7735,  &fxl_ssd1351,
+                                                 &fxl_sh1106, &fxl_ssd1306, &narrow};
+    for (uint32_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++) {
+        const fxl_display_driver *driver = drivers[i];
+        fxl_display_module module = {.driver = driver,
+                                     .width = driver->width,
+                                     .height = driver->height,
+                                     .left = driver->left};
+        module.columns = (uint16_t)(driver->width + 2 * driver->left);
+        module.rows = driver->height;
+        module.access = driver->access;
+        module.is_inverted = driver->is_inverted;
+        for (uint32_t turns = 0; turns < 5; turns++) {
+            const fxl_display_config left = fxl_display_config_default(driver, turns),
+                                     right = fxl_display_config_turned(&module, turns);
+            TEST_ASSERT_EQUAL_PTR(right.driver, left.driver);
+            TEST_ASSERT_EQUAL(right.width, left.width);
+            TEST_ASSERT_EQUAL(right.height, left.height);
+            TEST_ASSERT_EQUAL(right.left, left.left);
+            TEST_ASSERT_EQUAL(right.top, left.top);
+            TEST_ASSERT_EQUAL_HEX8(right.access, left.access);
+            TEST_ASSERT_EQUAL(right.is_inverted, left.is_inverted);
+        }
+    }
 }
 
 static void expect_none(fxl_display_module module, uint32_t turns)

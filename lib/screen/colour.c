@@ -20,10 +20,9 @@ enum {
 #define RESET_TIME   150u /* ms: the longest of the three, from the sleep that a reset ends in */
 #define WAKE_UP_TIME 120u
 
-static bool set_up(const fxl_display *display)
+static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
     const uint8_t format = SIXTEEN_BITS;
-    const fxl_display_config *config = &display->config;
     const fxl_display_port *port = display->port;
     if (!fxl_display_command(display, SOFTWARE_RESET, NULL, 0)) {
         return false;

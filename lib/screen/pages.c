@@ -23,9 +23,8 @@ static bool send_commands(const fxl_display *display, const uint8_t *commands, s
     return display->port->send(display->port->user, false, commands, size);
 }
 
-static bool set_up(const fxl_display *display)
+static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
-    const fxl_display_config *config = &display->config;
     const uint8_t reference[] = {SET_REFERENCE, config->current_reference};
     const uint8_t com_pins = config->com_pins != 0 ? config->com_pins
                              : config->height > 32 ? WIRES_IN_TURNS

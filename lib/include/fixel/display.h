@@ -108,13 +108,15 @@ typedef struct {
  * within the frame, if `size` is not fxl_pixels_size(pixels.format, frame_width, rows), or if the
  * first row is not the first one of a page. The pump then answers FXL_E_DISPLAY. */
 typedef struct fxl_display {
-    fxl_display_config config;
+    const fxl_display_driver *driver;
     const fxl_display_port *port;
-    fxl_pixels pixels;    /* the palette in the display's format */
-    fxl_pump_sink sink;   /* sends to this display; see below */
+    uint16_t glass_width, glass_height, glass_left, glass_top; /* as the configuration has them */
     uint16_t left, top;   /* the frame's place in the controller's memory */
     uint16_t frame_width; /* pixels that a row of a frame has */
     uint16_t frame_height;
+    uint8_t access;     /* as the configuration has it */
+    fxl_pump_sink sink; /* sends to this display; see below */
+    fxl_pixels pixels;  /* the palette in the display's format; last, so that the rest is near */
 } fxl_display;
 
 /* The configuration of a module whose picture is turned clockwise on the glass by 0 to 3 quarter

@@ -15,8 +15,8 @@ extern "C" {
 typedef struct {
     const fxl_pixel_format *format;
 
-    /* From reset to a display that is set up, and still off. */
-    bool (*set_up)(const fxl_display *display);
+    /* From reset to a display that is set up as `config` says, and still off. */
+    bool (*set_up)(const fxl_display *display, const fxl_display_config *config);
 
     /* Sends converted rows to columns left.. and rows top.. of the controller's memory, `width`
      * columns wide. The last piece of them may still be on its way when it returns. */
