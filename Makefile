@@ -157,7 +157,7 @@ SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scene
 # These have been compared with the names that there are: firmware/firmware.mk.
 METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
-PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl,$(value SCENE)),$(BUILD)/host/predict)
+PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl %.ply,$(value SCENE)),$(BUILD)/host/predict)
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 

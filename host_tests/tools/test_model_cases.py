@@ -178,7 +178,7 @@ def test_quantized_vertices_are_read():
 
 @pytest.mark.parametrize("suffix, words", [
     ("fbx", ["FBX", "Blender", ".glb"]), ("dae", ["Collada", ".glb"]), ("3mf", ["3MF", "STL"]), ("vox", ["MagicaVoxel", "OBJ"]),
-    ("blend", ["Blender", ".glb"]), ("ZIP", ["archive", "unpack"]), ("ply", ["PLY", "OBJ"])])
+    ("blend", ["Blender", ".glb"]), ("ZIP", ["archive", "unpack"]), ("usdz", ["USD", ".glb"])])
 def test_formats_that_are_not_read_are_refused_by_name_with_the_way_to_go(tmp_path, suffix, words):
     (tmp_path / f"model.{suffix}").write_bytes(b"x")
     (tmp_path / "scene.toml").write_text(f'[[objects]]\nmodel = "model.{suffix}"\n')
