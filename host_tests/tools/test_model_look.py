@@ -52,11 +52,11 @@ def test_a_convex_model_alone_needs_no_depth_and_a_flat_one_no_light_at_run_time
 
 
 @pytest.mark.parametrize("words, expected", [
-    ([], ("rgb565", 16, 128, 40)), (["--palette"], ("palette", 16, 128, 40)), (["--flat"], ("rgb565", 16, 128, 0)),
-    (["--no-textures"], ("rgb565", 16, 0, 40)), (["--sorted"], ("rgb565", 0, 128, 40)), (["--smooth", "20"], ("rgb565", 16, 128, 20)),
-    (["--look", "--palette --flat"], ("palette", 16, 128, 0)), (["--look", "--smooth 7", "--sorted"], ("rgb565", 0, 128, 7)),
-    (["--pixels", "palette"], ("palette", 16, 128, 40)), (["--depth", "32"], ("rgb565", 32, 128, 40)),
-    (["--order", "tree"], ("rgb565", 0, 128, 40))])
+    ([], ("rgb565", 16, 256, 40)), (["--palette"], ("palette", 16, 256, 40)), (["--flat"], ("rgb565", 16, 256, 0)),
+    (["--no-textures"], ("rgb565", 16, 0, 40)), (["--sorted"], ("rgb565", 0, 256, 40)), (["--smooth", "20"], ("rgb565", 16, 256, 20)),
+    (["--look", "--palette --flat"], ("palette", 16, 256, 0)), (["--look", "--smooth 7", "--sorted"], ("rgb565", 0, 256, 7)),
+    (["--pixels", "palette"], ("palette", 16, 256, 40)), (["--depth", "32"], ("rgb565", 32, 256, 40)),
+    (["--order", "tree"], ("rgb565", 0, 256, 40))])
 def test_options_choose_otherwise(words, expected):
     import argparse
     parser = argparse.ArgumentParser()
@@ -188,14 +188,14 @@ ROW = 2 * 320
 
 
 @pytest.mark.parametrize("room, costs, expected", [
-    (LARGE, {}, (16, 16, 128, 40)),
-    (replaced(band=16 * ROW), {}, (16, 16, 128, 40)),                                       # bands, and the list holds the frame
-    (replaced(band=15 * ROW), {(16, 16): (True, 2001.0)}, (8, 16, 128, 40)),                 # 30 rows of a palette
-    (replaced(band=15 * ROW), {(16, 16): (True, 2000.0)}, (16, 16, 128, 40)),                # at most twice as dear
-    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 1999.0)}, (8, 16, 128, 40)),
-    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 2001.0)}, (8, 0, 128, 40)),
-    (replaced(targets=frozenset({(8, 0), (8, 16)})), {}, (8, 16, 128, 40)),
-    (replaced(targets=frozenset({(8, 0)})), {}, (8, 0, 128, 40)),
+    (LARGE, {}, (16, 16, 256, 40)),
+    (replaced(band=16 * ROW), {}, (16, 16, 256, 40)),                                       # bands, and the list holds the frame
+    (replaced(band=15 * ROW), {(16, 16): (True, 2001.0)}, (8, 16, 256, 40)),                 # 30 rows of a palette
+    (replaced(band=15 * ROW), {(16, 16): (True, 2000.0)}, (16, 16, 256, 40)),                # at most twice as dear
+    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 1999.0)}, (8, 16, 256, 40)),
+    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 2001.0)}, (8, 0, 256, 40)),
+    (replaced(targets=frozenset({(8, 0), (8, 16)})), {}, (8, 16, 256, 40)),
+    (replaced(targets=frozenset({(8, 0)})), {}, (8, 0, 256, 40)),
     (replaced(targets=frozenset({(8, 0)}), has_surfaces=False), {}, (8, 0, 0, 0)),
     (replaced(scene=60_000), {}, (16, 16, 0, 0)),
 ])
@@ -211,7 +211,7 @@ def test_textures_get_smaller_before_they_go(tmp_path, monkeypatch):
     (tmp_path / "m.glb").write_bytes(glb(*gltf(points, triangles, uvs=[(x / 2, y / 2) for x, y, _ in points], image=wide)))
     sizes = [kind(chosen(tmp_path, replaced(scene=size), monkeypatch, model=tmp_path / "m.glb")[0])[2]
              for size in (60_000, 30_000, 16_000, 12_000)]
-    assert sizes == [128, 64, 32, 16]
+    assert sizes == [256, 64, 32, 16]   # the image itself has 128
 
 
 def test_the_room_is_that_of_the_boards_program(build):

@@ -10,7 +10,7 @@ import numpy as np
 
 from fixel.image import image
 from fixel.model import model_file
-from fixel.scene import toml_images, toml_model, toml_scene, toml_text
+from fixel.scene import texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
 from fixel.base.reading import shortened
@@ -136,6 +136,11 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
     }, [f"{shortened(name)}: {note}" for note in notes]
 
 
+def _side_of_path(scene):
+    """The most texels of a side of a texture that the path of a scene shows; 0 without textures."""
+    return max((max(sides) for sides in texture_size.needed(scene).values()), default=0)
+
+
 def _needs_no_depth(scene):
     """Whether a scene is one convex model: nothing of it hides anything of it."""
     return len(scene.objects) == 1 and scene.models[0].kind == image.CONVEX
@@ -152,6 +157,10 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     files[file] = mesh
     data, more = scene_data(mesh, name, frames, screen, framing, look)
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
+    side = 0 if look.is_fixed else _side_of_path(scene)
+    if "images" in data["objects"][0] and 0 < side < look.texels:
+        data["objects"][0]["images"]["size"] = side
+        scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0
         del data["view"]["depth"]

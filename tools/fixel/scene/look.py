@@ -10,18 +10,21 @@ from dataclasses import dataclass, fields
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
+SIDES = tuple(1 << bits for bits in range(9))   # of a texture
 CREASE = 40                     # degrees: edges that bend less do not show
-TEXELS = (128, 64, 32, 16)      # of a texture's side: the most first
+TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 
 
 @dataclass(frozen=True)
 class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
-    0 without textures. smooth: degrees up to which an edge does not show, 0 for flat faces."""
+    0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
+    does not show, 0 for flat faces."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
     smooth: int = CREASE
+    is_fixed: bool = False
 
     @property
     def bits(self):
@@ -38,6 +41,7 @@ class Asked:
     palette: bool = False
     flat: bool = False
     no_textures: bool = False
+    texture: int = None
     sorted: bool = False
     smooth: int = None
     write: str = None
@@ -58,10 +62,18 @@ def _degrees(text):
     return int(text)
 
 
+def _side(text):
+    if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in SIDES:
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is not a power of two from 1 to {SIDES[-1]}")
+    return int(text)
+
+
 def _add(group):
     group.add_argument("--palette", action="store_true", help="draw in a palette instead of RGB565")
     group.add_argument("--flat", action="store_true", help="light each face as a whole, also where normals are smooth")
     group.add_argument("--no-textures", action="store_true", help="give each face its image's mean colour")
+    group.add_argument("--texture", type=_side, metavar="TEXELS", help="the most texels of a texture's side, a power of two up to "
+                       f"{SIDES[-1]} (default: what the path shows)")
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
     group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help=f"edges that bend less do not show (default: {CREASE})")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
@@ -99,6 +111,8 @@ def of_options(options):
                      else getattr(options, each.name, each.default) for each in fields(Asked)})
     if asked.flat and asked.smooth is not None:
         raise ToolError("--flat and --smooth exclude each other: leave one out")
+    if asked.no_textures and asked.texture is not None:
+        raise ToolError("--no-textures and --texture exclude each other: leave one out")
     return asked
 
 
@@ -127,17 +141,19 @@ def targets(asked, target, has_tree):
 def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
     crease = CREASE if asked.smooth is None else asked.smooth
-    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0)
+    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0,
+                asked.texture is not None and texels == asked.texture)
 
 
 def best(asked, target, has_tree):
     """The Look where there is room for all."""
-    return of(asked, *targets(asked, target, has_tree)[0])
+    return smaller(asked, *targets(asked, target, has_tree)[0])[0]
 
 
 def smaller(asked, pixels, depth):
     """The Looks of a target, each with a smaller image than the one before."""
-    found = [of(asked, pixels, depth, texels) for texels in (*TEXELS, 0)] + [of(asked, pixels, depth, 0, False)]
+    sides = TEXELS if asked.texture is None else (asked.texture, *(side for side in TEXELS if side < asked.texture))
+    found = [of(asked, pixels, depth, texels) for texels in (*sides, 0)] + [of(asked, pixels, depth, 0, False)]
     return list(dict.fromkeys(found))
 
 

@@ -357,6 +357,18 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). See _compile_data. Textures that the tool's light
     cannot be baked into get light at run time."""
     files = files or toml_model.Files(folder)
+    names = toml_texture.by_path(data)
+    if not names:
+        return _compile_lit(data, name, folder, frames, progress, screen, files)
+    toml_texture.check_by_path(Table(data, name, TOP_KEYS), names)
+    scene, _ = _compile_lit(data, name, folder, frames, progress, screen, files)
+    data, more = toml_texture.sizes_of_path(data, scene, names)
+    scene, notes = _compile_lit(data, name, folder, frames, progress, screen, files)
+    return scene, [*(f"{name}: {note}" for note in more), *notes]
+
+
+def _compile_lit(data, name, folder, frames, progress, screen, files):
+    """See compile_data; sizes of textures are numbers."""
     try:
         return _compile_data(data, name, folder, frames, progress, screen, files)
     except toml_texture.ManyDirections as found:

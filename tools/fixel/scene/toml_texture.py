@@ -6,7 +6,7 @@ import functools
 
 from fixel.image import image_surface
 from fixel.model import quantity
-from fixel.scene import surfaces, texture, toml_images
+from fixel.scene import surfaces, texture, texture_size, toml_images
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
 from fixel.scene.surfaces import Look, Paint
@@ -15,6 +15,7 @@ from fixel.scene.toml_table import Table
 KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
         "smooth", *toml_images.KEYS}
 _ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
+BY_PATH = "path"        # a size
 TEXTURES_MAX = 256      # of a scene file
 TEXELS_MAX = 16384      # a world unit
 DIRECTIONS_MAX = 16     # in which the textured faces of an object look, if the tool's light changes their colours
@@ -25,6 +26,43 @@ def _side(value, where):
     if isinstance(value, bool) or not isinstance(value, int) or not texture.is_side(value):
         raise ToolError(f"{where}: {quoted(value)} is not a power of two from 1 to {texture.SIDE_MAX}")
     return value
+
+
+def _file_side(row):
+    """The most texels of a side of a file's picture. "path" was made a number (sizes_of_path) or is the most."""
+    value = row.data.get("size", BY_PATH)
+    return texture.SIDE_MAX if value == BY_PATH else _side(value, row.at("size"))
+
+
+def by_path(data):
+    """The names of the textures of a scene file whose size is to be what the path shows."""
+    rows = data.get("textures")
+    return [row["name"] for row in rows if isinstance(row, dict) and row.get("size") == BY_PATH and "file" in row
+            and isinstance(row.get("name"), str)] if isinstance(rows, list) else []
+
+
+def check_by_path(top, names):
+    """Refuses a size by the path for a texture whose texels an object counts."""
+    for number, item in enumerate(top.rows("objects") if names else ()):
+        own = item if isinstance(item, dict) else {}
+        used = [own["texture"]] if "texture" in own else own.get("textures", [])
+        found = next((name for name in names if isinstance(used, list) and name in used), None)
+        key = next((key for key in ("texels_per_unit", "texel_offset") if key in own), None)
+        if found and key:
+            raise ToolError(f"{top.where}: object {number}: {key} counts texels, and the texture {quoted(found)} has a size by the "
+                            "path: give its size as a number")
+
+
+def sizes_of_path(data, scene, names):
+    """The scene file with sizes as numbers: what the path shows of the textures of a compiled scene."""
+    sides = {}
+    for number, needed in texture_size.needed(scene).items():
+        name = scene.surfaces.texture_names[number - 1]
+        sides[name] = max(sides.get(name, 1), *needed)
+    rows = [{**row, "size": sides.get(row["name"], 1)} if isinstance(row, dict) and row.get("name") in names else row
+            for row in data["textures"]]
+    notes = [f"texture {quoted(name)}: the path shows no more than {sides[name]} texels a side" for name in names if name in sides]
+    return {**data, "textures": rows}, notes
 
 
 def _pattern(row, pictures):
@@ -50,10 +88,9 @@ def _paint(data, where, pictures):
     row = Table(data, where, _ROW_KEYS)
     name, bits = row.text("name"), toml_images.texel_bits(row)
     if row.only_one("file", "pattern") == "file":
-        for key in ("size", "colours"):
-            if key in row:
-                raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
-        picture = pictures.file(row, _most(row, bits))
+        if "colours" in row:
+            raise ToolError(f"{row.at('colours')}: belongs to a pattern; a file has its own")
+        picture = pictures.file(row, _most(row, bits), side=_file_side(row))
     else:
         if "most_colours" in row:
             raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
