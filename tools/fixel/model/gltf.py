@@ -13,6 +13,7 @@ import numpy as np
 from fixel.model import gltf_check, gltf_left_out
 from fixel.base.errors import ToolError
 from fixel.model.gltf_material import Materials, srgb
+from fixel.model.gltf_nodes import Nodes
 from fixel.model.mesh import FILE_FACES_MAX, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
@@ -199,21 +200,25 @@ def read(path, name=None, progress=None, sources=None):
     name = name or str(path)
     sources = sources or Sources()
     checked = gltf_check.open_file(path, name, sources)
-    reader, matrices = _Reader(checked, progress), {None: np.eye(4)}
+    reader, matrices, known = _Reader(checked, progress), {None: np.eye(4)}, Nodes(checked)
     nodes = checked.rows("nodes")
     for number, parent in gltf_check.walk(checked):
         node, where = nodes[number], checked.label("node", number)
-        matrices[number] = matrices[parent] @ _matrix(checked, node, where)
+        own, faces, vertices = _matrix(checked, node, where), len(reader.faces), len(reader.vertices)
+        matrices[number] = matrices[parent] @ own
         if "mesh" in node:
             # The joints place what hangs on them: in the pose in which they were bound, which is that of the vertices.
             matrix = np.eye(4) if "skin" in node else matrices[number]
             chosen, mesh = checked.entry("meshes", node, "mesh", where)
             for i, part in enumerate(_parts(checked, mesh, checked.label("mesh", chosen))):
                 reader.part(part, matrix, f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
+        known.add(number, parent, own, matrices[number], (faces, len(reader.faces)), reader.vertices[vertices:])
     if not reader.faces:
         raise ToolError(f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + gltf_left_out.notes(checked)
-    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces), notes
+    left_out, more = gltf_left_out.notes(checked)
+    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
+    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, groups=known.groups(),
+                scenery=known.scenery(left_out)), notes

@@ -36,18 +36,20 @@ class Mesh:
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
     uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
     groups: dict = field(default_factory=dict)  # {name: [(first face, behind the last)]}
+    scenery: object = None      # a nodes.Scenery of a file that has nodes
 
     @cached_property
     def extent(self):
         """The length of the longest side of the box about its vertices."""
         return max(max(axis) - min(axis) for axis in zip(*self.vertices))
 
-    def part(self, group):
-        """The mesh of a group's faces."""
-        numbers = sorted({number for first, end in self.groups[group] for number in range(first, end)})
+    def part(self, *groups):
+        """The mesh of the faces of some groups."""
+        numbers = sorted({number for group in groups for first, end in self.groups[group] for number in range(first, end)})
         vertices, faces, _ = without_unused(self.vertices, [self.faces[number] for number in numbers])
         return Mesh(vertices, faces, [self.places[number] for number in numbers],
-                    self.surfaces and self.surfaces.part(numbers), [self.uvs[number] for number in numbers])
+                    self.surfaces and self.surfaces.part(numbers, self.scenery is not None),
+                    [self.uvs[number] for number in numbers] if self.uvs else [])
 
 
 def without_unused(vertices, faces):

@@ -41,6 +41,7 @@ class Surfaces:
     of_face: list = field(default_factory=list)
     uvs: list = field(default_factory=list)
     tints: list = field(default_factory=list)
+    whole: object = None        # (Surfaces, numbers of faces) that these are a part of, and share images with
     _colours: list = field(default_factory=list)
 
     def add(self, material, uvs=None, tint=None):
@@ -49,10 +50,10 @@ class Surfaces:
         self.uvs.append(uvs)
         self.tints.append(tint)
 
-    def part(self, faces):
-        """The surfaces of some faces."""
+    def part(self, faces, shares):
+        """The surfaces of some faces. shares: whether their images are those of all faces."""
         return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces],
-                        [self.tints[face] for face in faces])
+                        [self.tints[face] for face in faces], (self, faces) if shares else None)
 
     def own_colour(self, face):
         """The colour of a face without its image."""

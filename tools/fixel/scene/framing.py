@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 import os
+import re
 
 import numpy as np
 
 from fixel.image import image
 from fixel.model import model_file
-from fixel.scene import texture_size, toml_images, toml_model, toml_scene, toml_text
+from fixel.scene import model_parts, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
 from fixel.base.reading import shortened
@@ -24,6 +25,7 @@ LEVELS = 4          # of a texture
 RAMP = 32           # levels of light at run time
 SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
 _FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
+REACH_MAX = 4       # radii from the middle: as far as parts that move are followed
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
 
 
@@ -87,9 +89,9 @@ def _is_smooth(mesh, degrees):
     return False
 
 
-def _look_of(mesh, look):
+def _look_of(mesh, look, moves):
     """(the keys of the object, those of the light, notes) by which a mesh looks so. Light of the tool's own stays where every
-    face has one colour."""
+    face has one colour and nothing moves."""
     if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
         return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
                             "are flat; simplify the model to have both"]
@@ -103,34 +105,42 @@ def _look_of(mesh, look):
     some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
             if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
     notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
-    return thing, {"levels": RAMP} if thing else _BAKED, notes
+    return thing, {"levels": RAMP} if thing or moves else _BAKED, notes
 
 
-def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
-    """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look."""
+def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, played=None):
+    """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look. played:
+    a model_parts.Played; None: the whole model in one part."""
+    played = played or model_parts.Played([model_parts.Part(None, [])])
     radius = framing.radius
     width, height = screen or (WIDTH, HEIGHT)
     points = np.array(mesh.vertices, dtype=float) / UNIT
-    points -= (points.min(axis=0) + points.max(axis=0)) / 2
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    points -= middle
     size = float(np.sqrt((points ** 2).sum(axis=1)).max())
     if not 1e-9 < size < 1e9:
         raise ToolError(f"{shortened(name)}: the model's radius of {size:g} cannot be framed")
     scale = toml_model.short(radius / size)
-    distance = max(_distance(points * float(scale), framing.start, frames or FRAMES, width, height),
-                   radius * 1.1)
+    moved, reach = (model_parts.moved_points(played, mesh) - middle) * float(scale), Fraction(radius)
+    if len(moved):
+        farthest = float(np.sqrt((moved ** 2).sum(axis=1)).max())
+        reach = max(reach, Fraction(math.ceil(min(farthest, REACH_MAX * radius) * 64), 64))
+        moved *= min(1.0, REACH_MAX * radius / max(farthest, 1e-9))
+    distance = max(_distance(np.concatenate([points * float(scale), moved]), framing.start, frames or FRAMES, width, height),
+                   reach * 1.1)
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
-    thing, light, notes = _look_of(mesh, look)
+    thing, light, notes = _look_of(mesh, look, any(part.pose is not None for part in played.parts))
     view = ({"pixels": "rgb565"} if look.pixels == "rgb565" else {}) | ({"depth": look.depth} if look.depth else {})
     return {
         "screen": {"width": width, "height": height},
-        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - radius) * Fraction(9, 10)),
-                 "far": (distance + radius) * Fraction(11, 10), **view},
+        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - reach) * Fraction(9, 10)),
+                 "far": (distance + reach) * Fraction(11, 10), **view},
         "background": "#1b2a38",
         "light": {"direction": list(framing.light), "ambient": Fraction(1, 3), **light},
-        "objects": [{"name": name, "model": name, "scale": scale, "anchor": "middle", "two_sided": "open", **thing,
-                     **({} if mesh.surfaces else {"colour": "#e8a860"})}],
+        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "open", **thing,
+                                                                   **({} if mesh.surfaces else {"colour": "#e8a860"})}),
         "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
                            "frames": frames or FRAMES}},
     }, [f"{shortened(name)}: {note}" for note in notes]
@@ -155,23 +165,36 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = toml_model.near_origin(mesh)
     files[file] = mesh
-    data, more = scene_data(mesh, name, frames, screen, framing, look)
+    played = model_parts.divide(mesh, shortened(name), look)
+    data, more = scene_data(mesh, name, frames, screen, framing, look, played)
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
-    side = 0 if look.is_fixed else _side_of_path(scene)
-    if "images" in data["objects"][0] and 0 < side < look.texels:
-        data["objects"][0]["images"]["size"] = side
+    side, shown = 0 if look.is_fixed else _side_of_path(scene), [thing for thing in data["objects"] if "images" in thing]
+    if shown and 0 < side < look.texels:
+        for thing in shown:
+            thing["images"] = {**thing["images"], "size": side}
         scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
+    told = {mesh.scenery.left_out.get(kind) for kind in played.uses}
+    read_notes, more, notes = [note for note in read_notes if note not in told], played.notes + more, _first_of_a_kind(notes)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0
         del data["view"]["depth"]
-    scene.names = []    # the file's name, which says nothing to a program
+    scene.names = [None if each == name else each for each in scene.names]  # the file's name says nothing to a program
+    scene.names = scene.names if any(scene.names) else []
     scene.text = _text_of(data, path, write) if write else None
     return scene, read_notes + more + notes + [f"{file}: framed by default: scaled by "
                            f"{float(data['objects'][0]['scale']):.6g}, turned once in "
                            f"{len(scene.path)} frames"]
 
 
+def _first_of_a_kind(notes):
+    """Of notes that differ in numbers and names alone, as those of many parts do, the first, and how many there are."""
+    found = {}
+    for note in notes:
+        found.setdefault(re.sub(r'\("[^"]*"\)|[0-9][0-9,.]*', "", note), []).append(note)
+    return [same[0] + (f" (parts of which the like holds: {len(same):,})" if len(same) > 1 else "") for same in found.values()]
+
+
 def _text_of(data, path, write):
     """The scene file of a model that is to stand at a place."""
-    thing = {**data["objects"][0], "model": os.path.relpath(path, os.path.dirname(write) or ".")}
-    return toml_text.text({**data, "objects": [thing]})
+    model = os.path.relpath(path, os.path.dirname(write) or ".")
+    return toml_text.text({**data, "objects": [{**thing, "model": model} for thing in data["objects"]]})

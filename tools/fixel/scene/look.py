@@ -19,12 +19,17 @@ TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
     0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
-    does not show, 0 for flat faces."""
+    does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
+    animation: a pattern of the name of the one that is played; "": the first. whole: whether the model is one object, and nothing
+    of it moves."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
     smooth: int = CREASE
     is_fixed: bool = False
+    keep: str = ""
+    animation: str = ""
+    whole: bool = False
 
     @property
     def bits(self):
@@ -32,7 +37,7 @@ class Look:
         return 16 if self.pixels == "rgb565" else 8
 
 
-PLAIN = Look("palette", 0, 0, 0)
+PLAIN = Look("palette", 0, 0, 0, whole=True)
 
 
 @dataclass(frozen=True)
@@ -44,6 +49,8 @@ class Asked:
     texture: int = None
     sorted: bool = False
     smooth: int = None
+    keep: str = ""
+    animation: str = ""
     write: str = None
 
     def __bool__(self):
@@ -76,6 +83,9 @@ def _add(group):
                        f"{SIDES[-1]} (default: what the path shows)")
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
     group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help=f"edges that bend less do not show (default: {CREASE})")
+    group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file that stay objects of their own, such as "
+                       "'wheel*,door'")
+    group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
 
 
@@ -142,7 +152,7 @@ def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
     crease = CREASE if asked.smooth is None else asked.smooth
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0,
-                asked.texture is not None and texels == asked.texture)
+                asked.texture is not None and texels == asked.texture, asked.keep, asked.animation)
 
 
 def best(asked, target, has_tree):

@@ -10,7 +10,7 @@ import math
 from fixel.base import reading
 from fixel.model import merge, model_file, suffixes, t_junctions
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT, rounding_error, shape
+from fixel.model.mesh import UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
 
@@ -25,7 +25,7 @@ class Files:
 
     def __init__(self, folder):
         self.folder, self.sources = folder, Sources()
-        self.by_name, self.by_path, self.meshes, self.parts = {}, {}, {}, {}
+        self.by_name, self.by_path, self.meshes, self.parts, self.moved = {}, {}, {}, {}, {}
 
     def file(self, name):
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
@@ -48,13 +48,27 @@ class Files:
     def __setitem__(self, name, mesh):
         self.meshes[self._key(name)] = mesh
 
-    def part(self, name, group, where):
-        """The mesh of a group of a file that was read."""
-        key = self._key(name), group
+    def part(self, name, groups, where, by_node=False):
+        """The mesh of some groups of a file that was read. by_node: about the origin of the whole file."""
+        key = self._key(name), groups, by_node
         if key not in self.parts:
-            _check_group(self[name], *key, where)
-            self.parts[key] = self[name].part(group)
+            mesh = self._about_origin(name) if by_node else self[name]
+            for group in groups:
+                _check_group(mesh, key[0], group, where)
+            self.parts[key] = mesh.part(*groups)
         return self.parts[key]
+
+    def pivot(self, name, groups):
+        """The mesh of one point: that about which the first of some nodes of a file turns; None where it has no such node."""
+        mesh = self._about_origin(name)
+        node = mesh.scenery.nodes.get(groups[0]) if mesh.scenery else None
+        return node and Mesh([node.pivot], [])
+
+    def _about_origin(self, name):
+        key = self._key(name)
+        if key not in self.moved:
+            self.moved[key] = near_origin(self[name])
+        return self.moved[key]
 
     def values(self):
         """The mesh of each file."""
@@ -63,7 +77,7 @@ class Files:
 
 def _check_group(mesh, file, group, where):
     if not mesh.groups:
-        raise ToolError(f"{where}: {file} has no groups; o and g of an OBJ file name them")
+        raise ToolError(f"{where}: {file} has no groups; o and g of an OBJ file name them, and the nodes of a glTF file")
     if group not in mesh.groups:
         names = list(itertools.islice(mesh.groups, NEAR_MAX))
         near = difflib.get_close_matches(group[:QUOTE_MAX], names, 1, 0) or names
@@ -94,7 +108,9 @@ def near_origin(mesh):
     middle = [(a + b) // 2 for a, b in zip(low, high)]
     if max(map(abs, middle)) <= 8 * max(b - a for a, b in zip(low, high)):
         return mesh
-    return replace(mesh, vertices=[tuple(c - m for c, m in zip(vertex, middle)) for vertex in mesh.vertices])
+    way = [-m for m in middle]
+    return replace(mesh, vertices=[tuple(c + w for c, w in zip(vertex, way)) for vertex in mesh.vertices],
+                   scenery=mesh.scenery and mesh.scenery.moved(way, UNIT))
 
 
 def short(value):

@@ -12,7 +12,7 @@ from fixel.scene import (palette, parts, toml_billboard, toml_images, toml_light
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
-from fixel.model.mesh import FACES_MAX, two_sided
+from fixel.model.mesh import FACES_MAX, transform, two_sided
 from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.turning import matrix
@@ -85,6 +85,14 @@ def _solid_options(table):
     return options
 
 
+def _groups(table):
+    """The names of an object's groups: one, or a list of them."""
+    value = table.need("group")
+    if isinstance(value, list) and value and all(isinstance(each, str) for each in value):
+        return tuple(value)
+    return (table.text("group"),)
+
+
 def _parts(table):
     """(across, along) of the parts that an object is divided into; None for one that is not."""
     return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
@@ -122,8 +130,17 @@ class Objects:
         self.notes += notes
         if "group" not in table:
             return self.files[name], name, (name,)
-        group = table.text("group")
-        return self.files.part(name, group, table.at("group")), name, (name, group)
+        groups, by_node = _groups(table), table.data.get("anchor") == "node"
+        return self.files.part(name, groups, table.at("group"), by_node), name, (name, groups, by_node)
+
+    def _pivot(self, table, name, rows):
+        """The point about which an object's node turns, in 16.16; None unless the node is its anchor."""
+        if table.data.get("anchor") != "node":
+            return None
+        pivot = self.files.pivot(name, _groups(table)) if "group" in table and "solid" not in table else None
+        if pivot is None:
+            raise ToolError(f'{table.at("anchor")}: "node" needs a group that is a node of a glTF file')
+        return transform(pivot, rows)[0]
 
     def _look_of(self, table):
         """What an object says of its surfaces; one that says nothing has the same as all others that do not."""
@@ -151,8 +168,10 @@ class Objects:
         if key not in self.shapes:
             self.progress.stage(table.where)
             mesh = toml_model.near_origin(mesh) if is_middle else mesh
+            pivot = self._pivot(table, name, matrix(scale, rotation))
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress, "solid" not in table)
             self.notes += made.notes
+            made.middle = pivot or made.middle
             made = self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
@@ -294,7 +313,7 @@ class Objects:
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
-        anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
+        anchor = table.choice("anchor", "origin", ["origin", "base", "middle", "node"])
         look = self._look_of(table)
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
