@@ -71,7 +71,7 @@ const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,      
 /* A controller whose common glass fills its memory. */
 #define OF_COLOURS(columns, rows, width, height, access, is_inverted) \
     { \
-        &fxl_display_colour, NULL, 0, columns, rows, width, height, 0, access, is_inverted \
+        &fxl_display_colour, NULL, 0, columns, rows, width, height, 0, access, is_inverted, false \
     }
 
 /* Its glass is blue, green, red, and its columns run from right to left. */

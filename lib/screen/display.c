@@ -93,8 +93,8 @@ static uint8_t turned_access(const fxl_display_driver *driver, uint32_t access,
     return (uint8_t)access;
 }
 
-/* Of pages, mirrored rows are those of the glass: the row of the memory that it begins with stays
- * the first one. */
+/* Of pages, one axis is mirrored as the glass is scanned: the row of the memory, or the column of
+ * an SH1107, that the glass begins with stays the first one. */
 fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                                              uint32_t quarter_turns)
 {
@@ -104,10 +104,12 @@ fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
     }
     const fxl_display_driver *driver = module->driver;
     const bool is_exchanged = exchanges(quarter_turns), is_mirrored = mirrors_down(quarter_turns);
-    const uint16_t left = mirrors_across(quarter_turns)
+    const bool is_left_kept = driver->scans_columns;
+    const bool is_top_kept = driver->family->exchanges == 0 && !driver->scans_columns;
+    const uint16_t left = mirrors_across(quarter_turns) && !is_left_kept
                               ? (uint16_t)(module->columns - module->width - module->left)
                               : module->left;
-    const uint16_t top = is_mirrored && driver->family->exchanges != 0
+    const uint16_t top = is_mirrored && !is_top_kept
                              ? (uint16_t)(module->rows - module->height - module->top)
                              : module->top;
     config.driver = driver;

@@ -79,4 +79,4 @@ const fxl_display_family fxl_display_ssd1351 = {&fxl_pixels_rgb565, set_up,     
 
 /* Bits 6, 5 and 2: 16 bits a pixel, odd and even rows on two sides, red in the upper bits. */
 const fxl_display_driver fxl_ssd1351 = {
-    &fxl_display_ssd1351, NULL, 0, 128, 128, 128, 128, 0, 0x74, false};
+    &fxl_display_ssd1351, NULL, 0, 128, 128, 128, 128, 0, 0x74, false, false};
