@@ -18,8 +18,8 @@ extern "C" {
 typedef struct {
     void *user; /* handed to all functions */
 
-    /* Sends bytes, and returns when they are sent. SPI, mode 0: with the D/C line low for a command
-     * and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
+    /* Sends bytes, and returns when they are sent. SPI, mode 0, or mode 3 for a module without a CS
+     * pin: with the D/C line low for a command and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
     bool (*send)(void *user, bool is_data, const uint8_t *bytes, size_t size);
 
     /* Begins to send data as send does, by DMA say, and returns at once. May be null: then send is

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Modules with displays as they are sold: what fxl_display_config_turned takes. A program links the
- * records that it names. None was tried on glass; docs/displays.md, "Modules as they are sold", has
- * a table of them. */
+ * records that it names. None was tried on glass. docs/displays.md, "Modules as they are sold", has
+ * a table of them: colours, SPI mode, clock, and where the pins are at turn 0. */
 #ifndef FXL_MODULES_H
 #define FXL_MODULES_H
 
