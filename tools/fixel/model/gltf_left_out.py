@@ -14,7 +14,7 @@ READ = ("KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_unlit",
         "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp")
 _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
 _LISTS = {"animations": "animations: the model is shown as it stands without", "skins": "skins: what hangs on joints is shown in the pose "
-          "in which it was bound", "cameras": "cameras"}
+          "in which it was bound", "cameras": "cameras; --camera NAME takes one as the path of a model without a scene file"}
 
 
 def refuse_required(name, required):

@@ -7,7 +7,7 @@ import functools
 
 import numpy as np
 
-from fixel.model import gltf_motion
+from fixel.model import gltf_motion, gltf_scenery
 from fixel.model.mesh import UNIT
 from fixel.model.nodes import FRAMES_MAX, RATE, Node, Scenery
 from fixel.base.reading import shortened
@@ -81,7 +81,13 @@ class Nodes:
 
     def scenery(self, left_out):
         """The Scenery of the nodes. left_out: as there."""
-        return Scenery(self._nodes(None), len(self.names), left_out, gltf_motion.names(self.checked), self._play)
+        return Scenery(self._nodes(None), len(self.names), left_out, gltf_motion.names(self.checked), self._play,
+                       self._all(gltf_scenery.camera), self._all(gltf_scenery.light))
+
+    def _all(self, read):
+        """What is read of each node that has it."""
+        found = (read(self.checked, number, name, self.worlds[number]) for number, name in self.names.items())
+        return [each for each in found if each is not None]
 
     def _play(self, wanted):
         """The nodes with an animation, how many frames it takes, and notes."""

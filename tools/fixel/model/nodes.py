@@ -35,6 +35,36 @@ class Node:
         return replace(self, pivot=tuple(p + w for p, w in zip(self.pivot, way)), poses=self.poses and poses)
 
 
+@dataclass(frozen=True)
+class _Placed:
+    """matrix: of 3x4, from what stands at a node to the vertices as they are read; it looks along its z."""
+
+    def moved(self, way, unit):
+        """The same of a file whose vertices lie so far on."""
+        step = np.array([c / unit for c in way])
+        return replace(self, matrix=np.column_stack([self.matrix[:, :3], self.matrix[:, 3] + step]))
+
+
+@dataclass(frozen=True)
+class Camera(_Placed):
+    """name: of its node. angle: of its view, from top to bottom in degrees; None without perspective. near: in the file's units."""
+    name: str
+    angle: float
+    near: float
+    matrix: object
+
+
+@dataclass(frozen=True)
+class Light(_Placed):
+    """name: of its node. kind: directional, point or spot. strength: in the file's units. range: in the file's units, or None."""
+    name: str
+    kind: str
+    strength: float
+    range: float
+    is_coloured: bool
+    matrix: object
+
+
 @dataclass
 class Scenery:
     """What a file has beside faces. nodes: {name: Node}, parents first. left_out: {kind: what there is to say where nothing
@@ -45,10 +75,13 @@ class Scenery:
     left_out: dict = field(default_factory=dict)
     animations: list = field(default_factory=list)
     play: object = None
+    cameras: list = field(default_factory=list)     # of Camera
+    lights: list = field(default_factory=list)      # of Light
 
     def moved(self, way, unit):
         """The same of a file whose vertices lie so far on."""
         def play(wanted):
             nodes, frames, notes = self.play(wanted)
             return {name: node.moved(way, unit) for name, node in nodes.items()}, frames, notes
-        return replace(self, nodes={name: node.moved(way, unit) for name, node in self.nodes.items()}, play=self.play and play)
+        return replace(self, nodes={name: node.moved(way, unit) for name, node in self.nodes.items()}, play=self.play and play,
+                       cameras=[camera.moved(way, unit) for camera in self.cameras], lights=[light.moved(way, unit) for light in self.lights])

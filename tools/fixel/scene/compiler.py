@@ -43,8 +43,9 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
 
 def _still(look, scene):
     """The Look of a model that has a tree: in one part, of which nothing moves."""
-    if look.keep or look.animation:
-        raise ToolError(f"{scene}: --tree and {'--keep' if look.keep else '--animation'} exclude each other: a tree holds what stands still, "
+    option = next((name for name in ("keep", "animation") if getattr(look, name)), None)
+    if option:
+        raise ToolError(f"{scene}: --tree and --{option} exclude each other: a tree holds what stands still, "
                         "in one object")
     return dataclasses.replace(look, whole=True)
 

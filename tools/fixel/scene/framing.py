@@ -11,7 +11,7 @@ import numpy as np
 
 from fixel.image import image
 from fixel.model import model_file
-from fixel.scene import model_parts, texture_size, toml_images, toml_model, toml_scene, toml_text
+from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT
 from fixel.base.reading import shortened
@@ -89,9 +89,22 @@ def _is_smooth(mesh, degrees):
     return False
 
 
-def _look_of(mesh, look, moves):
+@dataclass(frozen=True)
+class Place:
+    """Where points of a model are in the world: the middle of the model in the file's units, and world units of one of those."""
+    middle: object
+    scale: float
+
+    def __call__(self, point):
+        return (point - self.middle) * self.scale
+
+
+AMBIENT = Fraction(1, 3)
+
+
+def _look_of(mesh, look, moves, place, radius):
     """(the keys of the object, those of the light, notes) by which a mesh looks so. Light of the tool's own stays where every
-    face has one colour and nothing moves."""
+    face has one colour, nothing moves, and the file has no lights."""
     if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
         return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
                             "are flat; simplify the model to have both"]
@@ -105,6 +118,10 @@ def _look_of(mesh, look, moves):
     some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
             if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
     notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
+    lights = mesh.scenery.lights if mesh.scenery and not look.whole else []
+    if any(light.strength > 0 for light in lights):
+        keys, more = model_scenery.light_keys(lights, place, radius, AMBIENT)
+        return thing, {"levels": RAMP, **keys}, notes + more
     return thing, {"levels": RAMP} if thing or moves else _BAKED, notes
 
 
@@ -131,18 +148,25 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
-    thing, light, notes = _look_of(mesh, look, any(part.pose is not None for part in played.parts))
+    place = Place(middle, float(scale))
+    thing, light, notes = _look_of(mesh, look, any(part.pose is not None for part in played.parts), place, radius)
+    played.uses |= {"lights"} if "strength" in light else set()
     view = ({"pixels": "rgb565"} if look.pixels == "rgb565" else {}) | ({"depth": look.depth} if look.depth else {})
+    seen = {"fov": FOV, "near": max(Fraction(3, 10), (distance - reach) * Fraction(9, 10)), "far": (distance + reach) * Fraction(11, 10)}
+    path = {"orbit": {"radius": flat, "height": rise, "start": framing.start, "frames": frames or FRAMES}}
+    if look.camera:
+        camera = model_scenery.chosen(mesh.scenery.cameras if mesh.scenery else [], look.camera, shortened(name))
+        seen, path = model_scenery.camera_keys(camera, played.poses.get(camera.name), place, (width, height),
+                                               frames or played.frames or FRAMES, float(reach))
+        played.uses.add("cameras")
     return {
         "screen": {"width": width, "height": height},
-        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - reach) * Fraction(9, 10)),
-                 "far": (distance + reach) * Fraction(11, 10), **view},
+        "view": {**seen, **view},
         "background": "#1b2a38",
-        "light": {"direction": list(framing.light), "ambient": Fraction(1, 3), **light},
+        "light": {"direction": list(framing.light), "ambient": AMBIENT, **light},
         "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "open", **thing,
                                                                    **({} if mesh.surfaces else {"colour": "#e8a860"})}),
-        "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
-                           "frames": frames or FRAMES}},
+        "path": path,
     }, [f"{shortened(name)}: {note}" for note in notes]
 
 
@@ -182,8 +206,8 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     scene.names = scene.names if any(scene.names) else []
     scene.text = _text_of(data, path, write) if write else None
     return scene, read_notes + more + notes + [f"{file}: framed by default: scaled by "
-                           f"{float(data['objects'][0]['scale']):.6g}, turned once in "
-                           f"{len(scene.path)} frames"]
+                           f"{float(data['objects'][0]['scale']):.6g}, " + (f"seen by {shortened(look.camera)} for" if look.camera else "turned once in") +
+                           f" {len(scene.path)} frames"]
 
 
 def _first_of_a_kind(notes):

@@ -20,7 +20,8 @@ class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
     0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
     does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
-    animation: a pattern of the name of the one that is played; "": the first. whole: whether the model is one object, and nothing
+    animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
+    makes the path; "": a circle. whole: whether the model is one object, and nothing
     of it moves."""
     pixels: str = "rgb565"
     depth: int = 16
@@ -29,6 +30,7 @@ class Look:
     is_fixed: bool = False
     keep: str = ""
     animation: str = ""
+    camera: str = ""
     whole: bool = False
 
     @property
@@ -51,6 +53,7 @@ class Asked:
     smooth: int = None
     keep: str = ""
     animation: str = ""
+    camera: str = ""
     write: str = None
 
     def __bool__(self):
@@ -86,6 +89,7 @@ def _add(group):
     group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file that stay objects of their own, such as "
                        "'wheel*,door'")
     group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
+    group.add_argument("--camera", metavar="NAME", default="", help="the camera of a glTF file that the path follows (default: a circle)")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
 
 
@@ -152,7 +156,8 @@ def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
     crease = CREASE if asked.smooth is None else asked.smooth
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0,
-                asked.texture is not None and texels == asked.texture, asked.keep, asked.animation)
+                asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
+                asked.camera)
 
 
 def best(asked, target, has_tree):

@@ -48,6 +48,7 @@ class Played:
     frames: int = 0
     notes: list = field(default_factory=list)
     uses: set = field(default_factory=set)      # kinds of scenery.left_out that are not left out
+    poses: dict = field(default_factory=dict)   # of cameras that the animation moves, matrices of 3x4, one a frame
 
 
 def _kept(nodes, patterns, name):
@@ -133,7 +134,7 @@ def divide(mesh, name, look):
     """The Played of a file. look: a look.Look."""
     scenery = mesh.scenery
     if scenery is None or look.whole:
-        for option, value in (("--keep", look.keep), ("--animation", look.animation)):
+        for option, value in (("--keep", look.keep), ("--animation", look.animation), ("--camera", look.camera)):
             if value and scenery is None:
                 raise ToolError(f"{name}: {option} is for the nodes of a glTF file; this file has none")
         return Played([Part(None, [])])
@@ -151,7 +152,8 @@ def divide(mesh, name, look):
         moving = sum(part.is_turned for part in parts)
         notes.append(f"{name}: the animation takes {frames:,} frames and moves {moving:,} parts" if moving else
                      f"{name}: the animation moves nothing that has faces")
-    return Played(parts, frames, notes, uses)
+    poses = {camera.name: nodes[camera.name].poses() for camera in scenery.cameras if nodes[camera.name].poses is not None}
+    return Played(parts, frames, notes, uses, poses)
 
 
 def _relative(part):
