@@ -9,7 +9,7 @@ built, the memory alone decides."""
 
 import pathlib
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
@@ -220,7 +220,7 @@ def choose(options, room, build, folder):
     cheaper = None
     is_small = sum(len(model.faces) for model in drawn.scene.models) <= CHEAPER_FACES_MAX
     if drawn.instructions and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
-        cheaper = chooser.draw(looks.Look("palette", drawn.look.depth, drawn.look.texels, drawn.look.smooth, drawn.look.is_fixed))
+        cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
     for each in why:
         print(f"  {one_line(options.scene)}: not in {each}", file=sys.stderr)
     print(f"  {one_line(options.scene)}: {_line(drawn, cheaper)}", file=sys.stderr)

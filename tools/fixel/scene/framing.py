@@ -107,7 +107,7 @@ def _look_of(mesh, look, moves, place, radius):
     face has one colour, nothing moves, and the file has no lights."""
     if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
         return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
-                            "are flat; simplify the model to have both"]
+                            f"are flat; --simplify {SURFACES_MAX} has both"]
     unlit = bool(mesh.surfaces) and mesh.surfaces.are_unlit()
     images = look.texels and mesh.surfaces and toml_images.has_looks(mesh.surfaces)
     smooth = look.smooth and not unlit and _is_smooth(mesh, look.smooth)
@@ -159,12 +159,13 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
         seen, path = model_scenery.camera_keys(camera, played.poses.get(camera.name), place, (width, height),
                                                frames or played.frames or FRAMES, float(reach))
         played.uses.add("cameras")
+    more = {"simplify": look.simplify} if look.simplify else {}
     return {
         "screen": {"width": width, "height": height},
         "view": {**seen, **view},
         "background": "#1b2a38",
         "light": {"direction": list(framing.light), "ambient": AMBIENT, **light},
-        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "open", **thing,
+        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "open", **thing, **more,
                                                                    **({} if mesh.surfaces else {"colour": "#e8a860"})}),
         "path": path,
     }, [f"{shortened(name)}: {note}" for note in notes]
@@ -189,6 +190,8 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = toml_model.near_origin(mesh)
     files[file] = mesh
+    if look.simplify:
+        mesh = files[files.fewer(file, look.simplify)]
     played = model_parts.divide(mesh, shortened(name), look)
     data, more = scene_data(mesh, name, frames, screen, framing, look, played)
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)

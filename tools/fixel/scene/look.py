@@ -11,6 +11,7 @@ from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
 SIDES = tuple(1 << bits for bits in range(9))   # of a texture
+FACES_MAX = 1 << 20             # of a file
 CREASE = 40                     # degrees: edges that bend less do not show
 TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 
@@ -22,7 +23,7 @@ class Look:
     does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
     animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
     makes the path; "": a circle. whole: whether the model is one object, and nothing
-    of it moves."""
+    of it moves. simplify: how many faces it has at most, None for its own."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
@@ -32,6 +33,7 @@ class Look:
     animation: str = ""
     camera: str = ""
     whole: bool = False
+    simplify: int = None
 
     @property
     def bits(self):
@@ -54,6 +56,7 @@ class Asked:
     keep: str = ""
     animation: str = ""
     camera: str = ""
+    simplify: int = None
     write: str = None
 
     def __bool__(self):
@@ -78,6 +81,12 @@ def _side(text):
     return int(text)
 
 
+def _faces(text):
+    if not re.fullmatch("[0-9]{1,7}", text) or not 4 <= int(text) <= FACES_MAX:
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is not a whole number of faces from 4 to {FACES_MAX:,}")
+    return int(text)
+
+
 def _add(group):
     group.add_argument("--palette", action="store_true", help="draw in a palette instead of RGB565")
     group.add_argument("--flat", action="store_true", help="light each face as a whole, also where normals are smooth")
@@ -90,6 +99,7 @@ def _add(group):
                        "'wheel*,door'")
     group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
     group.add_argument("--camera", metavar="NAME", default="", help="the camera of a glTF file that the path follows (default: a circle)")
+    group.add_argument("--simplify", type=_faces, metavar="FACES", help="make a model of at most so many triangles of it first")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
 
 
@@ -157,7 +167,8 @@ def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     crease = CREASE if asked.smooth is None else asked.smooth
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0,
                 asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
-                asked.camera)
+                asked.camera,
+                simplify=asked.simplify)
 
 
 def best(asked, target, has_tree):
@@ -182,4 +193,4 @@ def smaller_text(name, chosen):
     """What there is to say of a Look that was not the first of those."""
     what = f"textures of at most {chosen.texels} texels a side" if chosen.texels else \
         "no textures" if chosen.smooth else "no textures and no smooth light"
-    return f"{name}: a scene image holds no more than {what} of this model; simplify it to have all"
+    return f"{name}: a scene image holds no more than {what} of this model; give it fewer faces (--simplify) to have all"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
 
+import copy
 from dataclasses import replace
 import difflib
 from fractions import Fraction
@@ -8,13 +9,13 @@ import itertools
 import math
 
 from fixel.base import reading
-from fixel.model import merge, model_file, suffixes, t_junctions
+from fixel.model import merge, model_file, simplify, suffixes, t_junctions
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT, Mesh, rounding_error, shape
+from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
 
-KEYS = {"obj", "model", "group", "fit", "mend", "merge"}
+KEYS = {"obj", "model", "group", "fit", "mend", "merge", "simplify"}
 NEAR_MAX = 1000     # names of groups among which the nearest is looked for
 FIT_MAX = 16382
 
@@ -26,6 +27,7 @@ class Files:
     def __init__(self, folder):
         self.folder, self.sources = folder, Sources()
         self.by_name, self.by_path, self.meshes, self.parts, self.moved = {}, {}, {}, {}, {}
+        self.simpler, self.results = {}, {}     # keys of meshes of fewer faces; what made them, a simplify.Result
 
     def file(self, name):
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
@@ -70,6 +72,17 @@ class Files:
             self.moved[key] = near_origin(self[name])
         return self.moved[key]
 
+    def fewer(self, name, count):
+        """The key of the mesh of a file that was read, with at most so many faces; of the file itself where it has no more."""
+        file = self._key(name)
+        if (file, count) not in self.simpler:
+            result = simplify.simplified(self[file], count, file)
+            key = copy.copy(file) if result else file
+            self.simpler[file, count] = key
+            if result:
+                self.meshes[key], self.results[key] = result.mesh, result
+        return self.simpler[file, count]
+
     def values(self):
         """The mesh of each file."""
         return self.meshes.values()
@@ -99,6 +112,11 @@ def read(table, key, files, progress):
     progress.stage(f"reading {file}")
     mesh, notes = reader(file, None, progress, files.sources)
     return mesh, file, notes
+
+
+def faces_asked(table):
+    """How many faces an object's model is to have at most; None where it is to keep them."""
+    return table.whole("simplify", None, simplify.FACES_MIN, FILE_FACES_MAX) if "simplify" in table else None
 
 
 def near_origin(mesh):

@@ -4,10 +4,11 @@ colours. Each becomes one or more instances of a coloured shape."""
 
 from dataclasses import dataclass
 from fractions import Fraction
+import math
 
 from fixel.image import image
 from fixel.model import island, quantity, solids
-from fixel.scene import (palette, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
+from fixel.scene import (palette, parts, simplified, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
                          toml_places, toml_texture)
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
@@ -108,6 +109,7 @@ class Objects:
         self.textures, self.looks, self.plain_look = textures or {}, {}, None
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
+        self.simplified = {}            # a simplified.Record of each model
         self.count = self.placed = 0    # objects, and their vertices
 
     def mesh(self, table):
@@ -128,10 +130,28 @@ class Objects:
                 raise ToolError(f"{table.at(key)}: means nothing for a file")
         self.files[table.text(source)], name, notes = toml_model.read(table, source, self.files, self.progress)
         self.notes += notes
+        if "simplify" in table:
+            self.progress.stage(f"simplifying {name}")
+            name = self.files.fewer(name, toml_model.faces_asked(table))
         if "group" not in table:
             return self.files[name], name, (name,)
         groups, by_node = _groups(table), table.data.get("anchor") == "node"
         return self.files.part(name, groups, table.at("group"), by_node), name, (name, groups, by_node)
+
+    def _record(self, table, found):
+        """Keeps what there is to say of an object whose model has fewer faces, and of its instances."""
+        mesh, name, _ = self.mesh(table)
+        if name not in self.files.results or not found:
+            return
+        scale = toml_model.fit(table, mesh) if "fit" in table else _scale(table)
+        record = self.simplified.setdefault(name, simplified.Record(name, self.files.results[name], toml_model.faces_asked(table)))
+        record.scale = max(record.scale, float(max(scale)))
+        radii = {}
+        for each in found:
+            made, moved = each.shape
+            if (id(made), moved) not in radii:
+                radii[id(made), moved] = max(math.dist(vertex, moved) for vertex in made.vertices)
+            record.balls.append(None if each.life else (each.centre, radii[id(made), moved]))
 
     def _pivot(self, table, name, rows):
         """The point about which an object's node turns, in 16.16; None unless the node is its anchor."""
@@ -352,6 +372,8 @@ class Objects:
                 result += self._parts_of(result.pop(), division or fitting, table,
                                          INSTANCES_MAX - self.count + len(places) - len(result))
         self.count += len(result) - len(places)
+        if "simplify" in table:
+            self._record(table, result)
         return result
 
     def _parts_of(self, whole, division, table, room):

@@ -8,7 +8,7 @@ import os
 
 from fixel.image import image, image_beam, image_header, image_lens
 from fixel.model import clusters, quantity
-from fixel.scene import (default_path, light_palette, palette, texture, toml_billboard, toml_light, toml_model,
+from fixel.scene import (default_path, light_palette, palette, simplified, texture, toml_billboard, toml_light, toml_model,
                          toml_motion, toml_table, toml_texture)
 from fixel.scene import path as walk
 from fixel.base.job import Quiet
@@ -425,6 +425,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
         scene.path, more = default_path.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
+    notes += [simplified.note(scene, record) for record in objects.simplified.values()]
     scene.names = [item.name for item in instances]
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     return scene, list(dict.fromkeys(notes))
