@@ -234,8 +234,10 @@ pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
 	@$(FIXEL) pictures --run $(BUILD)/plaza --out docs/plaza.png
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(FIXEL) first-program --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crowd --out docs/world.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crate --out docs/crate.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crowd --out docs/world.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crate --out docs/crate.png
+	@for each in $(notdir $(basename $(wildcard docs/examples/*.png))); do \
+	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example $$each --out docs/examples/$$each.png || exit 1; done
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
