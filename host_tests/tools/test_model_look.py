@@ -25,8 +25,10 @@ BALL = [(x, y) for y in range(17) for x in range(17)]
 def round_model(path, uvs=True):
     """A bowl of 512 triangles with an image."""
     points, triangles = grid(16, lambda x, y: -((x - 8) ** 2 + (y - 8) ** 2) / 16)
-    path.write_bytes(glb(*gltf(points, triangles, uvs=[(x / 16, y / 16) for x, y in BALL] if uvs else None,
-                               image=IMAGE if uvs else None)))
+    data, blob = gltf(points, triangles, uvs=[(x / 16, y / 16) for x, y in BALL] if uvs else None, image=IMAGE if uvs else None,
+                      material={})
+    data["materials"][0]["doubleSided"] = True
+    path.write_bytes(glb(data, blob))
     return path
 
 

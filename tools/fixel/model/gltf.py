@@ -93,7 +93,7 @@ class _Reader:
     def __init__(self, checked, progress):
         self.checked, self.progress = checked, progress
         self.materials, self.numbers = Materials(checked), {}
-        self.vertices, self.faces, self.places, self.surfaces = [], [], [], Surfaces()
+        self.vertices, self.faces, self.places, self.surfaces, self.normals = [], [], [], Surfaces(), []
         self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
 
     def _add_material(self, material):
@@ -149,6 +149,27 @@ class _Reader:
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
         placed = self._placed(points, matrix, where)
         self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
+        self._add_normals(attributes, triangles, matrix, len(points), where)
+
+    def _add_normals(self, attributes, triangles, matrix, count, where):
+        """The normals of the corners of faces that were added. Those that are no directions are left out."""
+        try:
+            values = self.checked.accessor(attributes["NORMAL"], where, ("VEC3",), _PARTS).astype(float)[:count] \
+                if "NORMAL" in attributes else np.zeros((0, 3))
+        except ToolError:
+            values = np.zeros((0, 3))
+        if len(values) != count or abs(np.linalg.det(matrix[:3, :3])) < 1e-30:
+            self.normals += [None] * len(triangles)
+            return
+        with np.errstate(all="ignore"):
+            # Normals go by the inverse of the matrix, transposed; z is negated.
+            turned = values @ np.linalg.inv(matrix[:3, :3]) * (1, 1, -1)
+            lengths = np.linalg.norm(turned, axis=1, keepdims=True)
+            turned = np.where(np.isfinite(lengths) & (lengths > 0), turned / lengths, np.nan)
+        order = slice(None, None, 1 if np.linalg.det(matrix[:3, :3]) < 0 else -1)
+        of_faces = turned[triangles[:, order]]
+        known = np.isfinite(of_faces).all(axis=(1, 2)).tolist()
+        self.normals += [list(map(tuple, three)) if good else None for three, good in zip(of_faces.tolist(), known)]
 
     def _count_part(self, where):
         self.parts += 1
@@ -221,4 +242,4 @@ def read(path, name=None, progress=None, sources=None):
     left_out, more = gltf_left_out.notes(checked)
     notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
     return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, groups=known.groups(),
-                scenery=known.scenery(left_out)), notes
+                normals=reader.normals if any(reader.normals) else [], scenery=known.scenery(left_out)), notes

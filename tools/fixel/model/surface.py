@@ -12,7 +12,8 @@ GREY = (200, 192, 176)      # of a material that names no colour
 class Material:
     """colour: red, green, blue, 0..255, which an image is multiplied by. opacity: 0..1. moves: None, or what becomes of
     a face's coordinates on the image: a function of (u, v). clamp: beyond its edges the image shows them; else it
-    repeats. is_unlit: light does not change the colour."""
+    repeats. is_unlit: light does not change the colour. is_two_sided: its faces have backs. is_clear: one may see through
+    its faces."""
     name: str
     colour: tuple = GREY
     opacity: float = 1.0
@@ -20,6 +21,8 @@ class Material:
     moves: object = None
     clamp: bool = False
     is_unlit: bool = False
+    is_two_sided: bool = False
+    is_clear: bool = False
 
 
 def mean_tint(colours):
@@ -82,6 +85,11 @@ class Surfaces:
     def are_unlit(self):
         """Whether light changes the colour of no face."""
         return all(self.materials[number].is_unlit for number in set(self.of_face))
+
+    def with_backs(self, is_open):
+        """The numbers of faces whose backs may be seen. is_open: whether the model is."""
+        wanted = {number for number, each in enumerate(self.materials) if each.is_two_sided and (is_open or each.is_clear)}
+        return {face for face, number in enumerate(self.of_face) if number in wanted}
 
     def kind_of(self, face):
         """What two faces have in common that may become one."""

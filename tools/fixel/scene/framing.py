@@ -13,9 +13,10 @@ from fixel.image import image
 from fixel.model import model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT
+from fixel.model.mesh import UNIT, dot, newell
 from fixel.base.reading import shortened
 from fixel.scene.look import PLAIN
+from fixel.scene.surfaces import OWN_COSINE
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
 MARGIN = 0.9        # how much of the screen the model may fill
@@ -89,6 +90,32 @@ def _is_smooth(mesh, degrees):
     return False
 
 
+def _has_own_normals(mesh):
+    """(whether a face has normals of the file that are not its own, whether all faces have some)."""
+    points, are_all = np.array(mesh.vertices, dtype=float).tolist(), True
+    for face, normals in zip(mesh.faces, mesh.normals):
+        if normals is None:
+            are_all = False
+            continue
+        own = newell([points[corner] for corner in face])
+        length = math.sqrt(dot(own, own))
+        cosines = [dot(own, normal) / (length * math.sqrt(dot(normal, normal))) for normal in normals] if length else []
+        if cosines and abs(sum(cosines)) > 0 and min(math.copysign(each, each * sum(cosines)) for each in cosines) < OWN_COSINE:
+            return True, are_all
+    return False, are_all
+
+
+def _smoothness(mesh, look):
+    """The value of smooth of a model's object: "file", degrees, or 0. A file whose normals are all those of its faces is flat."""
+    if not look.smooth:
+        return 0
+    if look.normals and mesh.normals:
+        bent, are_all = _has_own_normals(mesh)
+        if bent or are_all:
+            return "file" if bent else 0
+    return look.smooth if _is_smooth(mesh, look.smooth) else 0
+
+
 @dataclass(frozen=True)
 class Place:
     """Where points of a model are in the world: the middle of the model in the file's units, and world units of one of those."""
@@ -110,15 +137,15 @@ def _look_of(mesh, look, moves, place, radius):
                             f"are flat; --simplify {SURFACES_MAX} has both"]
     unlit = bool(mesh.surfaces) and mesh.surfaces.are_unlit()
     images = look.texels and mesh.surfaces and toml_images.has_looks(mesh.surfaces)
-    smooth = look.smooth and not unlit and _is_smooth(mesh, look.smooth)
+    smooth = not unlit and _smoothness(mesh, look)
     thing = {"images": {"size": look.texels, "bits": look.bits, "levels": LEVELS}} if images else {}
-    thing |= {"smooth": look.smooth} if smooth else {}
+    thing |= {"smooth": smooth} if smooth else {}
     if unlit:
         return {**thing, "shade": False}, _BAKED, []
     some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
             if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
     notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
-    lights = mesh.scenery.lights if mesh.scenery and not look.whole else []
+    lights = mesh.scenery.lights if not look.whole and mesh.scenery else []
     if any(light.strength > 0 for light in lights):
         keys, more = model_scenery.light_keys(lights, place, radius, AMBIENT)
         return thing, {"levels": RAMP, **keys}, notes + more
@@ -165,7 +192,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
         "view": {**seen, **view},
         "background": "#1b2a38",
         "light": {"direction": list(framing.light), "ambient": AMBIENT, **light},
-        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "open", **thing, **more,
+        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "file" if mesh.scenery else "open", **thing, **more,
                                                                    **({} if mesh.surfaces else {"colour": "#e8a860"})}),
         "path": path,
     }, [f"{shortened(name)}: {note}" for note in notes]

@@ -22,8 +22,8 @@ class Look:
     0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
     does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
     animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
-    makes the path; "": a circle. whole: whether the model is one object, and nothing
-    of it moves. simplify: how many faces it has at most, None for its own."""
+    makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
+    has at most, None for its own. normals: whether those of the file make smooth light where it has some."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
@@ -34,6 +34,7 @@ class Look:
     camera: str = ""
     whole: bool = False
     simplify: int = None
+    normals: bool = True
 
     @property
     def bits(self):
@@ -94,7 +95,8 @@ def _add(group):
     group.add_argument("--texture", type=_side, metavar="TEXELS", help="the most texels of a texture's side, a power of two up to "
                        f"{SIDES[-1]} (default: what the path shows)")
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
-    group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help=f"edges that bend less do not show (default: {CREASE})")
+    group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help="edges that bend less do not show, whatever "
+                       f"normals the file has (default: its normals; without them {CREASE})")
     group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file that stay objects of their own, such as "
                        "'wheel*,door'")
     group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
@@ -167,8 +169,7 @@ def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     crease = CREASE if asked.smooth is None else asked.smooth
     return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0,
                 asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
-                asked.camera,
-                simplify=asked.simplify)
+                asked.camera, simplify=asked.simplify, normals=asked.smooth is None)
 
 
 def best(asked, target, has_tree):

@@ -179,7 +179,7 @@ class Objects:
         mesh, name, identity = self.mesh(table)
         inside = table.switch("inside", False)
         rotation = tuple(a % 360 if a else a for a in rotation)
-        sides = self._sides(table)
+        sides = self._sides(table, mesh)
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
@@ -192,7 +192,8 @@ class Objects:
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress, "solid" not in table)
             self.notes += made.notes
             made.middle = pivot or made.middle
-            made = self._with_sides(made, sides, name, "solid" not in table)
+            made = self._of_material(made, mesh, name) if sides == "file" else \
+                self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
                 made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
@@ -200,12 +201,25 @@ class Objects:
         return self.shapes[key]
 
     @staticmethod
-    def _sides(table):
-        """False, True, or "open": both sides only where the mesh is open."""
+    def _sides(table, mesh):
+        """False, True, "open": both sides only where the mesh is open, or "file": as the materials of a glTF file say."""
         value = table.data.get("two_sided", False)
-        if not isinstance(value, bool) and value != "open":
-            raise ToolError(f"{table.at('two_sided')}: expected true, false or \"open\", found {quoted(value)}")
+        if not isinstance(value, bool) and value not in ("open", "file"):
+            raise ToolError(f"{table.at('two_sided')}: expected true, false, \"open\" or \"file\", found {quoted(value)}")
+        if value == "file" and mesh.scenery is None:
+            raise ToolError(f'{table.at("two_sided")}: "file" is for a glTF file, whose materials say so (doubleSided)')
         return value
+
+    def _of_material(self, made, mesh, name):
+        """The shape, with faces for the backs that the materials say may be seen."""
+        wanted, is_open = mesh.surfaces.with_backs(made.open_edges > 0), made.open_edges > 0
+        backs = sum(source in wanted for source in made.sources)
+        fits = len(made.faces) + backs <= FACES_MAX
+        if is_open:
+            why = "" if fits else f"; all backs would be more than {FACES_MAX:,} faces"
+            self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: the model is open; its materials "
+                              f"(doubleSided) show {backs if fits else 0:,} of {len(made.faces):,} faces from both sides" + why)
+        return two_sided(made, wanted) if backs and fits else made
 
     def _with_sides(self, made, sides, name, told):
         """The shape, with faces for both sides where they are wanted; told: says that the mesh is open."""

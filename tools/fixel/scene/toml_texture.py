@@ -9,6 +9,7 @@ from fixel.model import quantity
 from fixel.scene import surfaces, texture, texture_size, toml_images
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
+from fixel.scene.look import CREASE
 from fixel.scene.surfaces import Look, Paint
 from fixel.scene.toml_table import Table
 
@@ -141,6 +142,7 @@ class Wish:
         self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
         self.mixes = self._mixing(table)
         self.smooth, self.crease = self._smoothness(table)
+        self.by_normals = table.data.get("smooth") == "file"
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
@@ -167,6 +169,10 @@ class Wish:
     def _smoothness(table):
         """(whether the object is smooth, the degrees from which an edge shows, or None)."""
         value = table.data.get("smooth", False)
+        if value == "file":
+            if "solid" in table:
+                raise ToolError(f'{table.at("smooth")}: "file" means nothing for a solid')
+            return True, Fraction(CREASE)
         if isinstance(value, bool):
             return value, None
         degrees = quantity.in_range(quantity.degrees(value, table.at("smooth")), 1, 180, table.at("smooth"), "degrees")
@@ -224,7 +230,7 @@ class Wish:
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
         return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
-                    self.mixes, self.lit, self.smooth, self.crease, self.by_file)
+                    self.mixes, self.lit, self.smooth, self.crease, self.by_normals, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
@@ -275,6 +281,8 @@ class Wish:
     def looks(self, made, coordinates, bake, where):
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
         normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        if made.normals:
+            normals = [given or own for given, own in zip(made.normals, normals)]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
         if bake is not keep and not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
             raise ManyDirections(where)
@@ -321,6 +329,9 @@ _NO_PAINT = Paint(None, 8, True)
 
 def shape_of(wish, mesh, rows, made, scale, inside):
     """(shape, coordinates) with the wish's surfaces."""
-    return surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
+    made, coordinates = surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
+    if wish.by_normals and mesh.normals:
+        made.normals = surfaces.file_normals(mesh, rows, made)
+    return made, coordinates
 
 
