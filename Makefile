@@ -236,6 +236,8 @@ pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
 	@$(FIXEL) first-program --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crowd --out docs/world.png
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crate --out docs/crate.png
+	@for each in $(notdir $(basename $(wildcard docs/looks/*.png))); do \
+	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --look $$each --out docs/looks/$$each.png || exit 1; done
 	@for each in $(notdir $(basename $(wildcard docs/examples/*.png))); do \
 	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example $$each --out docs/examples/$$each.png || exit 1; done
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws the first program (examples/cube), or another example, on this machine and writes its picture."""
+"""Draws the first program (examples/cube), another example, or a pair of docs/looks.md on this machine and writes its picture."""
 
 import argparse
 import pathlib
@@ -13,6 +13,7 @@ def parser():
     made.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
     made.add_argument("--example", default="cube", metavar="NAME", help="a folder of examples whose pixels are entries of a palette, such as maze")
     made.add_argument("--neon", action="store_true", help="examples/neon")
+    made.add_argument("--look", metavar="NAME", help="a pair of pictures of docs/looks.md, by the program `frames` beside the library")
     return made
 
 
@@ -20,6 +21,10 @@ def main(argv):
     options = parser().parse_args(argv)
     from fixel.base import output, picture
     from fixel.report import examples
+    if options.look:
+        from fixel.report import looks
+        output.write_file(options.out, picture.png_bytes(looks.pair(options.library.parent / "frames", options.look)))
+        return 0
     if options.neon:
         output.write_file(options.out, picture.png_bytes(picture.palette_image(examples.draw_neon(options.library), picture.rgb565_colours())))
         return 0
