@@ -157,7 +157,7 @@ SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scene
 # These have been compared with the names that there are: firmware/firmware.mk.
 METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
-PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl %.ply,$(value SCENE)),$(BUILD)/host/predict)
+PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl %.ply,$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 
@@ -224,7 +224,7 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 
 screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
-	@$(MAKE) $(WALK)
+	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
 pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
@@ -290,7 +290,7 @@ LEFT_OUT_OF = $(subst $(space),$(,),$(patsubst WALK_WITHOUT_%,%,$(filter WALK_WI
 
 predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= LOOK= JSON=]
 	@tools/setup.sh predict
-	@$(MAKE) $(BUILD)/host/predict
+	@$(MAKE) $(sort $(BUILD)/host/predict $(PREDICTS))
 	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \
 	    --band $(BOARD_BAND_BYTES.$(BOARD_CHOSEN)) --order $(BOARD_ORDER_ENTRIES.$(BOARD_CHOSEN)) --list $(BOARD_LIST_BYTES.$(BOARD_CHOSEN)) \
 	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD_CHOSEN)) --list-most $(call LIST_MOST_OF,$(BOARD_CHOSEN)) $(addprefix --without ,$(call LEFT_OUT_OF,$(BOARD_CHOSEN)))

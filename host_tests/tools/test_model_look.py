@@ -9,7 +9,7 @@ import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli, without_progress
 from fixel.base.errors import ToolError
-from fixel.board import model_look
+from fixel.board import model_look, order_check
 from fixel.image import image
 from fixel.model.mesh import cross, dot
 from fixel.scene import compiler, look, making, surfaces, target, toml_scene, toml_text
@@ -236,6 +236,30 @@ def test_a_bare_model_is_drawn_as_double_draws_it_and_in_the_right_order(build, 
     again = run_cli("run", "--board", "mps2-an385", "--scene", tmp_path / "s.toml", "--out", tmp_path / "again", "--allow-outside")
     assert again.returncode == 0, again.stderr
     assert json.loads((tmp_path / "again" / "summary.json").read_text())["frame_sha256"] == summary["frame_sha256"]
+
+
+@pytest.mark.parametrize("name, words", [("raised_bars.obj", ["--palette", "--sorted"]), ("raised_bars.obj", ["--sorted"]), ("emissive.glb", ["--sorted"])])
+def test_the_line_says_what_the_order_by_distance_makes_wrong(build, tmp_path, name, words):
+    done = run_cli("run", "--board", "host", "--scene", CASES / name, "--frames", order_check.FRAMES, "--out", tmp_path / "run", *words)
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    line, = [line for line in without_progress(done.stderr) if "RAM for pixels" in line]
+    if name == "raised_bars.obj":
+        assert f"the order by distance shows a wrong face at {summary['order_wrong_pixels']:,} of {summary['order_judged_pixels']:,} pixels" in line
+        assert summary["order_wrong_pixels"] > 100 and line.endswith(f"of {order_check.FRAMES} frames")
+    else:
+        assert summary["order_wrong_pixels"] == 0 and "the order by distance" not in line     # one convex model
+
+
+def test_of_a_long_path_some_frames_are_judged_for_the_order(build, tmp_path):
+    made, _ = compiler.compile_scene(str(CASES / "raised_bars.obj"), 60, look=look.Look("palette", 0))
+    (tmp_path / "m.fxls").write_bytes(image.pack(made))
+    wrong, judged, frames = order_check.count(build, tmp_path / "m.fxls")
+    assert frames == order_check.FRAMES and judged == frames * 320 * 240 and 0 < wrong < judged / 50
+    assert order_check.count(tmp_path, tmp_path / "m.fxls") is None and order_check.text(tmp_path, tmp_path / "m.fxls") == ""
+    made.depth_bits = 16
+    (tmp_path / "m.fxls").write_bytes(image.pack(made))
+    assert order_check.text(build, tmp_path / "m.fxls") == ""
 
 
 def test_stl_in_millimetres_is_framed_and_lit(tmp_path):

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.bench import frame_costs
-from fixel.board import firmware
+from fixel.board import firmware, order_check
 from fixel.image import image as images
 from fixel.image.fields import IMAGE_MAX
 from fixel.model import suffixes
@@ -196,8 +196,8 @@ def _parts(scene):
     return "".join(f", {part}" for part in found)
 
 
-def _line(drawn, cheaper):
-    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None."""
+def _line(drawn, cheaper, order):
+    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None. order: what there is to say of the order."""
     scene = drawn.scene
     pixels = "rgb565" if scene.pixel_bits == 16 else "palette"
     taken = scene.width * drawn.rows * (scene.pixel_bits + scene.depth_bits) // 8
@@ -206,7 +206,8 @@ def _line(drawn, cheaper):
     text = f"{_target_text(pixels, scene.depth_bits)}, {bands}{_parts(scene)}: {-(-taken // 1024):,} KB of RAM for pixels" \
         f"{' and depth' if scene.depth_bits else ''}, an image of {drawn.made.size:,} bytes"
     text += f"; {_short(drawn.instructions)} instructions a frame" if drawn.instructions else ""
-    return text + (f"; --palette: {_short(cheaper.instructions)}" if cheaper and cheaper.instructions else "")
+    text += f"; --palette: {_short(cheaper.instructions)}" if cheaper and cheaper.instructions else ""
+    return text + (f"; {order}" if order else "")
 
 
 def choose(options, room, build, folder):
@@ -223,7 +224,7 @@ def choose(options, room, build, folder):
         cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
     for each in why:
         print(f"  {one_line(options.scene)}: not in {each}", file=sys.stderr)
-    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper)}", file=sys.stderr)
+    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper, order_check.text(build, drawn.image))}", file=sys.stderr)
     if options.look.write:
         output.write_file(options.look.write, drawn.made.text.encode())
         print(f"  the same as a scene file: {one_line(options.look.write)}", file=sys.stderr)
