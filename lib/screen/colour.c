@@ -22,8 +22,16 @@ enum {
 
 static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
-    const uint8_t format = SIXTEEN_BITS;
     const fxl_display_port *port = display->port;
+    const uint8_t settings[] = {2,
+                                SET_FORMAT,
+                                SIXTEEN_BITS,
+                                2,
+                                SET_ACCESS,
+                                config->access,
+                                1,
+                                config->is_inverted ? INVERT : INVERT_OFF,
+                                0};
     if (!fxl_display_command(display, SOFTWARE_RESET, NULL, 0)) {
         return false;
     }
@@ -32,9 +40,7 @@ static bool set_up(const fxl_display *display, const fxl_display_config *config)
         return false;
     }
     port->pause(port->user, WAKE_UP_TIME);
-    return fxl_display_command(display, SET_FORMAT, &format, 1) &&
-           fxl_display_command(display, SET_ACCESS, &config->access, 1) &&
-           fxl_display_command(display, config->is_inverted ? INVERT : INVERT_OFF, NULL, 0);
+    return fxl_display_send_commands(display, settings);
 }
 
 static bool set_range(const fxl_display *display, uint8_t code, uint32_t first, uint32_t count)

@@ -17,13 +17,20 @@ bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, si
                                : port->send(port->user, true, bytes, size);
 }
 
+/* How many rows a row, or a count of rows, is beyond the beginning of a page, which has 1 or 8. */
+static uint32_t rows_beyond_page(const fxl_pixel_format *format, uint32_t row)
+{
+    return row & (format->rows - 1u);
+}
+
 static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
 {
     const fxl_display *display = (const fxl_display *)user;
     const fxl_pixel_format *format = display->pixels.format;
     /* send_rows reads as many bytes as the frame's rows have. Rows that do not begin with a page
      * reach into one page more than their bytes are for. */
-    if (rows == 0 || first_row % format->rows != 0 || first_row + rows > display->frame_height ||
+    if (rows == 0 || rows_beyond_page(format, first_row) != 0 ||
+        first_row + rows > display->frame_height ||
         size != fxl_pixels_size(format, display->frame_width, rows)) {
         return false;
     }
@@ -162,7 +169,7 @@ fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t heig
         return FXL_E_RANGE;
     }
     uint32_t above = (display->glass_height - height) / 2u;
-    above -= above % display->pixels.format->rows;
+    above -= rows_beyond_page(display->pixels.format, above);
     /* Both sums are within the memory. */
     display->left = (uint16_t)(display->glass_left + (display->glass_width - width) / 2u);
     display->top = (uint16_t)(display->glass_top + above);
@@ -199,14 +206,13 @@ static bool make_black(const fxl_display *display)
 static bool is_in_memory(const fxl_display_config *config)
 {
     const fxl_display_driver *driver = config->driver;
-    const uint32_t page = driver->family->format->rows;
     const bool is_exchanged = (config->access & driver->family->exchanges) != 0;
     const uint32_t columns = is_exchanged ? driver->memory_rows : driver->memory_columns;
     const uint32_t rows = is_exchanged ? driver->memory_columns : driver->memory_rows;
     return config->width > 0 && config->height > 0 &&
            (uint32_t)config->left + config->width <= columns &&
-           (uint32_t)config->top + config->height <= rows && config->top % page == 0 &&
-           config->height % page == 0;
+           (uint32_t)config->top + config->height <= rows &&
+           rows_beyond_page(driver->family->format, (uint32_t)config->top | config->height) == 0;
 }
 
 bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands)
