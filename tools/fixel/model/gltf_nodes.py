@@ -43,6 +43,7 @@ class Nodes:
     def __init__(self, checked):
         self.checked, self.parents, self.worlds, self.names, self.ranges = checked, {}, {}, {}, {}
         self.locals, self.meshes, self.stays, self.boxes, self.given = {}, {}, set(), {}, _Names()
+        self.skins, self.are_rigid = {}, False
 
     def add(self, number, parent, own, world, faces, vertices):
         """A node that was read. own, world: its matrix in its parent and in the file. faces: (first, behind the last);
@@ -53,7 +54,7 @@ class Nodes:
         self.names[number] = self.given.unique(name)
         self.parents[number], self.locals[number], self.worlds[number] = parent, own, world
         if faces[0] < faces[1]:
-            self.ranges[number] = faces
+            self.ranges[number] = [faces]
             self.meshes[number] = entry["mesh"]
             self.boxes[number] = [tuple(end(axis) for axis in zip(*vertices)) for end in (min, max)]
         if "skin" in entry:
@@ -61,7 +62,30 @@ class Nodes:
 
     def groups(self):
         """{name: its faces} of those that have some."""
-        return {self.names[number]: [faces] for number, faces in self.ranges.items()}
+        return {self.names[number]: self.ranges[number] for number in self.names if number in self.ranges}
+
+    def bind(self, number, joints):
+        """What hangs on joints at a node: see gltf_skins.rigid."""
+        self.skins[number] = joints
+
+    def hang(self, move):
+        """Gives the faces of rigid skins to their joints, once all nodes are known; are_rigid says whether all were. move: takes faces to their place by a matrix
+        of 3x4, and answers their vertices there."""
+        self.are_rigid = bool(self.skins)
+        for number, joints in self.skins.items():
+            if joints is None or not all(self._is_free(joint, matrix) for joint, (matrix, _) in joints.items()):
+                self.are_rigid = False
+                continue
+            (first, _), mesh = self.ranges.pop(number)[0], self.meshes.pop(number)
+            for joint, (matrix, faces) in joints.items():
+                faces = [first + face for face in faces]
+                vertices = move(faces, (_FLIP @ self.worlds[joint] @ matrix @ _FLIP)[:3])
+                self.ranges[joint], self.meshes[joint] = _runs(faces), mesh
+                self.boxes[joint] = [tuple(end(axis) for axis in zip(*vertices)) for end in (min, max)]
+
+    def _is_free(self, joint, matrix):
+        """Whether a joint is a node of the scene that has no faces yet, and does not mirror."""
+        return joint in self.names and joint not in self.ranges and np.linalg.det((self.worlds[joint] @ matrix)[:3, :3]) > _LEAST ** 3
 
     def _pivot(self, number):
         """The node's origin; the middle of its faces where the origin lies farther from there than they are large."""
@@ -106,6 +130,17 @@ class Nodes:
             found[name] = Node(name, None if above is None else self.names[above], self._pivot(number),
                                meshes.get(self.meshes.get(number)), poses is not None and moves.is_target(number), poses)
         return found
+
+
+def _runs(faces):
+    """[(first, behind the last)] of rising numbers of faces."""
+    runs = []
+    for face in faces:
+        if runs and runs[-1][1] == face:
+            runs[-1] = runs[-1][0], face + 1
+        else:
+            runs.append((face, face + 1))
+    return runs
 
 
 class _Moves:
