@@ -2,14 +2,14 @@
 """How far a mesh of fewer triangles is from the one that it was made of: the largest distance of the vertices of the one from
 the triangles of the other, and of the middles of edges and triangles of the other from those of the one.
 
-Each point is compared with all triangles that may be nearest. Points are taken by cells of a grid: no triangle outside a ball
-about a cell can be nearest to a point in it."""
+Each point is compared with all triangles that may be nearest: those whose middles are in cells of a grid about the point's own,
+in ever more of them until no other triangle can be nearer."""
 
 import numpy as np
 
-CELLS_LEAST, CELLS_MOST = 6, 24     # along the longest side: a cell costs as much as some thousand triangles
-POINTS_MAX = 16_384     # of a mesh: of more every second, third and so on is measured
-_PAIRS = 1 << 20    # of points and triangles at a time
+CELLS_LEAST, CELLS_MOST = 4, 40     # along the longest side
+POINTS_MAX = 8192       # of a mesh: of more every second, third and so on is measured
+_PAIRS = 1 << 17    # of points and triangles at a time
 
 
 def _middles(vertices, triangles):
@@ -52,24 +52,57 @@ def _squares(points, a, b, c):
     return np.where(inside, height * height / np.maximum(square, 1e-300), beside)
 
 
+class _Grid:
+    """Triangles by the cell of a grid that their middle is in. reach: how far a corner is from its triangle's middle at most."""
+
+    def __init__(self, vertices, triangles, points):
+        self.corners = [vertices[triangles[:, i]] for i in range(3)]
+        middles = sum(self.corners) / 3
+        self.reach = max(float(np.sqrt(_dot(corner - middles, corner - middles).max())) for corner in self.corners)
+        self.count = min(max(int(len(triangles) ** 0.5 / 5), CELLS_LEAST), CELLS_MOST)
+        self.start = np.minimum(points.min(axis=0), middles.min(axis=0))
+        extent = (np.maximum(points.max(axis=0), middles.max(axis=0)) - self.start).max()
+        self.side = max(extent / self.count * (1 + 1e-9), 1e-300)
+        keys = self._key(self.cells(middles))
+        self.order = np.argsort(keys, kind="stable")
+        self.keys = keys[self.order]
+
+    def cells(self, points):
+        """The cell of each point."""
+        return np.minimum(((points - self.start) / self.side).astype(np.int64), self.count - 1)
+
+    def _key(self, cells):
+        return (cells[..., 0] * self.count + cells[..., 1]) * self.count + cells[..., 2]
+
+    def around(self, cell, steps):
+        """The triangles whose middles are in a cell or at most so many cells from it."""
+        low, high = np.maximum(cell - steps, 0), np.minimum(cell + steps, self.count - 1)
+        x, y = (each.ravel() for each in np.meshgrid(*(np.arange(low[i], high[i] + 1) for i in range(2)), indexing="ij"))
+        first = np.searchsorted(self.keys, self._key(np.stack([x, y, np.full(len(x), low[2])], axis=1)), "left")
+        end = np.searchsorted(self.keys, self._key(np.stack([x, y, np.full(len(x), high[2])], axis=1)), "right")
+        return self.order[np.concatenate([np.arange(a, b) for a, b in zip(first, end)])]
+
+    def distances(self, points, near):
+        """Of each point, the distance from the nearest of some triangles."""
+        corners = [corner[near][None] for corner in self.corners]
+        step = max(1, _PAIRS // len(near))
+        return np.sqrt(np.concatenate([_squares(points[first:first + step, None], *corners).min(axis=1)
+                                       for first in range(0, len(points), step)]))
+
+
 def largest(points, vertices, triangles):
     """The largest distance of the points from the triangles."""
-    corners = [vertices[triangles[:, i]] for i in range(3)]
-    low, high = np.minimum(np.minimum(*corners[:2]), corners[2]), np.maximum(np.maximum(*corners[:2]), corners[2])
-    start = points.min(axis=0)
-    count = min(max(int(len(triangles) ** 0.5 / 10), CELLS_LEAST), CELLS_MOST)
-    side = max((points.max(axis=0) - start).max() / count, 1e-300)
-    cells, inverse = np.unique(((points - start) // side).astype(int), axis=0, return_inverse=True)
-    order = np.argsort(inverse.reshape(-1), kind="stable")
+    grid = _Grid(vertices, triangles, points)
+    cells, inverse = np.unique(grid.cells(points), axis=0, return_inverse=True)
+    order, worst = np.argsort(inverse.reshape(-1), kind="stable"), 0.0
     ends = np.cumsum(np.bincount(inverse.reshape(-1), minlength=len(cells)))
-    worst, half = 0.0, side * np.sqrt(3) / 2
-    for cell, (first, end) in zip(cells, zip(np.concatenate([[0], ends[:-1]]), ends)):
-        middle, own = start + (cell + 0.5) * side, points[order[first:end]]
-        reach = 2 * half + np.sqrt(((corners[0] - middle) ** 2).sum(1).min())
-        gap = np.maximum(np.maximum(low - middle, middle - high), 0)
-        near = np.flatnonzero((gap * gap).sum(1) <= reach * reach)
-        step = max(1, _PAIRS // max(1, len(near)))
-        for begin in range(0, len(own), step):
-            found = _squares(own[begin:begin + step, None], *(corner[near][None] for corner in corners)).min(axis=1)
-            worst = max(worst, float(found.max()))
-    return worst ** 0.5
+    for cell, own in zip(cells, np.split(order, ends[:-1])):
+        steps = 1 + int(grid.reach / grid.side)
+        while len(own):
+            near = grid.around(cell, steps)
+            found = grid.distances(points[own], near) if len(near) else np.full(len(own), np.inf)
+            # A triangle that was not looked at has its middle farther away than steps cells.
+            is_sure = (found <= steps * grid.side - grid.reach) | (steps >= grid.count)
+            worst = max(worst, float(found[is_sure].max(initial=0)))
+            own, steps = own[~is_sure], 2 * steps
+    return worst
