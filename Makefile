@@ -20,7 +20,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # --- the user's variables ----------------------------------------------------
 
 # The commands, and other targets of the command line that are no files.
-COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
+COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test boards bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
     predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
@@ -221,6 +221,11 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 	@tools/setup.sh run
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
+
+showcase: ## make 24 models as people have them, draw each by its first command, and write a page [BOARD= ONLY= OUT= FRESH=1]
+	@tools/setup.sh run simplify
+	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(BUILD)/host/predict
+	@$(TOOL) showcase --board $(BOARD_CHOSEN) --build $(BUILD)
 
 screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
