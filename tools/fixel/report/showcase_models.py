@@ -365,7 +365,7 @@ def _tiles(folder, chance):
     floor, shaft = (made.material(name, texture=texture, transform={"scale": scale, "offset": [0.25, 0]})
                     for name, scale in (("floor", [6, 6]), ("shaft", [6, 4])))
     made.node("column", made.mesh("column", (placed(box(3, 0.2, 3), (0, -0.2, 0)), floor),
-                                  (lathe([(0.62, 2.4), (0.5, 2.2), (0.5, 0.2), (0.62, 0)], 24), shaft)))
+                                  (lathe([(0, 2.4), (0.62, 2.4), (0.5, 2.2), (0.5, 0.2), (0.62, 0)], 24), shaft)))
     made.write(folder, "column", "KHR_texture_transform")
 
 
