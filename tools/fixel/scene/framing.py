@@ -145,6 +145,10 @@ def _look_of(mesh, look, moves, place, radius):
     some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
             if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
     notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
+    if look.baked:
+        if moves:
+            raise ToolError("--bake-light: the animation moves parts of the model, whose light changes as they turn: leave --bake-light out")
+        return thing, {**_BAKED, "bake": True} if images else _BAKED, notes
     lights = mesh.scenery.lights if not look.whole and mesh.scenery else []
     if any(light.strength > 0 for light in lights):
         keys, more = model_scenery.light_keys(lights, place, radius, AMBIENT)

@@ -23,7 +23,8 @@ class Look:
     does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
     animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
     makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
-    has at most, None for its own. normals: whether those of the file make smooth light where it has some."""
+    has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file make smooth
+    light where it has some."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
@@ -34,6 +35,7 @@ class Look:
     camera: str = ""
     whole: bool = False
     simplify: int = None
+    baked: bool = False
     normals: bool = True
 
     @property
@@ -58,6 +60,7 @@ class Asked:
     animation: str = ""
     camera: str = ""
     simplify: int = None
+    bake_light: bool = False
     write: str = None
 
     def __bool__(self):
@@ -102,6 +105,8 @@ def _add(group):
     group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
     group.add_argument("--camera", metavar="NAME", default="", help="the camera of a glTF file that the path follows (default: a circle)")
     group.add_argument("--simplify", type=_faces, metavar="FACES", help="make a model of at most so many triangles of it first")
+    group.add_argument("--bake-light", action="store_true", help="light faces and their textures when the scene is compiled, not at run "
+                       "time")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
 
 
@@ -137,6 +142,8 @@ def of_options(options):
                      else getattr(options, each.name, each.default) for each in fields(Asked)})
     if asked.flat and asked.smooth is not None:
         raise ToolError("--flat and --smooth exclude each other: leave one out")
+    if asked.bake_light and asked.smooth is not None:
+        raise ToolError("--bake-light and --smooth exclude each other: baked light is that of whole faces")
     if asked.no_textures and asked.texture is not None:
         raise ToolError("--no-textures and --texture exclude each other: leave one out")
     return asked
@@ -167,9 +174,9 @@ def targets(asked, target, has_tree):
 def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
     crease = CREASE if asked.smooth is None else asked.smooth
-    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0,
+    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat and not asked.bake_light else 0,
                 asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
-                asked.camera, simplify=asked.simplify, normals=asked.smooth is None)
+                asked.camera, simplify=asked.simplify, normals=asked.smooth is None, baked=asked.bake_light)
 
 
 def best(asked, target, has_tree):

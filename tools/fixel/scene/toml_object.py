@@ -315,7 +315,8 @@ class Objects:
         changes = look.lit if isinstance(self.light, toml_light.RunTime) else shaded
         key = id(made), look.key, changes
         if key not in self.looks:
-            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where)
+            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where,
+                                         getattr(self.light, "bakes_all", False))
         return self.looks[key]
 
     def _count_placed(self, vertices, where):

@@ -278,18 +278,25 @@ class Wish:
                           if known else [(Fraction(0),) * 2] * len(corners))
         return result
 
-    def looks(self, made, coordinates, bake, where):
-        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
+    def looks(self, made, coordinates, bake, where, bakes_all=False):
+        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal. bakes_all: in
+        DIRECTIONS_MAX levels where faces look in more directions."""
         normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
         if made.normals:
             normals = [given or own for given, own in zip(made.normals, normals)]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
-        if bake is not keep and not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
-            raise ManyDirections(where)
+        directions, stands_for = {normal for _, normal in painted}, {}
+        if bake is not keep and not self.lit and len(directions) > DIRECTIONS_MAX:
+            if not bakes_all:
+                raise ManyDirections(where)
+            stands_for = _levels_of(directions, bake)
 
-        @functools.lru_cache(None)      # one object for all faces that look the same way
-        def baked(paint, normal):
+        @functools.lru_cache(None)      # one object for all faces that are lit the same
+        def of_direction(paint, normal):
             return tuple(bake(colour, normal) for colour in paint.picture.colours)
+
+        def baked(paint, normal):
+            return of_direction(paint, stands_for.get(normal, normal))
         return tuple(self._look(made, number, coordinates[number], normals[number], bake is not keep and baked, where)
                      for number in range(len(made.faces)))
 
@@ -317,6 +324,20 @@ class Wish:
     def _own_of(self, paint):
         """The colours of a paint; the same object for the same paint."""
         return self.own.setdefault(paint, tuple(paint.picture.colours))
+
+
+def _levels_of(normals, bake):
+    """{normal: the one whose light stands for its own}: of at most DIRECTIONS_MAX levels of light, evenly spaced, the normal that
+    is nearest to the level."""
+    light = {normal: sum(bake((255, 255, 255), normal)) for normal in normals}
+    low, step = min(light.values()), max(1, max(light.values()) - min(light.values())) / (DIRECTIONS_MAX - 1)
+    levels = {normal: round((value - low) / step) for normal, value in light.items()}
+    nearest = {}
+    for normal in sorted(normals):
+        off = abs(light[normal] - low - levels[normal] * step)
+        if levels[normal] not in nearest or off < nearest[levels[normal]][0]:
+            nearest[levels[normal]] = off, normal
+    return {normal: nearest[level][1] for normal, level in levels.items()}
 
 
 def keep(colour, _normal):
