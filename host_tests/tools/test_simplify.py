@@ -4,12 +4,14 @@
 import collections
 import math
 import os
+import types
 
 import numpy
 import pytest
 
 from conftest import run_cli
 from fixel.base.errors import ToolError
+from fixel.board import flash_memory
 from fixel.image import image
 from fixel.model import deviation, obj, simplify
 from fixel.model.mesh import UNIT
@@ -256,3 +258,10 @@ def test_too_many_faces_name_the_option(tmp_path):
     (tmp_path / "m.obj").write_text("\n".join(points + faces) + "\n")
     _, notes = compiler.compile_scene(str(tmp_path / "m.obj"), 4, look=look.Look(depth=0))
     assert any("71,442 faces" in note and "--simplify 65535" in note for note in notes)
+
+
+def test_refusals_of_large_models_name_the_option():
+    with pytest.raises(ToolError, match="9000 bytes, the scene partition of board b has 8000; a model may have fewer faces .--simplify."):
+        flash_memory.check_scene_fits(types.SimpleNamespace(scene_size=8000, board="b"), bytes(9000), "x.fxls")
+    with pytest.raises(ToolError, match="at least 1,048,577 faces; the limit is 1,048,576 faces of a file, also for --simplify"):
+        obj._refuse_many_faces("m.obj", (1 << 20) + 1)

@@ -156,7 +156,8 @@ def _face(rest, counts, where):
 
 def _refuse_many_faces(name, count):
     if count > FILE_FACES_MAX:
-        raise ToolError(f"{name}: more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify the model")
+        raise ToolError(f"{name}: at least {count:,} faces; the limit is {FILE_FACES_MAX:,} faces of a file, also for --simplify: give the "
+                        "model fewer in another program first")
 
 
 class _Materials:

@@ -226,7 +226,7 @@ class Objects:
         fits = 2 * len(made.faces) <= FACES_MAX
         if sides is True and not fits:
             raise ToolError(f"{name}: two_sided: twice {len(made.faces):,} faces are more than the limit of "
-                            f"{FACES_MAX:,}; simplify the model")
+                            f"{FACES_MAX:,}; give the model fewer faces: simplify = {FACES_MAX // 2}")
         both = sides is True or (sides == "open" and made.open_edges > 0 and fits)
         if made.open_edges and told:
             why = "two_sided = true in a scene file shows both sides" if fits else \
