@@ -153,9 +153,9 @@ endif
 HOST_WALK := $(call WALK_OF,host)
 WALK      := $(call WALK_OF,$(BOARD_CHOSEN))
 IMAGE     := $(BUILD)/flash/$(BOARD_CHOSEN).bin
-SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml)
+SCENE_OF_PROGRAM := $(if $(OWN),scenes/tiny.toml,$(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml))
 # These have been compared with the names that there are: firmware/firmware.mk.
-METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
+METHODS_OPTIONS := --program $(PROGRAM_NAME) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
 PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl,$(value SCENE)),$(BUILD)/host/predict)
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
@@ -164,6 +164,14 @@ FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 # The record of a display's wires is what run reads.
 ifneq ($(and $(DRIVER),$(filter view flash boot gdb screen,$(MAKECMDGOALS))),)
 $(error DRIVER= is for make run alone, which reads what the driver of the display sends)
+endif
+
+# A program of the user's own chooses what it draws, and with what.
+ifneq ($(and $(OWN),$(filter view flash boot gdb screen size,$(MAKECMDGOALS))),)
+$(error PROGRAM=FILE is for make run alone, which shows the pictures that it draws)
+endif
+ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(DRIVER)$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
+$(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, DRIVER, PIXELS, ORDER, DEPTH and LOOK)
 endif
 
 # --- commands ----------------------------------------------------------------
@@ -179,7 +187,7 @@ all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
+run: ## draw a scene's path on a board, compare it with double; or run a program of your own there [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(PREDICTS)
 	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run

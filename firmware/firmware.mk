@@ -124,9 +124,19 @@ BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard fir
 # (firmware/walk/act.h).
 PROGRAMS := walk game
 PROGRAM ?= walk
-ifeq ($(call ONE_OF,$(PROGRAM),$(PROGRAMS)),)
-$(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
+# Or a C file of the user's own, or a folder of C files, with a main: firmware/own. Recipes name the path, so it has no
+# character that means something to the shell or to make.
+OWN_REFUSED := $(SHELL_CHARACTERS) % : , = * ? [ ] ~ @ + !
+OWN_SOURCES := $(strip $(if $(or $(call ONE_OF,$(PROGRAM),$(PROGRAMS)),$(findstring $(space),$(PROGRAM)),$(findstring $(newline),$(PROGRAM)),\
+    $(filter -%,$(PROGRAM)),$(strip $(foreach character,$(OWN_REFUSED),$(findstring $(character),$(PROGRAM))))),,\
+    $(if $(filter %.c,$(PROGRAM)),$(wildcard $(PROGRAM)),$(sort $(wildcard $(PROGRAM:/=)/*.c)))))
+ifeq ($(call ONE_OF,$(PROGRAM),$(PROGRAMS))$(OWN_SOURCES),)
+$(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS), and a C file or a folder of C files of your own)
 endif
+# A name of its path without a folder.
+OWN_NAME_OF = $(subst /,_,$(subst .,-,$(1)))
+OWN := $(if $(OWN_SOURCES),own-$(call OWN_NAME_OF,$(PROGRAM:/=)))
+PROGRAM_NAME := $(or $(OWN),$(PROGRAM))
 # A board without the memory for a program: make says so before anything is built.
 ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD_CHOSEN))),)
 $(error PROGRAM=$(PROGRAM) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(board))),,$(board))))
@@ -221,7 +231,7 @@ DRIVER_RECORD = $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),fxl_module_,fxl_)$(D
 WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(if $(DRIVER),$(DRIVER_RECORD))
 
 # The program of a board with what was chosen.
-WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))
+WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM_NAME)$(WALK_CHOICE))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
@@ -235,6 +245,30 @@ define FIRMWARE_LINK
 $(MAKE_FOLDER)
 $(SAY)
 $(FIRMWARE_QUIET)$(1) -o $@
+endef
+
+# What a program of the user's own links beside its objects: own.c, which hands out its pictures, and any of the library. Its
+# code may have warnings, and GNU's C. An exported scene is kept whole, so that the tools find its palette.
+OWN_WRAPPED := main fxl_frame_begin fxl_frame_draw fxl_render
+OWN_CC = $(filter-out -std=% -W% -fdata-sections,$(CORE_CC.$(call CORE_NAME,$(1)))) -std=gnu11 -Wall
+OWN_LIB_OF = $(if $(BOARD_HOSTED.$(1)),$(BUILD)/host/objects/lib,$(BOARD_CORE_OUT)/lib)
+OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call LIB_NAMES_FOR,$(BOARD_CORE.$(1)))))
+OWN_OBJECT_OF = $(FIRMWARE_OUT)/$(1)/own/$(call OWN_NAME_OF,$(2)).o
+
+define OWN_RULES
+$(call OWN_OBJECT_OF,$(1),$(2)): $(2) firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(call OWN_CC,$(1)) -Ilib/include -Iboards)
+
+$(call WALK_OF,$(1)): $(call OWN_OBJECT_OF,$(1),$(2))
+endef
+
+define OWN_PROGRAM_RULES
+$(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o
+	@rm -f $$@
+	@$(if $(BOARD_HOSTED.$(1)),ar,$(CROSS)ar) rcs $$@ $$^
+
+$(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
+$(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)
 endef
 
 define BOARD_RULES
@@ -281,7 +315,7 @@ define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF)
-	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^))
+	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^) $$(filter %.a,$$^))
 endef
 
 define TARGET_RULES
@@ -289,7 +323,7 @@ BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
-	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
@@ -300,6 +334,8 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
 
 $(if $(BUILT_GOALS),$(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program))))))
+$(if $(and $(BUILT_GOALS),$(OWN)),$(foreach board,$(BOARDS),$(eval $(call OWN_PROGRAM_RULES,$(board)))\
+    $(foreach source,$(OWN_SOURCES),$(eval $(call OWN_RULES,$(board),$(source))))))
 $(if $(and $(BUILT_GOALS),$(WALK_CHOICE)),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(and $(BUILT_GOALS),$(WALK_METHODS)),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
 $(if $(and $(BUILT_GOALS),$(DRIVER)),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))

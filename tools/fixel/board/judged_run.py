@@ -8,7 +8,7 @@ import sys
 import numpy
 
 from fixel.base import kept, output, picture, scratch, spent
-from fixel.board import drawing, dump, emulator, firmware, frame_crc, methods, model_look, wires
+from fixel.board import drawing, dump, emulator, firmware, frame_crc, methods, model_look, own_run, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
@@ -251,6 +251,8 @@ def command(options):
     """The command; its exit code."""
     scene_options.check(options)
     methods.check(options)
+    if own_run.is_own(options):
+        return own_run.command(options, PATTERNS)
     options.kept = kept.Kept(options.build, options.fresh)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)
