@@ -13,6 +13,9 @@
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
 #   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_OWN_FLAGS         compiler flags for the board's own objects, not for the library
+#   BOARD_CROSS             the prefix of the compiler and its tools (CROSS without)
+#   BOARD_SETUP             what tools/setup.sh installs for it: then make test leaves it out, unless BOARD= names it
+#   BOARD_LIBC              flags that choose its C library, for unit tests (--specs=nano.specs without)
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
@@ -48,7 +51,7 @@ DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -58,6 +61,8 @@ $(foreach setting,$(BOARD_MUST),$$(if $$(BOARD_$(setting)),,$$(error boards/$(1)
 $(foreach setting,$(BOARD_MUST) $(BOARD_MAY),BOARD_$(setting).$(1) := $$(BOARD_$(setting))$(newline))
 endef
 $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
+
+CROSS_OF = $(or $(BOARD_CROSS.$(1)),$(CROSS))
 
 # --- cores ---------------------------------------------------------------------
 
@@ -95,7 +100,9 @@ endef
 # $(1): the first board with this core, $(2): the name of the core, $(3): its flags.
 define CORE_RULES
 CORE_TUNE.$(2) = $$(call LIB_TUNE,$(3))
-CORE_CC.$(2) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(3)
+CORE_CROSS.$(2) := $(call CROSS_OF,$(1))
+CORE_LIBC.$(2) := $(BOARD_LIBC.$(1))
+CORE_CC.$(2) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(call CROSS_OF,$(1))gcc $(if $(BOARD_CROSS.$(1)),,-masm-syntax-unified)) $(FIRMWARE_CFLAGS) $(3)
 endef
 
 CORES_READ :=
@@ -235,7 +242,7 @@ WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM_NAME)$(WALK_CHOICE))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
-BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
+BOARD_LINK = $(call CROSS_OF,$(1))gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments $(LINK_OF_FILE)
 # With a map beside the program.
 BOARD_LINK_MAP = -Wl,-Map,$(@:.elf=.map)
@@ -265,7 +272,7 @@ endef
 define OWN_PROGRAM_RULES
 $(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o
 	@rm -f $$@
-	@$(if $(BOARD_HOSTED.$(1)),ar,$(CROSS)ar) rcs $$@ $$^
+	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
 
 $(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)

@@ -149,8 +149,10 @@ def command(options):
         answers = run_jobs(all_jobs(options, scenes, folder), max(1, options.workers))
         rows = [row(board, options, scenes, answers[board]) for board in options.boards]
     output.write_json(options.out, {"reference": firmware.HOST, "scenes": [scene.name for scene in scenes],
-                                    "boards": rows})
+                                    "boards": rows, "not_run": {board: needs for board, *needs in options.not_run}})
     print_rows(rows, scenes)
+    for board, *needs in options.not_run:
+        print(f"{board}: not run: needs {' '.join(needs)}")
     good = all(each["hash_equal"] and not each["unit_tests_failed"] for each in rows)
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
     return 0 if good else 1

@@ -220,9 +220,9 @@ def run(options, folder):
     output.make_folder(options.build)
     with scratch.folder("run", options.build) as work:
         # QEMU may be missing: say so before the scene takes its time.
-        if options.board != firmware.HOST:
-            emulator.find_qemu()
         name = methods.program(options)
+        if options.board != firmware.HOST:
+            emulator.find_qemu(firmware.load(methods.elf_of(options.board, options.build, name), options.board).emulator)
         image = model_look.scene_image(options, methods.elf_of(options.board, options.build, name), work)
         methods.check_scene(options, scene_image.load(image))
         say_what_depth_confuses(image, options)

@@ -88,10 +88,10 @@ def run(options, folder):
     """The whole run; its files go into folder. The summary."""
     output.make_folder(options.build)
     with scratch.folder("run", options.build) as work:
-        if options.board != firmware.HOST:
-            emulator.find_qemu()
         elf = methods.elf_of(options.board, options.build, options.program)
-        cpu = firmware.load(elf, options.board).cpu
+        program = firmware.load(elf, options.board)
+        if not program.hosted:
+            emulator.find_qemu(program.emulator)
         image = model_look.scene_image(options, elf, work)
         drawn, said = draw(options.board, options, image, work)
         print(OURS.sub("", said), end="", flush=True)
@@ -104,7 +104,7 @@ def run(options, folder):
             picture.palette_image(frame.pixels, palette).save(folder / f"frame_{frame.number:04d}.png")
         (folder / "walk.gif").write_bytes(picture.animation_bytes([frame.pixels for frame in drawn.frames], palette))
         (work / f"{options.board}.fxld").rename(folder / "board.fxld")
-    return summarise(options, cpu, drawn, same(drawn, hosted))
+    return summarise(options, program.cpu, drawn, same(drawn, hosted))
 
 
 def command(options, patterns):
