@@ -20,13 +20,14 @@ extern "C" {
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. An octave here is the number of leading zeros of the gradient's upper
- * word. */
+ * word. Of an outline that has one octave the members from `one` on are overwritten: 64 bits, whose
+ * upper word is the code of cell 0 in the next row, their change a row, and the step. */
 typedef struct {
     FXL_ALIGN_8 int64_t value; /* of the plane in column 0 of row 0; then of the next row */
     int64_t along, down;
     uint32_t row_cell;  /* of column 0 of the next row: the kernel's own */
     uint32_t row_cells; /* of a row: the kernel's own */
-    uint32_t zeros;     /* of the octave that is known; above 32: of none */
+    uint32_t zeros;     /* of the octave that is known; above 32: of none; 0: the outline has one */
     int32_t drop;       /* of it, as of fxl_depth_octave; so the next two */
     uint32_t bias;
     uint32_t step;
