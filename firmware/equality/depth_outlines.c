@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of outlines in a depth buffer against the rows of lib/paint/depth_row.h. Each side
- * has cells and pixels of its own. All of that memory must be equal, also what lies around it. */
+/* The kernels of outlines in a depth buffer, and of runs in it, against the rows of
+ * lib/paint/depth_row.h. Each side has cells and pixels of its own. All of that memory must be
+ * equal, also what lies around it. */
 #include "depth_outlines.h"
 
 #include "equality.h"
 #include "paint/depth_outline.h"
+#include "paint/depth_rows.h"
 #include "raster/edge.h"
 #include "sides.h"
 
@@ -85,6 +87,63 @@ static bool draw_by_kernel(const polygon *of, const fxl_band *band)
     }
     outline.filling = (COLOUR & 255u) * 0x01010101u;
     return fxl_draw_depth_outline_8(of->points, of->count, band, &outline) != FXL_DEPTH_NOT_DRAWN;
+}
+
+/* Paints the runs of a list, and empties it. *row: that of the run before. */
+static void paint_list(const polygon *of, const fxl_band *band, uint32_t *list,
+                       fxl_depth_rows *rows, row_of_pixels *row)
+{
+    for (const uint32_t *run = list; run != rows->runs; run++) {
+        if (*run & FXL_RUN_BELOW) {
+            row->pixels += band->stride * of->pixel_bits / 8;
+        }
+        paint_run(row, (int32_t)(*run & 0xFFFFu), (int32_t)(*run >> 16 & 0x7FFFu), NULL,
+                  (fxl_depth_line){0, 0});
+    }
+    rows->runs = list;
+}
+
+/* The same by a list of runs, of any length. A trapezoid that goes on below the one before may go
+ * on with its list. */
+static bool draw_by_runs(const polygon *of, const fxl_band *band)
+{
+    static fxl_scan scan;
+    uint32_t list[32];
+    fxl_depth_painting painting;
+    fxl_depth_rows rows;
+    const fxl_trapezoid *trapezoid;
+    row_of_pixels row = {band->pixels, of->pixel_bits};
+    int32_t y = -1;
+    fxl_depth_begin(&painting, &by_core, &of->plane, band);
+    if (!fxl_depth_rows_take(&painting)) {
+        return false;
+    }
+    fxl_depth_rows_begin(&painting, &rows);
+    rows.runs = list;
+    rows.runs_end = list + 1u + (any_32() >> 9) % 32u;
+    portable_scan_outline(of->points, of->count, band, &scan);
+    while ((trapezoid = portable_scan_next_trapezoid(&scan)) != NULL) {
+        rows.rows = (uint32_t)(trapezoid->end_row - trapezoid->first_row);
+        if (trapezoid->first_row == y) {
+            rows.rows |= FXL_RUN_BELOW;
+        } else {
+            paint_list(of, band, list, &rows, &row);
+            row.pixels = band->pixels + (uint32_t)(trapezoid->first_row - band->first_row) *
+                                            band->stride * of->pixel_bits / 8;
+            fxl_depth_rows_go(&painting, trapezoid->first_row, &rows);
+        }
+        y = trapezoid->end_row;
+        rows.edges[0] = trapezoid->edges[0];
+        rows.edges[1] = trapezoid->edges[1];
+        while (fxl_find_depth_runs(&rows)) {
+            paint_list(of, band, list, &rows, &row);
+        }
+        if (rows.runs == rows.runs_end) {
+            paint_list(of, band, list, &rows, &row);
+        }
+    }
+    paint_list(of, band, list, &rows, &row);
+    return true;
 }
 
 /* Within 0..end, on a centre or beside one every other time. */
@@ -174,7 +233,7 @@ static bool is_same(void)
     return same;
 }
 
-static void compare(void)
+static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
 {
     polygon of;
     const uint32_t width = 1u + (any_32() >> 8) % ROW, tall = CELLS / width;
@@ -203,7 +262,7 @@ static void compare(void)
     any_plane(&band, &of.plane);
     any_cells(&band, &of.plane);
     band.pixels = (uint8_t *)(by_core.pixels + AROUND);
-    if (draw_by_kernel(&of, &band)) {
+    if (draw(&of, &band)) {
         band.pixels = (uint8_t *)(by_portable.pixels + AROUND);
         draw_by_rows(&of, &band);
     }
@@ -213,7 +272,14 @@ static void compare(void)
 void test_depth_outlines(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
-        compare();
+        compare(draw_by_kernel);
+    }
+}
+
+void test_depth_runs(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_by_runs);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "../math/family.h"
 #include "../paint/depth_outline.h"
+#include "../paint/depth_rows.h"
 #include "../paint/paint_divided.h"
 #include "../paint/plain_rows.h"
 #include "fixel/render.h"
@@ -159,6 +160,12 @@ AT(fxl_plain_rows, edges, PLAIN_ROWS_EDGES);
 AT(fxl_plain_rows, end_row, PLAIN_ROWS_END);
 AT(fxl_plain_rows, stride, PLAIN_ROWS_STRIDE);
 
+AT(fxl_plain_runs, row, 0);
+AT(fxl_plain_runs, downs, PLAIN_ROWS_DOWNS);
+AT(fxl_plain_runs, next, PLAIN_RUNS_NEXT);
+AT(fxl_plain_runs, end, PLAIN_RUNS_NEXT + 4);
+AT(fxl_plain_runs, stride, PLAIN_RUNS_STRIDE);
+
 AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
 AT(fxl_texel_run, step, TEXEL_RUN_STEP);
 AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
@@ -173,6 +180,19 @@ AT(fxl_depth_outline, cells, DEPTH_OUTLINE_CELLS);
 AT(fxl_depth_outline, one, DEPTH_OUTLINE_ONE);
 AT(fxl_depth_outline, mantissa, DEPTH_OUTLINE_MANTISSA);
 AT(fxl_depth_outline, rest, DEPTH_OUTLINE_REST);
+
+AT(fxl_depth_rows, edges, 0);
+AT(fxl_depth_rows, value, DEPTH_ROWS_VALUE);
+AT(fxl_depth_rows, along, DEPTH_ROWS_ALONG);
+AT(fxl_depth_rows, cells, DEPTH_ROWS_CELLS);
+AT(fxl_depth_rows, zeros, DEPTH_ROWS_ZEROS);
+AT(fxl_depth_rows, one, DEPTH_ROWS_ONE);
+AT(fxl_depth_rows, mantissa, DEPTH_ROWS_MANTISSA);
+AT(fxl_depth_rows, rows, DEPTH_ROWS_ROWS);
+AT(fxl_depth_rows, runs, DEPTH_ROWS_RUNS);
+AT(fxl_depth_rows, runs_end, DEPTH_ROWS_RUNS + 4);
+AT(fxl_depth_rows, rest, DEPTH_ROWS_REST);
+AT(fxl_depth_rows, resumed, DEPTH_ROWS_RESUMED);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);

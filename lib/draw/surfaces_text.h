@@ -19,9 +19,11 @@
 #if FXL_TARGET_PIXEL_BITS == 8
 #define PAINT_PIXELS fxl_paint_pixels
 #define PAINT_ROWS   fxl_paint_rows
+#define PAINT_RUNS   fxl_paint_runs
 #else
 #define PAINT_PIXELS fxl_paint_pixels_565
 #define PAINT_ROWS   fxl_paint_rows_565
+#define PAINT_RUNS   fxl_paint_runs_565
 #endif
 
 /* --- a polygon ------------------------------------------------------------------------------ */
@@ -82,7 +84,8 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 
 #endif
 
-/* Whether a kernel paints its rows one after the other. An Armv6-M has none: rows by themselves take less stack. */
+/* Whether a kernel paints its rows one after the other. An Armv6-M has none: rows by themselves
+ * take less stack. */
 static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
 {
     return !FXL_KERNELS_ARMV6M && segments != NULL && paint->ramp == NULL &&
@@ -123,13 +126,13 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 
 #else
 
-#include "../paint/depth_row.h"
+#include "../paint/depth_rows.h"
 
-#define SCRATCH        16 /* pixels */
+#define SCRATCH  16 /* pixels */
 
-/* Rows that are visible whole are painted together: for a kernel that has all rows of a trapezoid
- * in one call. */
-#define HAS_WHOLE_ROWS (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16 && !FXL_IS_COMPACT)
+/* A kernel tests the rows of a trapezoid, and another one paints what is visible. */
+#define HAS_RUNS (FXL_HAS_DEPTH_ROWS && FXL_TARGET_DEPTH_BITS == 16)
+#define RUNS     32u /* that are listed before they are painted */
 
 /* A row of a polygon. */
 typedef struct {
@@ -188,62 +191,69 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, false, paint_run, &of);
 }
 
-#if HAS_WHOLE_ROWS
+#if HAS_RUNS
 
-/* A row whose depths are tested while rows above it, which are visible whole, are still to be
- * painted. */
-typedef struct {
-    const fxl_paint *paint;
-    fxl_plain_rows *rows;
-    bool *is_whole; /* set where all pixels of this row are visible */
-    int32_t y, x0, x1;
-} plain_row;
-
-/* fxl_run_painter. */
+/* Paints what is listed, and empties the list. */
 static inline __attribute__((always_inline)) void
-paint_plain_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
+paint_runs(const fxl_paint *paint, uint32_t *list, fxl_depth_rows *rows, fxl_plain_runs *runs)
 {
-    const plain_row *of = (const plain_row *)with;
-    (void)cells;
-    (void)line;
-    if (x0 == of->x0 && x1 == of->x1) {
-        *of->is_whole = true;
-        return;
+    runs->next = list;
+    runs->end = rows->runs;
+    rows->runs = list;
+    while (PAINT_RUNS(runs)) {
+        const uint32_t run = runs->next[-1];
+        PAINT_PIXELS(paint, &runs->row, (int32_t)(run & 0xFFFFu),
+                     (int32_t)((run & ~FXL_RUN_BELOW) >> 16));
     }
-    fxl_paint_plain_rows(of->paint, of->y, of->rows, PAINT_ROWS, PAINT_PIXELS);
-    PAINT_PIXELS(of->paint, &of->rows->row, x0, x1);
 }
 
-/* A polygon whose depths are all kept, and whose rows have a kernel: rows that are visible whole
- * are painted together. Not inline: its rows would be on the stack of others. */
-static __attribute__((noinline)) void
-paint_plain(const fxl_paint *paint, const fxl_segment_face *segments, fxl_depth_painting *depth,
-            const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan)
+/* The trapezoids of a polygon whose depths are all kept, and whose pixels are those of a kernel of
+ * segments. A trapezoid right below the one before goes on with the same list. Not inline: its list
+ * would be on the stack of others. */
+static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
+                                                  const fxl_segment_face *segments,
+                                                  const fxl_depth_painting *depth,
+                                                  const fxl_band *band, fxl_scan *scan)
 {
+    const fxl_gradients *gradients = paint->gradients;
     const fxl_trapezoid *trapezoid;
-    fxl_plain_rows rows;
-    rows.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
-    rows.row.segments = segments;
-    fxl_scan_outline(points, count, band, scan);
+    uint32_t list[RUNS];
+    fxl_depth_rows rows;
+    fxl_plain_runs runs;
+    int32_t y = -1; /* of the row that comes next */
+    runs.row.segments = segments;
+    runs.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
+    runs.downs[0] = gradients->weight.down;
+    runs.downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
+    runs.downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
+    fxl_depth_rows_begin(depth, &rows);
+    rows.runs = list;
+    rows.runs_end = list + RUNS;
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
-        rows.row.pixels =
-            band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
-        fxl_begin_plain_rows(paint->gradients, trapezoid, &rows);
-        for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
-            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
-            bool is_whole = x0 == x1;
-            const plain_row of = {paint, &rows, &is_whole, y, x0, x1};
-            fxl_depth_paint_row(depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, true, paint_plain_run,
-                                &of);
-            if (!is_whole) {
-                fxl_paint_plain_rows(paint, y, &rows, PAINT_ROWS, PAINT_PIXELS);
-                fxl_plain_rows_next(&rows);
+        rows.rows = (uint32_t)(trapezoid->end_row - trapezoid->first_row);
+        if (trapezoid->first_row == y) {
+            rows.rows |= FXL_RUN_BELOW;
+        } else {
+            if (rows.runs != list) {
+                paint_runs(paint, list, &rows, &runs);
             }
-            fxl_edge_step(&a);
-            fxl_edge_step(&b);
+            runs.row.pixels =
+                band->pixels + (size_t)(trapezoid->first_row - band->first_row) * runs.stride;
+            fxl_begin_row(gradients, trapezoid->first_row, &runs.row);
+            fxl_depth_rows_go(depth, trapezoid->first_row, &rows);
         }
-        fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, PAINT_ROWS, PAINT_PIXELS);
+        y = trapezoid->end_row;
+        rows.edges[0] = trapezoid->edges[0];
+        rows.edges[1] = trapezoid->edges[1];
+        while (fxl_find_depth_runs(&rows)) {
+            paint_runs(paint, list, &rows, &runs);
+        }
+        if (rows.runs == rows.runs_end) {
+            paint_runs(paint, list, &rows, &runs);
+        }
+    }
+    if (rows.runs != list) {
+        paint_runs(paint, list, &rows, &runs);
     }
 }
 
@@ -269,10 +279,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
     const fxl_segment_face *segments = segments_of(&paint, &face);
-#if HAS_WHOLE_ROWS
-    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && !depth.head->or_equal &&
-        has_plain_rows(&paint, segments)) {
-        paint_plain(&paint, segments, &depth, points, count, band, &workspace->work.scan);
+#if HAS_RUNS
+    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && has_plain_rows(&paint, segments) &&
+        fxl_depth_rows_take(&depth)) {
+        fxl_scan_outline(points, count, band, &workspace->work.scan);
+        paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
         return;
     }
 #endif

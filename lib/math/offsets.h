@@ -164,6 +164,10 @@
 #define PLAIN_ROWS_END    104
 #define PLAIN_ROWS_STRIDE 108
 
+/* fxl_plain_runs: the row and the downs as of fxl_plain_rows */
+#define PLAIN_RUNS_NEXT   72 /* then the end */
+#define PLAIN_RUNS_STRIDE 80
+
 /* fxl_texel_run */
 #define TEXEL_RUN_POSITION   0
 #define TEXEL_RUN_STEP       4
@@ -180,6 +184,18 @@
 #define DEPTH_OUTLINE_ONE      60
 #define DEPTH_OUTLINE_MANTISSA 68
 #define DEPTH_OUTLINE_REST     72
+
+/* fxl_depth_rows */
+#define DEPTH_ROWS_VALUE    32
+#define DEPTH_ROWS_ALONG    40
+#define DEPTH_ROWS_CELLS    56
+#define DEPTH_ROWS_ZEROS    64
+#define DEPTH_ROWS_ONE      84
+#define DEPTH_ROWS_MANTISSA 92
+#define DEPTH_ROWS_ROWS     96
+#define DEPTH_ROWS_RUNS     100 /* then the end */
+#define DEPTH_ROWS_REST     108
+#define DEPTH_ROWS_RESUMED  140
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

@@ -3,6 +3,7 @@
  * 8 bits, paint_segments_565_armv7m.S pixels of 16 bits. Assembly. Before it the file defines
  *
  *   ROWS         fxl_paint_rows, or the name that it has for such pixels
+ *   RUNS         the same of fxl_paint_runs
  *   WIDE         0, or 1: pixels of 16 bits
  *   TABLE        where the face has the table of what texels of 8 bits become; null: texels are pixels
  *   WHOLE        bytes of the code of 16 pixels with a table; PIXEL: of one of them
@@ -107,6 +108,55 @@ ROWS:
     ldr     r6, [r11, #PLAIN_ROWS_EDGES + EDGE_SIZE]
     ldr     r5, [r11, #PAINT_ROW_PIXELS]
     b       .Lrow
+
+#if !FXL_IS_COMPACT
+
+    .type   RUNS, %function
+    .thumb_func
+
+/* r0: runs. Returns 0, or 1 after a run that is not the kernel's. */
+RUNS:
+    push    {r4-r11, lr}
+    sub     sp, #F_SIZE
+    adr     r4, .Lnext_run + 1
+    strd    r4, r0, [sp, #F_DONE]
+    ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
+    bl      .Lprepare
+    .align  2
+.Lnext_run:
+    ldr     r12, [sp, #F_ROW]
+    ldrd    r0, r1, [r12, #PLAIN_RUNS_NEXT]
+    cmp     r0, r1
+    beq     .Lreturn
+    ldr     lr, [r0], #4
+    str     r0, [r12, #PLAIN_RUNS_NEXT]
+    cmp     lr, #0
+    bmi     .Lrun_below
+    ldr     r5, [r12, #PAINT_ROW_PIXELS]
+.Lcolumns:                              /* lr: the run, r5: the address of column 0 */
+    uxth    r2, lr
+    ubfx    r3, lr, #16, #15
+    cmp     r2, r3
+    beq     .Lnext_run
+    ldr     pc, [sp, #F_KIND]
+.Lrun_below:
+    ldm     r12, {r0-r5}
+    add     r6, r12, #PLAIN_ROWS_DOWNS
+    ldm     r6, {r6-r11}
+    adds    r0, r0, r6
+    adc     r1, r1, r7
+    adds    r2, r2, r8
+    adc     r3, r3, r9
+    adds    r4, r4, r10
+    adc     r5, r5, r11
+    stm     r12, {r0-r5}
+    ldr     r5, [r12, #PAINT_ROW_PIXELS]
+    ldr     r1, [r12, #PLAIN_RUNS_STRIDE]
+    add     r5, r5, r1
+    str     r5, [r12, #PAINT_ROW_PIXELS]
+    b       .Lcolumns
+
+#endif
 
 /* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
     .align  2
