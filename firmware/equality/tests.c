@@ -49,6 +49,7 @@ const equality_test equality_tests[] = {
     {"depth-rows", test_depth_rows},
 #if FXL_DRAWS_DEPTH_OUTLINES
     {"depth-outlines", test_depth_outlines},
+    {"smooth-outlines", test_smooth_outlines},
     {"depth-runs", test_depth_runs},
 #endif
     {NULL, NULL},

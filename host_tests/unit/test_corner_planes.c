@@ -195,6 +195,65 @@ void test_depth_is_that_of_the_plane_through_the_corners(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 200, checked);
 }
 
+/* A word that is linear on the screen, where its true value is near `expected`, in units of the
+ * word.
+ */
+static double word_at(const fxl_gradient *gradient, double x, double y, double expected)
+{
+    const double off =
+        (x / 65536 - 0.5) * (double)gradient->along + (y / 65536 - 0.5) * (double)gradient->down;
+    return remainder((double)gradient->at + off - expected, 4294967296.0) + expected;
+}
+
+/* The code of a depth, whose octave is o: what depth_code.h states. */
+static double code_of(double depth, int o, fxl_depth_scale scale)
+{
+    return (ldexp(depth, o + 1) - 1 + scale.octaves - 1 - o) * (1 << scale.mantissa) + 1;
+}
+
+void test_words_of_one_octave_are_codes_and_light(void)
+{
+    uint32_t checked = 0, refused = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_gradients gradients;
+        fxl_depth_plane plane;
+        double values[3], lights[3], x, y;
+        int32_t light[3];
+        make_corners(unit_random() % 2 ? 0.5 : 1.0 / 64);
+        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+            continue;
+        }
+        for (int k = 0; k < 3; k++) {
+            light[k] = unit_between(32768, 31 << 16);
+            lights[k] = light[k];
+            values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
+        }
+        const int o = -1 - ilogb(values[0]);
+        const fxl_depth_scale scale = fxl_depth_scale_of(&view.lens);
+        if (!fxl_corner_planes_linear(&planes, light, &gradients, &plane)) {
+            refused++;
+            continue;
+        }
+        TEST_ASSERT_EQUAL(o, -1 - ilogb(values[1]));
+        TEST_ASSERT_EQUAL(o, -1 - ilogb(values[2]));
+        TEST_ASSERT_TRUE(o >= 0 && o < scale.octaves);
+        TEST_ASSERT_EQUAL(FXL_DEPTH_IS_LINEAR, plane.one);
+        TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
+        choose_point(&x, &y);
+        const double code = code_of(plane_at(values, x, y), o, scale) * 65536;
+        TEST_ASSERT_NEAR(code, word_at(&plane.gradient, x, y, code),
+                         ldexp(rounding(values), o + 1 + scale.mantissa + 16) + 2048);
+        const fxl_light_plane words = fxl_light_plane_of(&gradients);
+        TEST_ASSERT_EQUAL((uint32_t)gradients.attributes[0].at, words.at);
+        const double level = plane_at(lights, x, y) * 256;
+        TEST_ASSERT_NEAR(level, word_at(&gradients.attributes[0], x, y, level),
+                         rounding(lights) * 256 + 2048);
+        checked++;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, checked);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, refused);
+}
+
 /* An attribute with the weight, where it is divided. */
 static double attribute_at(const double values[3], double x, double y)
 {

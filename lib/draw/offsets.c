@@ -5,10 +5,10 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
-#include "../paint/depth_outline.h"
 #include "../paint/depth_rows.h"
 #include "../paint/paint_divided.h"
 #include "../paint/plain_rows.h"
+#include "../paint/smooth_outline.h"
 #include "fixel/render.h"
 
 #if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M
@@ -193,6 +193,19 @@ AT(fxl_depth_rows, runs, DEPTH_ROWS_RUNS);
 AT(fxl_depth_rows, runs_end, DEPTH_ROWS_RUNS + 4);
 AT(fxl_depth_rows, rest, DEPTH_ROWS_REST);
 AT(fxl_depth_rows, resumed, DEPTH_ROWS_RESUMED);
+
+AT(fxl_smooth_outline, code, SMOOTH_OUTLINE_CODE);
+AT(fxl_smooth_outline, code_down, SMOOTH_OUTLINE_CODE_DOWN);
+AT(fxl_smooth_outline, down, SMOOTH_OUTLINE_DOWN);
+AT(fxl_smooth_outline, light, SMOOTH_OUTLINE_LIGHT);
+AT(fxl_smooth_outline, along, SMOOTH_OUTLINE_ALONG);
+AT(fxl_smooth_outline, by, SMOOTH_OUTLINE_BY);
+AT(fxl_smooth_outline, mixture, SMOOTH_OUTLINE_MIXTURE);
+AT(fxl_smooth_outline, cells, SMOOTH_OUTLINE_CELLS);
+AT(fxl_smooth_outline, code_along, SMOOTH_OUTLINE_CODE_ALONG);
+AT(fxl_smooth_outline, most, SMOOTH_OUTLINE_MOST);
+AT(fxl_smooth_outline, last_level, SMOOTH_OUTLINE_LAST_LEVEL);
+AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);

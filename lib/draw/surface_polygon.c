@@ -143,9 +143,9 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
 /* A vertex between the near and the far plane, in the view and on the screen, or beside it. False:
  * it cannot be projected. Which planes the model view leaves out, and what a cache of few vertices
  * displaced, changes nothing. */
-static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
-                           const fxl_traversal *traversal, fxl_screen_point *point,
-                           fxl_q18_46 *depth)
+static __attribute__((noinline)) bool find_beside(const fxl_model_view *model_view, uint32_t number,
+                                                  const fxl_traversal *traversal,
+                                                  fxl_screen_point *point, fxl_q18_46 *depth)
 {
     fxl_cached_vertex other;
     const fxl_cached_vertex *vertex = &other;
@@ -161,6 +161,21 @@ static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
     }
     return (vertex->clip_flags & FXL_PLANES_DEPTH) == 0 &&
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
+}
+
+/* Mostly the clipper has projected it, and it is in the cache. */
+static inline bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
+                                  const fxl_traversal *traversal, fxl_screen_point *point,
+                                  fxl_q18_46 *depth)
+{
+    const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
+    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
+        vertex->tag == model_view->tag + number && (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0) {
+        *point = vertex->screen;
+        *depth = vertex->position.z;
+        return true;
+    }
+    return find_beside(model_view, number, traversal, point, depth);
 }
 
 typedef struct {
@@ -244,8 +259,7 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     paint->ramp = NULL;
     paint->levels_less_1 = 0;
     if (fxl_surface_is_lit(surfaces, surface)) {
-        paint->ramp = surfaces->light->settings.ramp;
-        paint->levels_less_1 = (uint8_t)(surfaces->light->settings.levels - 1);
+        fxl_surface_light_of(surfaces, paint);
     }
     paint->in_beam =
         polygon->is_in_beam ? ((const fxl_beam_shader *)(const void *)surfaces->beams)->lit : NULL;

@@ -122,11 +122,13 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     }
 }
 
-#define FIND_DEPTH NULL
+#define FIND_DEPTH  NULL
+#define FIND_LINEAR NULL
 
 #else
 
 #include "../paint/depth_rows.h"
+#include "../paint/smooth_outline.h"
 
 #define SCRATCH  16 /* pixels */
 
@@ -259,6 +261,43 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
 
 #endif
 
+#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+
+/* Draws a polygon by the kernel of smooth outlines, where it can. Not inline: what it has would
+ * stay on the stack of others. */
+static __attribute__((noinline)) bool draw_smooth(const void *memory, const fxl_depth_plane *plane,
+                                                  const fxl_paint *paint,
+                                                  const fxl_screen_point *points, uint32_t count,
+                                                  const fxl_band *band)
+{
+    fxl_smooth_outline smooth;
+    if (!fxl_smooth_outline_begin(memory, plane, paint, band, FXL_TARGET_PIXEL_BITS / 8, &smooth)) {
+        return false;
+    }
+#if FXL_TARGET_PIXEL_BITS == 16
+    return fxl_draw_smooth_outline_16(points, count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+#else
+    return fxl_draw_smooth_outline_8(points, count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+#endif
+}
+
+#else
+
+static inline bool draw_smooth(const void *memory, const fxl_depth_plane *plane,
+                               const fxl_paint *paint, const fxl_screen_point *points,
+                               uint32_t count, const fxl_band *band)
+{
+    (void)memory;
+    (void)plane;
+    (void)paint;
+    (void)points;
+    (void)count;
+    (void)band;
+    return false;
+}
+
+#endif
+
 static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                           const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                           uint32_t count, const fxl_band *band)
@@ -268,11 +307,16 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_depth_painting depth;
     fxl_paint paint;
     fxl_segment_face face;
-    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
-    if (depth.head->pass == (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
+    if (((const fxl_depth_head *)workspace->target_memory)->pass ==
+        (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
         return;
     }
     paint_of(surfaces, polygon, band, &paint);
+    if (paint.is_light_linear &&
+        draw_smooth(workspace->target_memory, &polygon->depth, &paint, points, count, band)) {
+        return;
+    }
+    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
     if (is_blended) {
         depth.keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
@@ -292,9 +336,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 }
 
 #if FXL_TARGET_DEPTH_BITS == 32
-#define FIND_DEPTH fxl_find_exact_depth
+#define FIND_DEPTH  fxl_find_exact_depth
+#define FIND_LINEAR NULL
 #else
-#define FIND_DEPTH fxl_find_depth
+#define FIND_DEPTH  fxl_find_depth
+#define FIND_LINEAR fxl_corner_planes_linear
 #endif
 
 #endif
@@ -307,7 +353,8 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
-    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, polygon);
+    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, FIND_LINEAR,
+                     polygon);
 }
 
 /* fxl_polygon_painter. */

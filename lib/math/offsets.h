@@ -150,13 +150,13 @@
 #define DIVIDED_FACE_V_SHIFT      64
 
 /* fxl_paint_row */
-#define PAINT_ROW_WEIGHT 0
-#define PAINT_ROW_U      8
-#define PAINT_ROW_V      16
-#define PAINT_ROW_LIGHT  28 /* the upper word */
-#define PAINT_ROW_PIXELS 32
+#define PAINT_ROW_WEIGHT   0
+#define PAINT_ROW_U        8
+#define PAINT_ROW_V        16
+#define PAINT_ROW_LIGHT    28 /* the upper word */
+#define PAINT_ROW_PIXELS   32
 #define PAINT_ROW_SEGMENTS 36
-#define PAINT_ROW_Y      40
+#define PAINT_ROW_Y        40
 
 /* fxl_plain_rows */
 #define PLAIN_ROWS_DOWNS  48
@@ -196,6 +196,20 @@
 #define DEPTH_ROWS_RUNS     100 /* then the end */
 #define DEPTH_ROWS_REST     108
 #define DEPTH_ROWS_RESUMED  140
+
+/* fxl_smooth_outline */
+#define SMOOTH_OUTLINE_CODE       0
+#define SMOOTH_OUTLINE_CODE_DOWN  4
+#define SMOOTH_OUTLINE_DOWN       8
+#define SMOOTH_OUTLINE_LIGHT      12
+#define SMOOTH_OUTLINE_ALONG      16
+#define SMOOTH_OUTLINE_BY         20
+#define SMOOTH_OUTLINE_MIXTURE    24
+#define SMOOTH_OUTLINE_CELLS      40
+#define SMOOTH_OUTLINE_CODE_ALONG 48
+#define SMOOTH_OUTLINE_MOST       52
+#define SMOOTH_OUTLINE_LAST_LEVEL 56
+#define SMOOTH_OUTLINE_ROWS       60
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

@@ -115,9 +115,10 @@ static inline uint32_t farthest(int32_t pixel, int32_t end)
 }
 
 /* The box has at most its height above the lowest of the three corners, and below the highest. */
-static inline void find_rows(const fxl_screen_corners *corners, const fxl_lens *lens,
-                             fxl_corner_planes *planes)
+static inline void find_rows(fxl_corner_planes *planes)
 {
+    const fxl_screen_corners *corners = planes->corners;
+    const fxl_lens *lens = planes->lens;
     int32_t top = corners->points[0].y, bottom = top;
     for (uint32_t i = 1; i < 3; i++) {
         const int32_t y = corners->points[i].y;
@@ -128,6 +129,18 @@ static inline void find_rows(const fxl_screen_corners *corners, const fxl_lens *
     const int32_t last = (top + corners->height + 65535) >> 16;
     planes->first_row = first < 0 ? 0 : first;
     planes->last_row = last > lens->height ? lens->height : last;
+}
+
+/* Where the face is on the screen. */
+static inline void locate(fxl_corner_planes *planes)
+{
+    if (!planes->is_located) {
+        const fxl_screen_point *p = planes->corners->points;
+        planes->columns = farthest(p[0].x >> 16, (planes->lens->width + 15) & ~15);
+        planes->rows = farthest(p[0].y >> 16, planes->lens->height);
+        find_rows(planes);
+        planes->is_located = true;
+    }
 }
 
 /* Edges are at most 2^22 in 1/65536 pixel, so the area is at most 2^45; of a small face it is at
@@ -151,9 +164,11 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     if (planes->area << 3 < box || !find_weights(corners, lens, planes)) {
         return false;
     }
+    planes->weight_range = range_of(planes->weights);
+    planes->weight_most = largest_of(planes->weights);
     /* A side has at most 23 bits, and weights 30. */
-    if (product_unsigned(range_of(planes->weights), (uint32_t)FXL_SMALL_SLOPES << 16) >
-        product_unsigned(largest_of(planes->weights), width < height ? width : height)) {
+    if (product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
+        product_unsigned(planes->weight_most, width < height ? width : height)) {
         return false;
     }
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
@@ -169,11 +184,11 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->down[0] = upper((int32_t)((uint32_t)x2 << scale), reciprocal);
     planes->down[1] = upper((int32_t)((uint32_t)x1 << scale), reciprocal);
     planes->exponent = (int)scale + (high != 0 ? 46 : 14) - (int)zeros;
-    planes->columns = farthest(p[0].x >> 16, (lens->width + 15) & ~15);
-    planes->rows = farthest(p[0].y >> 16, lens->height);
+    planes->corners = corners;
+    planes->lens = lens;
+    planes->is_located = false;
     planes->is_triangle = corners->is_triangle;
     planes->is_sparse = planes->area << 1 < box;
-    find_rows(corners, lens, planes);
     return true;
 }
 
@@ -216,6 +231,7 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
 static void find_weight(fxl_corner_planes *planes)
 {
     if (!planes->has_weight) {
+        locate(planes);
         planes->gradient_exponent = plane_of(planes, planes->weights, &planes->weight);
         planes->has_weight = true;
     }
@@ -236,7 +252,7 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane)
 static bool is_nearly_affine(const fxl_corner_planes *planes, const uint32_t *ranges,
                              uint32_t count, uint32_t range)
 {
-    const uint32_t least = largest_of(planes->weights) - range;
+    const uint32_t least = planes->weight_most - range;
     const unsigned part = planes->is_triangle ? 0 : 3;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t error =
@@ -264,6 +280,77 @@ static inline void scale(int32_t values[3], unsigned shift)
         values[i] = (int32_t)((uint32_t)values[i] << shift);
     }
 }
+
+/* --- a triangle in one octave --------------------------------------------------------------- */
+
+/* A value that is linear on the screen, by its words: that of corner 0, the differences of the
+ * others, and how many bits of their gradient are below a word's. along * x is below 2^31 2^27. */
+static inline void find_words(const fxl_corner_planes *planes, uint32_t value, int64_t along,
+                              int64_t down, unsigned drop, fxl_gradient *gradient)
+{
+    const int32_t step = (int32_t)fxl_lower_of_shifted(along, drop);
+    const int32_t step_down = (int32_t)fxl_lower_of_shifted(down, drop);
+    const int64_t off = product(step, planes->x) + product(step_down, planes->y);
+    gradient->along = step;
+    gradient->down = step_down;
+    gradient->at = (int32_t)(value - fxl_lower_of_shifted(off, 16));
+}
+
+/* The upper word of a magnitude, but for a unit of the lowest bit. */
+static inline uint32_t upper_size(int64_t value)
+{
+    const int32_t high = (int32_t)((uint64_t)value >> 32);
+    return (uint32_t)(high ^ (high >> 31));
+}
+
+/* With weights of `length` bits a code is a weight times 2^(mantissa + 17 - length), and a bias:
+ * depth_code.h. A weight changes by at most 16 / s of its range a pixel along a side of s pixels,
+ * where the range is at most s / 16 of the largest weight, which is below 2^length: so a code
+ * changes by less than 2^(mantissa + 17), at most 2^31. Drops are from 16 to 38; of light, from 12
+ * to 28. */
+bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
+                              fxl_gradients *gradients, fxl_depth_plane *depth)
+{
+    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    const int32_t *weights = planes->weights;
+    const fxl_depth_scale scale = fxl_depth_scale_of(planes->lens);
+    const unsigned zeros = fxl_leading_zeros(planes->weight_most);
+    const int number = planes->weight_exponent + (int)zeros - 32;
+    const uint32_t range = range_of(light);
+    if (!planes->is_triangle || scale.mantissa > 14 || number < 0 || number >= scale.octaves ||
+        fxl_leading_zeros(planes->weight_most - planes->weight_range) != zeros ||
+        !is_nearly_affine(planes, &range, 1, planes->weight_range)) {
+        return false;
+    }
+    const int32_t *across = planes->along, *below = planes->down;
+    int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
+    int64_t along = product(d1, across[0]) + product(d2, across[1]);
+    int64_t down = product(d1, below[0]) + product(d2, below[1]);
+    const unsigned drop = (unsigned)planes->exponent - 8u;
+    if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
+        return false;
+    }
+    find_words(planes, (uint32_t)light[0] << 8, along, down, drop, &gradients->attributes[0]);
+    gradients->shifts[0] = 53;
+    gradients->count = 1;
+    gradients->weight = constant;
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+
+    d1 = weights[1] - weights[0];
+    d2 = weights[2] - weights[0];
+    along = product(d1, across[0]) + product(d2, across[1]);
+    down = product(d1, below[0]) + product(d2, below[1]);
+    const unsigned length = 32u - zeros, bits = scale.mantissa + 17u; /* 28 to 31 */
+    const uint32_t bias = (uint32_t)(scale.octaves - 2 - number) << (bits - 1u);
+    const uint32_t weight = (uint32_t)weights[0];
+    const uint32_t code = length > bits ? weight >> (length - bits) : weight << (bits - length);
+    find_words(planes, bias + 65536u + code, along, down,
+               (unsigned)planes->exponent + length - bits, &depth->gradient);
+    depth->one = FXL_DEPTH_IS_LINEAR;
+    return true;
+}
+
+/* --- attributes ----------------------------------------------------------------------------- */
 
 /* Attributes are linear on the screen: values are scaled to less than 2^30. The weight is 2^29. */
 static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
@@ -305,7 +392,7 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     const uint32_t change = (uint32_t)(slope ^ (slope >> 31)) + 1u, range = attributes | 1u;
     const uint32_t sum =
         (uint32_t)(along[0] ^ (along[0] >> 31)) + (uint32_t)(along[1] ^ (along[1] >> 31)) + 2u;
-    const uint32_t most = largest_of(planes->weights);
+    const uint32_t most = planes->weight_most;
     const uint32_t unit = (uint32_t)((uint64_t)most << planes->gradient_exponent >> 32);
     const uint32_t growth = growths[planes->is_sparse][weights <= most >> 5   ? 0
                                                        : weights <= most >> 3 ? 1
@@ -349,20 +436,21 @@ void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uin
     uint32_t ranges[FXL_ATTRIBUTES], most = 0, range = 0;
     gradients->count = (uint8_t)count;
     if (!is_affine) {
-        range = range_of(planes->weights);
+        range = planes->weight_range;
         for (uint32_t i = 0; i < count; i++) {
             ranges[i] = range_of(values[i]);
             most = ranges[i] > most ? ranges[i] : most;
         }
         is_affine = is_nearly_affine(planes, ranges, count, range);
     }
+    locate(planes);
     if (is_affine) {
         find_affine(planes, values, gradients);
     } else {
         find_weight(planes);
         find_perspective(planes, values, gradients);
         find_least(planes, most, range, gradients->weight_min);
-        const uint32_t least = largest_of(planes->weights) - range;
+        const uint32_t least = planes->weight_most - range;
         if ((uint32_t)((uint64_t)least << planes->gradient_exponent >> 32) <
             gradients->weight_min[0]) {
             fxl_gradients_find_least(gradients, planes->first_row, planes->last_row);

@@ -9,19 +9,11 @@
 #include "../math/family.h"
 #include "../math/offsets.h"
 #include "../raster/draw_frame_armv7m.h"
-
-#define FRAME_OUTLINE FRAME_COLOUR /* the fxl_depth_outline */
-
-#define NO_ROW DEPTH_NO_ROW
+#include "cell_edges_armv7m.h"
 
 /* Of an outline of one octave: 64 bits whose upper word is the code of cell 0 in the next row, their
  * change a row, and the step. */
 #define CODE DEPTH_OUTLINE_ONE
-
-    .macro enter_outline
-    movs    r5, r1
-    ldrh    r4, [r2, #BAND_WIDTH]
-    .endm
 
     /* At the first row: its cell, and the value of the plane. If the values at the four corners of
      * the outline's box have one octave, all values have it, as they are linear. Then the rows'
@@ -138,29 +130,6 @@
     add     \mantissa, \mantissa, #16
     lsl     \bias, \count, \mantissa
     add     \bias, \bias, #65536
-    .endm
-
-    .macro find_base
-    ldrh    r7, [r2, #BAND_WIDTH]
-    mul     r6, r12, r7
-    rsb     r6, r6, #1
-    .endm
-
-    .macro leave_other
-    movs    r0, #DEPTH_NOT_DRAWN
-    add     sp, sp, #FRAME_SIZE
-    pop     {r4-r11, pc}
-    .endm
-
-    .macro begin_rows_below
-.Lrows_below:
-    .endm
-
-    .macro step_edges
-    adds    r5, r5, r7
-    adc     r4, r4, r6
-    adds    r9, r9, r11
-    adc     r8, r8, r10
     .endm
 
 /* Results: \low, \high: the 32 lowest bits of (\high:\low) >> \drop, in \low. drop: 1 to 34. */

@@ -101,8 +101,8 @@ static uint32_t cosine(int64_t dot, uint64_t square)
 }
 
 /* 1 - square / range_square, of 0 < square < range_square <= 2^60. Both are scaled so that the
- * divisor is from 2^31 to 2^32. The estimate of 2^62 / divisor has 16 bits; Newton's step leaves the
- * square of its error, below 2^-29. Errors: 2 of that, 2 of the upper words. */
+ * divisor is from 2^31 to 2^32. The estimate of 2^62 / divisor has 16 bits; Newton's step leaves
+ * the square of its error, below 2^-29. Errors: 2 of that, 2 of the upper words. */
 static uint32_t fading(uint64_t square, uint64_t range_square)
 {
     const unsigned shift = zeros_of(range_square);
@@ -163,13 +163,17 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
 /* Errors: of the directional light 2, of four points 4 * 40, of the fog 1, of its product 1. Where
  * the instance has a placement, its normal is rounded by 1 a component, and its middle by 2 units
  * of 2^-17, which fxl_lit_place is; so these are no errors of this function. */
+fxl_q2_30 fxl_light_brightness_of(const fxl_light_settings *settings, const fxl_direction *normal)
+{
+    const uint32_t ambient = (uint32_t)settings->ambient;
+    return (fxl_q2_30)(settings->strength == 0 ? ambient
+                                               : sum_of(ambient, from_direction(settings, normal)));
+}
+
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place)
 {
-    uint32_t sum = (uint32_t)settings->ambient;
-    if (settings->strength != 0) {
-        sum = sum_of(sum, from_direction(settings, &place->normal));
-    }
+    uint32_t sum = (uint32_t)fxl_light_brightness_of(settings, &place->normal);
     for (uint32_t i = 0; i < settings->point_count; i++) {
         sum = sum_of(sum, from_point(&settings->points[i], place));
     }
