@@ -134,7 +134,6 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 
 /* A kernel tests the rows of a trapezoid, and another one paints what is visible. */
 #define HAS_RUNS (FXL_HAS_DEPTH_ROWS && FXL_TARGET_DEPTH_BITS == 16)
-#define RUNS     32u /* that are listed before they are painted */
 
 /* A row of a polygon. */
 typedef struct {
@@ -195,13 +194,29 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
 
 #if HAS_RUNS
 
+#define RUNS (FXL_POLYGON_CAPACITY < 24 ? 26 : 64) /* that are listed before they are painted */
+
+/* Where the runs of a polygon are found and listed. */
+typedef struct {
+    fxl_depth_rows rows;
+    uint32_t list[RUNS];
+} run_memory;
+
+/* The active edges of a scan by chains, which has none. */
+static inline run_memory *run_memory_of(fxl_scan *scan)
+{
+    FXL_STATIC_ASSERT(sizeof(run_memory) + 7 <= sizeof scan->active_edges.found,
+                      "room for the runs");
+    return (run_memory *)(((uintptr_t)scan->active_edges.found + 7u) & ~(uintptr_t)7);
+}
+
 /* Paints what is listed, and empties the list. */
 static inline __attribute__((always_inline)) void
-paint_runs(const fxl_paint *paint, uint32_t *list, fxl_depth_rows *rows, fxl_plain_runs *runs)
+paint_runs(const fxl_paint *paint, run_memory *memory, fxl_plain_runs *runs)
 {
-    runs->next = list;
-    runs->end = rows->runs;
-    rows->runs = list;
+    runs->next = memory->list;
+    runs->end = memory->rows.runs;
+    memory->rows.runs = memory->list;
     while (PAINT_RUNS(runs)) {
         const uint32_t run = runs->next[-1];
         PAINT_PIXELS(paint, &runs->row, (int32_t)(run & 0xFFFFu),
@@ -210,8 +225,8 @@ paint_runs(const fxl_paint *paint, uint32_t *list, fxl_depth_rows *rows, fxl_pla
 }
 
 /* The trapezoids of a polygon whose depths are all kept, and whose pixels are those of a kernel of
- * segments. A trapezoid right below the one before goes on with the same list. Not inline: its list
- * would be on the stack of others. */
+ * segments. A trapezoid right below the one before goes on with the same list. Requires a scan by
+ * chains. Not inline: its rows would be on the stack of others. */
 static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
                                                   const fxl_segment_face *segments,
                                                   const fxl_depth_painting *depth,
@@ -219,8 +234,8 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
 {
     const fxl_gradients *gradients = paint->gradients;
     const fxl_trapezoid *trapezoid;
-    uint32_t list[RUNS];
-    fxl_depth_rows rows;
+    run_memory *memory = run_memory_of(scan);
+    fxl_depth_rows *rows = &memory->rows;
     fxl_plain_runs runs;
     int32_t y = -1; /* of the row that comes next */
     runs.row.segments = segments;
@@ -228,34 +243,34 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
     runs.downs[0] = gradients->weight.down;
     runs.downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
     runs.downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
-    fxl_depth_rows_begin(depth, &rows);
-    rows.runs = list;
-    rows.runs_end = list + RUNS;
+    fxl_depth_rows_begin(depth, rows);
+    rows->runs = memory->list;
+    rows->runs_end = memory->list + RUNS;
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        rows.rows = (uint32_t)(trapezoid->end_row - trapezoid->first_row);
+        rows->rows = (uint32_t)(trapezoid->end_row - trapezoid->first_row);
         if (trapezoid->first_row == y) {
-            rows.rows |= FXL_RUN_BELOW;
+            rows->rows |= FXL_RUN_BELOW;
         } else {
-            if (rows.runs != list) {
-                paint_runs(paint, list, &rows, &runs);
+            if (rows->runs != memory->list) {
+                paint_runs(paint, memory, &runs);
             }
             runs.row.pixels =
                 band->pixels + (size_t)(trapezoid->first_row - band->first_row) * runs.stride;
             fxl_begin_row(gradients, trapezoid->first_row, &runs.row);
-            fxl_depth_rows_go(depth, trapezoid->first_row, &rows);
+            fxl_depth_rows_go(depth, trapezoid->first_row, rows);
         }
         y = trapezoid->end_row;
-        rows.edges[0] = trapezoid->edges[0];
-        rows.edges[1] = trapezoid->edges[1];
-        while (fxl_find_depth_runs(&rows)) {
-            paint_runs(paint, list, &rows, &runs);
+        rows->edges[0] = trapezoid->edges[0];
+        rows->edges[1] = trapezoid->edges[1];
+        while (fxl_find_depth_runs(rows)) {
+            paint_runs(paint, memory, &runs);
         }
-        if (rows.runs == rows.runs_end) {
-            paint_runs(paint, list, &rows, &runs);
+        if (rows->runs == rows->runs_end) {
+            paint_runs(paint, memory, &runs);
         }
     }
-    if (rows.runs != list) {
-        paint_runs(paint, list, &rows, &runs);
+    if (rows->runs != memory->list) {
+        paint_runs(paint, memory, &runs);
     }
 }
 
@@ -327,8 +342,10 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (depth.keeps == FXL_DEPTH_KEEPS_ALL && has_plain_rows(&paint, segments) &&
         fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);
-        paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
-        return;
+        if (workspace->work.scan.by_chains) {
+            paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
+            return;
+        }
     }
 #endif
     fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
