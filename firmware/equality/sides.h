@@ -5,6 +5,7 @@
 #ifndef SIDES_H
 #define SIDES_H
 
+#include "draw/depth_plane.h"
 #include "draw/stages.h"
 #include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
@@ -69,6 +70,10 @@ void portable_intersect_edge(const fxl_view_point *from, const fxl_view_point *t
                              fxl_view_point *point);
 
 void portable_placement_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
+
+void portable_find_depth_plane(const fxl_direction *normal, const fxl_axes *axes,
+                               const fxl_view_point *point, const fxl_view *view,
+                               fxl_depth_plane *plane);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 

@@ -93,6 +93,7 @@ AT(fxl_model_view, axes, MODEL_VIEW_AXES);
 AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
 AT(fxl_model_view, scale_vertex, MODEL_VIEW_SCALE_VERTEX);
 VALUE(FXL_MODEL_VIEW_SCALED, 0x80); /* the sign of the planes' byte */
+AT(fxl_view, lens.near_z, VIEW_NEAR_Z);
 AT(fxl_view, projection, VIEW_PROJECTION);
 AT(fxl_view, view_frustum, VIEW_FRUSTUM);
 
@@ -170,6 +171,8 @@ AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
 AT(fxl_texel_run, step, TEXEL_RUN_STEP);
 AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
 AT(fxl_texel_run, light_step, TEXEL_RUN_LIGHT_STEP);
+
+AT(fxl_depth_plane, one, DEPTH_PLANE_ONE);
 
 AT(fxl_depth_outline, value, DEPTH_OUTLINE_VALUE);
 AT(fxl_depth_outline, along, DEPTH_OUTLINE_ALONG);

@@ -200,12 +200,16 @@ typedef bool fxl_polygon_painter(const void *what, fxl_workspace *workspace,
                                  const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                                  uint32_t count, const fxl_tiny *tiny, const fxl_band *band);
 
-/* Finds the pixels of a triangle that is tiny. */
+/* Finds the pixels of a triangle that is tiny. Most others are as high as to have more rows of
+ * centres between two of their points. */
 static inline bool fxl_find_tiny(const fxl_traversal *traversal, fxl_tiny *tiny)
 {
     const fxl_screen_polygon *screen = &traversal->workspace->screen;
-    return FXL_HAS_TINY && screen->count == 3 &&
-           fxl_tiny_find(screen->points, traversal->band, tiny);
+    const fxl_screen_point *points = screen->points;
+    const int32_t high = (FXL_TINY_SIDE + 1) * 65536;
+    return FXL_HAS_TINY && screen->count == 3 && points[1].y - points[0].y < high &&
+           points[0].y - points[1].y < high && points[2].y - points[0].y < high &&
+           points[0].y - points[2].y < high && fxl_tiny_find(points, traversal->band, tiny);
 }
 
 /* Paints a polygon in the band. One that has no row there may have one on the rest of the screen,

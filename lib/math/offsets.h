@@ -94,6 +94,7 @@
 #define MODEL_VIEW_SCALE_VERTEX 76
 
 /* fxl_view */
+#define VIEW_NEAR_Z     56 /* of the lens */
 #define VIEW_PROJECTION 80
 #define VIEW_FRUSTUM    112
 
@@ -173,6 +174,9 @@
 #define TEXEL_RUN_STEP       4
 #define TEXEL_RUN_LIGHT      8
 #define TEXEL_RUN_LIGHT_STEP 12
+
+/* fxl_depth_plane */
+#define DEPTH_PLANE_ONE 24
 
 /* fxl_depth_outline */
 #define DEPTH_OUTLINE_VALUE    0
