@@ -120,7 +120,7 @@ void test_small_is_what_its_conditions_say(void)
         make_corners(unit_random() % 4 == 0 ? 5.0 : 0.2);
         const double w = corners.width, h = corners.height;
         const bool has_size = fmin(w, h) >= 16384 && fmax(w, h) <= 64 * 65536;
-        const bool is_thin = twice_area() * 8 < w * h;
+        const bool is_thin = twice_area() * 8 < w * h, is_line = twice_area() * 64 < w * h;
         const double z = fmax((double)corners.depths[0],
                               fmax((double)corners.depths[1], (double)corners.depths[2]));
         const double power = exp2(floor(log2(z)) - 1);
@@ -135,8 +135,9 @@ void test_small_is_what_its_conditions_say(void)
             continue; /* a tie, to within rounding */
         }
         const bool is_steep = 1 - near / z > side;
-        const bool expected = has_size && !is_thin && !is_apart && !is_steep;
+        const bool expected = has_size && !is_line && !is_apart && (is_thin || !is_steep);
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&corners, &view.lens, &planes));
+        TEST_ASSERT_TRUE(!expected || planes.is_thin == is_thin);
         /* Whichever corner is the first. */
         const fxl_screen_corners turned = {
             {corners.points[1], corners.points[2], corners.points[0]},
@@ -171,6 +172,12 @@ void test_the_box_counts_that_of_all_vertices(void)
     TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &view.lens, &planes));
 }
 
+/* Whether the face is small, and not thin. */
+static bool begins(void)
+{
+    return fxl_corner_planes_begin(&corners, &view.lens, &planes) && !planes.is_thin;
+}
+
 void test_depth_is_that_of_the_plane_through_the_corners(void)
 {
     uint32_t checked = 0;
@@ -178,7 +185,7 @@ void test_depth_is_that_of_the_plane_through_the_corners(void)
         fxl_depth_plane plane;
         double values[3], x, y;
         make_corners(0.5);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!begins()) {
             continue;
         }
         fxl_corner_planes_depth(&planes, &plane);
@@ -213,7 +220,7 @@ static double code_of(double depth, int o, fxl_depth_scale scale)
 
 void test_words_of_one_octave_are_codes_and_light(void)
 {
-    uint32_t checked = 0, refused = 0;
+    uint32_t checked = 0, refused = 0, thin = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_gradients gradients;
         fxl_depth_plane plane;
@@ -249,9 +256,11 @@ void test_words_of_one_octave_are_codes_and_light(void)
         TEST_ASSERT_NEAR(level, word_at(&gradients.attributes[0], x, y, level),
                          rounding(lights) * 256 + 2048);
         checked++;
+        thin += planes.is_thin;
     }
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, checked);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, refused);
+    TEST_ASSERT_GREATER_THAN(checked / 100, thin);
 }
 
 /* An attribute with the weight, where it is divided. */
@@ -302,7 +311,7 @@ void test_attributes_are_those_of_the_corners(void)
     uint32_t checked = 0, constant = 0, affine = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         make_corners(unit_random() % 2 ? 0.5 : 1.0 / 1024);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!begins()) {
             continue;
         }
         check_attributes(0, 2, false, &constant);
@@ -326,7 +335,7 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
         int32_t given[2][3];
         fxl_gradients found;
         make_corners(0.5);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!begins()) {
             continue;
         }
         const int bits = unit_between(13, 24);

@@ -115,7 +115,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     fxl_screen_corners on_screen;
     fxl_corner_planes planes;
     fxl_gradient_corners corners;
-    const bool is_small =
+    bool is_small =
         fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen) &&
         fxl_corner_planes_begin(&on_screen, &view->lens, &planes);
     corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
@@ -131,6 +131,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         polygon->level = 0;
         return;
     }
+    is_small = is_small && !planes.is_thin;
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));

@@ -144,9 +144,9 @@ static inline void locate(fxl_corner_planes *planes)
 }
 
 /* Edges are at most 2^22 in 1/65536 pixel, so the area is at most 2^45; of a small face it is at
- * least 2^25. Its upper 31 bits have a reciprocal r within 2^-29. The edges are scaled to less than
- * 2^31, so a product with r is at most 2^62. What is cut off a coefficient is less than 2^-29 of
- * the largest. */
+ * least 2^25, of a thin one 2^22. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
+ * scaled to less than 2^31, so a product with r is at most 2^62. What is cut off a coefficient is
+ * less than 2^-29 of the largest. */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes)
 {
@@ -161,14 +161,22 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const int64_t area = product(x1, y2) - product(x2, y1);
     const uint64_t box = product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
-    if (planes->area << 3 < box || !find_weights(corners, lens, planes)) {
+    planes->is_thin = false;
+    if (planes->area << 3 < box) {
+        if (planes->area << 6 < box) {
+            return false;
+        }
+        planes->is_thin = true;
+    }
+    if (!find_weights(corners, lens, planes)) {
         return false;
     }
     planes->weight_range = range_of(planes->weights);
     planes->weight_most = largest_of(planes->weights);
     /* A side has at most 23 bits, and weights 30. */
-    if (product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
-        product_unsigned(planes->weight_most, width < height ? width : height)) {
+    if (!planes->is_thin &&
+        product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
+            product_unsigned(planes->weight_most, width < height ? width : height)) {
         return false;
     }
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
@@ -306,8 +314,9 @@ static inline uint32_t upper_size(int64_t value)
 /* With weights of `length` bits a code is a weight times 2^(mantissa + 17 - length), and a bias:
  * depth_code.h. A weight changes by at most 16 / s of its range a pixel along a side of s pixels,
  * where the range is at most s / 16 of the largest weight, which is below 2^length: so a code
- * changes by less than 2^(mantissa + 17), at most 2^31. Drops are from 16 to 38; of light, from 12
- * to 28. */
+ * changes by less than 2^(mantissa + 17), at most 2^31. Of a thin face a code may change by
+ * 2^(mantissa + 14), less than a quarter of the largest weight. Drops are from 13 to 38; of light,
+ * from 9 to 28. */
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth)
 {
@@ -341,6 +350,11 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     along = product(d1, across[0]) + product(d2, across[1]);
     down = product(d1, below[0]) + product(d2, below[1]);
     const unsigned length = 32u - zeros, bits = scale.mantissa + 17u; /* 28 to 31 */
+    if (planes->is_thin &&
+        (upper_size(along) | upper_size(down)) >> ((unsigned)planes->exponent + length - 35u) !=
+            0) {
+        return false;
+    }
     const uint32_t bias = (uint32_t)(scale.octaves - 2 - number) << (bits - 1u);
     const uint32_t weight = (uint32_t)weights[0];
     const uint32_t code = length > bits ? weight >> (length - bits) : weight << (bits - length);
