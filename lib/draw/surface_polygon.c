@@ -163,19 +163,30 @@ static __attribute__((noinline)) bool find_beside(const fxl_model_view *model_vi
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
-/* Mostly the clipper has projected it, and it is in the cache. */
+/* A vertex that the clipper has projected, if it is in the cache; or null. */
+static inline const fxl_cached_vertex *find_projected(const fxl_model_view *model_view,
+                                                      uint32_t number)
+{
+    const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
+    return vertex->tag == model_view->tag + number && (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0
+               ? vertex
+               : NULL;
+}
+
 static inline bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
                                   const fxl_traversal *traversal, fxl_screen_point *point,
                                   fxl_q18_46 *depth)
 {
-    const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
-    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
-        vertex->tag == model_view->tag + number && (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0) {
-        *point = vertex->screen;
-        *depth = vertex->position.z;
-        return true;
+    const fxl_cached_vertex *vertex = NULL;
+    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags) {
+        vertex = find_projected(model_view, number);
     }
-    return find_beside(model_view, number, traversal, point, depth);
+    if (vertex == NULL) {
+        return find_beside(model_view, number, traversal, point, depth);
+    }
+    *point = vertex->screen;
+    *depth = vertex->position.z;
+    return true;
 }
 
 typedef struct {

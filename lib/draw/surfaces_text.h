@@ -30,16 +30,26 @@
 
 #if FXL_TARGET_PIXEL_BITS == 16
 
+/* Requires paint->ramp. */
+static inline void mix_light(const fxl_surfaces *surfaces, fxl_paint *paint)
+{
+    const uint32_t levels = paint->levels_less_1;
+    paint->of_565.part_of_level = (65536u + levels / 2) / levels;
+    paint->of_565.dark = surfaces->light->settings.dark;
+}
+
 static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                      const fxl_band *band, fxl_paint *paint)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_paint_565 *of = &paint->of_565;
     fxl_surface_paint_of(surfaces, polygon, paint);
-    const uint32_t levels = paint->levels_less_1;
     of->palette = band->palette;
-    of->part_of_level = paint->ramp != NULL ? (65536u + levels / 2) / levels : 0;
-    of->dark = paint->ramp != NULL ? surfaces->light->settings.dark : 0;
+    of->part_of_level = 0;
+    of->dark = 0;
+    if (paint->ramp != NULL) {
+        mix_light(surfaces, paint);
+    }
     if (paint->is_evenly_lit) {
         paint->ramp = NULL;
     }
@@ -278,15 +288,29 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
 
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
-/* Draws a polygon by the kernel of smooth outlines, where it can. Not inline: what it has would
- * stay on the stack of others. */
-static __attribute__((noinline)) bool draw_smooth(const void *memory, const fxl_depth_plane *plane,
-                                                  const fxl_paint *paint,
-                                                  const fxl_screen_point *points, uint32_t count,
-                                                  const fxl_band *band)
+/* Draws a polygon by the kernel of smooth outlines, where it can: an opaque one that is in no beam,
+ * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay on
+ * the stack of others. */
+static __attribute__((noinline)) bool
+draw_smooth(const fxl_surfaces *surfaces, const void *memory, const fxl_surface_polygon *polygon,
+            const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_smooth_outline smooth;
-    if (!fxl_smooth_outline_begin(memory, plane, paint, band, FXL_TARGET_PIXEL_BITS / 8, &smooth)) {
+    fxl_paint paint;
+    if (surface->opacity != 16 || (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ||
+        polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
+        return false;
+    }
+    fxl_surface_light_of(surfaces, &paint);
+    paint.gradients = &polygon->gradients;
+    paint.colour = polygon->colour;
+#if FXL_TARGET_PIXEL_BITS == 16
+    paint.of_565.palette = band->palette;
+    mix_light(surfaces, &paint);
+#endif
+    if (!fxl_smooth_outline_begin(memory, &polygon->depth, &paint, band, FXL_TARGET_PIXEL_BITS / 8,
+                                  &smooth)) {
         return false;
     }
 #if FXL_TARGET_PIXEL_BITS == 16
@@ -298,13 +322,13 @@ static __attribute__((noinline)) bool draw_smooth(const void *memory, const fxl_
 
 #else
 
-static inline bool draw_smooth(const void *memory, const fxl_depth_plane *plane,
-                               const fxl_paint *paint, const fxl_screen_point *points,
+static inline bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
+                               const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                                uint32_t count, const fxl_band *band)
 {
+    (void)surfaces;
     (void)memory;
-    (void)plane;
-    (void)paint;
+    (void)polygon;
     (void)points;
     (void)count;
     (void)band;
@@ -322,15 +346,15 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_depth_painting depth;
     fxl_paint paint;
     fxl_segment_face face;
+    if (polygon->depth.one == FXL_DEPTH_IS_LINEAR &&
+        draw_smooth(surfaces, workspace->target_memory, polygon, points, count, band)) {
+        return;
+    }
     if (((const fxl_depth_head *)workspace->target_memory)->pass ==
         (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
         return;
     }
     paint_of(surfaces, polygon, band, &paint);
-    if (paint.is_light_linear &&
-        draw_smooth(workspace->target_memory, &polygon->depth, &paint, points, count, band)) {
-        return;
-    }
     fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
     if (is_blended) {
         depth.keeps = FXL_DEPTH_KEEPS_NONE;

@@ -45,6 +45,11 @@ static inline fxl_light_plane fxl_light_plane_of(const fxl_gradients *gradients)
 {
     const fxl_gradient *light = &gradients->attributes[0];
     const unsigned drop = (unsigned)(53 - gradients->shifts[0]);
+    if (drop == 0) {
+        const fxl_light_plane words = {(uint32_t)light->at, (uint32_t)light->along,
+                                       (uint32_t)light->down};
+        return words;
+    }
     const fxl_light_plane plane = {fxl_lower_of_shifted(light->at, drop),
                                    fxl_lower_of_shifted(light->along, drop),
                                    fxl_lower_of_shifted(light->down, drop)};
