@@ -220,13 +220,35 @@ static inline run_memory *run_memory_of(fxl_scan *scan)
     return (run_memory *)(((uintptr_t)scan->active_edges.found + 7u) & ~(uintptr_t)7);
 }
 
-/* Paints what is listed, and empties the list. */
+/* Paints runs that no kernel of rows paints, one by one. */
+static inline __attribute__((always_inline)) void paint_each_run(const fxl_paint *paint,
+                                                                 fxl_plain_runs *runs)
+{
+    for (; runs->next != runs->end; runs->next++) {
+        const uint32_t run = *runs->next;
+        const int32_t x0 = (int32_t)(run & 0xFFFFu), x1 = (int32_t)((run & ~FXL_RUN_BELOW) >> 16);
+        if (run & FXL_RUN_BELOW) {
+            runs->row.pixels += runs->stride;
+            fxl_next_row(paint->gradients, &runs->row);
+        }
+        if (x0 < x1) {
+            PAINT_PIXELS(paint, &runs->row, x0, x1);
+        }
+    }
+}
+
+/* Paints what is listed, and empties the list. has_kernel: the pixels are those of a kernel of
+ * rows. */
 static inline __attribute__((always_inline)) void
-paint_runs(const fxl_paint *paint, run_memory *memory, fxl_plain_runs *runs)
+paint_runs(const fxl_paint *paint, bool has_kernel, run_memory *memory, fxl_plain_runs *runs)
 {
     runs->next = memory->list;
     runs->end = memory->rows.runs;
     memory->rows.runs = memory->list;
+    if (!has_kernel) {
+        paint_each_run(paint, runs);
+        return;
+    }
     while (PAINT_RUNS(runs)) {
         const uint32_t run = runs->next[-1];
         PAINT_PIXELS(paint, &runs->row, (int32_t)(run & 0xFFFFu),
@@ -234,11 +256,11 @@ paint_runs(const fxl_paint *paint, run_memory *memory, fxl_plain_runs *runs)
     }
 }
 
-/* The trapezoids of a polygon whose depths are all kept, and whose pixels are those of a kernel of
- * segments. A trapezoid right below the one before goes on with the same list. Requires a scan by
- * chains. Not inline: its rows would be on the stack of others. */
+/* The trapezoids of a polygon whose depths are all kept. A trapezoid right below the one before
+ * goes on with the same list. Requires a scan by chains. Not inline: its rows would be on the stack
+ * of others. */
 static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
-                                                  const fxl_segment_face *segments,
+                                                  const fxl_segment_face *segments, bool has_kernel,
                                                   const fxl_depth_painting *depth,
                                                   const fxl_band *band, fxl_scan *scan)
 {
@@ -262,7 +284,7 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
             rows->rows |= FXL_RUN_BELOW;
         } else {
             if (rows->runs != memory->list) {
-                paint_runs(paint, memory, &runs);
+                paint_runs(paint, has_kernel, memory, &runs);
             }
             runs.row.pixels =
                 band->pixels + (size_t)(trapezoid->first_row - band->first_row) * runs.stride;
@@ -273,14 +295,14 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
         rows->edges[0] = trapezoid->edges[0];
         rows->edges[1] = trapezoid->edges[1];
         while (fxl_find_depth_runs(rows)) {
-            paint_runs(paint, memory, &runs);
+            paint_runs(paint, has_kernel, memory, &runs);
         }
         if (rows->runs == rows->runs_end) {
-            paint_runs(paint, memory, &runs);
+            paint_runs(paint, has_kernel, memory, &runs);
         }
     }
     if (rows->runs != memory->list) {
-        paint_runs(paint, memory, &runs);
+        paint_runs(paint, has_kernel, memory, &runs);
     }
 }
 
@@ -289,11 +311,12 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
 
 /* Draws a polygon by the kernel of smooth outlines, where it can: an opaque one that is in no beam,
- * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay on
- * the stack of others. */
-static __attribute__((noinline)) bool
-draw_smooth(const fxl_surfaces *surfaces, const void *memory, const fxl_surface_polygon *polygon,
-            const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+ * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay
+ * on the stack of others. */
+static __attribute__((noinline)) bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
+                                                  const fxl_surface_polygon *polygon,
+                                                  const fxl_screen_point *points, uint32_t count,
+                                                  const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_smooth_outline smooth;
@@ -363,11 +386,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     }
     const fxl_segment_face *segments = segments_of(&paint, &face);
 #if HAS_RUNS
-    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && has_plain_rows(&paint, segments) &&
-        fxl_depth_rows_take(&depth)) {
+    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);
         if (workspace->work.scan.by_chains) {
-            paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
+            paint_plain(&paint, segments, has_plain_rows(&paint, segments), &depth, band,
+                        &workspace->work.scan);
             return;
         }
     }
