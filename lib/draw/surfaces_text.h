@@ -272,9 +272,7 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
     int32_t y = -1; /* of the row that comes next */
     runs.row.segments = segments;
     runs.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
-    runs.downs[0] = gradients->weight.down;
-    runs.downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
-    runs.downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
+    fxl_find_downs(gradients, runs.downs);
     fxl_depth_rows_begin(depth, rows);
     rows->runs = memory->list;
     rows->runs_end = memory->list + RUNS;

@@ -156,8 +156,8 @@
 #define PAINT_ROW_V        16
 #define PAINT_ROW_LIGHT    28 /* the upper word */
 #define PAINT_ROW_PIXELS   32
-#define PAINT_ROW_SEGMENTS 36
-#define PAINT_ROW_Y        40
+#define PAINT_ROW_Y        36
+#define PAINT_ROW_SEGMENTS 40
 
 /* fxl_plain_rows */
 #define PLAIN_ROWS_DOWNS  48

@@ -20,11 +20,12 @@
 /* clang-format off */
 #include "segments_armv7m.h"
 
-/* The frame: the steps of a segment, then four words of the face, then: */
-#define F_U_DROP   24
-#define F_TEXELS   32
-#define F_TABLE    40
-#define F_W_LOW    44 /* its register has the table */
+/* The frame: the steps of a segment but the last word, then: */
+#define F_W_LOW    20 /* its register has the table */
+#define F_V_HIGH   24 /* of the step */
+#define F_U_DROP   28 /* then three more words of the face */
+#define F_TEXELS   36
+#define F_TABLE    44
 #define F_GO       48 /* what paints the next segment */
 #define F_FULL     52 /* what paints a whole one */
 #define F_NEXT     56 /* what follows the pixels of a segment */
@@ -42,7 +43,7 @@
 #define F_FACE     112
 #define F_X        116 /* the end of the run; then that of the row */
 #define F_X_END    120
-#define F_KEPT     124 /* 1: the registers from w_low on are those at the beginning of the run */
+#define F_BEGIN    124 /* finds the registers from w_low on at the beginning of a run */
 #define F_SAVED    128 /* the registers from w_low on */
 #define F_KIND     164 /* what takes a row of the face */
 #define F_SIZE     168
@@ -84,7 +85,7 @@ v_more  .req r10
     ldr     r4, [sp, #F_ROW]
     ldr     r5, [r4, #PAINT_ROW_PIXELS]
     bne     .Lline
-    b       .Lweights
+    b       .Lface_weights
     .align  2
 .Lreturn:
     movs    r0, #0
@@ -192,8 +193,8 @@ RUNS:
 3:  strd    r4, r5, [sp, #F_CODE]
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
-    movs    r5, #0
-    str     r5, [sp, #F_KEPT]
+    adr     r5, .Lbegin + 1
+    str     r5, [sp, #F_BEGIN]
     adr     r5, .Lface_weights + 1
     str     r5, [sp, #F_KIND]
     cbz     r1, 4f
@@ -216,8 +217,8 @@ RUNS:
 .Lnext_row:
     ldr     r12, [sp, #F_ROW]
     ldm     r12, {r0-r5}
-    add     r6, r12, #PLAIN_ROWS_DOWNS
-    ldm     r6, {r6-r11}
+    add     lr, r12, #PLAIN_ROWS_DOWNS
+    ldm     lr!, {r6-r11}
     adds    r0, r0, r6
     adc     r1, r1, r7
     adds    r2, r2, r8
@@ -225,43 +226,38 @@ RUNS:
     adds    r4, r4, r10
     adc     r5, r5, r11
     stm     r12, {r0-r5}
-    add     lr, r12, #PLAIN_ROWS_EDGES
-    ldm     lr, {r2-r9}
+    ldm     lr, {r2-r9}                 /* the edges */
     adds    r3, r3, r5
     adcs    r2, r2, r4
     adds    r7, r7, r9
     adcs    r6, r6, r8
     strd    r2, r3, [r12, #PLAIN_ROWS_EDGES]
     strd    r6, r7, [r12, #PLAIN_ROWS_EDGES + EDGE_SIZE]
-    ldr     r5, [r12, #PAINT_ROW_PIXELS]
-    ldr     r1, [r12, #PLAIN_ROWS_STRIDE]
-    add     r5, r5, r1
-    str     r5, [r12, #PAINT_ROW_PIXELS]
-    ldr     r0, [r12, #PAINT_ROW_Y]
-    ldr     r1, [r12, #PLAIN_ROWS_END]
-    adds    r0, #1
-    str     r0, [r12, #PAINT_ROW_Y]
+    ldrd    r5, r0, [r12, #PAINT_ROW_PIXELS]
+    ldrd    r1, r4, [r12, #PLAIN_ROWS_END]
+    add     r5, r5, r4
+    adds    r0, r0, #1
+    strd    r5, r0, [r12, #PAINT_ROW_PIXELS]
     cmp     r0, r1
     bge     .Lreturn
 
 /* r2, r6: the edges' columns, r5: the address of column 0 */
 .Lrow:
     cmp     r2, r6
+    bge     .Lother_way
+    mov     r3, r6
+    ldr     pc, [sp, #F_KIND]
+.Lother_way:
     beq     .Lnext_row
-    ite     lt
-    movlt   r3, r6
-    movge   r3, r2
-    it      ge
-    movge   r2, r6
+    mov     r3, r2
+    mov     r2, r6
     ldr     pc, [sp, #F_KIND]
 
     .align  2
+/* Which segments the columns r2 to r3 have; r0: face, r1: row. r10, r11: the weight at the first 16
+ * columns. */
 .Lface_weights:
-    ldr     r0, [sp, #F_FACE]
-
-/* Which segments the columns r2 to r3 have; r0: face. r10, r11: the weight at the first 16 columns. */
-.Lweights:
-    ldr     r1, [sp, #F_ROW]
+    ldrd    r1, r0, [sp, #F_ROW]
     lsr     r4, r2, #4
     add     r5, r3, #15
     lsr     r5, r5, #4
@@ -312,10 +308,10 @@ RUNS:
     ldreq   r3, [sp, #F_FULL]
     adrne   r3, .Lpartial + 1
     str     r3, [sp, #F_GO]
-    ldr     r3, [sp, #F_KEPT]
-    cmp     r3, #0
-    bne     .Lkept
+    ldr     pc, [sp, #F_BEGIN]
 
+    .align  2
+.Lbegin:
     ldrd    r2, r3, [sp]
     umull   w_low, w, r2, r12
     mla     w, r3, r12, w
@@ -328,7 +324,8 @@ RUNS:
     ldrd    r2, r3, [r1, #PAINT_ROW_U]
     adds    u_low, u_low, r2
     adc     u, u, r3
-    ldrd    r2, r3, [sp, #16]
+    ldr     r2, [sp, #16]
+    ldr     r3, [sp, #F_V_HIGH]
     umull   v_low, v, r2, r12
     mla     v, r3, r12, v
     ldrd    r2, r3, [r1, #PAINT_ROW_V]
@@ -371,7 +368,8 @@ RUNS:
     shift_step r6, r7, (4 - \log)
     shift_step r8, r9, (4 - \log)
     shift_step r10, r11, (4 - \log)
-    stm     sp, {r6-r11}
+    stm     sp, {r6-r10}
+    str     r11, [sp, #F_V_HIGH]
     movs    r6, #(16 - (1 << \log))
     strd    r6, r6, [sp, #F_SHORT]
     ldrd    r7, r8, [sp, #F_CODE]
@@ -481,7 +479,8 @@ RUNS:
     ldrd    r1, r0, [sp, #F_ROW]
     cbz     r4, 1f
     ldr     w_low, [sp, #F_W_LOW]
-    str     r4, [sp, #F_KEPT]
+    adr     r4, .Lkept + 1
+    str     r4, [sp, #F_BEGIN]
     add     r4, sp, #F_SAVED
     stm     r4, {r6-r12, lr}
     mov     r10, w_low
@@ -500,9 +499,10 @@ RUNS:
     b       .Lfind
 2:  ldr     pc, [sp, #F_DONE]
 
+    .align  2
 .Lkept:
-    movs    r3, #0
-    str     r3, [sp, #F_KEPT]
+    adr     r3, .Lbegin + 1
+    str     r3, [sp, #F_BEGIN]
     add     r3, sp, #F_SAVED
     ldm     r3, {r6-r12, lr}
     ldr     pc, [sp, #F_RESUME]
@@ -527,22 +527,20 @@ RUNS:
     .if     \log < 4
     subs    pixels, #((16 - (1 << \log)) << WIDE)
     .endif
-    ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table  , [sp, #F_TABLE]
-    ldr     pc, [sp, #F_GO]
+    add     r3, sp, #F_TEXELS
+    ldm     r3, {texels, mask, table, pc}   /* F_GO */
     .endm
 
 /* What is linear, at the end of the next segment. */
     .macro  next_values
-    ldm     sp, {r1-r5}
-    ldr     w_low, [sp, #F_W_LOW]
+    ldm     sp, {r1-r5, w_low}
     adds    w_low, w_low, r1
     adc     w, w, r2
     str     w_low, [sp, #F_W_LOW]
     adds    u_low, u_low, r3
     adc     u, u, r4
     adds    v_low, v_low, r5
-    ldr     r5, [sp, #20]
+    ldr     r5, [sp, #F_V_HIGH]
     adc     v, v, r5
     .endm
 
@@ -606,9 +604,8 @@ RUNS:
     lsr     r3, u_0, #4
     add     p, p, r3, lsl #16
     subs    pixels, #(15 << WIDE)
-    ldrd    texels, mask, [sp, #F_TEXELS]
-    ldr     table  , [sp, #F_TABLE]
-    ldr     pc, [sp, #F_GO]
+    add     r3, sp, #F_TEXELS
+    ldm     r3, {texels, mask, table, pc}   /* F_GO */
 
 /* Less than a segment is left, or nothing. */
     .align  2
@@ -616,9 +613,28 @@ RUNS:
     ldr     r3, [sp, #F_END]
     cmp     pixels, r3
     bhs     .Lrun_end
-    adr     r3, .Lpartial + 1
+    adr     r3, .Llast_partial + 1
     str     r3, [sp, #F_GO]
     ldr     pc, [sp, #F_RESUME]
+
+/* The same as below where no column is skipped and the run ends in the segment: the code of 16 pixels
+ * ends at its end. */
+    .align  2
+.Llast_partial:
+    ldr     r3, [sp, #F_SHORT]
+    ldr     r5, [sp, #F_END]
+    add     pixels, pixels, r3, lsl #WIDE
+    subs    r3, r5, pixels
+    sub     pixels, r5, #(16 << WIDE)
+    rsb     r3, r3, #(16 << WIDE)
+    .if     WIDE
+    lsrs    r3, r3, #1
+    .endif
+    str     r3, [sp, #F_BEFORE]
+    ldrd    r4, r5, [sp, #F_CODE]
+    mla     r3, r3, r5, r4
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    bx      r3
 
 /* Pixels from F_SKIP on, up to the end of the run or of the segment: the last ones of the code of 16
  * pixels, whose first pixel is before them by as many as are left out. */
@@ -629,16 +645,15 @@ RUNS:
     ldr     r3, [sp, #F_SHORT]
     add     r5, r5, r3
     add     pixels, pixels, r5, lsl #WIDE
-    rsb     r5, r5, #16
     ldr     r3, [sp, #F_END]
     sub     r3, r3, pixels
     .if     WIDE
     lsrs    r3, r3, #1
     .endif
+    rsb     r3, r3, #16
     cmp     r3, r5
-    it      lo
-    movlo   r5, r3
-    rsb     r3, r5, #16
+    it      lt
+    movlt   r3, r5
     sub     pixels, pixels, r3, lsl #WIDE
     str     r3, [sp, #F_BEFORE]
     movs    r4, #0
@@ -829,7 +844,7 @@ RUNS:
     cmp     pixels, r3
     it      hs
     ldrhs   pc, [sp, #F_DONE]
-    adr     r3, .Lpartial + 1
+    adr     r3, .Llast_partial + 1
     str     r3, [sp, #F_GO]
     b       .Lline_resume
 
