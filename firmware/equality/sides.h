@@ -19,6 +19,7 @@
     uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
     uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
+    int64_t side##multiply_s64_u16(int64_t a, uint32_t b); \
     uint64_t side##multiply_high(uint64_t a, uint64_t b); \
     uint32_t side##edge_height_max(void); \
     int32_t side##edge_dividend_max(void); \

@@ -94,11 +94,10 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 
 #endif
 
-/* Whether a kernel paints its rows one after the other. An Armv6-M has none: rows by themselves
- * take less stack. */
+/* Whether a kernel paints its rows one after the other. */
 static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
 {
-    return !FXL_KERNELS_ARMV6M && segments != NULL && paint->ramp == NULL &&
+    return segments != NULL && paint->ramp == NULL &&
            (FXL_TARGET_PIXEL_BITS == 16 ? !paint->is_evenly_lit : paint->in_beam == NULL);
 }
 

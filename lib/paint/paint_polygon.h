@@ -12,13 +12,18 @@
 typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
                              int32_t x0, int32_t x1);
 
-/* The row's gradients, y rows down. */
-static inline void fxl_begin_row(const fxl_gradients *gradients, int32_t y, fxl_paint_row *row)
+static inline int64_t value_down(const fxl_gradient *gradient, int32_t y)
+{
+    return gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
+}
+
+/* The row's gradients, y rows down: 0 <= y < 2^16. */
+FXL_APART void fxl_begin_row(const fxl_gradients *gradients, int32_t y, fxl_paint_row *row)
 {
     row->y = y;
-    row->weight = gradients->weight.at + gradients->weight.down * y;
+    row->weight = value_down(&gradients->weight, y);
     for (uint32_t i = 0; i < gradients->count; i++) {
-        row->attributes[i] = gradients->attributes[i].at + gradients->attributes[i].down * y;
+        row->attributes[i] = value_down(&gradients->attributes[i], y);
     }
 }
 

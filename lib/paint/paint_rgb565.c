@@ -171,13 +171,13 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
 {
     divided_column at;
     uint32_t least[3];
+    least[0] = 0; /* not found yet */
     at.column = -1;
     if (paint->is_light_linear) {
         const fxl_light_run run = fxl_light_run_of(paint, row->y, x0);
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
         int32_t end = fxl_segments_end(row, x0, x1);
         if (end > x0) {
@@ -187,6 +187,9 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
                 mix_evenly(paint, pixels + x0, pixels + end);
             }
         } else {
+            if (least[0] == 0) {
+                fxl_find_least_weights(paint->gradients, paint->division, least);
+            }
             end = smaller((x0 & ~15) + 16, x1);
             paint_sixteen(paint, row, least, x0, end, &at);
         }
