@@ -143,9 +143,9 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
 /* A vertex between the near and the far plane, in the view and on the screen, or beside it. False:
  * it cannot be projected. Which planes the model view leaves out, and what a cache of few vertices
  * displaced, changes nothing. */
-static __attribute__((noinline)) bool find_beside(const fxl_model_view *model_view, uint32_t number,
-                                                  const fxl_traversal *traversal,
-                                                  fxl_screen_point *point, fxl_q18_46 *depth)
+static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
+                           const fxl_traversal *traversal, fxl_screen_point *point,
+                           fxl_q18_46 *depth)
 {
     fxl_cached_vertex other;
     const fxl_cached_vertex *vertex = &other;
@@ -163,29 +163,39 @@ static __attribute__((noinline)) bool find_beside(const fxl_model_view *model_vi
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
-/* A vertex that the clipper has projected, if it is in the cache; or null. */
-static inline const fxl_cached_vertex *find_projected(const fxl_model_view *model_view,
-                                                      uint32_t number)
+/* The three vertices where the clipper has projected all of them, and they are in the cache:
+ * mostly. */
+static inline bool find_projected(const fxl_model_view *model_view, const uint16_t *vertices,
+                                  fxl_screen_corners *corners)
 {
-    const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
-    return vertex->tag == model_view->tag + number && (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0
-               ? vertex
-               : NULL;
+    const fxl_cached_vertex *entries = model_view->entries;
+    const uint32_t mask = model_view->mask, tag = model_view->tag;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t number = vertices[i];
+        const fxl_cached_vertex *vertex = &entries[number & mask];
+        if (vertex->tag != tag + number || (vertex->clip_flags & FXL_VERTEX_OUTSIDE) != 0) {
+            return false;
+        }
+        corners->points[i] = vertex->screen;
+        corners->depths[i] = vertex->position.z;
+    }
+    return true;
 }
 
-static inline bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
-                                  const fxl_traversal *traversal, fxl_screen_point *point,
-                                  fxl_q18_46 *depth)
+/* The three vertices, on the screen or beside it. */
+static inline bool find_three(const fxl_model_view *model_view, const uint16_t *vertices,
+                              const fxl_traversal *traversal, fxl_screen_corners *corners)
 {
-    const fxl_cached_vertex *vertex = NULL;
-    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags) {
-        vertex = find_projected(model_view, number);
+    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
+        find_projected(model_view, vertices, corners)) {
+        return true;
     }
-    if (vertex == NULL) {
-        return find_beside(model_view, number, traversal, point, depth);
+    for (uint32_t i = 0; i < 3; i++) {
+        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
+                            &corners->depths[i])) {
+            return false;
+        }
     }
-    *point = vertex->screen;
-    *depth = vertex->position.z;
     return true;
 }
 
@@ -227,15 +237,18 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
         indices += count;
         count = face->whole_count;
     }
-    screen_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (uint32_t i = 0; i < 3; i++) {
-        if ((vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) ||
-            !find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
-                            &corners->depths[i])) {
+        if (vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) {
             return false;
         }
-        add_point(&box, &corners->points[i]);
     }
+    if (!find_three(model_view, vertices, traversal, corners)) {
+        return false;
+    }
+    const fxl_screen_point *first = corners->points;
+    screen_box box = {first->x, first->x, first->y, first->y};
+    add_point(&box, &corners->points[1]);
+    add_point(&box, &corners->points[2]);
     corners->is_on_screen = is_within(&box, &model_view->view->lens);
     for (uint32_t i = 0; count > 3 && i < count; i++) {
         fxl_screen_point point;
