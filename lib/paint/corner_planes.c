@@ -1,42 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "corner_planes.h"
 
-#include "../math/family.h"
+#include "../math/product.h"
 #include "light_row.h"
 #include "segments.h"
-
-/* On a core without long products these are calls: in place, all of them take 2 KB more. */
-#if FXL_KERNELS_ARMV6M
-#define PRODUCT static __attribute__((noinline))
-#else
-#define PRODUCT static inline
-#endif
-
-PRODUCT int64_t product(int32_t a, int32_t b)
-{
-    return fxl_multiply_s32(a, b);
-}
-
-PRODUCT uint64_t product_unsigned(uint32_t a, uint32_t b)
-{
-    return fxl_multiply_u32(a, b);
-}
-
-PRODUCT int64_t product_wide(int64_t a, int32_t b)
-{
-    return fxl_multiply_s64(a, b);
-}
-
-/* The upper word of a product. */
-static inline int32_t upper(int32_t a, int32_t b)
-{
-    return (int32_t)((uint64_t)product(a, b) >> 32);
-}
-
-static inline uint32_t upper_unsigned(uint32_t a, uint32_t b)
-{
-    return (uint32_t)(product_unsigned(a, b) >> 32);
-}
 
 /* value / 2^drop, rounded down, for 0 <= drop <= 31, by words: cores have no shift of 64 bits. */
 static inline int64_t shifted(int64_t value, unsigned drop)
@@ -88,19 +55,21 @@ static inline bool find_weights(const fxl_screen_corners *corners, const fxl_len
             return false;
         }
     }
-    uint32_t products[3] = {upper_unsigned(depths[1], depths[2]),
-                            upper_unsigned(depths[0], depths[2]),
-                            upper_unsigned(depths[0], depths[1])};
+    uint32_t products[3] = {fxl_upper_product_unsigned(depths[1], depths[2]),
+                            fxl_upper_product_unsigned(depths[0], depths[2]),
+                            fxl_upper_product_unsigned(depths[0], depths[1])};
     const unsigned zeros = fxl_leading_zeros(products[0] | products[1] | products[2]);
     const uint32_t near_z = (uint32_t)lens->near_z;
     const unsigned near_zeros = fxl_leading_zeros(near_z);
     for (uint32_t i = 0; i < 3; i++) {
         products[i] = products[i] << zeros >> 1;
     }
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_unsigned(products[0], depths[0]));
-    const uint32_t factor = upper_unsigned(near_z << near_zeros, (uint32_t)reciprocal.value);
+    const fxl_reciprocal reciprocal =
+        fxl_reciprocal_of(fxl_upper_product_unsigned(products[0], depths[0]));
+    const uint32_t factor =
+        fxl_upper_product_unsigned(near_z << near_zeros, (uint32_t)reciprocal.value);
     for (uint32_t i = 0; i < 3; i++) {
-        planes->weights[i] = (int32_t)upper_unsigned(factor, products[i]);
+        planes->weights[i] = (int32_t)fxl_upper_product_unsigned(factor, products[i]);
     }
     planes->weight_exponent = 32 + (int)near_zeros - (int)shift - (int)reciprocal.zeros;
     planes->has_weight = false;
@@ -158,8 +127,8 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     }
     const int32_t x1 = p[1].x - p[0].x, y1 = p[0].y - p[1].y;
     const int32_t x2 = p[0].x - p[2].x, y2 = p[2].y - p[0].y;
-    const int64_t area = product(x1, y2) - product(x2, y1);
-    const uint64_t box = product_unsigned(width, height);
+    const int64_t area = fxl_product(x1, y2) - fxl_product(x2, y1);
+    const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
     planes->is_thin = false;
     if (planes->area << 3 < box) {
@@ -175,8 +144,8 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->weight_most = largest_of(planes->weights);
     /* A side has at most 23 bits, and weights 30. */
     if (!planes->is_thin &&
-        product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
-            product_unsigned(planes->weight_most, width < height ? width : height)) {
+        fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
+            fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
         return false;
     }
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
@@ -187,10 +156,10 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const unsigned scale = fxl_leading_zeros(width > height ? width : height) - 1u;
     planes->x = p[0].x - 32768;
     planes->y = p[0].y - 32768;
-    planes->along[0] = upper((int32_t)((uint32_t)y2 << scale), reciprocal);
-    planes->along[1] = upper((int32_t)((uint32_t)y1 << scale), reciprocal);
-    planes->down[0] = upper((int32_t)((uint32_t)x2 << scale), reciprocal);
-    planes->down[1] = upper((int32_t)((uint32_t)x1 << scale), reciprocal);
+    planes->along[0] = fxl_upper_product((int32_t)((uint32_t)y2 << scale), reciprocal);
+    planes->along[1] = fxl_upper_product((int32_t)((uint32_t)y1 << scale), reciprocal);
+    planes->down[0] = fxl_upper_product((int32_t)((uint32_t)x2 << scale), reciprocal);
+    planes->down[1] = fxl_upper_product((int32_t)((uint32_t)x1 << scale), reciprocal);
     planes->exponent = (int)scale + (high != 0 ? 46 : 14) - (int)zeros;
     planes->corners = corners;
     planes->lens = lens;
@@ -214,24 +183,24 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
                     fxl_gradient *gradient)
 {
     const int32_t d1 = values[1] - values[0], d2 = values[2] - values[0];
-    const int64_t along = product(d1, planes->along[0]) + product(d2, planes->along[1]);
-    const int64_t down = product(d1, planes->down[0]) + product(d2, planes->down[1]);
+    const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
+    const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
     const int32_t along_high = (int32_t)((uint64_t)along >> 32);
     const int32_t down_high = (int32_t)((uint64_t)down >> 32);
     const uint32_t value = (uint32_t)(values[0] ^ (values[0] >> 31)) + 1u;
     const int up = planes->exponent - 32; /* -12..4 */
     const uint64_t largest =
-        (product_unsigned((uint32_t)(along_high ^ (along_high >> 31)) + 1u, planes->columns) +
-         product_unsigned((uint32_t)(down_high ^ (down_high >> 31)) + 1u, planes->rows) +
-         (up >= 0 ? product_unsigned(value, 1u << up) : (value >> -up) + 1u)) |
+        (fxl_product_unsigned((uint32_t)(along_high ^ (along_high >> 31)) + 1u, planes->columns) +
+         fxl_product_unsigned((uint32_t)(down_high ^ (down_high >> 31)) + 1u, planes->rows) +
+         (up >= 0 ? fxl_product_unsigned(value, 1u << up) : (value >> -up) + 1u)) |
         1u << 29;
     const unsigned drop = fxl_bit_length(largest) - 30u;
     const int exponent = planes->exponent - (int)drop;
     gradient->along = shifted(along, drop);
     gradient->down = shifted(down, drop);
     gradient->at = (int64_t)((uint64_t)(int64_t)values[0] << exponent) -
-                   product_wide(gradient->along >> 16, planes->x) -
-                   product_wide(gradient->down >> 16, planes->y);
+                   fxl_product_wide(gradient->along >> 16, planes->x) -
+                   fxl_product_wide(gradient->down >> 16, planes->y);
     return exponent;
 }
 
@@ -265,7 +234,8 @@ static bool is_nearly_affine(const fxl_corner_planes *planes, const uint32_t *ra
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t error =
             i % 2 == 0 && i + 1 == count ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL;
-        if (product_unsigned(ranges[i], range) > product_unsigned(least, 4u * error >> part)) {
+        if (fxl_product_unsigned(ranges[i], range) >
+            fxl_product_unsigned(least, 4u * error >> part)) {
             return false;
         }
     }
@@ -298,7 +268,7 @@ static inline void find_words(const fxl_corner_planes *planes, uint32_t value, i
 {
     const int32_t step = (int32_t)fxl_lower_of_shifted(along, drop);
     const int32_t step_down = (int32_t)fxl_lower_of_shifted(down, drop);
-    const int64_t off = product(step, planes->x) + product(step_down, planes->y);
+    const int64_t off = fxl_product(step, planes->x) + fxl_product(step_down, planes->y);
     gradient->along = step;
     gradient->down = step_down;
     gradient->at = (int32_t)(value - fxl_lower_of_shifted(off, 16));
@@ -333,8 +303,8 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     }
     const int32_t *across = planes->along, *below = planes->down;
     int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
-    int64_t along = product(d1, across[0]) + product(d2, across[1]);
-    int64_t down = product(d1, below[0]) + product(d2, below[1]);
+    int64_t along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
+    int64_t down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
     const unsigned drop = (unsigned)planes->exponent - 8u;
     if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
         return false;
@@ -347,8 +317,8 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
 
     d1 = weights[1] - weights[0];
     d2 = weights[2] - weights[0];
-    along = product(d1, across[0]) + product(d2, across[1]);
-    down = product(d1, below[0]) + product(d2, below[1]);
+    along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
+    down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
     const unsigned length = 32u - zeros, bits = scale.mantissa + 17u; /* 28 to 31 */
     if (planes->is_thin &&
         (upper_size(along) | upper_size(down)) >> ((unsigned)planes->exponent + length - 35u) !=
@@ -414,8 +384,10 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     const int range_zeros = (int)fxl_leading_zeros(range), sum_zeros = (int)fxl_leading_zeros(sum);
     const int change_zeros = (int)fxl_leading_zeros(change);
     const int unit_zeros = (int)fxl_leading_zeros(unit);
-    uint32_t product = upper_unsigned(range << range_zeros, sum << sum_zeros);
-    product = upper_unsigned(upper_unsigned(product, change << change_zeros), growth) + 1u;
+    uint32_t product = fxl_upper_product_unsigned(range << range_zeros, sum << sum_zeros);
+    product = fxl_upper_product_unsigned(
+                  fxl_upper_product_unsigned(product, change << change_zeros), growth) +
+              1u;
     const int zeros = (int)fxl_leading_zeros(product);
     const int step = 64 - range_zeros - sum_zeros - planes->exponent;
     int bits = 62 - range_zeros - sum_zeros - change_zeros - planes->exponent + unit_zeros - zeros;
@@ -423,8 +395,9 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     bits = bits < -4 ? -4 : bits;
     weight_min[0] = weight_min[1] = (uint32_t)1 << 31;
     if (step <= 21 && bits <= 8) {
-        weight_min[0] = (uint32_t)(product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
-        weight_min[1] = (uint32_t)(product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
+        weight_min[0] = (uint32_t)(fxl_product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
+        weight_min[1] =
+            (uint32_t)(fxl_product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
     }
 }
 
@@ -437,7 +410,8 @@ static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[
     for (uint32_t i = 0; i < gradients->count; i++) {
         const unsigned shift = room_of(values[i]) - 1u;
         for (uint32_t k = 0; k < 3; k++) {
-            values[i][k] = upper((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
+            values[i][k] =
+                fxl_upper_product((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
         }
         gradients->shifts[i] = (int8_t)(32 - (int)shift + planes->gradient_exponent -
                                         plane_of(planes, values[i], &gradients->attributes[i]));
@@ -485,7 +459,8 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine,
         density->depth = fxl_real_of(near < z[2] ? near : z[2], 0);
         for (uint32_t i = 0; i < 3; i++) {
             const fxl_real pixels = density->pixels;
-            density->pixels = fxl_real_of(product_unsigned(pixels.mantissa, z[i]), pixels.exponent);
+            density->pixels =
+                fxl_real_of(fxl_product_unsigned(pixels.mantissa, z[i]), pixels.exponent);
         }
     }
 }

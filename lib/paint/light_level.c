@@ -1,34 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
  * or within 2^-29 where its instance has no placement; that is its own, and no error. */
-#include "../math/arith.h"
-#include "../math/family.h"
+#include "../math/product.h"
 #include "rgb565_colour.h"
 #include "../math/plane.h"
 #include "fixel/light.h"
 #include "light_level.h"
 
-/* On a core without long products these are calls: in place, all of them take 1 KB more. */
-#if FXL_KERNELS_ARMV6M
-#define PRODUCT static __attribute__((noinline))
-#else
-#define PRODUCT static inline
-#endif
-
-PRODUCT int64_t product(int32_t a, int32_t b)
-{
-    return fxl_multiply_s32(a, b);
-}
-
-PRODUCT uint64_t product_unsigned(uint32_t a, uint32_t b)
-{
-    return fxl_multiply_u32(a, b);
-}
-
 /* a * b, for a, b <= 2^30 + 2^3. Error: less than 1. */
 static inline uint32_t fraction_of(uint32_t a, uint32_t b)
 {
-    return (uint32_t)(product_unsigned(a, b) >> 30);
+    return (uint32_t)(fxl_product_unsigned(a, b) >> 30);
 }
 
 /* A sum of brightness, held to 1. */
@@ -46,11 +28,6 @@ static uint32_t from_direction(const fxl_light_settings *settings, const fxl_dir
     const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
                              (int64_t)normal->z * direction->z);
     return facing > 0 ? fraction_of((uint32_t)settings->strength, (uint32_t)(facing >> 30)) : 0;
-}
-
-static inline uint32_t upper(uint32_t a, uint32_t b)
-{
-    return (uint32_t)(product_unsigned(a, b) >> 32);
 }
 
 /* The upper word of value * 2^shift, 0 <= shift <= 63, by words: cores have no shift of 64 bits. */
@@ -83,10 +60,13 @@ static uint32_t root_reciprocal(uint32_t value)
         147, 147, 146, 145, 144, 144, 143, 142, 142, 141, 140, 140, 139, 138, 138, 137,
         137, 136, 135, 135, 134, 134, 133, 132, 132, 131, 131, 130, 130, 129, 129, 128};
     const uint32_t rough = (uint32_t)roots[(value >> 25) - 32u] << 8;
-    const int32_t first = (int32_t)((1u << 30) - upper(rough * rough, value)) >> 10;
+    const int32_t first =
+        (int32_t)((1u << 30) - fxl_upper_product_unsigned(rough * rough, value)) >> 10;
     const uint32_t root = (rough << 15) + (uint32_t)((int32_t)rough * first >> 6);
-    const int32_t second = (int32_t)((1u << 28) - upper(upper(root, root), value));
-    return root + (uint32_t)(int32_t)(product((int32_t)root, second * 8) >> 32);
+    const int32_t second =
+        (int32_t)((1u << 28) -
+                  fxl_upper_product_unsigned(fxl_upper_product_unsigned(root, root), value));
+    return root + (uint32_t)(int32_t)(fxl_product((int32_t)root, second * 8) >> 32);
 }
 
 /* The cosine between a normal and a vector to a light; dot is their product, from 1 to below 2^61,
@@ -108,8 +88,10 @@ static uint32_t fading(uint64_t square, uint64_t range_square)
     const unsigned shift = zeros_of(range_square);
     const uint32_t divisor = upper_of(range_square, shift);
     const uint32_t estimate = fxl_divide_half((uint32_t)INT32_MAX, divisor >> 16);
-    const uint32_t reciprocal = (estimate << 16) - upper(estimate * estimate, divisor);
-    const int32_t left = FXL_Q2_30_ONE - (int32_t)upper(upper_of(square, shift), reciprocal);
+    const uint32_t reciprocal =
+        (estimate << 16) - fxl_upper_product_unsigned(estimate * estimate, divisor);
+    const int32_t left =
+        FXL_Q2_30_ONE - (int32_t)fxl_upper_product_unsigned(upper_of(square, shift), reciprocal);
     return left > 0 ? (uint32_t)left : 0;
 }
 
@@ -124,16 +106,16 @@ static uint32_t from_point(const fxl_point_light *light, const fxl_lit_place *pl
     const uint32_t y = 2u * (uint32_t)light->position.y - (uint32_t)place->middle.y;
     const uint32_t z = 2u * (uint32_t)light->position.z - (uint32_t)place->middle.z;
     const fxl_direction *normal = &place->normal;
-    const int64_t dot = product(normal->x, (int32_t)x) + product(normal->y, (int32_t)y) +
-                        product(normal->z, (int32_t)z);
+    const int64_t dot = fxl_product(normal->x, (int32_t)x) + fxl_product(normal->y, (int32_t)y) +
+                        fxl_product(normal->z, (int32_t)z);
     const uint32_t range = 2u * (uint32_t)light->range;
     if (dot <= 0 || x + range > 2u * range || y + range > 2u * range || z + range > 2u * range) {
         return 0;
     }
-    const uint64_t square = (uint64_t)product((int32_t)x, (int32_t)x) +
-                            (uint64_t)product((int32_t)y, (int32_t)y) +
-                            (uint64_t)product((int32_t)z, (int32_t)z);
-    const uint64_t range_square = product_unsigned(range, range);
+    const uint64_t square = (uint64_t)fxl_product((int32_t)x, (int32_t)x) +
+                            (uint64_t)fxl_product((int32_t)y, (int32_t)y) +
+                            (uint64_t)fxl_product((int32_t)z, (int32_t)z);
+    const uint64_t range_square = fxl_product_unsigned(range, range);
     if (square >= range_square) {
         return 0;
     }
