@@ -216,14 +216,15 @@ static void any_plane(const fxl_band *band, fxl_depth_plane *plane)
     plane->gradient.at = corners[0] - plane->gradient.down * band->first_row;
 }
 
-/* Words: codes of the band that are near each other, or any. */
+/* Words: codes of the band that are near each other, or any; no sum of them wraps. */
 static void any_linear_plane(const fxl_band *band, fxl_depth_plane *plane)
 {
-    const uint32_t drop = (any_32() >> 9) % 20u;
+    const uint32_t drop = 2u + (any_32() >> 9) % 20u;
     plane->one = FXL_DEPTH_IS_LINEAR;
-    plane->gradient.along = (int32_t)any_32() / band->width >> drop;
-    plane->gradient.down = (int32_t)any_32() / band->rows >> drop;
-    plane->gradient.at = (int32_t)any_32();
+    plane->gradient.along = ((int32_t)any_32() >> drop) / band->width;
+    plane->gradient.down = ((int32_t)any_32() >> drop) / band->rows;
+    plane->gradient.at = (int32_t)((1u << 31) + (uint32_t)((int32_t)any_32() >> 2) -
+                                   (uint32_t)plane->gradient.down * band->first_row);
 }
 
 /* Cells of which nothing is drawn, or that are near the plane, or any. */
@@ -254,17 +255,19 @@ static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
     }
 }
 
-/* Light at three corners of the band: of the ramp, or also beside it. */
+/* Light at three corners of the band: of the ramp, or also a quarter of it beside it. In the whole
+ * band it is from -128 to 128, as light_row.h says of a face. */
 static void any_light(const fxl_band *band, polygon *of)
 {
     fxl_gradient *light = &of->light.attributes[0];
-    const uint32_t levels = 2u + (any_32() >> 9) % 63u, beside = any_32() >> 9 & 1u;
+    const uint32_t beside = any_32() >> 9 & 1u;
+    const uint32_t levels = 2u + (any_32() >> 9) % (beside ? 39u : 63u);
     const uint32_t exponent = 8u + (any_32() >> 9) % 21u; /* of 16.16 levels */
+    const uint32_t range = (levels - 1u) << 16, quarter = beside * (range >> 2);
     int64_t corners[3];
     for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t range = (levels - 1u) << (16 + beside);
         const int32_t value =
-            (int32_t)((any_32() >> 1) % range + 32768u) - (int32_t)(beside * (range >> 2));
+            (int32_t)((any_32() >> 1) % (range + 2u * quarter) + 32768u) - (int32_t)quarter;
         corners[i] = (int64_t)((uint64_t)(int64_t)value << exponent);
     }
     light->along = (corners[1] - corners[0]) / band->width;
