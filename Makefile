@@ -20,7 +20,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # --- the user's variables ----------------------------------------------------
 
 # The commands, and other targets of the command line that are no files.
-COMMANDS := all run view flash boot gdb compare report screen pictures wire lib test boards bench clippers \
+COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test boards bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
     predict costs format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
@@ -157,7 +157,7 @@ SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scene
 # These have been compared with the names that there are: firmware/firmware.mk.
 METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
-PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl,$(value SCENE)),$(BUILD)/host/predict)
+PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl %.ply,$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
 FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
 
@@ -222,9 +222,14 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 	@$(MAKE) $(BUILD)/host/wire
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
+showcase: ## make 24 models as people have them, draw each by its first command, and write a page [BOARD= ONLY= OUT= FRESH=1]
+	@tools/setup.sh run simplify
+	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(BUILD)/host/predict
+	@$(TOOL) showcase --board $(BOARD_CHOSEN) --build $(BUILD)
+
 screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
 	@tools/setup.sh run
-	@$(MAKE) $(WALK)
+	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
 pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
@@ -234,8 +239,12 @@ pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
 	@$(FIXEL) pictures --run $(BUILD)/plaza --out docs/plaza.png
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --out docs/cube.png
 	@$(FIXEL) first-program --hud --library $(BUILD)/host/libfixel.a --out docs/hud.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crowd --out docs/world.png
-	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --crate --out docs/crate.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crowd --out docs/world.png
+	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example crate --out docs/crate.png
+	@for each in $(notdir $(basename $(wildcard docs/looks/*.png))); do \
+	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --look $$each --out docs/looks/$$each.png || exit 1; done
+	@for each in $(notdir $(basename $(wildcard docs/examples/*.png))); do \
+	    $(FIXEL) first-program --library $(BUILD)/host/libfixel.a --example $$each --out docs/examples/$$each.png || exit 1; done
 	@$(FIXEL) first-program --library $(BUILD)/host/libfixel.a --neon --out docs/neon.png
 	@$(MAKE) screen BOARD=lm3s6965evb SCENE=scenes/plaza.toml SCREEN=128x64 FRAMES=31 \
 	    PICTURE=docs/oled.png
@@ -286,7 +295,7 @@ LEFT_OUT_OF = $(subst $(space),$(,),$(patsubst WALK_WITHOUT_%,%,$(filter WALK_WI
 
 predict: ## predict flash, RAM, stack and instructions a frame before anything is built for the board [BOARD= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= LOOK= JSON=]
 	@tools/setup.sh predict
-	@$(MAKE) $(BUILD)/host/predict
+	@$(MAKE) $(sort $(BUILD)/host/predict $(PREDICTS))
 	@$(TOOL) predict --board $(BOARD_CHOSEN) --core '$(BOARD_CORE.$(BOARD_CHOSEN))' --scene $(SCENE_OF_PROGRAM) --build $(BUILD) \
 	    --band $(BOARD_BAND_BYTES.$(BOARD_CHOSEN)) --order $(BOARD_ORDER_ENTRIES.$(BOARD_CHOSEN)) --list $(BOARD_LIST_BYTES.$(BOARD_CHOSEN)) \
 	    --cache $(BOARD_CACHE_ENTRIES.$(BOARD_CHOSEN)) --list-most $(call LIST_MOST_OF,$(BOARD_CHOSEN)) $(addprefix --without ,$(call LEFT_OUT_OF,$(BOARD_CHOSEN)))

@@ -40,7 +40,7 @@ CORE_OUT := $(BUILD)/core
 
 # Drivers that DRIVER= may name, which a board's memory may look at.
 DRIVERS_OF_COLOUR := st7789 ili9341 st7735 st7796 gc9a01 ssd1351
-DRIVERS_OF_PAGES := ssd1306 sh1106
+DRIVERS_OF_PAGES := ssd1306 ssd1309 sh1106 sh1107
 # Modules of lib/include/fixel/modules.h, which it may name too.
 DISPLAY_MODULES := $(shell sed -n 's/^extern const fxl_display_module fxl_module_\([a-z0-9_]*\);.*/\1/p' lib/include/fixel/modules.h)
 DRIVERS_OF_PAGES += $(filter $(addsuffix _%,$(DRIVERS_OF_PAGES)),$(DISPLAY_MODULES))

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|completion|predict|gdb|probe...
+# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
 #   report  the same as run, GMP, and Python packages for plots
 #   units   the same as run, and Ruby with CMock
-#   test    all of these, Chromium, which opens the report, GDB and OpenOCD, pytest, and the
+#   test    all of these, where node and npm are there already meshoptimizer too, Chromium, which opens the report, GDB and OpenOCD, pytest, and the
 #           compilers that the library is tried with: g++, Clang, GCC for RISC-V (64 MB to
 #           fetch, 380 MB on disk), CMake
 #   lib     cross compiler
@@ -16,18 +16,20 @@
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
 #   coverage Clang 19, which counts conditions, with its tools; the same as units
 #   tools   Python packages as for run
+#   simplify the same as tools, and node with meshoptimizer, by which --simplify keeps the seams of textures
 #   completion Python packages as for run, and the one that makes completions for a shell
 #   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
-# requirements/*.txt and go into .venv. Where nothing is missing, set-up says nothing and
+# requirements/*.txt and go into .venv, meshoptimizer is that of requirements/package-lock.json and goes into .node. Where nothing is missing, set-up says nothing and
 # takes less than a second. Exit: 0 all there, 1 something is missing.
 set -eu
 cd "$(dirname "$0")/.."
 
 venv=.venv
+node_home=.node
 cmock_home=/usr/share/cmock
 cross=${CROSS:-arm-none-eabi-}
 
@@ -86,6 +88,14 @@ need_coverage() {
         clang-19 -x c -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -o /dev/null - 2>/dev/null ||
         need libclang-rt-19-dev
 }
+# meshoptimizer. Its stamp is a copy of the lock.
+node_is_ready() { cmp -s requirements/package-lock.json "$node_home/.ready"; }
+need_node() {
+    has node || need nodejs
+    has npm || need npm
+    node_wanted=yes
+}
+need_node_where_it_is() { if has node && has npm; then node_wanted=yes; fi; }
 # The groups of requirements/ that are wanted.
 need_python() {
     for group in "$@"; do
@@ -122,6 +132,7 @@ venv_is_ready() { venv_is_made && [ -z "$(missing_groups)" ]; }
 find_missing() {
     packages=
     python_groups=
+    node_wanted=
     for what in "$@"; do
         case $what in
         run) need_board ;;
@@ -130,18 +141,19 @@ find_missing() {
         units) need_board; need_cmock ;;
         test)
             need_board; need_gmp; need_cmock; need_browser; need_debugger; need_openocd
-            need_compilers
+            need_compilers; need_node_where_it_is
             need_python view report test completion ;;
         lib) need_cross_compiler ;;
         fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
         coverage) need_board; need_cmock; need_coverage ;;
         tools) need_python run ;;
+        simplify) need_node; need_python run ;;
         completion) need_python run completion ;;
         predict) need_host_compiler; need_python run ;;
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, completion, predict, gdb or probe" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb or probe" ;;
         esac
     done
     has python3 || need python3
@@ -269,23 +281,38 @@ install_group() {
     cp "requirements/$1.txt" "$venv/.ready-$1"
 }
 
+# --- meshoptimizer -----------------------------------------------------------
+
+install_node() {
+    say "fetching meshoptimizer of requirements/package-lock.json into $node_home"
+    mkdir -p "$node_home"
+    rm -f "$node_home/.ready"
+    cp requirements/package.json requirements/package-lock.json "$node_home/"
+    npm ci --prefix "$node_home" --ignore-scripts --no-audit --no-fund --no-progress --loglevel=error >"$scratch/npm.log" 2>&1 </dev/null || {
+        tail -n 10 "$scratch/npm.log" >&2
+        die "npm could not install requirements/package-lock.json; its words are above"
+    }
+    cp requirements/package-lock.json "$node_home/.ready"
+}
+
 # --- all together ------------------------------------------------------------
 
 packages_only=
 if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|completion|predict|gdb|probe..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe..."
 
 # make test has set up all of this, and then its tests call hundreds of commands of make.
 is_of_test() {
     for what in "$@"; do
-        case $what in run | view | report | units | test | lib | tools | completion | predict | gdb | probe) ;; *) return 1 ;; esac
+        case $what in run | view | report | units | test | lib | tools | simplify | completion | predict | gdb | probe) ;; *) return 1 ;; esac
     done
 }
 if [ "${FIXEL_SET_UP-}" = "$PWD" ] && is_of_test "$@"; then exit 0; fi
 
 is_ready() {
     find_missing "$@"
-    [ -z "$packages" ] && { [ -z "$python_groups" ] || [ -n "$packages_only" ] || venv_is_ready; }
+    [ -z "$packages" ] && { [ -n "$packages_only" ] || { { [ -z "$python_groups" ] || venv_is_ready; } &&
+        { [ -z "$node_wanted" ] || node_is_ready; }; }; }
 }
 if venv_is_made; then make_launcher; fi
 is_ready "$@" && exit 0
@@ -301,4 +328,5 @@ if [ -n "$python_groups" ] && [ -z "$packages_only" ]; then
     venv_is_made || make_venv
     for group in $(missing_groups); do install_group "$group"; done
 fi
+if [ -n "$node_wanted" ] && [ -z "$packages_only" ] && ! node_is_ready; then install_node; fi
 say "ready"

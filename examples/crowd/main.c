@@ -59,7 +59,7 @@ int main(void)
 {
     const fxl_config config = fxl_config_default(320, 240);
     const fxl_pose eye = {{FXL_UNITS(4), FXL_UNITS(9), FXL_UNITS(-14)}, FXL_DEGREES(-6), FXL_DEGREES(-18), 0};
-    const fxl_world_memory room = {instances, slots, NULL, CUBES, 0, colours, HUES};
+    const fxl_world_memory room = {instances, slots, NULL, CUBES, 0, colours, HUES, NULL};
     const fxl_light_settings lamp = {.ambient = FXL_Q2_30_ONE / 6,
                                      .points = {{{0, FXL_UNITS(12), FXL_UNITS(10)}, FXL_UNITS(45), FXL_Q2_30_ONE}},
                                      .point_count = 1,

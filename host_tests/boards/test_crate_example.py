@@ -11,7 +11,7 @@ from fixel.report import examples
 
 
 def test_the_crate_is_that_of_the_document(build):
-    pixels, palette = examples.draw_crate(build / "host" / "libfixel.a")
+    pixels, palette = examples.draw_example(build / "host" / "libfixel.a", "crate")
     shown = numpy.array(Image.open(CHECKOUT / "docs" / "crate.png").convert("RGB"))
     assert len(numpy.unique(pixels)) > 20  # grain and light
     assert numpy.array_equal(palette[pixels], shown)

@@ -65,6 +65,19 @@ int main(void)
     return 0;
 }
 """
+# A program with one driver, whose glass its own record gives.
+ONE_DRIVER = """
+#include <fixel/display.h>
+extern const fxl_display_port wires;
+static const uint8_t palette[768];
+static fxl_display display;
+int show(void);
+int show(void)
+{
+    const fxl_display_config config = fxl_display_config_default(&fxl_st7789, 1);
+    return fxl_display_open(&display, &config, &wires, palette) || fxl_display_place(&display, 100, 100);
+}
+"""
 # The panel draws no frame itself, so what the pump calls to draw one is not linked.
 LINK = ["-ffunction-sections", "-Wl,--gc-sections"]
 SHOW = ["tft_panel.c", "board.c", MOCK / "wires_mock.c", MOCK / "show.c", CHECKOUT / "boards" / "parts" / "display.c",
@@ -218,3 +231,18 @@ def test_an_oled_on_i2c_shows_a_frame(tmp_path):
                           check=True)
     shown, on = read_messages(done.stdout)
     assert on and (shown == grey.levels(frame, palette, 1)).all()
+
+
+def test_a_program_with_one_driver_links_nothing_of_modules(tmp_path):
+    """Of a Cortex-M3 at -O2: 556 bytes of RAM, and flash for no module, no pages and no other controller."""
+    (tmp_path / "one.c").write_text(ONE_DRIVER, encoding="utf-8")
+    compile_all(["arm-none-eabi-gcc", "-mcpu=cortex-m3", "-mthumb", "-ffreestanding", "-O2"], tmp_path, "one.c", *LIBRARY, *LINK,
+                "-fdata-sections", "-nostdlib", "-Wl,--entry=show", "-Wl,--defsym=wires=0", "-Wl,--defsym=memset=0",
+                "-Wl,--defsym=memcpy=0", "-Wl,--defsym=fxl_row_to_16=0", "-lgcc", "-o", "one.elf")
+    listed = subprocess.run(["arm-none-eabi-nm", "--print-size", "one.elf"], cwd=tmp_path, text=True, capture_output=True,
+                            check=True).stdout
+    sizes = {name: int(size, 16) for size, name in re.findall(r"^\w+ (\w+) \w (\w+)$", listed, re.MULTILINE)}
+    assert sizes["display"] == 556
+    assert not [name for name in sizes if re.search("turned|module|pages|mono|ssd1", name)]
+    ours = [name for name in sizes if name.startswith("fxl_display_")]
+    assert 600 < sum(sizes[name] for name in ours) < 900, "812 with gcc 12; 1,192 with fxl_display_config_turned"

@@ -50,6 +50,37 @@ int main(int argc, char **argv)
 """
 
 
+# Prints what a record says: memory, glass, offset, whether blue comes first, inversion.
+RECORDS = r"""
+#include <stdio.h>
+#include <fixel/driver.h>
+#include <fixel/modules.h>
+static const fxl_display_module *const modules[] = {MODULES};
+int main(void)
+{
+    for (size_t i = 0; i < sizeof modules / sizeof modules[0]; i++) {
+        const fxl_display_module *of = modules[i];
+        const int is_blue_first = of->driver->family == &fxl_display_ssd1351 ? !(of->access & 4) : (of->access & 8) != 0;
+        printf("%u x %u|%u x %u|%u, %u|%s|%s\n", of->width, of->height, of->columns, of->rows, of->left, of->top,
+               of->driver->family->exchanges == 0 ? "" : is_blue_first ? "BGR" : "RGB", of->is_inverted ? "yes" : "no");
+    }
+    return 0;
+}
+"""
+
+
+def rows_of_page():
+    """The table of modules in docs/displays.md: its columns by the name of the module."""
+    lines = (CHECKOUT / "docs/displays.md").read_text(encoding="utf-8").splitlines()
+    head = next(at for at, line in enumerate(lines) if line.startswith("| `fxl_module_` |"))
+    rows = []
+    for line in lines[head + 2:]:
+        if not line.startswith("|"):
+            break
+        rows.append([cell.strip() for cell in line.strip("|").split("|")])
+    return [cell.strip() for cell in lines[head].strip("|").split("|")], rows
+
+
 @pytest.fixture(scope="module", name="show")
 def fixture_show(tmp_path_factory):
     """The program: shows the frames of stdin on a module of the header, by its place there."""
@@ -61,6 +92,25 @@ def fixture_show(tmp_path_factory):
                            MOCK / "wires_mock.c", *LIBRARY, SCREEN / "pump.c", "-o", "show"], cwd=folder, text=True, capture_output=True, check=False)
     assert done.returncode == 0, done.stderr
     return folder
+
+
+def test_the_page_says_of_each_module_what_its_record_says(tmp_path):
+    (tmp_path / "records.c").write_text(RECORDS.replace("MODULES", ", ".join(f"&fxl_module_{name}" for name in NAMES)), encoding="utf-8")
+    subprocess.run(["gcc", "-std=c11", "-Wall", "-Wextra", "-Werror", "-ffunction-sections", "-Wl,--gc-sections", f"-I{CHECKOUT / 'lib/include'}",
+                    "records.c", *LIBRARY, "-o", "records"], cwd=tmp_path, check=True)
+    said = subprocess.run(["./records"], cwd=tmp_path, text=True, capture_output=True, check=True).stdout
+    head, rows = rows_of_page()
+    assert head[2:7] == ["glass", "memory as wired", "offset", "colours", "inverted"]
+    assert [row[0].strip("`") for row in rows] == NAMES
+    assert [row[2:7] for row in rows] == [line.replace("x", "×").split("|") for line in said.splitlines()]
+
+
+def test_the_page_says_of_each_module_how_it_is_joined():
+    head, rows = rows_of_page()
+    assert head[7:] == ["SPI mode", "pins at turn 0", "tried on glass"]
+    for name, *_, mode, pins, tried in rows:
+        assert mode == ("0, or 3" if "st7789" in name else "0") and pins in ("above", "left", "below", "?") and tried == "no"
+    assert "None was tried on glass" in HEADER.replace("\n * ", " "), "a module that was: say which in header and page"
 
 
 def test_the_models_have_every_module():

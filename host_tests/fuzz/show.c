@@ -20,7 +20,9 @@ static const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixel
      &fxl_pixels_mono_pages};
 static const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_ili9341, &fxl_st7735,
                                                     &fxl_ssd1306, &fxl_sh1106,  &fxl_st7796,
-                                                    &fxl_gc9a01,  &fxl_ssd1351};
+                                                    &fxl_gc9a01,  &fxl_ssd1351, &fxl_ssd1309,
+                                                    &fxl_sh1107};
+#define DRIVERS (sizeof drivers / sizeof drivers[0])
 static uint8_t palette[3 * FXL_PALETTE_COLOURS];
 
 /* Wires that fail at one call, and never before. */
@@ -238,9 +240,10 @@ static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *
     static fxl_pump pump;
     fuzz_wires wires = {0, fuzz_below(in, 2) ? UINT32_MAX - 1u : fuzz_below(in, 100), NULL, 0};
     fxl_display_port port = {&wires, send, begin, wait, pause};
-    const uint32_t which = fuzz_below(in, 8), turns = fuzz_below(in, 5);
+    const uint32_t which = fuzz_below(in, DRIVERS), turns = fuzz_below(in, 5);
     fxl_display_config config = fxl_display_config_default(drivers[which], turns);
-    DEMAND((config.driver == NULL) == (turns > 3 || ((which == 3 || which == 4) && turns % 2 == 1)));
+    const bool is_mono = which == 3 || which == 4 || which >= 8;
+    DEMAND((config.driver == NULL) == (turns > 3 || (is_mono && turns % 2 == 1)));
     if (fuzz_below(in, 2)) {
         port.start = NULL;
         port.wait = NULL;

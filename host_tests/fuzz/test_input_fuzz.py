@@ -23,6 +23,7 @@ from fixel.scene import toml_billboard, toml_light, toml_model, toml_motion, tom
 from fixel.scene import compiler
 from model_files import glb, gltf, png, stl, stl_text
 from test_checkers import mutant
+from test_ply import binary as ply_binary, text as ply_text
 
 
 def check(name, data, *beside, layers=None):
@@ -73,6 +74,10 @@ def test_any_obj_file(data):
 GLTF = gltf(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], colours=[(9, 99, 199, 255)] * 4, material={"baseColorFactor": [1, 0.5, 0, 1]},
             image=png([[(1, 2, 3), (40, 50, 60)]]), nodes=[{"children": [1], "scale": [1, 2, 3]}, {"mesh": 0, "matrix": [
                 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]}])
+# Corners, colours of vertices and of faces, texture coordinates.
+PLY_TEXT = ply_text(vertex=(("uchar red", "uchar green", "uchar blue", "float u", "float v"), [(1, 2, 3, 0.5, 1)] * 4),
+                    face=(("float red", "float green", "float blue"), [(0.5, 0.25, 1)] * 4))
+PLY_BINARY = ply_binary()
 JSON = st.recursive(st.one_of(st.none(), st.booleans(), st.integers(-3, 9), st.floats(), st.sampled_from([
     1 << 31, 1 << 70, 1e300, "", "x", "VEC3", "SCALAR", "OPAQUE", "BLEND", "data:,", "data:;base64,AAAA", "/dev/zero", "../x", "\0",
     5120, 5121, 5123, 5125, 5126])), lambda inner: st.one_of(st.lists(inner, max_size=4), st.dictionaries(
@@ -120,13 +125,13 @@ def test_any_gltf_file_in_a_scene(data, keys):
 
 
 @fuzzed(0.015)
-@given(st.sampled_from([glb(*GLTF), stl(), stl_text()]), st.randoms(use_true_random=False), st.integers(1, 5),
+@given(st.sampled_from([glb(*GLTF), stl(), stl_text(), PLY_BINARY, PLY_TEXT]), st.randoms(use_true_random=False), st.integers(1, 5),
        st.integers(0, 60))
 def test_models_with_other_bytes(data, chance, changes, cut):
     blob = bytearray(data[:len(data) - cut])
     for _ in range(changes):
         blob[chance.randrange(len(blob))] = chance.randrange(256)
-    check("model.glb" if data[:4] == b"glTF" else "model.stl", bytes(blob))
+    check("model.glb" if data[:4] == b"glTF" else "model.ply" if data[:3] == b"ply" else "model.stl", bytes(blob))
 
 
 MTL_WORDS = st.sampled_from(["newmtl a", "newmtl b", "Kd", "Kd 1", "Kd 0.1 0.2 0.3", "Kd nan 0 0", "Kd spectral x", "map_Kd a.png",
@@ -370,7 +375,7 @@ def test_any_path(kind, data):
 # --- bytes, and images -------------------------------------------------------------
 
 @fuzzed(0)
-@given(st.binary(max_size=400), st.sampled_from(["scene.toml", "model.obj", "model.glb", "model.gltf", "model.stl", "scene.fxls"]))
+@given(st.binary(max_size=400), st.sampled_from(["scene.toml", "model.obj", "model.glb", "model.gltf", "model.stl", "model.ply", "scene.fxls"]))
 def test_any_bytes(data, name):
     check(name, data)
 

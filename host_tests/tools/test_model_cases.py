@@ -156,9 +156,13 @@ def test_a_texture_transform_moves_the_coordinates():
     assert all(red > 2 * max(green, blue) for red, green, blue in colours(made)) and not said(notes, "KHR_texture_transform")
 
 
-def test_animations_are_left_out_with_a_note():
-    _, notes = as_made("animated.glb")
-    assert said(notes, "animated.glb: left out 1 animations") == 1
+def test_an_animation_turns_the_model_and_is_left_out_with_a_note_where_nothing_moves():
+    made, notes = as_made("animated.glb")
+    motion, = made.motions
+    assert motion.repeats and len(motion.keys) > 2 and len({key.angles for key in motion.keys}) > 2
+    assert said(notes, "the animation takes 60 frames and moves 1 parts") == 1 and not said(notes, "left out 1 animations")
+    still, more = compiled("animated.glb")
+    assert not still.motions and said(more, "animated.glb: left out 1 animations") == 1
 
 
 def test_a_material_that_shines_is_as_bright_on_every_side():
@@ -178,7 +182,7 @@ def test_quantized_vertices_are_read():
 
 @pytest.mark.parametrize("suffix, words", [
     ("fbx", ["FBX", "Blender", ".glb"]), ("dae", ["Collada", ".glb"]), ("3mf", ["3MF", "STL"]), ("vox", ["MagicaVoxel", "OBJ"]),
-    ("blend", ["Blender", ".glb"]), ("ZIP", ["archive", "unpack"]), ("ply", ["PLY", "OBJ"])])
+    ("blend", ["Blender", ".glb"]), ("ZIP", ["archive", "unpack"]), ("usdz", ["USD", ".glb"])])
 def test_formats_that_are_not_read_are_refused_by_name_with_the_way_to_go(tmp_path, suffix, words):
     (tmp_path / f"model.{suffix}").write_bytes(b"x")
     (tmp_path / "scene.toml").write_text(f'[[objects]]\nmodel = "model.{suffix}"\n')

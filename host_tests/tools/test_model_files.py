@@ -295,7 +295,7 @@ def test_a_band_that_has_no_front_is_left_as_it_is(tmp_path):
     ('model = "m.glb"\nsolid = "box"', ["both model and solid"]), ('solid = "box"\nfit = 3', ["fit", "means nothing"]),
     ('model = "m.glb"\nfit = 1\nscale = 2', ["both fit and scale"]), ('model = "m.xyz"', ["m.xyz", "there is no file"]),
     ('obj = "m.glb"', ["no OBJ file"]), ('model = "m.glb"\nfit = 0', ["fit"]), ('model = "m.glb"\nmerge = 1', ["merge"]),
-    ('model = "scene.toml"', ["a model is an .obj, .gltf, .glb or .stl file"])])
+    ('model = "scene.toml"', ["a model is an .obj, .gltf, .glb, .stl or .ply file"])])
 def test_keys_that_are_wrong(tmp_path, text, words):
     with pytest.raises(ToolError) as caught:
         compiled(tmp_path, f"[[objects]]\n{text}\n", m_glb=glb(*gltf(*SQUARE)))

@@ -9,7 +9,7 @@ import pytest
 
 from conftest import CHECKOUT, assert_one_sentence, run_cli, without_progress
 from fixel.base.errors import ToolError
-from fixel.board import model_look
+from fixel.board import model_look, order_check
 from fixel.image import image
 from fixel.model.mesh import cross, dot
 from fixel.scene import compiler, look, making, surfaces, target, toml_scene, toml_text
@@ -25,8 +25,10 @@ BALL = [(x, y) for y in range(17) for x in range(17)]
 def round_model(path, uvs=True):
     """A bowl of 512 triangles with an image."""
     points, triangles = grid(16, lambda x, y: -((x - 8) ** 2 + (y - 8) ** 2) / 16)
-    path.write_bytes(glb(*gltf(points, triangles, uvs=[(x / 16, y / 16) for x, y in BALL] if uvs else None,
-                               image=IMAGE if uvs else None)))
+    data, blob = gltf(points, triangles, uvs=[(x / 16, y / 16) for x, y in BALL] if uvs else None, image=IMAGE if uvs else None,
+                      material={})
+    data["materials"][0]["doubleSided"] = True
+    path.write_bytes(glb(data, blob))
     return path
 
 
@@ -52,11 +54,11 @@ def test_a_convex_model_alone_needs_no_depth_and_a_flat_one_no_light_at_run_time
 
 
 @pytest.mark.parametrize("words, expected", [
-    ([], ("rgb565", 16, 128, 40)), (["--palette"], ("palette", 16, 128, 40)), (["--flat"], ("rgb565", 16, 128, 0)),
-    (["--no-textures"], ("rgb565", 16, 0, 40)), (["--sorted"], ("rgb565", 0, 128, 40)), (["--smooth", "20"], ("rgb565", 16, 128, 20)),
-    (["--look", "--palette --flat"], ("palette", 16, 128, 0)), (["--look", "--smooth 7", "--sorted"], ("rgb565", 0, 128, 7)),
-    (["--pixels", "palette"], ("palette", 16, 128, 40)), (["--depth", "32"], ("rgb565", 32, 128, 40)),
-    (["--order", "tree"], ("rgb565", 0, 128, 40))])
+    ([], ("rgb565", 16, 256, 40)), (["--palette"], ("palette", 16, 256, 40)), (["--flat"], ("rgb565", 16, 256, 0)),
+    (["--no-textures"], ("rgb565", 16, 0, 40)), (["--sorted"], ("rgb565", 0, 256, 40)), (["--smooth", "20"], ("rgb565", 16, 256, 20)),
+    (["--look", "--palette --flat"], ("palette", 16, 256, 0)), (["--look", "--smooth 7", "--sorted"], ("rgb565", 0, 256, 7)),
+    (["--pixels", "palette"], ("palette", 16, 256, 40)), (["--depth", "32"], ("rgb565", 32, 256, 40)),
+    (["--order", "tree"], ("rgb565", 0, 256, 40))])
 def test_options_choose_otherwise(words, expected):
     import argparse
     parser = argparse.ArgumentParser()
@@ -188,14 +190,14 @@ ROW = 2 * 320
 
 
 @pytest.mark.parametrize("room, costs, expected", [
-    (LARGE, {}, (16, 16, 128, 40)),
-    (replaced(band=16 * ROW), {}, (16, 16, 128, 40)),                                       # bands, and the list holds the frame
-    (replaced(band=15 * ROW), {(16, 16): (True, 2001.0)}, (8, 16, 128, 40)),                 # 30 rows of a palette
-    (replaced(band=15 * ROW), {(16, 16): (True, 2000.0)}, (16, 16, 128, 40)),                # at most twice as dear
-    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 1999.0)}, (8, 16, 128, 40)),
-    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 2001.0)}, (8, 0, 128, 40)),
-    (replaced(targets=frozenset({(8, 0), (8, 16)})), {}, (8, 16, 128, 40)),
-    (replaced(targets=frozenset({(8, 0)})), {}, (8, 0, 128, 40)),
+    (LARGE, {}, (16, 16, 256, 40)),
+    (replaced(band=16 * ROW), {}, (16, 16, 256, 40)),                                       # bands, and the list holds the frame
+    (replaced(band=15 * ROW), {(16, 16): (True, 2001.0)}, (8, 16, 256, 40)),                 # 30 rows of a palette
+    (replaced(band=15 * ROW), {(16, 16): (True, 2000.0)}, (16, 16, 256, 40)),                # at most twice as dear
+    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 1999.0)}, (8, 16, 256, 40)),
+    (replaced(band=16 * ROW), {(16, 16): (False, 2001.0), (8, 16): (False, 2001.0)}, (8, 0, 256, 40)),
+    (replaced(targets=frozenset({(8, 0), (8, 16)})), {}, (8, 16, 256, 40)),
+    (replaced(targets=frozenset({(8, 0)})), {}, (8, 0, 256, 40)),
     (replaced(targets=frozenset({(8, 0)}), has_surfaces=False), {}, (8, 0, 0, 0)),
     (replaced(scene=60_000), {}, (16, 16, 0, 0)),
 ])
@@ -211,7 +213,7 @@ def test_textures_get_smaller_before_they_go(tmp_path, monkeypatch):
     (tmp_path / "m.glb").write_bytes(glb(*gltf(points, triangles, uvs=[(x / 2, y / 2) for x, y, _ in points], image=wide)))
     sizes = [kind(chosen(tmp_path, replaced(scene=size), monkeypatch, model=tmp_path / "m.glb")[0])[2]
              for size in (60_000, 30_000, 16_000, 12_000)]
-    assert sizes == [128, 64, 32, 16]
+    assert sizes == [256, 64, 32, 16]   # the image itself has 128
 
 
 def test_the_room_is_that_of_the_boards_program(build):
@@ -234,6 +236,30 @@ def test_a_bare_model_is_drawn_as_double_draws_it_and_in_the_right_order(build, 
     again = run_cli("run", "--board", "mps2-an385", "--scene", tmp_path / "s.toml", "--out", tmp_path / "again", "--allow-outside")
     assert again.returncode == 0, again.stderr
     assert json.loads((tmp_path / "again" / "summary.json").read_text())["frame_sha256"] == summary["frame_sha256"]
+
+
+@pytest.mark.parametrize("name, words", [("raised_bars.obj", ["--palette", "--sorted"]), ("raised_bars.obj", ["--sorted"]), ("emissive.glb", ["--sorted"])])
+def test_the_line_says_what_the_order_by_distance_makes_wrong(build, tmp_path, name, words):
+    done = run_cli("run", "--board", "host", "--scene", CASES / name, "--frames", order_check.FRAMES, "--out", tmp_path / "run", *words)
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    line, = [line for line in without_progress(done.stderr) if "RAM for pixels" in line]
+    if name == "raised_bars.obj":
+        assert f"the order by distance shows a wrong face at {summary['order_wrong_pixels']:,} of {summary['order_judged_pixels']:,} pixels" in line
+        assert summary["order_wrong_pixels"] > 100 and line.endswith(f"of {order_check.FRAMES} frames")
+    else:
+        assert summary["order_wrong_pixels"] == 0 and "the order by distance" not in line     # one convex model
+
+
+def test_of_a_long_path_some_frames_are_judged_for_the_order(build, tmp_path):
+    made, _ = compiler.compile_scene(str(CASES / "raised_bars.obj"), 60, look=look.Look("palette", 0))
+    (tmp_path / "m.fxls").write_bytes(image.pack(made))
+    wrong, judged, frames = order_check.count(build, tmp_path / "m.fxls")
+    assert frames == order_check.FRAMES and judged == frames * 320 * 240 and 0 < wrong < judged / 50
+    assert order_check.count(tmp_path, tmp_path / "m.fxls") is None and order_check.text(tmp_path, tmp_path / "m.fxls") == ""
+    made.depth_bits = 16
+    (tmp_path / "m.fxls").write_bytes(image.pack(made))
+    assert order_check.text(build, tmp_path / "m.fxls") == ""
 
 
 def test_stl_in_millimetres_is_framed_and_lit(tmp_path):

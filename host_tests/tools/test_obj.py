@@ -296,7 +296,7 @@ def test_a_framed_model_of_any_shape_touches_the_margin_of_the_screen(tmp_path, 
 def test_the_camera_stays_outside_the_ball_about_a_model():
     # A bar that points at the camera, on a screen so high that the bar alone would let it come nearer.
     along = [round(UNIT * part(math.radians(framing.WALK.start))) for part in (math.sin, math.cos)]
-    bar = SimpleNamespace(vertices=[(sign * along[0], 0, sign * along[1]) for sign in (-1, 1)], surfaces=[])
+    bar = SimpleNamespace(vertices=[(sign * along[0], 0, sign * along[1]) for sign in (-1, 1)], surfaces=[], scenery=None)
     data, _ = framing.scene_data(bar, "bar.obj", 1, (64, 1024))
     distance = math.hypot(data["path"]["orbit"]["radius"], data["path"]["orbit"]["height"])
     assert abs(distance - 1.1 * 4) < 0.02

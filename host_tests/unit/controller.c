@@ -4,8 +4,8 @@
 #include "unit.h"
 
 /* Columns and rows of each controller's memory; of an ST7735 that is strapped for 128 x 160. */
-static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480},
-                                    {240, 240}, {128, 64},  {132, 64}};
+static const uint16_t sizes[][2] = {{240, 320}, {240, 320}, {128, 160}, {320, 480}, {240, 240},
+                                    {128, 64},  {128, 64},  {132, 64},  {128, 128}};
 
 static void take_data(controller *of, uint8_t byte);
 
@@ -174,16 +174,21 @@ static void take_page_byte(controller *of, uint8_t byte)
 /* Bytes of a command, its own included; 0 where there is no such command. */
 static uint32_t length_of(const controller *of, uint8_t command)
 {
-    static const uint8_t both[] = {0x81, 0xA8, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB};
-    const bool is_ssd1306 = of->kind == CONTROLLER_SSD1306;
-    if (memchr(both, command, sizeof both) != NULL || command == 0xAD ||
-        (is_ssd1306 && command == 0x8D) || (is_ssd1306 && command == 0x20)) {
+    static const uint8_t all[] = {0x81, 0xA8, 0xD3, 0xD5, 0xD9, 0xDB};
+    static const uint8_t others[][3] = {[CONTROLLER_SSD1306] = {0x20, 0x8D, 0xAD},
+                                        [CONTROLLER_SSD1309] = {0x20, 0xFD, 0xFD},
+                                        [CONTROLLER_SH1106] = {0xAD, 0xAD, 0xAD},
+                                        [CONTROLLER_SH1107] = {0xAD, 0xDC, 0xDC}};
+    const bool is_sh1107 = of->kind == CONTROLLER_SH1107;
+    if (memchr(all, command, sizeof all) != NULL || memchr(others[of->kind], command, 3) != NULL ||
+        (command == 0xDA && !is_sh1107)) {
         return 2;
     }
     const bool is_known =
-        command < 0x20 || (command >= 0x40 && command < 0x80) ||
+        command < (is_sh1107 ? 0x18 : 0x20) ||
+        (is_sh1107 ? command == 0x20 || command == 0x21 : command >= 0x40 && command < 0x80) ||
         (command >= 0xA0 && command <= 0xA1) || (command >= 0xA4 && command <= 0xA7) ||
-        (command >= 0xAE && command <= 0xB7) || command == 0xC0 || command == 0xC8;
+        (command >= 0xAE && command < 0xB0 + of->rows / 8) || command == 0xC0 || command == 0xC8;
     return is_known ? 1 : 0;
 }
 
@@ -195,9 +200,9 @@ static void take_page_command(controller *of, const uint8_t *command)
     } else if (code < 0x20) {
         of->x = (uint16_t)((of->x & 15u) | (code & 15u) << 4);
     } else if (code == 0x20) {
-        of->mode = command[1];
-    } else if (code >= 0xB0 && code <= 0xB7) {
-        of->y = code & 7u;
+        of->mode = of->kind == CONTROLLER_SH1107 ? 2 : command[1]; /* 2: page by page */
+    } else if (code >= 0xB0 && code <= 0xBF) {
+        of->y = code & 15u;
     } else if (code == 0xA8) {
         of->multiplex = command[1];
     } else if (code == 0xDA) {
@@ -208,14 +213,18 @@ static void take_page_command(controller *of, const uint8_t *command)
         of->clock = command[1];
     } else if (code == 0x81) {
         of->contrast = command[1];
-    } else if (code >= 0x40 && code < 0x80) {
-        of->start_row = code & 63u;
+    } else if (code == 0xDC || (code >= 0x40 && code < 0x80)) {
+        of->start_row = code == 0xDC ? command[1] : code & 63u;
     } else if (code >= 0xA4 && code <= 0xA5) {
         of->is_all_on = code == 0xA5;
     } else if (code == 0xAD && of->kind == CONTROLLER_SSD1306) {
         of->reference = command[1];
     } else if (code == 0x8D || code == 0xAD) {
-        of->is_charged = command[1] == (code == 0x8D ? 0x14 : 0x8B);
+        of->is_charged = command[1] == (code == 0x8D                    ? 0x14
+                                        : of->kind == CONTROLLER_SH1107 ? 0x8A /* by another */
+                                                                        : 0x8B);
+    } else if (code == 0xFD) { /* its lock: there is no converter */
+        of->is_charged = command[1] == 0x12;
     } else if (code >= 0xA0 && code <= 0xA1) {
         of->access = (uint8_t)((of->access & ~1u) | (code & 1u));
     } else if (code == 0xC0 || code == 0xC8) {

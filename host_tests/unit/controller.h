@@ -15,7 +15,9 @@ enum {
     CONTROLLER_ST7796,
     CONTROLLER_GC9A01,
     CONTROLLER_SSD1306,
-    CONTROLLER_SH1106
+    CONTROLLER_SSD1309,
+    CONTROLLER_SH1106,
+    CONTROLLER_SH1107
 };
 
 /* Bytes of memory that a model needs: the pixels of a part of the controller's memory, seen from

@@ -34,7 +34,8 @@ static const module colours[] = {{&fxl_st7789, CONTROLLER_ST7789, false, false, 
                                  {&fxl_st7796, CONTROLLER_ST7796, true, false, false, true},
                                  {&fxl_gc9a01, CONTROLLER_GC9A01, false, false, true, true}};
 static const module oleds[] = {{&fxl_ssd1306, CONTROLLER_SSD1306, true, true, false, false},
-                               {&fxl_sh1106, CONTROLLER_SH1106, true, true, false, false}};
+                               {&fxl_sh1106, CONTROLLER_SH1106, true, true, false, false},
+                               {&fxl_ssd1309, CONTROLLER_SSD1309, true, true, false, false}};
 
 void setUp(void)
 {
@@ -211,12 +212,40 @@ void test_pages_in_bands_of_one_and_two(void)
             /* The controller mirrors as it shows, which only a glass that is mounted so undoes. */
             TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 9 : 0, model.access);
             TEST_ASSERT_TRUE(model.is_on && model.is_charged && !model.is_inverted);
-            TEST_ASSERT_EQUAL(2u * (i == 0), model.mode);
+            TEST_ASSERT_EQUAL(2u * (oleds[i].kind != CONTROLLER_SH1106), model.mode);
             TEST_ASSERT_EQUAL(63, model.multiplex);
             TEST_ASSERT_EQUAL_HEX8(0x12, model.wires);
             /* Row 0 of the memory is at the top, and what it has is shown. */
             TEST_ASSERT_TRUE(model.offset == 0 && model.start_row == 0 && !model.is_all_on);
             TEST_ASSERT_TRUE(model.clock == 0x80 && model.contrast == 0x80);
+        }
+    }
+}
+
+/* Sixteen pages, of which the columns are scanned: the frame fills the glass in two halves. */
+void test_pages_whose_columns_are_scanned(void)
+{
+    for (uint32_t turns = 0; turns < 4; turns += 2) {
+        const fxl_display_config config = fxl_display_config_default(&fxl_sh1107, turns);
+        controller_start(&model, CONTROLLER_SH1107, 0, 0, 128, 128);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &by_dma, palette));
+        TEST_ASSERT_TRUE(model.is_on && model.is_charged && !model.is_inverted);
+        TEST_ASSERT_TRUE(model.mode == 2 && model.multiplex == 127 && model.clock == 0x50);
+        TEST_ASSERT_TRUE(model.offset == 0 && model.start_row == 0 && !model.is_all_on);
+        TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 0 : 9, model.access);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, OLED_WIDTH, OLED_HEIGHT));
+        TEST_ASSERT_EQUAL(FXL_OK, show(OLED_WIDTH, OLED_HEIGHT, 16));
+        uint16_t table[256];
+        fxl_grey_table(table, palette, 1);
+        for (uint16_t y = 0; y < 128; y++) {
+            for (uint16_t x = 0; x < 128; x++) {
+                const uint32_t in_y = y - 32u;
+                const uint32_t level =
+                    in_y < OLED_HEIGHT
+                        ? fxl_grey_level(table[frame[in_y * OLED_WIDTH + x]], x, in_y)
+                        : 0;
+                TEST_ASSERT_EQUAL(level, controller_pixel(&model, x, y));
+            }
         }
     }
 }
@@ -399,10 +428,10 @@ void test_a_glass_beyond_the_memory_is_refused(void)
     static const struct {
         const fxl_display_driver *driver;
         uint16_t columns, rows, page;
-    } memories[] = {{&fxl_st7789, 240, 320, 1}, {&fxl_ili9341, 240, 320, 1},
-                    {&fxl_st7735, 132, 162, 1}, {&fxl_st7796, 320, 480, 1},
-                    {&fxl_gc9a01, 240, 240, 1}, {&fxl_ssd1306, 128, 64, 8},
-                    {&fxl_sh1106, 132, 64, 8}};
+    } memories[] = {
+        {&fxl_st7789, 240, 320, 1}, {&fxl_ili9341, 240, 320, 1}, {&fxl_st7735, 132, 162, 1},
+        {&fxl_st7796, 320, 480, 1}, {&fxl_gc9a01, 240, 240, 1},  {&fxl_ssd1306, 128, 64, 8},
+        {&fxl_sh1106, 132, 64, 8},  {&fxl_ssd1309, 128, 64, 8},  {&fxl_sh1107, 128, 128, 8}};
     for (uint32_t i = 0; i < sizeof memories / sizeof memories[0]; i++) {
         const uint16_t columns = memories[i].columns, rows = memories[i].rows;
         for (uint32_t turns = 0; turns < 4; turns++) {

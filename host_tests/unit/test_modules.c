@@ -3,6 +3,7 @@
  * glass, in the right colours, and nothing is written outside it. The table is written from the
  * facts that public libraries agree on, and not from the library's records. */
 #include "controller.h"
+#include "fixel/driver.h"
 #include "fixel/modules.h"
 #include "unit.h"
 
@@ -152,13 +153,18 @@ void test_modules_of_pages_at_each_turn(void)
         const fxl_display_module *module;
         int kind;
         uint16_t width, height, left;
-        uint8_t wires, reference;
-    } pages[] = {{&fxl_module_ssd1306_128x64, CONTROLLER_SSD1306, 128, 64, 0, 0x12, 0},
-                 {&fxl_module_ssd1306_128x32, CONTROLLER_SSD1306, 128, 32, 0, 0x02, 0},
-                 {&fxl_module_ssd1306_64x48, CONTROLLER_SSD1306, 64, 48, 32, 0x12, 0},
-                 {&fxl_module_ssd1306_64x32, CONTROLLER_SSD1306, 64, 32, 32, 0x12, 0},
-                 {&fxl_module_ssd1306_72x40, CONTROLLER_SSD1306, 72, 40, 28, 0x12, 0x30},
-                 {&fxl_module_sh1106_128x64, CONTROLLER_SH1106, 128, 64, 2, 0x12, 0}};
+        uint8_t wires, reference, offsets[2]; /* of turns 0 and 2 */
+    } pages[] = {{&fxl_module_ssd1306_128x64, CONTROLLER_SSD1306, 128, 64, 0, 0x12, 0, {0, 0}},
+                 {&fxl_module_ssd1306_128x32, CONTROLLER_SSD1306, 128, 32, 0, 0x02, 0, {0, 0}},
+                 {&fxl_module_ssd1306_64x48, CONTROLLER_SSD1306, 64, 48, 32, 0x12, 0, {0, 0}},
+                 {&fxl_module_ssd1306_64x32, CONTROLLER_SSD1306, 64, 32, 32, 0x12, 0, {0, 0}},
+                 {&fxl_module_ssd1306_72x40, CONTROLLER_SSD1306, 72, 40, 28, 0x12, 0x30, {0, 0}},
+                 {&fxl_module_ssd1309_128x64, CONTROLLER_SSD1309, 128, 64, 0, 0x12, 0, {0, 0}},
+                 {&fxl_module_sh1106_128x64, CONTROLLER_SH1106, 128, 64, 2, 0x12, 0, {0, 0}},
+                 {&fxl_module_sh1106_72x40, CONTROLLER_SH1106, 72, 40, 30, 0x12, 0, {0x0C, 0x34}},
+                 {&fxl_module_sh1107_128x128, CONTROLLER_SH1107, 128, 128, 0, 0, 0, {0, 0}},
+                 {&fxl_module_sh1107_64x128, CONTROLLER_SH1107, 64, 128, 0, 0, 0, {0x60, 0x20}},
+                 {&fxl_module_sh1107_80x128, CONTROLLER_SH1107, 80, 128, 0, 0, 0, {0x68, 0x18}}};
     for (uint32_t i = 0; i < sizeof pages / sizeof pages[0]; i++) {
         for (uint32_t turns = 0; turns < 4; turns++) {
             const fxl_display_config config = fxl_display_config_turned(pages[i].module, turns);
@@ -166,12 +172,14 @@ void test_modules_of_pages_at_each_turn(void)
                 TEST_ASSERT_NULL(config.driver);
                 continue;
             }
-            controller_start(&model, pages[i].kind, 0, 0, 128, 64);
+            const bool is_sh1107 = pages[i].kind == CONTROLLER_SH1107;
+            controller_start(&model, pages[i].kind, 0, 0, 128, 128);
             TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
-            TEST_ASSERT_EQUAL(pages[i].height - 1, model.multiplex);
+            TEST_ASSERT_EQUAL((is_sh1107 ? pages[i].width : pages[i].height) - 1, model.multiplex);
+            TEST_ASSERT_EQUAL_HEX8(pages[i].offsets[turns / 2], model.offset);
             TEST_ASSERT_EQUAL_HEX8(pages[i].wires, model.wires);
             TEST_ASSERT_EQUAL_HEX8(pages[i].reference, model.reference);
-            TEST_ASSERT_EQUAL_HEX8(turns == 0 ? 9 : 0, model.access);
+            TEST_ASSERT_EQUAL_HEX8((turns == 0) != is_sh1107 ? 9 : 0, model.access);
             for (uint16_t x = 0; x < 128; x++) {
                 const bool is_glass = (uint16_t)(x - pages[i].left) < pages[i].width;
                 TEST_ASSERT_EQUAL(is_glass ? 0 : 1, controller_pixel(&model, x, 0));
@@ -195,6 +203,50 @@ void test_a_glass_of_pages_at_one_side(void)
     controller_start(&model, CONTROLLER_SSD1306, 0, 0, 128, 64);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
     TEST_ASSERT_TRUE(model.wires == 0x22 && model.offset == 0x0C && model.reference == 0x10);
+}
+
+/* A driver's own module is a module: its glass lies in the middle of the columns, in all rows. */
+void test_the_default_is_a_module_too(void)
+{
+    fxl_display_driver narrow = fxl_st7735;
+    narrow.left = 6;
+    narrow.width = 120;
+    narrow.height = 162;
+    const fxl_display_driver *const drivers[] = {&fxl_st7789, &fxl_st7735,  &fxl_ssd1351,
+                                                 &fxl_sh1106, &fxl_ssd1306, &narrow};
+    for (uint32_t i = 0; i < sizeof drivers / sizeof drivers[0]; i++) {
+        const fxl_display_driver *driver = drivers[i];
+        fxl_display_module module = {.driver = driver,
+                                     .width = driver->width,
+                                     .height = driver->height,
+                                     .left = driver->left};
+        module.columns = (uint16_t)(driver->width + 2 * driver->left);
+        module.rows = driver->height;
+        module.access = driver->access;
+        module.is_inverted = driver->is_inverted;
+        for (uint32_t turns = 0; turns < 5; turns++) {
+            const fxl_display_config left = fxl_display_config_default(driver, turns),
+                                     right = fxl_display_config_turned(&module, turns);
+            TEST_ASSERT_EQUAL_PTR(right.driver, left.driver);
+            TEST_ASSERT_EQUAL(right.width, left.width);
+            TEST_ASSERT_EQUAL(right.height, left.height);
+            TEST_ASSERT_EQUAL(right.left, left.left);
+            TEST_ASSERT_EQUAL(right.top, left.top);
+            TEST_ASSERT_EQUAL_HEX8(right.access, left.access);
+            TEST_ASSERT_EQUAL(right.is_inverted, left.is_inverted);
+        }
+    }
+}
+
+/* The scanned columns of an SH1107 stay; the rows, which its memory mirrors, do not. */
+void test_a_glass_of_scanned_columns_at_one_side(void)
+{
+    const fxl_display_module module = {&fxl_sh1107, 64,    96, 8, 16, 128, 128,
+                                       0,           false, 0,  8, 0,  NULL};
+    TEST_ASSERT_EQUAL(8, fxl_display_config_turned(&module, 2).left);
+    TEST_ASSERT_EQUAL(16, fxl_display_config_turned(&module, 0).top);
+    TEST_ASSERT_EQUAL(128 - 96 - 16, fxl_display_config_turned(&module, 2).top);
+    TEST_ASSERT_EQUAL(120, fxl_display_config_turned(&module, 2).display_offset);
 }
 
 static void expect_none(fxl_display_module module, uint32_t turns)

@@ -56,7 +56,7 @@ void test_a_window_at_each_turn(void)
         const uint16_t pixels[] = {0x15C, 1, 2, 3, 4};
         setUp();
         open_at(turns);
-        TEST_ASSERT_EQUAL_HEX8(accesses[turns], display.config.access);
+        TEST_ASSERT_EQUAL_HEX8(accesses[turns], display.access);
         TEST_ASSERT_EQUAL(FXL_OK, fxl_display_place(&display, 2, 4));
         setUp();
         TEST_ASSERT_TRUE(display.sink.start(display.sink.user, 0, 1, bytes, sizeof bytes));

@@ -20,11 +20,18 @@ enum {
 #define RESET_TIME   150u /* ms: the longest of the three, from the sleep that a reset ends in */
 #define WAKE_UP_TIME 120u
 
-static bool set_up(const fxl_display *display)
+static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
-    const uint8_t format = SIXTEEN_BITS;
-    const fxl_display_config *config = &display->config;
     const fxl_display_port *port = display->port;
+    const uint8_t settings[] = {2,
+                                SET_FORMAT,
+                                SIXTEEN_BITS,
+                                2,
+                                SET_ACCESS,
+                                config->access,
+                                1,
+                                config->is_inverted ? INVERT : INVERT_OFF,
+                                0};
     if (!fxl_display_command(display, SOFTWARE_RESET, NULL, 0)) {
         return false;
     }
@@ -33,9 +40,7 @@ static bool set_up(const fxl_display *display)
         return false;
     }
     port->pause(port->user, WAKE_UP_TIME);
-    return fxl_display_command(display, SET_FORMAT, &format, 1) &&
-           fxl_display_command(display, SET_ACCESS, &config->access, 1) &&
-           fxl_display_command(display, config->is_inverted ? INVERT : INVERT_OFF, NULL, 0);
+    return fxl_display_send_commands(display, settings);
 }
 
 static bool set_range(const fxl_display *display, uint8_t code, uint32_t first, uint32_t count)
@@ -72,7 +77,7 @@ const fxl_display_family fxl_display_colour = {&fxl_pixels_rgb565, set_up,      
 /* A controller whose common glass fills its memory. */
 #define OF_COLOURS(columns, rows, width, height, access, is_inverted) \
     { \
-        &fxl_display_colour, NULL, 0, columns, rows, width, height, 0, access, is_inverted \
+        &fxl_display_colour, NULL, 0, columns, rows, width, height, 0, access, is_inverted, false \
     }
 
 /* Its glass is blue, green, red, and its columns run from right to left. */

@@ -17,19 +17,26 @@ bool fxl_display_start_data(const fxl_display *display, const uint8_t *bytes, si
                                : port->send(port->user, true, bytes, size);
 }
 
+/* How many rows a row, or a count of rows, is beyond the beginning of a page, which has 1 or 8. */
+static uint32_t rows_beyond_page(const fxl_pixel_format *format, uint32_t row)
+{
+    return row & (format->rows - 1u);
+}
+
 static bool start(void *user, uint16_t first_row, uint16_t rows, const uint8_t *bytes, size_t size)
 {
     const fxl_display *display = (const fxl_display *)user;
     const fxl_pixel_format *format = display->pixels.format;
     /* send_rows reads as many bytes as the frame's rows have. Rows that do not begin with a page
      * reach into one page more than their bytes are for. */
-    if (rows == 0 || first_row % format->rows != 0 || first_row + rows > display->frame_height ||
+    if (rows == 0 || rows_beyond_page(format, first_row) != 0 ||
+        first_row + rows > display->frame_height ||
         size != fxl_pixels_size(format, display->frame_width, rows)) {
         return false;
     }
-    return display->config.driver->family->send_rows(display, display->left,
-                                                     (uint16_t)(display->top + first_row),
-                                                     display->frame_width, rows, bytes, size);
+    return display->driver->family->send_rows(display, display->left,
+                                              (uint16_t)(display->top + first_row),
+                                              display->frame_width, rows, bytes, size);
 }
 
 static bool wait_for_port(const fxl_display_port *port)
@@ -53,61 +60,103 @@ static bool is_sound(const fxl_display_module *module)
            module->rows <= module->driver->memory_rows;
 }
 
-/* Of pages, mirrored rows are those of the glass: the row of the memory that it begins with stays
- * the first one. */
+static const fxl_display_config no_config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL};
+
+static bool exchanges(uint32_t quarter_turns)
+{
+    return (quarter_turns & 1u) != 0;
+}
+
+static bool mirrors_across(uint32_t quarter_turns)
+{
+    return ((quarter_turns + 1u) & 2u) != 0; /* 1 and 2 */
+}
+
+static bool mirrors_down(uint32_t quarter_turns)
+{
+    return (quarter_turns & 2u) != 0; /* 2 and 3 */
+}
+
+static bool can_turn(const fxl_display_driver *driver, uint32_t quarter_turns)
+{
+    return driver != NULL && quarter_turns <= 3 &&
+           !(exchanges(quarter_turns) && driver->family->exchanges == 0);
+}
+
+/* An access at a turn, in the driver's own bits. */
+static uint8_t turned_access(const fxl_display_driver *driver, uint32_t access,
+                             uint32_t quarter_turns)
+{
+    const fxl_display_family *family = driver->family;
+    if (exchanges(quarter_turns)) {
+        access ^= family->exchanges;
+    }
+    if (mirrors_across(quarter_turns)) {
+        access ^= family->mirrors_columns;
+    }
+    if (mirrors_down(quarter_turns)) {
+        access ^= family->mirrors_rows;
+    }
+    return (uint8_t)access;
+}
+
+/* Of pages, one axis is mirrored as the glass is scanned: the row of the memory, or the column of
+ * an SH1107, that the glass begins with stays the first one. */
 fxl_display_config fxl_display_config_turned(const fxl_display_module *module,
                                              uint32_t quarter_turns)
 {
-    fxl_display_config config = {NULL, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL};
-    if (module == NULL || module->driver == NULL || quarter_turns > 3 || !is_sound(module)) {
+    fxl_display_config config = no_config;
+    if (module == NULL || !can_turn(module->driver, quarter_turns) || !is_sound(module)) {
         return config;
     }
-    const fxl_display_family *family = module->driver->family;
-    const bool is_exchanged = quarter_turns % 2u == 1u;
-    const bool is_mirrored_across = quarter_turns == 1 || quarter_turns == 2;
-    const bool is_mirrored_down = quarter_turns >= 2;
-    if (is_exchanged && family->exchanges == 0) {
-        return config;
-    }
-    const uint16_t left = is_mirrored_across
+    const fxl_display_driver *driver = module->driver;
+    const bool is_exchanged = exchanges(quarter_turns), is_mirrored = mirrors_down(quarter_turns);
+    const bool is_left_kept = driver->scans_columns;
+    const bool is_top_kept = driver->family->exchanges == 0 && !driver->scans_columns;
+    const uint16_t left = mirrors_across(quarter_turns) && !is_left_kept
                               ? (uint16_t)(module->columns - module->width - module->left)
                               : module->left;
-    const uint16_t top = is_mirrored_down && family->exchanges != 0
+    const uint16_t top = is_mirrored && !is_top_kept
                              ? (uint16_t)(module->rows - module->height - module->top)
                              : module->top;
-    config.driver = module->driver;
+    config.driver = driver;
     config.width = is_exchanged ? module->height : module->width;
     config.height = is_exchanged ? module->width : module->height;
     config.left = is_exchanged ? top : left;
     config.top = is_exchanged ? left : top;
-    config.access = (uint8_t)(module->access ^ (is_exchanged ? family->exchanges : 0u) ^
-                              (is_mirrored_across ? family->mirrors_columns : 0u) ^
-                              (is_mirrored_down ? family->mirrors_rows : 0u));
+    config.access = turned_access(driver, module->access, quarter_turns);
     config.is_inverted = module->is_inverted;
     config.com_pins = module->com_pins;
-    config.display_offset = is_mirrored_down && module->display_offset != 0
-                                ? (uint8_t)(module->driver->memory_rows - module->display_offset)
+    config.display_offset = is_mirrored && module->display_offset != 0
+                                ? (uint8_t)(driver->memory_rows - module->display_offset)
                                 : module->display_offset;
     config.current_reference = module->current_reference;
     config.extra_commands = module->extra_commands;
     return config;
 }
 
+/* The glass lies in the middle of the columns and takes all rows, so no turn changes its place: a
+ * program that names no module does not link the function above. */
 fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
                                               uint32_t quarter_turns)
 {
-    fxl_display_module module = {NULL, 0, 0, 0, 0, 0, 0, 0, false, 0, 0, 0, NULL};
-    if (driver != NULL) {
-        module.driver = driver;
-        module.width = driver->width;
-        module.height = driver->height;
-        module.left = driver->left;
-        module.columns = (uint16_t)(driver->width + 2u * driver->left);
-        module.rows = driver->height;
-        module.access = driver->access;
-        module.is_inverted = driver->is_inverted;
+    if (!can_turn(driver, quarter_turns)) {
+        return no_config;
     }
-    return fxl_display_config_turned(&module, quarter_turns);
+    const bool is_exchanged = exchanges(quarter_turns);
+    const uint16_t width = driver->width, height = driver->height, left = driver->left;
+    const fxl_display_config config = {driver,
+                                       is_exchanged ? height : width,
+                                       is_exchanged ? width : height,
+                                       (uint16_t)(is_exchanged ? 0 : left),
+                                       (uint16_t)(is_exchanged ? left : 0),
+                                       turned_access(driver, driver->access, quarter_turns),
+                                       driver->is_inverted,
+                                       0,
+                                       0,
+                                       0,
+                                       NULL};
+    return config;
 }
 
 fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t height)
@@ -115,14 +164,15 @@ fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t heig
     if (display == NULL) {
         return FXL_E_ARGUMENT;
     }
-    const fxl_display_config *config = &display->config;
-    if (width == 0 || height == 0 || width > config->width || height > config->height) {
+    if (width == 0 || height == 0 || width > display->glass_width ||
+        height > display->glass_height) {
         return FXL_E_RANGE;
     }
-    uint32_t above = (config->height - height) / 2u;
-    above -= above % display->pixels.format->rows;
-    display->left = (uint16_t)(config->left + (config->width - width) / 2u);
-    display->top = (uint16_t)(config->top + above); /* both within the memory */
+    uint32_t above = (display->glass_height - height) / 2u;
+    above -= rows_beyond_page(display->pixels.format, above);
+    /* Both sums are within the memory. */
+    display->left = (uint16_t)(display->glass_left + (display->glass_width - width) / 2u);
+    display->top = (uint16_t)(display->glass_top + above);
     display->frame_width = width;
     display->frame_height = height;
     return FXL_OK;
@@ -132,16 +182,16 @@ fxl_status fxl_display_place(fxl_display *display, uint16_t width, uint16_t heig
 static bool make_black(const fxl_display *display)
 {
     static const uint8_t black[BLACK_BYTES] = {0};
-    const fxl_display_config *config = &display->config;
-    const fxl_pixel_format *format = config->driver->family->format;
+    const fxl_display_family *family = display->driver->family;
+    const fxl_pixel_format *format = family->format;
     const uint32_t fit = 8u * BLACK_BYTES / ((uint32_t)format->rows * format->bits); /* columns */
-    for (uint32_t y = 0; y < config->height; y += format->rows) {
-        for (uint32_t x = 0; x < config->width;) {
-            const uint32_t left = config->width - x;
+    for (uint32_t y = 0; y < display->glass_height; y += format->rows) {
+        for (uint32_t x = 0; x < display->glass_width;) {
+            const uint32_t left = display->glass_width - x;
             const uint16_t width = (uint16_t)(left < fit ? left : fit);
-            if (!config->driver->family->send_rows(display, (uint16_t)(config->left + x),
-                                                   (uint16_t)(config->top + y), width, format->rows,
-                                                   black, fxl_pixels_size(format, width, 1)) ||
+            if (!family->send_rows(display, (uint16_t)(display->glass_left + x),
+                                   (uint16_t)(display->glass_top + y), width, format->rows, black,
+                                   fxl_pixels_size(format, width, 1)) ||
                 !wait_for_port(display->port)) {
                 return false;
             }
@@ -156,22 +206,23 @@ static bool make_black(const fxl_display *display)
 static bool is_in_memory(const fxl_display_config *config)
 {
     const fxl_display_driver *driver = config->driver;
-    const uint32_t page = driver->family->format->rows;
     const bool is_exchanged = (config->access & driver->family->exchanges) != 0;
     const uint32_t columns = is_exchanged ? driver->memory_rows : driver->memory_columns;
     const uint32_t rows = is_exchanged ? driver->memory_columns : driver->memory_rows;
     return config->width > 0 && config->height > 0 &&
            (uint32_t)config->left + config->width <= columns &&
-           (uint32_t)config->top + config->height <= rows && config->top % page == 0 &&
-           config->height % page == 0;
+           (uint32_t)config->top + config->height <= rows &&
+           rows_beyond_page(driver->family->format, (uint32_t)config->top | config->height) == 0;
 }
 
 bool fxl_display_send_commands(const fxl_display *display, const uint8_t *commands)
 {
-    for (; *commands != 0; commands += 1u + *commands) {
-        if (!display->config.driver->family->send_command(display, commands + 1, *commands)) {
+    uint32_t size = 0;
+    while (commands != NULL && (size = *commands++) != 0) {
+        if (!display->driver->family->send_command(display, commands, size)) {
             return false;
         }
+        commands += size;
     }
     return true;
 }
@@ -187,16 +238,20 @@ fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *conf
         return FXL_E_RANGE;
     }
     const fxl_display_family *family = config->driver->family;
-    display->config = *config;
+    display->driver = config->driver;
+    display->glass_width = config->width;
+    display->glass_height = config->height;
+    display->glass_left = config->left;
+    display->glass_top = config->top;
+    display->access = config->access;
     display->port = port;
     display->sink.user = display;
     display->sink.start = start;
     display->sink.wait = wait;
     (void)fxl_pixels_init(&display->pixels, family->format, palette);
     (void)fxl_display_place(display, config->width, config->height);
-    return family->set_up(display) &&
-                   (config->extra_commands == NULL ||
-                    fxl_display_send_commands(display, config->extra_commands)) &&
+    return family->set_up(display, config) &&
+                   fxl_display_send_commands(display, config->extra_commands) &&
                    make_black(display) && fxl_display_command(display, family->turn_on, NULL, 0)
                ? FXL_OK
                : FXL_E_DISPLAY;

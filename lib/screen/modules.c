@@ -9,10 +9,17 @@
     }
 
 /* A module of pages, mounted upside down. */
-#define PAGES(driver, width, height, left, columns, com_pins, current_reference) \
+#define PAGES(driver, width, height, left, columns, com_pins, offset, current_reference) \
     { \
-        &(driver), width, height, left, 0, columns, 64, 0x09, false, com_pins, 0, \
+        &(driver), width, height, left, 0, columns, 64, 0x09, false, com_pins, offset, \
             current_reference, NULL \
+    }
+
+/* An SH1107: half of the lines that the glass has not are above it, and half below. */
+#define LINES_IN_THE_MIDDLE(width) \
+    { \
+        &fxl_sh1107, width, 128, 0, 0, 128, 128, 0x00, false, 0, \
+            (128 - (128 - (width)) / 2) & 127, 0, NULL \
     }
 
 const fxl_display_module fxl_module_ili9341_240x320 =
@@ -45,9 +52,19 @@ const fxl_display_module fxl_module_gc9a01_240x240 =
     COLOURS(fxl_gc9a01, 240, 240, 0, 0, 240, 240, 0x08, true);
 const fxl_display_module fxl_module_ssd1351_128x128 =
     COLOURS(fxl_ssd1351, 128, 128, 0, 0, 128, 128, 0x74, false);
-const fxl_display_module fxl_module_ssd1306_128x64 = PAGES(fxl_ssd1306, 128, 64, 0, 128, 0x12, 0);
-const fxl_display_module fxl_module_ssd1306_128x32 = PAGES(fxl_ssd1306, 128, 32, 0, 128, 0x02, 0);
-const fxl_display_module fxl_module_ssd1306_64x48 = PAGES(fxl_ssd1306, 64, 48, 32, 128, 0x12, 0);
-const fxl_display_module fxl_module_ssd1306_64x32 = PAGES(fxl_ssd1306, 64, 32, 32, 128, 0x12, 0);
-const fxl_display_module fxl_module_ssd1306_72x40 = PAGES(fxl_ssd1306, 72, 40, 28, 128, 0x12, 0x30);
-const fxl_display_module fxl_module_sh1106_128x64 = PAGES(fxl_sh1106, 128, 64, 2, 132, 0x12, 0);
+const fxl_display_module fxl_module_ssd1306_128x64 =
+    PAGES(fxl_ssd1306, 128, 64, 0, 128, 0x12, 0, 0);
+const fxl_display_module fxl_module_ssd1306_128x32 =
+    PAGES(fxl_ssd1306, 128, 32, 0, 128, 0x02, 0, 0);
+const fxl_display_module fxl_module_ssd1306_64x48 = PAGES(fxl_ssd1306, 64, 48, 32, 128, 0x12, 0, 0);
+const fxl_display_module fxl_module_ssd1306_64x32 = PAGES(fxl_ssd1306, 64, 32, 32, 128, 0x12, 0, 0);
+const fxl_display_module fxl_module_ssd1306_72x40 =
+    PAGES(fxl_ssd1306, 72, 40, 28, 128, 0x12, 0, 0x30);
+const fxl_display_module fxl_module_ssd1309_128x64 =
+    PAGES(fxl_ssd1309, 128, 64, 0, 128, 0x12, 0, 0);
+const fxl_display_module fxl_module_sh1106_128x64 = PAGES(fxl_sh1106, 128, 64, 2, 132, 0x12, 0, 0);
+const fxl_display_module fxl_module_sh1106_72x40 =
+    PAGES(fxl_sh1106, 72, 40, 30, 132, 0x12, 0x0C, 0);
+const fxl_display_module fxl_module_sh1107_128x128 = LINES_IN_THE_MIDDLE(128);
+const fxl_display_module fxl_module_sh1107_64x128 = LINES_IN_THE_MIDDLE(64);
+const fxl_display_module fxl_module_sh1107_80x128 = LINES_IN_THE_MIDDLE(80);

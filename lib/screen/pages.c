@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* SSD1306 and SH1106: controllers of pages of eight rows. Both know the page addressing mode; the
- * SH1106 knows no other. Every byte of a command, its arguments too, is sent as a command. */
+/* SSD1306, SSD1309, SH1106 and SH1107: controllers of pages of eight rows, in the page addressing
+ * mode. Every byte of a command, its arguments too, is sent as a command. */
 #include "fixel/driver.h"
 
 enum {
@@ -23,24 +23,18 @@ static bool send_commands(const fxl_display *display, const uint8_t *commands, s
     return display->port->send(display->port->user, false, commands, size);
 }
 
-static bool set_up(const fxl_display *display)
+/* What all of them know: off, how the glass is scanned, and that it shows what the memory has.
+ * lines: the rows that are scanned, columns of an SH1107. */
+static bool set_scan(const fxl_display *display, const fxl_display_config *config, uint32_t lines)
 {
-    const fxl_display_config *config = &display->config;
-    const uint8_t reference[] = {SET_REFERENCE, config->current_reference};
-    const uint8_t com_pins = config->com_pins != 0 ? config->com_pins
-                             : config->height > 32 ? WIRES_IN_TURNS
-                                                   : WIRES_IN_ORDER;
     const uint8_t commands[] = {
         0xAE, /* display off */
         0xD5,
-        0x80, /* clock: as after reset */
+        0x80, /* clock: as an SSD1306 has it after reset */
         0xA8,
-        (uint8_t)(config->height - 1u), /* rows that the glass has */
+        (uint8_t)(lines - 1u), /* that the glass has */
         0xD3,
-        config->display_offset, /* 0: the first row of memory is the first one of the glass */
-        0x40,                   /* not scrolled */
-        0xDA,
-        com_pins,
+        config->display_offset, /* 0: the first line of memory is the first one of the glass */
         0x81,
         0x80, /* contrast: the middle */
         0xA4, /* memory is shown as it is */
@@ -49,8 +43,26 @@ static bool set_up(const fxl_display *display)
         (uint8_t)(INVERT | (config->is_inverted ? 1u : 0u)),
     };
     return send_commands(display, commands, sizeof commands) &&
-           send_commands(display, config->driver->commands, config->driver->commands_size) &&
-           (config->current_reference == 0 || send_commands(display, reference, sizeof reference));
+           send_commands(display, config->driver->commands, config->driver->commands_size);
+}
+
+static bool set_up(const fxl_display *display, const fxl_display_config *config)
+{
+    const uint8_t com_pins = config->com_pins != 0 ? config->com_pins
+                             : config->height > 32 ? WIRES_IN_TURNS
+                                                   : WIRES_IN_ORDER;
+    const uint8_t commands[] = {
+        0x40, /* not scrolled */
+        0xDA, com_pins, SET_REFERENCE, config->current_reference,
+    };
+    return set_scan(display, config, config->height) &&
+           send_commands(display, commands, config->current_reference != 0 ? 5 : 3);
+}
+
+/* An SH1107 has its columns on the lines that it scans, and knows no command for COM pins. */
+static bool set_up_columns(const fxl_display *display, const fxl_display_config *config)
+{
+    return set_scan(display, config, config->width);
 }
 
 /* A page at a time: the controller does not go on to the next one by itself. All but the last one
@@ -75,18 +87,30 @@ static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, u
 
 const fxl_display_family fxl_display_pages = {
     &fxl_pixels_mono_pages, set_up, send_rows, send_commands, DISPLAY_ON, 0, 1, 8};
+const fxl_display_family fxl_display_sh1107 = {
+    &fxl_pixels_mono_pages, set_up_columns, send_rows, send_commands, DISPLAY_ON, 0, 8, 1};
 
 /* A controller of 64 rows with a glass of 128 x 64, that turns by 0 and 2 quarters: its own
  * commands, the columns of its memory, and the column where the glass begins. */
 #define OF_64_ROWS(commands, columns, left) \
     { \
-        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, 0x09, false \
+        &fxl_display_pages, commands, sizeof(commands), columns, 64, 128, 64, left, 0x09, false, \
+            false \
     }
 
 static const uint8_t sh1106_commands[] = {
     0xAD, 0x8B, /* its own voltage converter on */
     0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
     0xDB, 0x35, /* voltage of a row at rest: as after reset */
+};
+
+static const uint8_t sh1107_commands[] = {
+    0x20,       /* page addressing */
+    0xDC, 0x00, /* not scrolled */
+    0xD5, 0x50, /* clock: as after reset */
+    0xAD, 0x8A, /* its own voltage converter off: modules have another */
+    0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
+    0xDB, 0x35, /* voltage of a column at rest: as after reset */
 };
 
 static const uint8_t ssd1306_commands[] = {
@@ -96,6 +120,26 @@ static const uint8_t ssd1306_commands[] = {
     0xDB, 0x40, /* voltage of a row at rest */
 };
 
+static const uint8_t ssd1309_commands[] = {
+    0xFD, 0x12, /* unlock */
+    0x20, 0x02, /* page addressing */
+    0xD9, 0x22, /* lengths of precharge and discharge: as after reset */
+    0xDB, 0x34, /* voltage of a row at rest: as after reset */
+};
+
 /* The glass is joined to the middle 128 of 132 columns. */
 const fxl_display_driver fxl_sh1106 = OF_64_ROWS(sh1106_commands, 132, 2);
 const fxl_display_driver fxl_ssd1306 = OF_64_ROWS(ssd1306_commands, 128, 0);
+const fxl_display_driver fxl_ssd1309 = OF_64_ROWS(ssd1309_commands, 128, 0);
+
+const fxl_display_driver fxl_sh1107 = {&fxl_display_sh1107,
+                                       sh1107_commands,
+                                       sizeof sh1107_commands,
+                                       128,
+                                       128,
+                                       128,
+                                       128,
+                                       0,
+                                       0x00,
+                                       false,
+                                       true};

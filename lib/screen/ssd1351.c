@@ -43,9 +43,8 @@ static bool send_command(const fxl_display *display, const uint8_t *command, siz
 }
 
 /* Rows that are scanned from the last to the first begin behind the last one. */
-static bool set_up(const fxl_display *display)
+static bool set_up(const fxl_display *display, const fxl_display_config *config)
 {
-    const fxl_display_config *config = &display->config;
     const uint32_t rows = (config->access & EXCHANGES) != 0 ? config->width : config->height;
     const uint8_t multiplex = (uint8_t)(rows - 1u);
     const uint8_t line = (config->access & MIRRORS_ROWS) != 0 ? (uint8_t)(rows & LINES) : 0;
@@ -67,7 +66,7 @@ static bool set_range(const fxl_display *display, uint8_t code, uint32_t first, 
 static bool send_rows(const fxl_display *display, uint16_t left, uint16_t top, uint16_t width,
                       uint16_t rows, const uint8_t *bytes, size_t size)
 {
-    const bool is_exchanged = (display->config.access & EXCHANGES) != 0;
+    const bool is_exchanged = (display->access & EXCHANGES) != 0;
     return set_range(display, is_exchanged ? SET_ROWS : SET_COLUMNS, left, width) &&
            set_range(display, is_exchanged ? SET_COLUMNS : SET_ROWS, top, rows) &&
            fxl_display_command(display, WRITE_PIXELS, NULL, 0) &&
@@ -80,4 +79,4 @@ const fxl_display_family fxl_display_ssd1351 = {&fxl_pixels_rgb565, set_up,     
 
 /* Bits 6, 5 and 2: 16 bits a pixel, odd and even rows on two sides, red in the upper bits. */
 const fxl_display_driver fxl_ssd1351 = {
-    &fxl_display_ssd1351, NULL, 0, 128, 128, 128, 128, 0, 0x74, false};
+    &fxl_display_ssd1351, NULL, 0, 128, 128, 128, 128, 0, 0x74, false, false};

@@ -33,6 +33,7 @@ ROOMS = {
         "wire": ("fixel.report.wire", "draw a scene's path as wireframes"),
         "report": ("fixel.report.report", "measure every claim about accuracy"),
         "pictures": ("fixel.report.pictures", "make a picture of the documents from frames"),
+        "showcase": ("fixel.report.showcase", "make a page of 24 models as people have them"),
         "first-program": ("fixel.report.first_program", "draw the picture of an example"),
     },
     "What it costs": {

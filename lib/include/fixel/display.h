@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Drivers for displays: ST7789, ILI9341, ST7735, ST7796, GC9A01 and SSD1351 in 16 bits a pixel;
- * SSD1306 and SH1106 in black and white. The caller gives the functions that reach the wires of his
- * chip. A display is where a pump sends its bands (fixel/pump.h). docs/displays.md shows a whole
- * program.
+ * SSD1306, SSD1309, SH1106 and SH1107 in black and white. The caller gives the functions that reach
+ * the wires of his chip. A display is where a pump sends its bands (fixel/pump.h). docs/displays.md
+ * shows a whole program.
  */
 #ifndef FXL_DISPLAY_H
 #define FXL_DISPLAY_H
@@ -18,8 +18,8 @@ extern "C" {
 typedef struct {
     void *user; /* handed to all functions */
 
-    /* Sends bytes, and returns when they are sent. SPI, mode 0: with the D/C line low for a command
-     * and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
+    /* Sends bytes, and returns when they are sent. SPI, mode 0, or mode 3 for a module without a CS
+     * pin: with the D/C line low for a command and high for data. I2C: in one message, after a byte 0x00 for commands or 0x40 for data. */
     bool (*send)(void *user, bool is_data, const uint8_t *bytes, size_t size);
 
     /* Begins to send data as send does, by DMA say, and returns at once. May be null: then send is
@@ -44,7 +44,9 @@ extern const fxl_display_driver fxl_st7796;  /* 320 x 480, RGB565 */
 extern const fxl_display_driver fxl_gc9a01;  /* 240 x 240, RGB565 */
 extern const fxl_display_driver fxl_ssd1351; /* 128 x 128, RGB565 */
 extern const fxl_display_driver fxl_ssd1306; /* 128 x 64, black and white */
+extern const fxl_display_driver fxl_ssd1309; /* 128 x 64, black and white */
 extern const fxl_display_driver fxl_sh1106;  /* 128 x 64, black and white */
+extern const fxl_display_driver fxl_sh1107;  /* 128 x 128, black and white */
 
 /* A module as it is sold: its glass, given once. fxl_display_config_turned computes the rest for
  * each turn. fixel/modules.h has records of common modules. */
@@ -58,8 +60,10 @@ typedef struct {
     bool is_inverted;
 
     /* Of a controller of pages; 0 for those of colours. */
-    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02 */
-    uint8_t display_offset; /* argument of command 0xD3 at turn 0; at turn 2 64 minus that */
+    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02. An
+                               SH1107 has none */
+    uint8_t display_offset; /* argument of command 0xD3 at turn 0; at turn 2 the rows of the memory,
+                               64 or 128, minus that */
     uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
 
     /* Commands of the caller's, after those of the driver and before the glass is turned on: for
@@ -78,19 +82,23 @@ typedef struct {
  *                    ST7796            320 x 480
  *                    GC9A01            240 x 240
  *                    SSD1351           128 x 128
- *                    SSD1306           128 x 64
- *                    SH1106            132 x 64    top and height: multiples of 8, as SSD1306 */
+ *                    SSD1306, SSD1309  128 x 64
+ *                    SH1106            132 x 64
+ *                    SH1107            128 x 128
+ *
+ * Of the last four top and height are multiples of 8. */
 typedef struct {
     const fxl_display_driver *driver;
     uint16_t width, height; /* of the glass, as the viewer sees it; at least 1 */
     uint16_t left, top;     /* where the glass begins in the controller's memory, as seen */
     uint8_t access;         /* which way rows and columns run, in the controller's own bits: the
-                               argument of command 0x36; of 0xA0 for SSD1351; for SSD1306 and SH1106 bit 0
-                               mirrors         columns and bit 3 rows */
+                               argument of command 0x36; of 0xA0 for SSD1351; of pages bit 0 is
+                               that of 0xA0 and bit 3 that of 0xC0, which mirror the two axes */
     bool is_inverted;       /* the glass shows true colours only when it is inverted */
 
     /* Of a controller of pages; 0 for those of colours. */
-    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02 */
+    uint8_t com_pins;       /* argument of command 0xDA; 0: 0x12 of more than 32 rows, else 0x02. An
+                               SH1107 has none */
     uint8_t display_offset; /* argument of command 0xD3 */
     uint8_t current_reference; /* argument of command 0xAD of an SSD1306; 0: not sent */
 
@@ -108,13 +116,15 @@ typedef struct {
  * within the frame, if `size` is not fxl_pixels_size(pixels.format, frame_width, rows), or if the
  * first row is not the first one of a page. The pump then answers FXL_E_DISPLAY. */
 typedef struct fxl_display {
-    fxl_display_config config;
+    const fxl_display_driver *driver;
     const fxl_display_port *port;
-    fxl_pixels pixels;    /* the palette in the display's format */
-    fxl_pump_sink sink;   /* sends to this display; see below */
+    uint16_t glass_width, glass_height, glass_left, glass_top; /* as the configuration has them */
     uint16_t left, top;   /* the frame's place in the controller's memory */
     uint16_t frame_width; /* pixels that a row of a frame has */
     uint16_t frame_height;
+    uint8_t access;     /* as the configuration has it */
+    fxl_pump_sink sink; /* sends to this display; see below */
+    fxl_pixels pixels;  /* the palette in the display's format; last, so that the rest is near */
 } fxl_display;
 
 /* The configuration of a module whose picture is turned clockwise on the glass by 0 to 3 quarter
@@ -142,9 +152,9 @@ fxl_display_config fxl_display_config_default(const fxl_display_driver *driver,
 fxl_status fxl_display_open(fxl_display *display, const fxl_display_config *config,
                             const fxl_display_port *port, const uint8_t *palette);
 
-/* Puts a frame that is smaller than the glass into its middle; with an SSD1306 or SH1106, to a
- * multiple of eight rows above the middle. What is around it stays black. width and height are
- * those of the frame, in pixels, as the viewer sees it.
+/* Puts a frame that is smaller than the glass into its middle; with pages, to a multiple of eight
+ * rows above the middle. What is around it stays black. width and height are those of the frame, in
+ * pixels, as the viewer sees it.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_RANGE: width or height is 0, or larger than that of the glass.
  * With each of these statuses: *display untouched. */

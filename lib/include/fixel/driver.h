@@ -15,8 +15,8 @@ extern "C" {
 typedef struct {
     const fxl_pixel_format *format;
 
-    /* From reset to a display that is set up, and still off. */
-    bool (*set_up)(const fxl_display *display);
+    /* From reset to a display that is set up as `config` says, and still off. */
+    bool (*set_up)(const fxl_display *display, const fxl_display_config *config);
 
     /* Sends converted rows to columns left.. and rows top.. of the controller's memory, `width`
      * columns wide. The last piece of them may still be on its way when it returns. */
@@ -41,10 +41,14 @@ struct fxl_display_driver {
     uint16_t left;                        /* columns of the memory on each side of the glass */
     uint8_t access;                       /* of a common module at turn 0 */
     bool is_inverted;
+    /* Of pages, what a half turn mirrors: the columns of the glass and the rows of the memory, or,
+     * if false, the rows of the glass and the columns of the memory. */
+    bool scans_columns;
 };
 
 extern const fxl_display_family fxl_display_colour; /* commands of MIPI DCS */
 extern const fxl_display_family fxl_display_pages;  /* those of an SSD1306 */
+extern const fxl_display_family fxl_display_sh1107; /* pages too, whose columns are scanned */
 extern const fxl_display_family fxl_display_ssd1351;
 
 /* Sends a command, and bytes of data that belong to it. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Modules with displays as they are sold: what fxl_display_config_turned takes. A program links the
- * records that it names. None was tried on glass; docs/displays.md, "Modules as they are sold", has
- * a table of them. */
+ * records that it names. None was tried on glass. docs/displays.md, "Modules as they are sold", has
+ * a table of them: colours, SPI mode, clock, and where the pins are at turn 0. */
 #ifndef FXL_MODULES_H
 #define FXL_MODULES_H
 
@@ -31,7 +31,12 @@ extern const fxl_display_module fxl_module_ssd1306_128x32;       /* 0.91" */
 extern const fxl_display_module fxl_module_ssd1306_64x48;        /* 0.66" */
 extern const fxl_display_module fxl_module_ssd1306_64x32;        /* 0.49" */
 extern const fxl_display_module fxl_module_ssd1306_72x40;        /* 0.42" */
+extern const fxl_display_module fxl_module_ssd1309_128x64;       /* 2.42" */
 extern const fxl_display_module fxl_module_sh1106_128x64;        /* 1.3" */
+extern const fxl_display_module fxl_module_sh1106_72x40;         /* 0.42" */
+extern const fxl_display_module fxl_module_sh1107_128x128;       /* 1.12" */
+extern const fxl_display_module fxl_module_sh1107_64x128;        /* 1.3", upright */
+extern const fxl_display_module fxl_module_sh1107_80x128;        /* 0.78", upright */
 
 #ifdef __cplusplus
 }

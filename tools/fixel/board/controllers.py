@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What modules of displays show of their wires. The controllers are written from their data sheets: ST7789, ILI9341,
-ST7735, ST7796, GC9A01 and SSD1351 in RGB565, SSD1306 and SH1106 in black and white. The drivers are in lib/screen; neither was
+ST7735, ST7796, GC9A01 and SSD1351 in RGB565, SSD1306, SSD1309, SH1106 and SH1107 in black and white. The drivers are in lib/screen; neither was
 made from the other.
 """
 
@@ -34,7 +34,8 @@ class Glass:
     mirrored: tuple = (False, False)
     blue_first: bool = False    # its sub-pixels are blue, green, red
     inverted: bool = False      # it shows the complement of what it is sent
-    com_pins: int = 0x12        # how the rows of an OLED are joined to the controller
+    com_pins: int = 0x12        # how the lines of an OLED are joined to the controller
+    first_line: int = 0         # of the controller's scanned lines, the first that the glass has
 
     def cut(self, memory):
         """The part of a memory that the glass shows, as seen when the picture is not turned."""
@@ -170,19 +171,20 @@ class Ssd1351(Colour):
 
 
 class Pages:
-    """A controller of pages of eight rows."""
+    """A controller of pages of eight rows, whose rows are scanned: an SSD1306."""
 
     PAGES = 8
     TWO_BYTES = frozenset([0x20, 0x81, 0x8D, 0xA8, 0xAD, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB])  # commands with an argument
     PLAIN = frozenset([0x40, 0xA0, 0xA1, 0xA4, 0xA6, 0xA7, 0xC0, 0xC8])                  # those that it must know
+    COM_PINS = 0x12                                                                      # after reset; None: no such command
 
     def __init__(self, glass):
         self.glass = glass
         self.memory = numpy.full((self.PAGES, glass.columns), 0xA5, numpy.uint8)
         self.page = self.column = 0
         self.on = False
-        self.settings = {0xA8: 63, 0xD3: 0, 0xDA: 0x12}     # after reset: multiplex, offset of the glass, COM pins
-        self.mirrors_columns = self.mirrors_rows = self.inverted = False
+        self.settings = {0xA8: 8 * self.PAGES - 1, 0xD3: 0, 0xDA: self.COM_PINS}   # after reset: multiplex, offset, COM pins
+        self.segments_mirrored = self.scan_mirrored = self.inverted = False
 
     def pause(self, milliseconds):
         """It needs none."""
@@ -201,7 +203,7 @@ class Pages:
             elif command < 0x20:
                 self.column = self.column & 0x0F | (command & 15) << 4
             elif 0xB0 <= command < 0xB0 + self.PAGES:
-                self.page = command & 7
+                self.page = command & 15
             elif command & 0xFE == 0xAE:
                 self.on = command == 0xAF
             else:
@@ -211,27 +213,66 @@ class Pages:
     def _set(self, command):
         """A command without an argument."""
         if command & 0xFE == 0xA0:
-            self.mirrors_columns = command == 0xA1
+            self.segments_mirrored = command == 0xA1
         elif command & 0xFE == 0xA6:
             self.inverted = command == 0xA7
         elif command & 0xF0 == 0xC0:
-            self.mirrors_rows = command == 0xC8
+            self.scan_mirrored = command == 0xC8
 
     def take_data(self, data):
         require(self.column + len(data) <= self.memory.shape[1], "bytes come behind the last column")
         self.memory[self.page, self.column:self.column + len(data)] = numpy.frombuffer(data, numpy.uint8)
         self.column += len(data)
 
+    def _scanned(self, lit):
+        """What the scanned lines show that the glass has, of the memory whose first axis is scanned. Line n shows line
+        n + offset of the memory; a scan that runs the other way counts n from the last line that is scanned."""
+        count, glass = self.settings[0xA8] + 1, self.glass
+        lines = numpy.arange(glass.first_line, glass.first_line + count)
+        shown = (count - 1 - lines if self.scan_mirrored else lines) + self.settings[0xD3] & lit.shape[0] - 1
+        require((shown < count).all(), "a line of the glass is not scanned")
+        return lit[shown, ::-1 if self.segments_mirrored else 1]
+
+    def _lit(self):
+        """The pixels of the memory."""
+        lit = self.memory[:, None, :] >> numpy.arange(8, dtype=numpy.uint8)[None, :, None] & 1
+        return lit.reshape(8 * self.PAGES, self.glass.columns)
+
+    def _pins(self):
+        require(self.settings[0xA8] + 1 == self.glass.height, "it was told of another glass")
+        return self._scanned(self._lit())
+
     def picture(self, turns=0):
         """What the glass shows whoever turned the module by two quarter turns or none: pixels of 0 and 1."""
         require(self.on, "it was never turned on")
-        rows, glass = self.settings[0xA8] + 1, self.glass
-        require(rows == glass.height and self.settings[0xDA] == glass.com_pins, "it was told of another glass")
-        lit = self.memory[:, None, :] >> numpy.arange(8, dtype=numpy.uint8)[None, :, None] & 1
-        lit = lit.reshape(8 * self.PAGES, glass.columns)
-        lit = numpy.roll(lit, -self.settings[0xD3], 0)[:rows]
-        pins = lit[::-1 if self.mirrors_rows else 1, ::-1 if self.mirrors_columns else 1]
-        return numpy.rot90(glass.cut(pins ^ self.inverted), turns)
+        require(self.COM_PINS is None or self.settings[0xDA] == self.glass.com_pins, "it was told of other COM pins")
+        return numpy.rot90(self.glass.cut(self._pins() ^ self.inverted), turns)
+
+
+class Sh1106(Pages):
+    """It knows no other mode than that of pages, and its converter is switched by AD."""
+
+    TWO_BYTES = Pages.TWO_BYTES - {0x20, 0x8D}
+
+
+class Ssd1309(Pages):
+    """It has no converter, and a lock: FD 12 opens it."""
+
+    TWO_BYTES = Pages.TWO_BYTES - {0x8D, 0xAD} | {0xFD}
+
+
+class Sh1107(Pages):
+    """Sixteen pages, of which the columns are scanned. 20 and 21 choose the mode, and DC where the scan begins."""
+
+    PAGES = 16
+    TWO_BYTES = Pages.TWO_BYTES - {0x20, 0x8D, 0xDA} | {0xDC}
+    PLAIN = Pages.PLAIN - {0x40} | {0x20}
+    COM_PINS = None
+
+    def _pins(self):
+        require(self.settings[0xA8] + 1 == self.glass.width, "it was told of another glass")
+        require(self.settings.get(0xDC, 0) == 0, "it is scrolled")
+        return self._scanned(self._lit().T).T
 
 
 def _st7789(*place, **others):
@@ -244,21 +285,28 @@ def _st7735(*place, **others):
     return Colour, Glass(*place, mirrored=(True, True), **others)
 
 
-def _oled(columns, *place, **others):
+def _oled(columns, *place, controller=Pages, **others):
     """A glass on a controller of 64 rows, mounted upside down."""
-    return Pages, Glass(columns, 64, *place, mirrored=(True, True), **others)
+    return controller, Glass(columns, 64, *place, mirrored=(True, True), **others)
+
+
+def _sh1107(width):
+    """A glass of 128 rows on an SH1107, whose middle lines it has."""
+    return Sh1107, Glass(128, 128, width, 128, first_line=(128 - width) // 2)
 
 
 _ILI9341 = Colour, Glass(240, 320, 240, 320, mirrored=(True, False), blue_first=True)
 _SSD1351 = Ssd1351, Glass(128, 128, 128, 128, mirrored=(False, True))
 _GC9A01 = Colour, Glass(240, 240, 240, 240, blue_first=True, inverted=True)
+_SH1106 = _oled(132, 128, 64, 2, controller=Sh1106)
+_SSD1309 = _oled(128, 128, 64, controller=Ssd1309)
 
 # Of each driver of the library, a common module, and of each module of fixel/modules.h: its controller and glass.
 MODULES = {
     "st7789": _st7789(240, 320), "ili9341": _ILI9341, "st7735": _st7735(128, 160, 128, 160),
     "st7796": (Colour, Glass(320, 480, 320, 480, mirrored=(True, False), blue_first=True)), "gc9a01": _GC9A01,
     "ssd1351": _SSD1351, "ssd1351_128x128": _SSD1351,
-    "ssd1306": _oled(128, 128, 64), "sh1106": _oled(132, 128, 64, 2),
+    "ssd1306": _oled(128, 128, 64), "ssd1309": _SSD1309, "sh1106": _SH1106, "sh1107": _sh1107(128),
     "ili9341_240x320": _ILI9341,
     "st7789_240x320": _st7789(240, 320), "st7789_240x240": _st7789(240, 240), "st7789_135x240": _st7789(135, 240, 52, 40),
     "st7789_172x320": _st7789(172, 320, 34, blue_first=True), "st7789_170x320": _st7789(170, 320, 35),
@@ -272,7 +320,9 @@ MODULES = {
     "gc9a01_240x240": _GC9A01,
     "ssd1306_128x64": _oled(128, 128, 64), "ssd1306_128x32": _oled(128, 128, 32, com_pins=0x02),
     "ssd1306_64x48": _oled(128, 64, 48, 32), "ssd1306_64x32": _oled(128, 64, 32, 32), "ssd1306_72x40": _oled(128, 72, 40, 28),
-    "sh1106_128x64": _oled(132, 128, 64, 2),
+    "ssd1309_128x64": _SSD1309,
+    "sh1106_128x64": _SH1106, "sh1106_72x40": _oled(132, 72, 40, 30, controller=Sh1106, first_line=12),
+    "sh1107_128x128": _sh1107(128), "sh1107_64x128": _sh1107(64), "sh1107_80x128": _sh1107(80),
 }
 
 
@@ -284,4 +334,4 @@ def start(name):
 
 def is_mono(name):
     """Whether a module is black and white."""
-    return MODULES[name][0] is Pages
+    return issubclass(MODULES[name][0], Pages)

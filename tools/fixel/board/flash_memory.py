@@ -86,7 +86,7 @@ def check_partition(program):
 def check_scene_fits(program, scene, path):
     if len(scene) > program.scene_size:
         raise ToolError(f"{path} does not fit: {len(scene)} bytes, the scene partition of board "
-                        f"{program.board} has {program.scene_size}")
+                        f"{program.board} has {program.scene_size}; a model may have fewer faces (--simplify)")
 
 
 def sector_starts(program):

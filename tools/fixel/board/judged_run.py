@@ -8,7 +8,7 @@ import sys
 import numpy
 
 from fixel.base import kept, output, picture, scratch, spent
-from fixel.board import drawing, dump, emulator, firmware, methods, model_look, wires
+from fixel.board import drawing, dump, emulator, firmware, methods, model_look, order_check, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
@@ -74,11 +74,8 @@ def check_verdict(verdict, drawn, twin):
 
 
 def names_told(options, scene):
-    """Which faces rays are to tell by their names instead of their colours: beams and surfaces change colours as no ray
-    knows, and in RGB565 two entries of the palette may be one colour. None where they tell colours."""
-    if scene.surfaces and methods.shows_surfaces(options):
-        return "opaque"
-    return "all" if scene.surfaces or scene.beams or scene.pixel_bits == 16 else None
+    """As order_check.names_of says, of a program that shows surfaces or does not."""
+    return order_check.names_of(scene, methods.shows_surfaces(options))
 
 
 def count_wrong_order(programs, image, folder, frames, names):

@@ -9,12 +9,12 @@ built, the memory alone decides."""
 
 import pathlib
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.bench import frame_costs
-from fixel.board import firmware
+from fixel.board import firmware, order_check
 from fixel.image import image as images
 from fixel.image.fields import IMAGE_MAX
 from fixel.model import suffixes
@@ -185,27 +185,29 @@ def _target_text(pixels, depth):
     return ("RGB565" if pixels == "rgb565" else "palette") + (f", depth {depth}" if depth else "")
 
 
-def _parts(look, scene):
-    """What a Look shows beside colours."""
+def _parts(scene):
+    """What is shown beside colours."""
     found = []
     if scene.surfaces and scene.surfaces.textures:
-        found.append(f"textures of at most {look.texels} texels a side")
+        most = max(1 << max(each.log_width, each.log_height) for each in scene.surfaces.textures)
+        found.append(f"textures of at most {most} texels a side")
     if scene.light:
         found.append("light at run time")
     return "".join(f", {part}" for part in found)
 
 
-def _line(drawn, cheaper):
-    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None."""
-    scene, look = drawn.scene, drawn.look
+def _line(drawn, cheaper, order):
+    """What was chosen, and what it takes. cheaper: the Drawn of a palette, or None. order: what there is to say of the order."""
+    scene = drawn.scene
     pixels = "rgb565" if scene.pixel_bits == 16 else "palette"
     taken = scene.width * drawn.rows * (scene.pixel_bits + scene.depth_bits) // 8
     bands = f"whole frame {scene.width}x{scene.height}" if drawn.is_whole else \
         f"bands of {drawn.rows} rows of {scene.width}x{scene.height}"
-    text = f"{_target_text(pixels, scene.depth_bits)}, {bands}{_parts(look, scene)}: {-(-taken // 1024):,} KB of RAM for pixels" \
+    text = f"{_target_text(pixels, scene.depth_bits)}, {bands}{_parts(scene)}: {-(-taken // 1024):,} KB of RAM for pixels" \
         f"{' and depth' if scene.depth_bits else ''}, an image of {drawn.made.size:,} bytes"
     text += f"; {_short(drawn.instructions)} instructions a frame" if drawn.instructions else ""
-    return text + (f"; --palette: {_short(cheaper.instructions)}" if cheaper and cheaper.instructions else "")
+    text += f"; --palette: {_short(cheaper.instructions)}" if cheaper and cheaper.instructions else ""
+    return text + (f"; {order}" if order else "")
 
 
 def choose(options, room, build, folder):
@@ -219,10 +221,10 @@ def choose(options, room, build, folder):
     cheaper = None
     is_small = sum(len(model.faces) for model in drawn.scene.models) <= CHEAPER_FACES_MAX
     if drawn.instructions and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
-        cheaper = chooser.draw(looks.Look("palette", drawn.look.depth, drawn.look.texels, drawn.look.smooth))
+        cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
     for each in why:
         print(f"  {one_line(options.scene)}: not in {each}", file=sys.stderr)
-    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper)}", file=sys.stderr)
+    print(f"  {one_line(options.scene)}: {_line(drawn, cheaper, order_check.text(build, drawn.image))}", file=sys.stderr)
     if options.look.write:
         output.write_file(options.look.write, drawn.made.text.encode())
         print(f"  the same as a scene file: {one_line(options.look.write)}", file=sys.stderr)

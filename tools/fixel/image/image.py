@@ -85,7 +85,7 @@ def pack(image):
     size = HEAD.size + len(body)
     if size > IMAGE_MAX:
         raise TooLarge(f"size: the scene needs {size:,} bytes, and an image holds at most {IMAGE_MAX:,}; "
-                       "use fewer or smaller models or a shorter path")
+                       "use fewer or smaller models, models of fewer faces (--simplify), or a shorter path")
     values = {"magic": MAGIC, "version": VERSION, "section_count": count, "image_size": size, "crc": 0, "width": image.width,
               "height": image.height, "fov": image.fov, "near_z": image.near, "far_z": image.far, "inset": image.inset,
               "background": image.background, "target": image_header.target(image), "dark": image.dark, "start": image.start[:3],

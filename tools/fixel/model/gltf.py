@@ -10,10 +10,11 @@ import math
 
 import numpy as np
 
-from fixel.model import gltf_check, gltf_left_out
+from fixel.model import gltf_check, gltf_left_out, gltf_skins
 from fixel.base.errors import ToolError
 from fixel.model.gltf_material import Materials, srgb
-from fixel.model.mesh import FILE_FACES_MAX, Mesh
+from fixel.model.gltf_nodes import Nodes
+from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
 from fixel.model.surface import WHITE, Surfaces
@@ -92,7 +93,7 @@ class _Reader:
     def __init__(self, checked, progress):
         self.checked, self.progress = checked, progress
         self.materials, self.numbers = Materials(checked), {}
-        self.vertices, self.faces, self.places, self.surfaces = [], [], [], Surfaces()
+        self.vertices, self.faces, self.places, self.surfaces, self.normals = [], [], [], Surfaces(), []
         self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
 
     def _add_material(self, material):
@@ -128,7 +129,7 @@ class _Reader:
         return material, values
 
     def part(self, part, matrix, where):
-        """A primitive of a mesh at a node."""
+        """A primitive of a mesh at a node: (its attributes, its triangles)."""
         checked = self.checked
         self._count_part(where)
         attributes = part.get("attributes")
@@ -139,7 +140,7 @@ class _Reader:
         self._count_values(len(points) + (0 if triangles is None else triangles.size), where)
         if triangles is None:
             self.left_out += 1
-            return
+            return attributes, np.zeros((0, 3), int)
         if len(self.faces) + len(triangles) > FILE_FACES_MAX:
             checked.fail(where, f"the model has more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify "
                          "it")
@@ -148,6 +149,41 @@ class _Reader:
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
         placed = self._placed(points, matrix, where)
         self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
+        self._add_normals(attributes, triangles, matrix, len(points), where)
+        return attributes, triangles
+
+    def _add_normals(self, attributes, triangles, matrix, count, where):
+        """The normals of the corners of faces that were added. Those that are no directions are left out."""
+        try:
+            values = self.checked.accessor(attributes["NORMAL"], where, ("VEC3",), _PARTS).astype(float)[:count] \
+                if "NORMAL" in attributes else np.zeros((0, 3))
+        except ToolError:
+            values = np.zeros((0, 3))
+        if len(values) != count or abs(np.linalg.det(matrix[:3, :3])) < 1e-30:
+            self.normals += [None] * len(triangles)
+            return
+        with np.errstate(all="ignore"):
+            # Normals go by the inverse of the matrix, transposed; z is negated.
+            turned = values @ np.linalg.inv(matrix[:3, :3]) * (1, 1, -1)
+            lengths = np.linalg.norm(turned, axis=1, keepdims=True)
+            turned = np.where(np.isfinite(lengths) & (lengths > 0), turned / lengths, np.nan)
+        order = slice(None, None, 1 if np.linalg.det(matrix[:3, :3]) < 0 else -1)
+        of_faces = turned[triangles[:, order]]
+        known = np.isfinite(of_faces).all(axis=(1, 2)).tolist()
+        self.normals += [list(map(tuple, three)) if good else None for three, good in zip(of_faces.tolist(), known)]
+
+    def move(self, faces, matrix):
+        """Moves faces that share no vertex with others by a matrix of 3x4, as vertices stand here; answers the vertices."""
+        used = sorted({corner for face in faces for corner in self.faces[face]})
+        points = np.array([self.vertices[vertex] for vertex in used], dtype=float) / UNIT
+        placed = points @ matrix[:, :3].T + matrix[:, 3]
+        for vertex, (x, y, z) in zip(used, placed.tolist()):
+            self.vertices[vertex] = exact(x), exact(y), exact(z)
+        turn = np.linalg.inv(matrix[:, :3])
+        for face in faces:
+            if self.normals[face]:
+                self.normals[face] = list(map(tuple, (np.array(self.normals[face]) @ turn).tolist()))
+        return [self.vertices[vertex] for vertex in used]
 
     def _count_part(self, where):
         self.parts += 1
@@ -199,21 +235,30 @@ def read(path, name=None, progress=None, sources=None):
     name = name or str(path)
     sources = sources or Sources()
     checked = gltf_check.open_file(path, name, sources)
-    reader, matrices = _Reader(checked, progress), {None: np.eye(4)}
+    reader, matrices, known = _Reader(checked, progress), {None: np.eye(4)}, Nodes(checked)
     nodes = checked.rows("nodes")
     for number, parent in gltf_check.walk(checked):
         node, where = nodes[number], checked.label("node", number)
-        matrices[number] = matrices[parent] @ _matrix(checked, node, where)
+        own, faces, vertices = _matrix(checked, node, where), len(reader.faces), len(reader.vertices)
+        matrices[number] = matrices[parent] @ own
         if "mesh" in node:
             # The joints place what hangs on them: in the pose in which they were bound, which is that of the vertices.
             matrix = np.eye(4) if "skin" in node else matrices[number]
             chosen, mesh = checked.entry("meshes", node, "mesh", where)
-            for i, part in enumerate(_parts(checked, mesh, checked.label("mesh", chosen))):
-                reader.part(part, matrix, f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
+            shown = [reader.part(part, matrix, f"{where}: {checked.label('mesh', chosen)}, primitive {i}")
+                     for i, part in enumerate(_parts(checked, mesh, checked.label("mesh", chosen)))]
+        known.add(number, parent, own, matrices[number], (faces, len(reader.faces)), reader.vertices[vertices:])
+        if "mesh" in node and "skin" in node:
+            known.bind(number, gltf_skins.rigid(checked, node, shown, where))
+    known.hang(reader.move)
     if not reader.faces:
         raise ToolError(f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
     notes = [f"{name}: {_CONVENTION}"]
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
-    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + gltf_left_out.notes(checked)
-    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces), notes
+    left_out, more = gltf_left_out.notes(checked)
+    if known.are_rigid:     # nothing of them is left out
+        left_out.pop("skins", None)
+    notes += checked.notes + reader.materials.left_out.notes(name, "left out of materials:") + [*left_out.values()] + more
+    return Mesh(reader.vertices, reader.faces, reader.places, reader.surfaces, groups=known.groups(),
+                normals=reader.normals if any(reader.normals) else [], scenery=known.scenery(left_out)), notes

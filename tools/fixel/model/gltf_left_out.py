@@ -14,7 +14,7 @@ READ = ("KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_unlit",
         "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp")
 _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
 _LISTS = {"animations": "animations: the model is shown as it stands without", "skins": "skins: what hangs on joints is shown in the pose "
-          "in which it was bound", "cameras": "cameras"}
+          "in which it was bound", "cameras": "cameras; --camera NAME takes one as the path of a model without a scene file"}
 
 
 def refuse_required(name, required):
@@ -37,21 +37,21 @@ def _morphs(checked):
 
 
 def notes(checked):
-    """A note for each kind of thing that is left out."""
-    name, found = checked.name, []
+    """({kind: a note}, notes) of what is left out: of what a program of the tools may make something of, and of the rest."""
+    name, found, kinds = checked.name, [], {}
     for key, what in _LISTS.items():
         if _count(checked.data.get(key)):
-            found.append(f"{name}: left out {_count(checked.data[key]):,} {what}")
+            kinds[key] = f"{name}: left out {_count(checked.data[key]):,} {what}"
     if _morphs(checked):
         found.append(f"{name}: left out the other shapes of {_morphs(checked):,} parts (morph targets)")
     extensions = checked.data.get("extensions")
     lights = extensions.get("KHR_lights_punctual") if isinstance(extensions, dict) else None
     if isinstance(lights, dict) and _count(lights.get("lights")):
-        found.append(f"{name}: left out {_count(lights['lights']):,} lights: the tool's own light falls on the model")
+        kinds["lights"] = f"{name}: left out {_count(lights['lights']):,} lights: the tool's own light falls on the model"
     used = checked.data.get("extensionsUsed", [])
     others = sorted({each for each in used if isinstance(each, str) and each not in READ and each != "KHR_lights_punctual"}
                     if isinstance(used, list) else ())
     if others:
         shown = ", ".join(map(quoted, others[:6])) + (f" and {len(others) - 6:,} others" if len(others) > 6 else "")
         found.append(f"{name}: left out what the extensions {shown} say")
-    return found
+    return kinds, found

@@ -36,18 +36,22 @@ class Mesh:
     surfaces: object = None     # a surface.Surfaces; None: the file says nothing of colours
     uvs: list = field(default_factory=list)     # as those of surface.Surfaces, where there is none
     groups: dict = field(default_factory=dict)  # {name: [(first face, behind the last)]}
+    normals: list = field(default_factory=list)     # for each face those of its corners, or None; [] where the file has none
+    scenery: object = None      # a nodes.Scenery of a file that has nodes
 
     @cached_property
     def extent(self):
         """The length of the longest side of the box about its vertices."""
         return max(max(axis) - min(axis) for axis in zip(*self.vertices))
 
-    def part(self, group):
-        """The mesh of a group's faces."""
-        numbers = sorted({number for first, end in self.groups[group] for number in range(first, end)})
+    def part(self, *groups):
+        """The mesh of the faces of some groups."""
+        numbers = sorted({number for group in groups for first, end in self.groups[group] for number in range(first, end)})
         vertices, faces, _ = without_unused(self.vertices, [self.faces[number] for number in numbers])
         return Mesh(vertices, faces, [self.places[number] for number in numbers],
-                    self.surfaces and self.surfaces.part(numbers), [self.uvs[number] for number in numbers])
+                    self.surfaces and self.surfaces.part(numbers, self.scenery is not None),
+                    [self.uvs[number] for number in numbers] if self.uvs else [],
+                    normals=[self.normals[number] for number in numbers] if self.normals else [], scenery=self.scenery)
 
 
 def without_unused(vertices, faces):
@@ -71,6 +75,7 @@ class Shape:
     middle: tuple = (0, 0, 0)
     half_height: int = 0
     open_edges: int = 0
+    normals: list = None    # for each face those of its corners in 2.30, or None; None without those of a file
 
 
 def minus(a, b):
@@ -236,9 +241,11 @@ def turned(face):
     return Face(tuple(-n for n in face.normal), face.corners[::-1], face.colour)
 
 
-def two_sided(made):
-    """The shape with each face once more, seen from behind."""
-    return replace(made, faces=made.faces + [turned(face) for face in made.faces], sources=made.sources * 2)
+def two_sided(made, wanted=None):
+    """The shape with each face once more, seen from behind; or only those faces that came from these of the mesh."""
+    numbers = [number for number, source in enumerate(made.sources) if wanted is None or source in wanted]
+    return replace(made, faces=made.faces + [turned(made.faces[number]) for number in numbers],
+                   sources=made.sources + [made.sources[number] for number in numbers])
 
 
 def _check_size(points, name):

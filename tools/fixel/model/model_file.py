@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The readers of model files."""
 
-from fixel.model import gltf, obj, stl
+from fixel.model import gltf, obj, ply, stl
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 from fixel.model.suffixes import SUFFIXES, is_model, refuse_other, suffix_of
 
-READERS = {".obj": obj.read, ".gltf": gltf.read, ".glb": gltf.read, ".stl": stl.read}
+READERS = {".obj": obj.read, ".gltf": gltf.read, ".glb": gltf.read, ".stl": stl.read, ".ply": ply.read}
 
 
 def reader_of(path):

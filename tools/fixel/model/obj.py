@@ -102,14 +102,24 @@ def _index(text, counts, kind, where):
     return number
 
 
+def _normal(words):
+    """x, y, z of a vn, z negated; None for what is no direction: it is no fault."""
+    try:
+        x, y, z = map(number_text.decimal, words[:3])
+    except ValueError:
+        return None
+    return (x, y, -z) if any((x, y, z)) and max(map(abs, (x, y, z))) < 1e9 else None
+
+
 def _corner(word, counts, where):
-    """Numbers of a vertex and of a texture coordinate, None without; and whether a vt is named that does not exist."""
+    """Numbers of a vertex, of a texture coordinate and of a normal, None without; and whether a vt is named that does not
+    exist."""
     parts = word.split("/")
     if len(parts) > 3 or not parts[0]:
         raise ToolError(f"{where}: {quoted(word)} is not a corner (v, v/vt, v//vn or v/vt/vn)")
     more = [_index(text, counts, kind, where) if text else None for text, kind in zip(parts[1:], ("vt", "vn"))]
-    coordinate = more[0] if more else None
-    return _index(parts[0], counts, "v", where), coordinate, coordinate is None and bool(more) and bool(parts[1])
+    coordinate, normal = (more + [None, None])[:2]
+    return _index(parts[0], counts, "v", where), coordinate, normal, coordinate is None and bool(more) and bool(parts[1])
 
 
 def _lines(blob):
@@ -129,7 +139,7 @@ def _lines(blob):
 
 def _face(rest, counts, where):
     """(numbers of a face's vertices, in the order of Fixel; those of its texture coordinates, None if a corner has none;
-    whether one of these does not exist)."""
+    those of its normals, likewise; whether a texture coordinate does not exist)."""
     if len(rest) < 3:
         raise ToolError(f"{where}: a face needs three corners, found {len(rest)}")
     if len(rest) > CORNERS_MAX:
@@ -139,14 +149,15 @@ def _face(rest, counts, where):
     if plain.isascii() and plain.isdigit() and len(plain) < 10 * len(rest):     # vertices alone, counted from 1: most files
         numbers = [int(text) - 1 for text in reversed(rest)]
         if 0 <= min(numbers) and max(numbers) < counts["v"]:
-            return numbers, None, False
-    vertices, coordinates, missing = zip(*[_corner(text, counts, where) for text in reversed(rest)])
-    return list(vertices), None if None in coordinates else coordinates, any(missing)
+            return numbers, None, None, False
+    vertices, coordinates, normals, missing = zip(*[_corner(text, counts, where) for text in reversed(rest)])
+    return list(vertices), None if None in coordinates else coordinates, None if None in normals else normals, any(missing)
 
 
 def _refuse_many_faces(name, count):
     if count > FILE_FACES_MAX:
-        raise ToolError(f"{name}: more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify the model")
+        raise ToolError(f"{name}: at least {count:,} faces; the limit is {FILE_FACES_MAX:,} faces of a file, also for --simplify: give the "
+                        "model fewer in another program first")
 
 
 class _Materials:
@@ -243,12 +254,15 @@ class _Parser:
     def __init__(self, name, folder, sources):
         self.name = name
         self.vertices, self.colours, self.coordinates, self.faces, self.lines = [], [], [], [], []
+        self.directions, self.normals = [], []      # of vn; of faces
         self.counts = {"v": 0, "vt": 0, "vn": 0}
         self.ignored, self.unknown = model_text.LeftOut(), model_text.LeftOut()
         self.materials, self.groups = _Materials(folder, name, sources), _Groups()
 
     def _add_face(self, rest, where):
-        vertices, numbers, bare = _face(rest, self.counts, where)
+        vertices, numbers, normals, bare = _face(rest, self.counts, where)
+        found = normals and [self.directions[number] for number in normals]
+        self.normals.append(None if found and None in found else found)
         self.faces.append(vertices)
         self.lines.append(where)
         _refuse_many_faces(self.name, len(self.faces))
@@ -263,6 +277,8 @@ class _Parser:
             self.colours.append(_colour(rest[3:], where))
         elif word == "vt":
             self.coordinates.append(_coordinate(rest, where))
+        else:
+            self.directions.append(_normal(rest))
 
     def line(self, word, rest, where):
         """A statement."""
@@ -294,7 +310,8 @@ class _Parser:
         if unused:
             notes.append(f"{name}: left out vertices that no face has: {unused:,}")
         groups = self.groups.result(len(faces))
-        return Mesh(vertices, faces, self.lines, surfaces, self.materials.surfaces.uvs, groups), notes + more
+        return Mesh(vertices, faces, self.lines, surfaces, self.materials.surfaces.uvs, groups,
+                    self.normals if any(self.normals) else []), notes + more
 
 
 def read(path, name=None, progress=None, sources=None):

@@ -5,14 +5,14 @@ import os
 
 from fixel.base.errors import ToolError
 
-READ = (".obj", ".gltf", ".glb", ".stl")
-SUFFIXES = "an .obj, .gltf, .glb or .stl file"
+READ = (".obj", ".gltf", ".glb", ".stl", ".ply")
+SUFFIXES = "an .obj, .gltf, .glb, .stl or .ply file"
 _BLENDER = "open it in Blender and export it as glTF (.glb)"
 _UNPACK = "unpack it, and give the model in it"
 # Formats that are not read: what they are, and the way to one that is.
 _OTHERS = {
     ".fbx": ("an FBX file", _BLENDER), ".dae": ("a Collada file", _BLENDER), ".blend": ("a file of Blender", _BLENDER),
-    ".3ds": ("a file of 3D Studio", _BLENDER), ".ply": ("a PLY file", "open it in Blender or MeshLab and export it as glTF or OBJ"),
+    ".3ds": ("a file of 3D Studio", _BLENDER),
     ".usd": ("a USD file", _BLENDER), ".usdz": ("a USD file", _BLENDER), ".usdc": ("a USD file", _BLENDER),
     ".usda": ("a USD file", _BLENDER), ".wrl": ("a VRML file", _BLENDER), ".x3d": ("an X3D file", _BLENDER),
     ".abc": ("an Alembic file", _BLENDER), ".vrm": ("a VRM file, which is a GLB file", "rename it to .glb"),
@@ -36,7 +36,7 @@ def is_model(path):
 
 def holds_triangles(path):
     """Whether the format has triangles alone, so that flat faces come in pieces."""
-    return suffix_of(path) in (".gltf", ".glb", ".stl")
+    return suffix_of(path) in (".gltf", ".glb", ".stl", ".ply")
 
 
 def refuse_other(path, where):

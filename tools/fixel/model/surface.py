@@ -12,7 +12,8 @@ GREY = (200, 192, 176)      # of a material that names no colour
 class Material:
     """colour: red, green, blue, 0..255, which an image is multiplied by. opacity: 0..1. moves: None, or what becomes of
     a face's coordinates on the image: a function of (u, v). clamp: beyond its edges the image shows them; else it
-    repeats. is_unlit: light does not change the colour."""
+    repeats. is_unlit: light does not change the colour. is_two_sided: its faces have backs. is_clear: one may see through
+    its faces."""
     name: str
     colour: tuple = GREY
     opacity: float = 1.0
@@ -20,6 +21,8 @@ class Material:
     moves: object = None
     clamp: bool = False
     is_unlit: bool = False
+    is_two_sided: bool = False
+    is_clear: bool = False
 
 
 def mean_tint(colours):
@@ -41,6 +44,7 @@ class Surfaces:
     of_face: list = field(default_factory=list)
     uvs: list = field(default_factory=list)
     tints: list = field(default_factory=list)
+    whole: object = None        # (Surfaces, numbers of faces) that these are a part of, and share images with
     _colours: list = field(default_factory=list)
 
     def add(self, material, uvs=None, tint=None):
@@ -49,10 +53,10 @@ class Surfaces:
         self.uvs.append(uvs)
         self.tints.append(tint)
 
-    def part(self, faces):
-        """The surfaces of some faces."""
+    def part(self, faces, shares):
+        """The surfaces of some faces. shares: whether their images are those of all faces."""
         return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces],
-                        [self.tints[face] for face in faces])
+                        [self.tints[face] for face in faces], (self, faces) if shares else None)
 
     def own_colour(self, face):
         """The colour of a face without its image."""
@@ -81,6 +85,11 @@ class Surfaces:
     def are_unlit(self):
         """Whether light changes the colour of no face."""
         return all(self.materials[number].is_unlit for number in set(self.of_face))
+
+    def with_backs(self, is_open):
+        """The numbers of faces whose backs may be seen. is_open: whether the model is."""
+        wanted = {number for number, each in enumerate(self.materials) if each.is_two_sided and (is_open or each.is_clear)}
+        return {face for face, number in enumerate(self.of_face) if number in wanted}
 
     def kind_of(self, face):
         """What two faces have in common that may become one."""

@@ -20,6 +20,10 @@ COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
 PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
 _CHUNK = 1024           # triangles at a time
 _STEPS = 8              # a triangle's mean has samples at this many places along an edge
+_ORIENTATION = 0x0112       # of Exif
+# How a picture of each orientation is turned upright; 1 is upright.
+_UPRIGHT = {2: Image.Transpose.FLIP_LEFT_RIGHT, 3: Image.Transpose.ROTATE_180, 4: Image.Transpose.FLIP_TOP_BOTTOM,
+            5: Image.Transpose.TRANSPOSE, 6: Image.Transpose.ROTATE_270, 7: Image.Transpose.TRANSVERSE, 8: Image.Transpose.ROTATE_90}
 _TOO_LARGE = f"; both sides must be 1..{SIDE_MAX}: make it smaller"
 
 
@@ -94,12 +98,31 @@ _INSIDE = np.array([((2 * i + 1) / (2 * _STEPS + 1), (2 * j + 1) / (2 * _STEPS +
                     for i in range(_STEPS) for j in range(_STEPS - i)])
 
 
+def _upright(opened):
+    """How Exif of an image says that it is to be turned; None for one that is upright. Damaged Exif says nothing."""
+    try:
+        return _UPRIGHT.get(opened.getexif().get(_ORIENTATION))
+    except MemoryError:
+        raise
+    except Exception:       # Pillow's reader raises anything
+        return None
+
+
+def _of_16_bits(opened):
+    """An image of greys of 16 bits, which Pillow would cut off at 255, in 8 bits; the grey that is clear is."""
+    greys, clear = np.clip(np.asarray(opened).astype(np.int64), 0, 65535), opened.info.get("transparency")
+    grey = ((greys * 255 + 32767) // 65535).astype(np.uint8)
+    if not isinstance(clear, int):
+        return Image.fromarray(grey)
+    return Image.fromarray(np.stack([grey, np.where(greys == clear, 0, 255).astype(np.uint8)], axis=-1)).convert("RGBA")
+
+
 def _pixels(opened):
-    """Rows of red, green, blue, alpha of an image that Pillow has opened: in 8 bits, shrunk by whole factors."""
+    """Rows of red, green, blue, alpha of an image that Pillow has opened: in 8 bits, shrunk by whole factors, upright."""
     opened.draft("RGB", (KEPT_MAX, KEPT_MAX))       # of a JPEG, which is then decoded smaller
-    if opened.mode.startswith("I"):     # greys of 16 bits, which Pillow would cut off at 255
-        greys = np.asarray(opened).astype(np.int64)
-        opened = Image.fromarray(((np.clip(greys, 0, 65535) * 255 + 32767) // 65535).astype(np.uint8))
+    turn = _upright(opened)
+    if opened.mode.startswith("I"):
+        opened = _of_16_bits(opened)
     elif opened.mode == "F":
         opened = Image.fromarray(np.clip(np.asarray(opened), 0, 255).round().astype(np.uint8))
     elif opened.mode not in ("RGB", "L"):
@@ -107,6 +130,8 @@ def _pixels(opened):
     factor = -(-max(opened.size) // KEPT_MAX)
     if factor > 1:
         opened = opened.reduce(factor)
+    if turn is not None:
+        opened = opened.transpose(turn)
     return np.asarray(opened.convert("RGBA"))
 
 

@@ -14,7 +14,6 @@ from fixel.base.errors import ToolError
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 MODEL = ROOT / "examples" / "cube" / "cube.obj"
 PROGRAM = ROOT / "examples" / "cube" / "main.c"
-CROWD = ROOT / "examples" / "crowd" / "main.c"
 CRATE = ROOT / "examples" / "crate" / "main.c"
 CRATE_FRAMES = 28   # of which the last shows three sides
 NEON = ROOT / "examples" / "neon" / "main.c"
@@ -24,6 +23,31 @@ FRAME = ROOT / "host_tests" / "boards" / "examples" / "frame.c"
 HUD = ROOT / "host_tests" / "boards" / "examples" / "hud.c"
 HUD_COLOURS = [(16, 20, 40), (240, 240, 240), (255, 220, 90), (230, 50, 60), (140, 20, 40)]    # from entry 250 on
 WIDTH, HEIGHT = 320, 240
+
+
+# The examples whose pixels are entries of a palette, by the name of their folder: the frame that is their picture (None: they
+# draw one), and whether their palette is their own.
+PICTURES = {"cube": (None, False), "turn": (24, False), "look": (31, False), "text": (None, True), "label": (None, True),
+            "outline": (37, True), "lamp": (25, True), "depth": (26, False), "crowd": (None, True), "crate": (CRATE_FRAMES, True),
+            "maze": (60, True)}
+
+
+def picture_of(name):
+    """The file of an example's picture."""
+    shown = {"cube": "cube", "crowd": "world", "crate": "crate", "neon": "neon", "game": "game"}
+    return ROOT / "docs" / (f"{shown[name]}.png" if name in shown else f"examples/{name}.png")
+
+
+def draw_example(library, name):
+    """The picture of an example of PICTURES, and its palette."""
+    if name not in PICTURES:
+        raise ToolError(f"there is no example '{name}' with a palette; there are: {', '.join(PICTURES)}")
+    frames, own = PICTURES[name]
+    program, flags = ROOT / "examples" / name / "main.c", [] if frames is None else [f"-DEXAMPLE_FRAMES={frames}"]
+    if own:
+        return _with_palette(library, program, *flags)
+    pixels, _, palette = _run(library, program, 0, *flags)
+    return pixels, palette
 
 
 def write_scene(folder):
@@ -38,16 +62,6 @@ def draw(library, program=PROGRAM):
     first program, or another with the same scene and the same pixels."""
     pixels, _, palette = _run(library, program, 0)
     return pixels, palette
-
-
-def draw_crowd(library):
-    """The picture of examples/crowd, which has a palette of its own."""
-    return _with_palette(library, CROWD)
-
-
-def draw_crate(library):
-    """A picture of examples/crate, which has a palette of its own."""
-    return _with_palette(library, CRATE, f"-DEXAMPLE_FRAMES={CRATE_FRAMES}")
 
 
 def draw_neon(library):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws the first program (examples/cube), or another example, on this machine and writes its picture."""
+"""Draws the first program (examples/cube), another example, or a pair of docs/looks.md on this machine and writes its picture."""
 
 import argparse
 import pathlib
@@ -11,9 +11,9 @@ def parser():
     made.add_argument("--library", type=pathlib.Path, required=True, help="libfixel.a of this machine")
     made.add_argument("--out", type=pathlib.Path, required=True, help="the picture, a PNG")
     made.add_argument("--hud", action="store_true", help="with text and sprites over it (host_tests/boards/examples/hud.c)")
-    made.add_argument("--crowd", action="store_true", help="examples/crowd")
-    made.add_argument("--crate", action="store_true", help="examples/crate")
+    made.add_argument("--example", default="cube", metavar="NAME", help="a folder of examples whose pixels are entries of a palette, such as maze")
     made.add_argument("--neon", action="store_true", help="examples/neon")
+    made.add_argument("--look", metavar="NAME", help="a pair of pictures of docs/looks.md, by the program `frames` beside the library")
     return made
 
 
@@ -21,11 +21,13 @@ def main(argv):
     options = parser().parse_args(argv)
     from fixel.base import output, picture
     from fixel.report import examples
+    if options.look:
+        from fixel.report import looks
+        output.write_file(options.out, picture.png_bytes(looks.pair(options.library.parent / "frames", options.look)))
+        return 0
     if options.neon:
         output.write_file(options.out, picture.png_bytes(picture.palette_image(examples.draw_neon(options.library), picture.rgb565_colours())))
         return 0
-    draw = (examples.draw_hud if options.hud else examples.draw_crowd if options.crowd else
-            examples.draw_crate if options.crate else examples.draw)
-    pixels, palette = draw(options.library)
+    pixels, palette = examples.draw_hud(options.library) if options.hud else examples.draw_example(options.library, options.example)
     output.write_file(options.out, picture.png_bytes(picture.palette_image(pixels, palette)))
     return 0

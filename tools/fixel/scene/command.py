@@ -3,7 +3,7 @@
 
     fixel build SCENE -o OUT.fxls [--frames N] [--screen WxH] [--tree LAYERS]
                 [--pixels palette|rgb565] [--order distance|tree] [--depth 0|16|32] [LOOK]
-        SCENE is a .toml or a model (.obj, .gltf, .glb, .stl); LAYERS: 5, or 2,4,5, or all, or most (that of most faces),
+        SCENE is a .toml or a model (.obj, .gltf, .glb, .stl, .ply); LAYERS: 5, or 2,4,5, or all, or most (that of most faces),
         or none; without --tree, what the scene's key "tree" says;
         --pixels, --order and --depth stand in the place of what its [view] says;
         LOOK, of a model: [--palette] [--flat | --smooth DEGREES] [--no-textures] [--sorted] [--write SCENE.toml]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Compiles a scene file or a model in this process. Tools do it in a process under limits: fixel/scene/making.py."""
 
+import dataclasses
+
 from fixel.image import image
 from fixel.model import suffixes
 from fixel.scene import framing, look as looks, target, toml_scene, tree
@@ -25,6 +27,7 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
         raise ToolError(f"--frames {frames} is outside 1..{toml_scene.FRAMES_MAX}")
     report.stage("reading the file")
     if is_model:
+        look = _still(look, scene) if layers and layers != "none" else look
         compiled, notes = framing.compile_model(scene, frames, report, screen, FRAMINGS[framed], look, write)
     else:
         compiled, notes = toml_scene.compile_file(scene, frames, report, screen)
@@ -36,6 +39,15 @@ def compile_scene(scene, frames=None, screen=None, layers=None, framed="walk", r
         report.stage("building the tree")
         notes = notes + [plant(compiled, layers, scene, where, report)]
     return compiled, notes
+
+
+def _still(look, scene):
+    """The Look of a model that has a tree: in one part, of which nothing moves."""
+    option = next((name for name in ("keep", "animation") if getattr(look, name)), None)
+    if option:
+        raise ToolError(f"{scene}: --tree and --{option} exclude each other: a tree holds what stands still, "
+                        "in one object")
+    return dataclasses.replace(look, whole=True)
 
 
 def packed(compiled, name):

@@ -5,16 +5,18 @@ from dataclasses import dataclass
 from fractions import Fraction
 import math
 import os
+import re
 
 import numpy as np
 
 from fixel.image import image
 from fixel.model import model_file
-from fixel.scene import toml_images, toml_model, toml_scene, toml_text
+from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT
+from fixel.model.mesh import UNIT, dot, newell
 from fixel.base.reading import shortened
 from fixel.scene.look import PLAIN
+from fixel.scene.surfaces import OWN_COSINE
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
 MARGIN = 0.9        # how much of the screen the model may fill
@@ -24,6 +26,7 @@ LEVELS = 4          # of a texture
 RAMP = 32           # levels of light at run time
 SURFACES_MAX = 65_535   # faces of an image that may be smooth or have a texture
 _FLAT = 1 - 1e-6    # the cosine between normals from which an edge is flat
+REACH_MAX = 4       # radii from the middle: as far as parts that move are followed
 YAWS_MAX = 120      # directions that are tried; between them a model reaches 0.04 % farther
 
 
@@ -66,17 +69,16 @@ _BAKED = {"colour": "#fff2dc", "sky": "#c4d4ff"}
 
 def _is_smooth(mesh, degrees):
     """Whether two faces of a mesh meet at an edge that bends by at most so many degrees, and is not flat."""
-    points = np.array(mesh.vertices, dtype=float)
+    points = np.array(mesh.vertices, dtype=float).tolist()     # of lists: an array for each face takes five times as long
     places = {}
     numbers = [places.setdefault(vertex, len(places)) for vertex in mesh.vertices]
     across, crease = {}, math.cos(math.radians(degrees)) - 1e-6
     for face in mesh.faces:
-        first, one, two = points[face[0]], points[face[1:-1]], points[face[2:]]
-        normal = np.cross(one - first, two - first).sum(axis=0)
-        length = math.sqrt(normal @ normal)
+        normal = newell([points[corner] for corner in face])
+        length = math.sqrt(dot(normal, normal))
         if length == 0:
             continue
-        normal = (normal / length).tolist()
+        normal = [c / length for c in normal]
         for a, b in zip(face, [*face[1:], face[0]]):
             edge = (numbers[a], numbers[b])
             other = across.pop(edge[::-1], None)
@@ -87,53 +89,121 @@ def _is_smooth(mesh, degrees):
     return False
 
 
-def _look_of(mesh, look):
+def _has_own_normals(mesh):
+    """(whether a face has normals of the file that are not its own, whether all faces have some)."""
+    points, are_all = np.array(mesh.vertices, dtype=float).tolist(), True
+    for face, normals in zip(mesh.faces, mesh.normals):
+        if normals is None:
+            are_all = False
+            continue
+        own = newell([points[corner] for corner in face])
+        length = math.sqrt(dot(own, own))
+        cosines = [dot(own, normal) / (length * math.sqrt(dot(normal, normal))) for normal in normals] if length else []
+        if cosines and abs(sum(cosines)) > 0 and min(math.copysign(each, each * sum(cosines)) for each in cosines) < OWN_COSINE:
+            return True, are_all
+    return False, are_all
+
+
+def _smoothness(mesh, look):
+    """The value of smooth of a model's object: "file", degrees, or 0. A file whose normals are all those of its faces is flat."""
+    if not look.smooth:
+        return 0
+    if look.normals and mesh.normals:
+        bent, are_all = _has_own_normals(mesh)
+        if bent or are_all:
+            return "file" if bent else 0
+    return look.smooth if _is_smooth(mesh, look.smooth) else 0
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where points of a model are in the world: the middle of the model in the file's units, and world units of one of those."""
+    middle: object
+    scale: float
+
+    def __call__(self, point):
+        return (point - self.middle) * self.scale
+
+
+AMBIENT = Fraction(1, 3)
+
+
+def _look_of(mesh, look, moves, place, radius):
     """(the keys of the object, those of the light, notes) by which a mesh looks so. Light of the tool's own stays where every
-    face has one colour."""
+    face has one colour, nothing moves, and the file has no lights."""
     if (look.texels or look.smooth) and len(mesh.faces) > SURFACES_MAX:
         return {}, _BAKED, [f"{len(mesh.faces):,} faces are more than the {SURFACES_MAX:,} that may be smooth or have a texture: all "
-                            "are flat; simplify the model to have both"]
+                            f"are flat; --simplify {SURFACES_MAX} has both"]
     unlit = bool(mesh.surfaces) and mesh.surfaces.are_unlit()
     images = look.texels and mesh.surfaces and toml_images.has_looks(mesh.surfaces)
-    smooth = look.smooth and not unlit and _is_smooth(mesh, look.smooth)
+    smooth = not unlit and _smoothness(mesh, look)
     thing = {"images": {"size": look.texels, "bits": look.bits, "levels": LEVELS}} if images else {}
-    thing |= {"smooth": look.smooth} if smooth else {}
+    thing |= {"smooth": smooth} if smooth else {}
     if unlit:
         return {**thing, "shade": False}, _BAKED, []
     some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
             if mesh.surfaces.materials[number].is_unlit] if mesh.surfaces else []
     notes = [f"materials that light does not change are lit as the others are: {len(some):,} (first: {shortened(some[0])})"] if some else []
-    return thing, {"levels": RAMP} if thing else _BAKED, notes
+    if look.baked:
+        if moves:
+            raise ToolError("--bake-light: the animation moves parts of the model, whose light changes as they turn: leave --bake-light out")
+        return thing, {**_BAKED, "bake": True} if images else _BAKED, notes
+    lights = mesh.scenery.lights if not look.whole and mesh.scenery else []
+    if any(light.strength > 0 for light in lights):
+        keys, more = model_scenery.light_keys(lights, place, radius, AMBIENT)
+        return thing, {"levels": RAMP, **keys}, notes + more
+    return thing, {"levels": RAMP} if thing or moves else _BAKED, notes
 
 
-def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN):
-    """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look."""
+def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, played=None):
+    """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look. played:
+    a model_parts.Played; None: the whole model in one part."""
+    played = played or model_parts.Played([model_parts.Part(None, [])])
     radius = framing.radius
     width, height = screen or (WIDTH, HEIGHT)
     points = np.array(mesh.vertices, dtype=float) / UNIT
-    points -= (points.min(axis=0) + points.max(axis=0)) / 2
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    points -= middle
     size = float(np.sqrt((points ** 2).sum(axis=1)).max())
     if not 1e-9 < size < 1e9:
         raise ToolError(f"{shortened(name)}: the model's radius of {size:g} cannot be framed")
     scale = toml_model.short(radius / size)
-    distance = max(_distance(points * float(scale), framing.start, frames or FRAMES, width, height),
-                   radius * 1.1)
+    moved, reach = (model_parts.moved_points(played, mesh) - middle) * float(scale), Fraction(radius)
+    if len(moved):
+        farthest = float(np.sqrt((moved ** 2).sum(axis=1)).max())
+        reach = max(reach, Fraction(math.ceil(min(farthest, REACH_MAX * radius) * 64), 64))
+        moved *= min(1.0, REACH_MAX * radius / max(farthest, 1e-9))
+    distance = max(_distance(np.concatenate([points * float(scale), moved]), framing.start, frames or FRAMES, width, height),
+                   reach * 1.1)
     distance = Fraction(math.ceil(distance * 64), 64)
     flat = Fraction(round(distance * 4096 * Fraction(math.cos(math.radians(RISE)))), 4096)
     rise = Fraction(round(distance * 4096 * Fraction(math.sin(math.radians(RISE)))), 4096)
-    thing, light, notes = _look_of(mesh, look)
+    place = Place(middle, float(scale))
+    thing, light, notes = _look_of(mesh, look, any(part.pose is not None for part in played.parts), place, radius)
+    played.uses |= {"lights"} if "strength" in light else set()
     view = ({"pixels": "rgb565"} if look.pixels == "rgb565" else {}) | ({"depth": look.depth} if look.depth else {})
+    seen = {"fov": FOV, "near": max(Fraction(3, 10), (distance - reach) * Fraction(9, 10)), "far": (distance + reach) * Fraction(11, 10)}
+    path = {"orbit": {"radius": flat, "height": rise, "start": framing.start, "frames": frames or FRAMES}}
+    if look.camera:
+        camera = model_scenery.chosen(mesh.scenery.cameras if mesh.scenery else [], look.camera, shortened(name))
+        seen, path = model_scenery.camera_keys(camera, played.poses.get(camera.name), place, (width, height),
+                                               frames or played.frames or FRAMES, float(reach))
+        played.uses.add("cameras")
+    more = {"simplify": look.simplify} if look.simplify else {}
     return {
         "screen": {"width": width, "height": height},
-        "view": {"fov": FOV, "near": max(Fraction(3, 10), (distance - radius) * Fraction(9, 10)),
-                 "far": (distance + radius) * Fraction(11, 10), **view},
+        "view": {**seen, **view},
         "background": "#1b2a38",
-        "light": {"direction": list(framing.light), "ambient": Fraction(1, 3), **light},
-        "objects": [{"name": name, "model": name, "scale": scale, "anchor": "middle", "two_sided": "open", **thing,
-                     **({} if mesh.surfaces else {"colour": "#e8a860"})}],
-        "path": {"orbit": {"radius": flat, "height": rise, "start": framing.start,
-                           "frames": frames or FRAMES}},
+        "light": {"direction": list(framing.light), "ambient": AMBIENT, **light},
+        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "file" if mesh.scenery else "open", **thing, **more,
+                                                                   **({} if mesh.surfaces else {"colour": "#e8a860"})}),
+        "path": path,
     }, [f"{shortened(name)}: {note}" for note in notes]
+
+
+def _side_of_path(scene):
+    """The most texels of a side of a texture that the path of a scene shows; 0 without textures."""
+    return max((max(sides) for sides in texture_size.needed(scene).values()), default=0)
 
 
 def _needs_no_depth(scene):
@@ -150,19 +220,38 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     mesh, read_notes = model_file.reader_of(name)(path, str(file), progress, files.sources)
     mesh = toml_model.near_origin(mesh)
     files[file] = mesh
-    data, more = scene_data(mesh, name, frames, screen, framing, look)
+    if look.simplify:
+        mesh = files[files.fewer(file, look.simplify)]
+    played = model_parts.divide(mesh, shortened(name), look)
+    data, more = scene_data(mesh, name, frames, screen, framing, look, played)
     scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
+    side, shown = 0 if look.is_fixed else _side_of_path(scene), [thing for thing in data["objects"] if "images" in thing]
+    if shown and 0 < side < look.texels:
+        for thing in shown:
+            thing["images"] = {**thing["images"], "size": side}
+        scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
+    told = {mesh.scenery.left_out.get(kind) for kind in played.uses}
+    read_notes, more, notes = [note for note in read_notes if note not in told], played.notes + more, _first_of_a_kind(notes)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0
         del data["view"]["depth"]
-    scene.names = []    # the file's name, which says nothing to a program
+    scene.names = [None if each == name else each for each in scene.names]  # the file's name says nothing to a program
+    scene.names = scene.names if any(scene.names) else []
     scene.text = _text_of(data, path, write) if write else None
     return scene, read_notes + more + notes + [f"{file}: framed by default: scaled by "
-                           f"{float(data['objects'][0]['scale']):.6g}, turned once in "
-                           f"{len(scene.path)} frames"]
+                           f"{float(data['objects'][0]['scale']):.6g}, " + (f"seen by {shortened(look.camera)} for" if look.camera else "turned once in") +
+                           f" {len(scene.path)} frames"]
+
+
+def _first_of_a_kind(notes):
+    """Of notes that differ in numbers and names alone, as those of many parts do, the first, and how many there are."""
+    found = {}
+    for note in notes:
+        found.setdefault(re.sub(r'\("[^"]*"\)|[0-9][0-9,.]*', "", note), []).append(note)
+    return [same[0] + (f" (parts of which the like holds: {len(same):,})" if len(same) > 1 else "") for same in found.values()]
 
 
 def _text_of(data, path, write):
     """The scene file of a model that is to stand at a place."""
-    thing = {**data["objects"][0], "model": os.path.relpath(path, os.path.dirname(write) or ".")}
-    return toml_text.text({**data, "objects": [thing]})
+    model = os.path.relpath(path, os.path.dirname(write) or ".")
+    return toml_text.text({**data, "objects": [{**thing, "model": model} for thing in data["objects"]]})

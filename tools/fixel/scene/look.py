@@ -10,18 +10,33 @@ from dataclasses import dataclass, fields
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
+SIDES = tuple(1 << bits for bits in range(9))   # of a texture
+FACES_MAX = 1 << 20             # of a file
 CREASE = 40                     # degrees: edges that bend less do not show
-TEXELS = (128, 64, 32, 16)      # of a texture's side: the most first
+TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 
 
 @dataclass(frozen=True)
 class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
-    0 without textures. smooth: degrees up to which an edge does not show, 0 for flat faces."""
+    0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
+    does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
+    animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
+    makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
+    has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file make smooth
+    light where it has some."""
     pixels: str = "rgb565"
     depth: int = 16
     texels: int = TEXELS[0]
     smooth: int = CREASE
+    is_fixed: bool = False
+    keep: str = ""
+    animation: str = ""
+    camera: str = ""
+    whole: bool = False
+    simplify: int = None
+    baked: bool = False
+    normals: bool = True
 
     @property
     def bits(self):
@@ -29,7 +44,7 @@ class Look:
         return 16 if self.pixels == "rgb565" else 8
 
 
-PLAIN = Look("palette", 0, 0, 0)
+PLAIN = Look("palette", 0, 0, 0, whole=True)
 
 
 @dataclass(frozen=True)
@@ -38,8 +53,14 @@ class Asked:
     palette: bool = False
     flat: bool = False
     no_textures: bool = False
+    texture: int = None
     sorted: bool = False
     smooth: int = None
+    keep: str = ""
+    animation: str = ""
+    camera: str = ""
+    simplify: int = None
+    bake_light: bool = False
     write: str = None
 
     def __bool__(self):
@@ -58,12 +79,34 @@ def _degrees(text):
     return int(text)
 
 
+def _side(text):
+    if not re.fullmatch("[0-9]{1,3}", text) or int(text) not in SIDES:
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is not a power of two from 1 to {SIDES[-1]}")
+    return int(text)
+
+
+def _faces(text):
+    if not re.fullmatch("[0-9]{1,7}", text) or not 4 <= int(text) <= FACES_MAX:
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is not a whole number of faces from 4 to {FACES_MAX:,}")
+    return int(text)
+
+
 def _add(group):
     group.add_argument("--palette", action="store_true", help="draw in a palette instead of RGB565")
     group.add_argument("--flat", action="store_true", help="light each face as a whole, also where normals are smooth")
     group.add_argument("--no-textures", action="store_true", help="give each face its image's mean colour")
+    group.add_argument("--texture", type=_side, metavar="TEXELS", help="the most texels of a texture's side, a power of two up to "
+                       f"{SIDES[-1]} (default: what the path shows)")
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
-    group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help=f"edges that bend less do not show (default: {CREASE})")
+    group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help="edges that bend less do not show, whatever "
+                       f"normals the file has (default: its normals; without them {CREASE})")
+    group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file that stay objects of their own, such as "
+                       "'wheel*,door'")
+    group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
+    group.add_argument("--camera", metavar="NAME", default="", help="the camera of a glTF file that the path follows (default: a circle)")
+    group.add_argument("--simplify", type=_faces, metavar="FACES", help="make a model of at most so many triangles of it first")
+    group.add_argument("--bake-light", action="store_true", help="light faces and their textures when the scene is compiled, not at run "
+                       "time")
     group.add_argument("--write", metavar="SCENE.toml", help="write the scene file that gives the same frames")
 
 
@@ -99,6 +142,10 @@ def of_options(options):
                      else getattr(options, each.name, each.default) for each in fields(Asked)})
     if asked.flat and asked.smooth is not None:
         raise ToolError("--flat and --smooth exclude each other: leave one out")
+    if asked.bake_light and asked.smooth is not None:
+        raise ToolError("--bake-light and --smooth exclude each other: baked light is that of whole faces")
+    if asked.no_textures and asked.texture is not None:
+        raise ToolError("--no-textures and --texture exclude each other: leave one out")
     return asked
 
 
@@ -127,17 +174,20 @@ def targets(asked, target, has_tree):
 def of(asked, pixels, depth, texels=TEXELS[0], smooth=True):
     """The Look of a target, with so many texels and with smooth light or without, if nothing else is asked for."""
     crease = CREASE if asked.smooth is None else asked.smooth
-    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat else 0)
+    return Look(pixels, depth, 0 if asked.no_textures else texels, crease if smooth and not asked.flat and not asked.bake_light else 0,
+                asked.texture is not None and texels == asked.texture, asked.keep, asked.animation,
+                asked.camera, simplify=asked.simplify, normals=asked.smooth is None, baked=asked.bake_light)
 
 
 def best(asked, target, has_tree):
     """The Look where there is room for all."""
-    return of(asked, *targets(asked, target, has_tree)[0])
+    return smaller(asked, *targets(asked, target, has_tree)[0])[0]
 
 
 def smaller(asked, pixels, depth):
     """The Looks of a target, each with a smaller image than the one before."""
-    found = [of(asked, pixels, depth, texels) for texels in (*TEXELS, 0)] + [of(asked, pixels, depth, 0, False)]
+    sides = TEXELS if asked.texture is None else (asked.texture, *(side for side in TEXELS if side < asked.texture))
+    found = [of(asked, pixels, depth, texels) for texels in (*sides, 0)] + [of(asked, pixels, depth, 0, False)]
     return list(dict.fromkeys(found))
 
 
@@ -151,4 +201,4 @@ def smaller_text(name, chosen):
     """What there is to say of a Look that was not the first of those."""
     what = f"textures of at most {chosen.texels} texels a side" if chosen.texels else \
         "no textures" if chosen.smooth else "no textures and no smooth light"
-    return f"{name}: a scene image holds no more than {what} of this model; simplify it to have all"
+    return f"{name}: a scene image holds no more than {what} of this model; give it fewer faces (--simplify) to have all"

@@ -42,9 +42,11 @@ def wheel(index):
 
 
 class Light:
-    """One far light and an even glow. direction is the way the light travels."""
+    """One far light and an even glow. direction is the way the light travels. bakes_all: it changes the colours of textures
+    however many directions their faces look in."""
 
-    def __init__(self, direction, ambient, colour, sky):
+    def __init__(self, direction, ambient, colour, sky, bakes_all=False):
+        self.bakes_all = bakes_all
         length = sum(c * c for c in direction) ** 0.5
         self.direction = [c / length for c in direction]
         self.ambient = ambient

@@ -48,7 +48,8 @@ def fitting(shape, where):
                for numbers in cells.values()):
             return count, count
     raise ToolError(f"{where}: {len(shape.faces):,} faces and {len(shape.vertices):,} vertices are more than the {FACES_MAX:,} of a "
-                    f"model, and so are those over a cell of {MOST} x {MOST}; simplify the model, or split it into several files")
+                    f"model, and so are those over a cell of {MOST} x {MOST}; give it fewer faces (--simplify, or simplify of the "
+                    "object), or split it into several files")
 
 
 def _part(shape, numbers):

@@ -10,7 +10,7 @@ from fixel.scene import look, making, target
 def add(parser, frames=True, targets=True, looks=True):
     """--scene, --screen, the limits of compiling, --frames, what it is drawn as: --pixels, --order, --depth, and how a model
     looks: --palette and others."""
-    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl), or a scene image (.fxls)")
+    parser.add_argument("--scene", required=True, help="a .toml, a model (.obj, .gltf, .glb, .stl, .ply), or a scene image (.fxls)")
     if frames:
         parser.add_argument("--frames", help="number of frames (default: the whole path)")
     else:

@@ -10,6 +10,8 @@ import functools
 import math
 from math import lcm
 
+import numpy as np
+
 from fixel.image import image_surface
 from fixel.scene import light_palette, palette
 from fixel.base.errors import ToolError
@@ -161,6 +163,33 @@ def smooth_normals(made, degrees=None):
             totals[c, back] = tuple(p + q for p, q in zip(totals.get((c, back), (0, 0, 0)), area))
     normals = {key: unit_normal(total) if any(total) else None for key, total in totals.items()}
     return [[normals[c, back] or face.normal for c in face.corners] for face, back in zip(made.faces, backs)]
+
+
+OWN_COSINE = math.cos(math.radians(1))      # of normals of a file that are a face's own
+
+
+def file_normals(mesh, rows, made):
+    """For each face of a shape the normals of its corners in 2.30 as the file of the mesh has them, on the side to which the face
+    looks; None where it has none. A face whose normals are all within a degree of its own has its own. rows: the matrix of
+    the shape."""
+    turn = np.linalg.inv(np.array([[float(c) for c in row] for row in rows])).T
+    given = [normals or [(0.0, 0.0, 0.0)] * len(face) for normals, face in zip(mesh.normals, mesh.faces)]
+    return [_turned(found, turn, face.normal) for found, face in zip(_source_coordinates(mesh, rows, made, given), made.faces)]
+
+
+def _turned(normals, turn, own):
+    """The normals of a face's corners after a turn; None if one of them is none."""
+    found = np.array([[float(c) for c in normal] for normal in normals]) @ turn.T
+    lengths = np.linalg.norm(found, axis=1)
+    if not (lengths > 1e-12).all():
+        return None
+    found /= lengths[:, None]
+    towards = found @ [c / (1 << 30) for c in own]
+    if towards.sum() < 0:
+        found, towards = -found, -towards
+    if (towards > OWN_COSINE).all():
+        return [own] * len(normals)
+    return [unit_normal([round(c * (1 << 30)) for c in normal]) for normal in found.tolist()]
 
 
 # --- faces ---------------------------------------------------------------------------------------

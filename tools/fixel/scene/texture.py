@@ -156,14 +156,16 @@ def pixels_of(path, name):
     return texture_image.decode(blob, name).pixels
 
 
-def from_pixels(pixels, name, most, any_side=False, key=None):
+def from_pixels(pixels, name, most, any_side=False, key=None, side=SIDE_MAX):
     """The picture of an image file, with at most so many colours. What is more clear than not becomes CLEAR, and so do
-    pixels of the colour key. any_side: its sides need not be powers of two."""
+    pixels of the colour key. any_side: its sides need not be powers of two; else they are made such, of
+    at most so many texels."""
     height, width = pixels.shape[:2]
     if any_side and max(width, height) > SIDE_MAX:
         raise ToolError(f"{name}: a picture of {width} x {height}; a side is at most {SIDE_MAX}, so scale it")
-    if not any_side and not (is_side(width) and is_side(height)):
-        pixels = texture_image.Texture(name, pixels).scaled(_nearest_side(width), _nearest_side(height))
+    wanted = min(side, _nearest_side(width)), min(side, _nearest_side(height))
+    if not any_side and wanted != (width, height):
+        pixels = texture_image.Texture(name, pixels).scaled(*wanted)
     codes = codes_of(pixels, pixels[..., 3] < OPAQUE_FROM)
     if key:
         codes[codes == (key[0] << 16 | key[1] << 8 | key[2])] = _CLEAR_CODE
@@ -291,8 +293,8 @@ class Pictures:
         colours = pattern_colours(row, name)
         return self._once((name, width, height, tuple(colours)), lambda: pattern(name, width, height, colours))
 
-    def file(self, row, most, any_side=False, key=None):
-        """The picture of the file that a row of a scene file names (read)."""
+    def file(self, row, most, any_side=False, key=None, side=SIDE_MAX):
+        """The picture of the file that a row of a scene file names (from_pixels)."""
         name = row.text("file")
         file = Beside(self.folder, name)
         if not file.exists():
@@ -300,7 +302,7 @@ class Pictures:
         real = reading.identity(file)
         if real not in self.files:
             self.files[real] = pixels_of(file, file)
-        return self._once((real, most, any_side, key), lambda: from_pixels(self.files[real], file, most, any_side, key))
+        return self._once((real, most, any_side, key, side), lambda: from_pixels(self.files[real], file, most, any_side, key, side))
 
     def levels(self, picture, levels, most, least):
         """The same with smaller pictures of it (with_levels)."""

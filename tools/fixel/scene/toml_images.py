@@ -156,10 +156,22 @@ def read(table, mesh_of, known):
     surfaces = mesh_of().surfaces if "solid" not in table else None
     if surfaces is None or not has_looks(surfaces):
         raise ToolError(f"{table.at('images')}: the model has no material with an image, and none that is transparent")
+    return _known(surfaces, row, known)
+
+
+def _known(surfaces, row, known):
+    """The Images of surfaces, made once."""
     key = id(surfaces), row
     if key not in known:
-        known[key] = _images(surfaces, row)
+        known[key] = _part(_known(surfaces.whole[0], row, known), surfaces.whole[1]) if surfaces.whole else _images(surfaces, row)
     return known[key]
+
+
+def _part(images, faces):
+    """The Images of some faces."""
+    def of(values):
+        return tuple(values[face] for face in faces) if len(values) > 1 else values
+    return Images(of(images.paints), of(images.opacities), of(images.materials), of(images.uvs), images.notes)
 
 
 def _tinted(surfaces):

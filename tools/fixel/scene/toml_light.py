@@ -11,8 +11,8 @@ from fixel.base.errors import ToolError
 from fixel.image.image_lens import FAR_MAX
 from fixel.scene.toml_table import Table
 
-KEYS = {"direction", "ambient", "colour", "sky", "levels", "strength", "dark", "points", "fog"}
-BAKED = ("colour", "sky")                           # keys of baked light alone
+KEYS = {"direction", "ambient", "colour", "sky", "bake", "levels", "strength", "dark", "points", "fog"}
+BAKED = ("colour", "sky", "bake")                   # keys of baked light alone
 AT_RUN_TIME = ("strength", "dark", "points", "fog")    # keys of light at run time alone
 
 
@@ -61,7 +61,7 @@ def _baked(light, direction, ambient):
             raise ToolError(f"{light.at(key)}: belongs to light at run time; give levels too, like levels = 16")
     return palette.Light([float(c) for c in direction], float(ambient),
                          palette.parse(light.data.get("colour", "white"), light.at("colour")),
-                         palette.parse(light.data.get("sky", "white"), light.at("sky")))
+                         palette.parse(light.data.get("sky", "white"), light.at("sky")), light.switch("bake", False))
 
 
 def _run_time(light, direction, ambient):

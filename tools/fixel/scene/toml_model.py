@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
 
+import copy
 from dataclasses import replace
 import difflib
 from fractions import Fraction
@@ -8,13 +9,13 @@ import itertools
 import math
 
 from fixel.base import reading
-from fixel.model import merge, model_file, suffixes, t_junctions
+from fixel.model import merge, model_file, simplify, suffixes, t_junctions
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT, rounding_error, shape
+from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
 
-KEYS = {"obj", "model", "group", "fit", "mend", "merge"}
+KEYS = {"obj", "model", "group", "fit", "mend", "merge", "simplify"}
 NEAR_MAX = 1000     # names of groups among which the nearest is looked for
 FIT_MAX = 16382
 
@@ -25,7 +26,8 @@ class Files:
 
     def __init__(self, folder):
         self.folder, self.sources = folder, Sources()
-        self.by_name, self.by_path, self.meshes, self.parts = {}, {}, {}, {}
+        self.by_name, self.by_path, self.meshes, self.parts, self.moved = {}, {}, {}, {}, {}
+        self.simpler, self.results = {}, {}     # keys of meshes of fewer faces; what made them, a simplify.Result
 
     def file(self, name):
         """The Beside of a name: the same one for all names of a file that is read in the same way."""
@@ -48,13 +50,38 @@ class Files:
     def __setitem__(self, name, mesh):
         self.meshes[self._key(name)] = mesh
 
-    def part(self, name, group, where):
-        """The mesh of a group of a file that was read."""
-        key = self._key(name), group
+    def part(self, name, groups, where, by_node=False):
+        """The mesh of some groups of a file that was read. by_node: about the origin of the whole file."""
+        key = self._key(name), groups, by_node
         if key not in self.parts:
-            _check_group(self[name], *key, where)
-            self.parts[key] = self[name].part(group)
+            mesh = self._about_origin(name) if by_node else self[name]
+            for group in groups:
+                _check_group(mesh, key[0], group, where)
+            self.parts[key] = mesh.part(*groups)
         return self.parts[key]
+
+    def pivot(self, name, groups):
+        """The mesh of one point: that about which the first of some nodes of a file turns; None where it has no such node."""
+        mesh = self._about_origin(name)
+        node = mesh.scenery.nodes.get(groups[0]) if mesh.scenery else None
+        return node and Mesh([node.pivot], [])
+
+    def _about_origin(self, name):
+        key = self._key(name)
+        if key not in self.moved:
+            self.moved[key] = near_origin(self[name])
+        return self.moved[key]
+
+    def fewer(self, name, count):
+        """The key of the mesh of a file that was read, with at most so many faces; of the file itself where it has no more."""
+        file = self._key(name)
+        if (file, count) not in self.simpler:
+            result = simplify.simplified(self[file], count, file)
+            key = copy.copy(file) if result else file
+            self.simpler[file, count] = key
+            if result:
+                self.meshes[key], self.results[key] = result.mesh, result
+        return self.simpler[file, count]
 
     def values(self):
         """The mesh of each file."""
@@ -63,7 +90,7 @@ class Files:
 
 def _check_group(mesh, file, group, where):
     if not mesh.groups:
-        raise ToolError(f"{where}: {file} has no groups; o and g of an OBJ file name them")
+        raise ToolError(f"{where}: {file} has no groups; o and g of an OBJ file name them, and the nodes of a glTF file")
     if group not in mesh.groups:
         names = list(itertools.islice(mesh.groups, NEAR_MAX))
         near = difflib.get_close_matches(group[:QUOTE_MAX], names, 1, 0) or names
@@ -87,6 +114,11 @@ def read(table, key, files, progress):
     return mesh, file, notes
 
 
+def faces_asked(table):
+    """How many faces an object's model is to have at most; None where it is to keep them."""
+    return table.whole("simplify", None, simplify.FACES_MIN, FILE_FACES_MAX) if "simplify" in table else None
+
+
 def near_origin(mesh):
     """The mesh about its origin, if it is eight times farther from there than it is large: the scale could hardly hold both. For
     what is placed by its middle."""
@@ -94,7 +126,9 @@ def near_origin(mesh):
     middle = [(a + b) // 2 for a, b in zip(low, high)]
     if max(map(abs, middle)) <= 8 * max(b - a for a, b in zip(low, high)):
         return mesh
-    return replace(mesh, vertices=[tuple(c - m for c, m in zip(vertex, middle)) for vertex in mesh.vertices])
+    way = [-m for m in middle]
+    return replace(mesh, vertices=[tuple(c + w for c, w in zip(vertex, way)) for vertex in mesh.vertices],
+                   scenery=mesh.scenery and mesh.scenery.moved(way, UNIT))
 
 
 def short(value):

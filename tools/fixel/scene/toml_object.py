@@ -4,15 +4,16 @@ colours. Each becomes one or more instances of a coloured shape."""
 
 from dataclasses import dataclass
 from fractions import Fraction
+import math
 
 from fixel.image import image
 from fixel.model import island, quantity, solids
-from fixel.scene import (palette, parts, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
+from fixel.scene import (palette, parts, simplified, toml_billboard, toml_images, toml_light, toml_model, toml_motion,
                          toml_places, toml_texture)
 from fixel.base.job import Quiet
 from fixel.base.errors import ToolError
 from fixel.model.convex import is_convex
-from fixel.model.mesh import FACES_MAX, two_sided
+from fixel.model.mesh import FACES_MAX, transform, two_sided
 from fixel.base.reading import quoted
 from fixel.scene.toml_table import Table
 from fixel.model.turning import matrix
@@ -85,6 +86,14 @@ def _solid_options(table):
     return options
 
 
+def _groups(table):
+    """The names of an object's groups: one, or a list of them."""
+    value = table.need("group")
+    if isinstance(value, list) and value and all(isinstance(each, str) for each in value):
+        return tuple(value)
+    return (table.text("group"),)
+
+
 def _parts(table):
     """(across, along) of the parts that an object is divided into; None for one that is not."""
     return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
@@ -100,6 +109,7 @@ class Objects:
         self.textures, self.looks, self.plain_look = textures or {}, {}, None
         self.billboards, self.boards = billboards or {}, {}
         self.solids, self.shared, self.divided, self.images = {}, {}, {}, {}
+        self.simplified = {}            # a simplified.Record of each model
         self.count = self.placed = 0    # objects, and their vertices
 
     def mesh(self, table):
@@ -120,10 +130,37 @@ class Objects:
                 raise ToolError(f"{table.at(key)}: means nothing for a file")
         self.files[table.text(source)], name, notes = toml_model.read(table, source, self.files, self.progress)
         self.notes += notes
+        if "simplify" in table:
+            self.progress.stage(f"simplifying {name}")
+            name = self.files.fewer(name, toml_model.faces_asked(table))
         if "group" not in table:
             return self.files[name], name, (name,)
-        group = table.text("group")
-        return self.files.part(name, group, table.at("group")), name, (name, group)
+        groups, by_node = _groups(table), table.data.get("anchor") == "node"
+        return self.files.part(name, groups, table.at("group"), by_node), name, (name, groups, by_node)
+
+    def _record(self, table, found):
+        """Keeps what there is to say of an object whose model has fewer faces, and of its instances."""
+        mesh, name, _ = self.mesh(table)
+        if name not in self.files.results or not found:
+            return
+        scale = toml_model.fit(table, mesh) if "fit" in table else _scale(table)
+        record = self.simplified.setdefault(name, simplified.Record(name, self.files.results[name], toml_model.faces_asked(table)))
+        record.scale = max(record.scale, float(max(scale)))
+        radii = {}
+        for each in found:
+            made, moved = each.shape
+            if (id(made), moved) not in radii:
+                radii[id(made), moved] = max(math.dist(vertex, moved) for vertex in made.vertices)
+            record.balls.append(None if each.life else (each.centre, radii[id(made), moved]))
+
+    def _pivot(self, table, name, rows):
+        """The point about which an object's node turns, in 16.16; None unless the node is its anchor."""
+        if table.data.get("anchor") != "node":
+            return None
+        pivot = self.files.pivot(name, _groups(table)) if "group" in table and "solid" not in table else None
+        if pivot is None:
+            raise ToolError(f'{table.at("anchor")}: "node" needs a group that is a node of a glTF file')
+        return transform(pivot, rows)[0]
 
     def _look_of(self, table):
         """What an object says of its surfaces; one that says nothing has the same as all others that do not."""
@@ -142,7 +179,7 @@ class Objects:
         mesh, name, identity = self.mesh(table)
         inside = table.switch("inside", False)
         rotation = tuple(a % 360 if a else a for a in rotation)
-        sides = self._sides(table)
+        sides = self._sides(table, mesh)
         scale = toml_model.fit(table, mesh) if "fit" in table else scale
         wanted = toml_model.wishes(table, name) if "solid" not in table else (False, False)
         wanted = wanted[0], wanted[1] and not look.wanted()     # a merged face has no texture coordinates
@@ -151,9 +188,12 @@ class Objects:
         if key not in self.shapes:
             self.progress.stage(table.where)
             mesh = toml_model.near_origin(mesh) if is_middle else mesh
+            pivot = self._pivot(table, name, matrix(scale, rotation))
             made = toml_model.make(mesh, matrix(scale, rotation), name, inside, wanted, self.progress, "solid" not in table)
             self.notes += made.notes
-            made = self._with_sides(made, sides, name, "solid" not in table)
+            made.middle = pivot or made.middle
+            made = self._of_material(made, mesh, name) if sides == "file" else \
+                self._with_sides(made, sides, name, "solid" not in table)
             convex, coordinates = is_convex(made.vertices, made.faces), None
             if look.wanted():
                 made, coordinates = toml_texture.shape_of(look, mesh, matrix(scale, rotation), made, scale, inside)
@@ -161,19 +201,32 @@ class Objects:
         return self.shapes[key]
 
     @staticmethod
-    def _sides(table):
-        """False, True, or "open": both sides only where the mesh is open."""
+    def _sides(table, mesh):
+        """False, True, "open": both sides only where the mesh is open, or "file": as the materials of a glTF file say."""
         value = table.data.get("two_sided", False)
-        if not isinstance(value, bool) and value != "open":
-            raise ToolError(f"{table.at('two_sided')}: expected true, false or \"open\", found {quoted(value)}")
+        if not isinstance(value, bool) and value not in ("open", "file"):
+            raise ToolError(f"{table.at('two_sided')}: expected true, false, \"open\" or \"file\", found {quoted(value)}")
+        if value == "file" and mesh.scenery is None:
+            raise ToolError(f'{table.at("two_sided")}: "file" is for a glTF file, whose materials say so (doubleSided)')
         return value
+
+    def _of_material(self, made, mesh, name):
+        """The shape, with faces for the backs that the materials say may be seen."""
+        wanted, is_open = mesh.surfaces.with_backs(made.open_edges > 0), made.open_edges > 0
+        backs = sum(source in wanted for source in made.sources)
+        fits = len(made.faces) + backs <= FACES_MAX
+        if is_open:
+            why = "" if fits else f"; all backs would be more than {FACES_MAX:,} faces"
+            self.notes.append(f"{name}: {made.open_edges} edges are not shared by two faces: the model is open; its materials "
+                              f"(doubleSided) show {backs if fits else 0:,} of {len(made.faces):,} faces from both sides" + why)
+        return two_sided(made, wanted) if backs and fits else made
 
     def _with_sides(self, made, sides, name, told):
         """The shape, with faces for both sides where they are wanted; told: says that the mesh is open."""
         fits = 2 * len(made.faces) <= FACES_MAX
         if sides is True and not fits:
             raise ToolError(f"{name}: two_sided: twice {len(made.faces):,} faces are more than the limit of "
-                            f"{FACES_MAX:,}; simplify the model")
+                            f"{FACES_MAX:,}; give the model fewer faces: simplify = {FACES_MAX // 2}")
         both = sides is True or (sides == "open" and made.open_edges > 0 and fits)
         if made.open_edges and told:
             why = "two_sided = true in a scene file shows both sides" if fits else \
@@ -262,7 +315,8 @@ class Objects:
         changes = look.lit if isinstance(self.light, toml_light.RunTime) else shaded
         key = id(made), look.key, changes
         if key not in self.looks:
-            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where)
+            self.looks[key] = look.looks(made, coordinates, self.light.bake if changes else toml_texture.keep, where,
+                                         getattr(self.light, "bakes_all", False))
         return self.looks[key]
 
     def _count_placed(self, vertices, where):
@@ -294,7 +348,7 @@ class Objects:
         if sum(key in table for key in ("colour", "colours", "colour_index")) > 1:
             raise ToolError(f"{where}: colour, colours and colour_index exclude each other")
         scale, rotation = _scale(table), _rotation(table)
-        anchor = table.choice("anchor", "origin", ["origin", "base", "middle"])
+        anchor = table.choice("anchor", "origin", ["origin", "base", "middle", "node"])
         look = self._look_of(table)
         layer, moves, wish = table.whole("layer", 0, 0, 255), table.switch("moves", False), self._wish(table, look)
         clusters = table.switch("clusters", False)
@@ -333,6 +387,8 @@ class Objects:
                 result += self._parts_of(result.pop(), division or fitting, table,
                                          INSTANCES_MAX - self.count + len(places) - len(result))
         self.count += len(result) - len(places)
+        if "simplify" in table:
+            self._record(table, result)
         return result
 
     def _parts_of(self, whole, division, table, room):

@@ -8,7 +8,7 @@ import os
 
 from fixel.image import image, image_beam, image_header, image_lens
 from fixel.model import clusters, quantity
-from fixel.scene import (default_path, light_palette, palette, texture, toml_billboard, toml_light, toml_model,
+from fixel.scene import (default_path, light_palette, palette, simplified, texture, toml_billboard, toml_light, toml_model,
                          toml_motion, toml_table, toml_texture)
 from fixel.scene import path as walk
 from fixel.base.job import Quiet
@@ -357,6 +357,18 @@ def compile_data(data, name, folder, frames=None, progress=None, screen=None, fi
     """A scene as a dictionary of TOML's shape -> (SceneImage, notes). See _compile_data. Textures that the tool's light
     cannot be baked into get light at run time."""
     files = files or toml_model.Files(folder)
+    names = toml_texture.by_path(data)
+    if not names:
+        return _compile_lit(data, name, folder, frames, progress, screen, files)
+    toml_texture.check_by_path(Table(data, name, TOP_KEYS), names)
+    scene, _ = _compile_lit(data, name, folder, frames, progress, screen, files)
+    data, more = toml_texture.sizes_of_path(data, scene, names)
+    scene, notes = _compile_lit(data, name, folder, frames, progress, screen, files)
+    return scene, [*(f"{name}: {note}" for note in more), *notes]
+
+
+def _compile_lit(data, name, folder, frames, progress, screen, files):
+    """See compile_data; sizes of textures are numbers."""
     try:
         return _compile_data(data, name, folder, frames, progress, screen, files)
     except toml_texture.ManyDirections as found:
@@ -413,6 +425,7 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
         scene.path, more = default_path.about(scene, frames, name)
         scene.start = scene.path[0]
         notes += more
+    notes += [simplified.note(scene, record) for record in objects.simplified.values()]
     scene.names = [item.name for item in instances]
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     return scene, list(dict.fromkeys(notes))

@@ -13,6 +13,7 @@ from fixel.base.reading import QUOTE_MAX, quoted
 
 FILE_MAX = 16 << 20     # bytes
 _COUNTS = {2: "two", 3: "three"}
+LISTED_MAX = 40         # keys in a message
 PARTS_MAX = 16          # of a dotted key: tomllib takes quadratic time and memory for them
 # No quantifier gives back what it took, and no key begins behind a backslash: the time is that of one look.
 _PART = r"""(?:[\w-]++|"(?:[^"\\\n]++|\\.)*+"|'[^'\n]*+')"""
@@ -50,7 +51,8 @@ class Table:
             if key not in known:
                 near = difflib.get_close_matches(key[:QUOTE_MAX], known, 1, 0.5)
                 hint = (f'did you mean "{near[0]}"?' if near
-                        else f"known keys: {', '.join(sorted(known))}")
+                        else f"known keys: {', '.join(sorted(known))}" if len(known) <= LISTED_MAX else
+                        f"docs/scenes.md lists the {len(known)} known keys")
                 raise ToolError(f"{where}: unknown key {quoted(key)}; {hint}")
         self.data = data
         self.where = where

@@ -6,15 +6,17 @@ import functools
 
 from fixel.image import image_surface
 from fixel.model import quantity
-from fixel.scene import surfaces, texture, toml_images
+from fixel.scene import surfaces, texture, texture_size, toml_images
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
+from fixel.scene.look import CREASE
 from fixel.scene.surfaces import Look, Paint
 from fixel.scene.toml_table import Table
 
 KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
         "smooth", *toml_images.KEYS}
 _ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
+BY_PATH = "path"        # a size
 TEXTURES_MAX = 256      # of a scene file
 TEXELS_MAX = 16384      # a world unit
 DIRECTIONS_MAX = 16     # in which the textured faces of an object look, if the tool's light changes their colours
@@ -25,6 +27,43 @@ def _side(value, where):
     if isinstance(value, bool) or not isinstance(value, int) or not texture.is_side(value):
         raise ToolError(f"{where}: {quoted(value)} is not a power of two from 1 to {texture.SIDE_MAX}")
     return value
+
+
+def _file_side(row):
+    """The most texels of a side of a file's picture. "path" was made a number (sizes_of_path) or is the most."""
+    value = row.data.get("size", BY_PATH)
+    return texture.SIDE_MAX if value == BY_PATH else _side(value, row.at("size"))
+
+
+def by_path(data):
+    """The names of the textures of a scene file whose size is to be what the path shows."""
+    rows = data.get("textures")
+    return [row["name"] for row in rows if isinstance(row, dict) and row.get("size") == BY_PATH and "file" in row
+            and isinstance(row.get("name"), str)] if isinstance(rows, list) else []
+
+
+def check_by_path(top, names):
+    """Refuses a size by the path for a texture whose texels an object counts."""
+    for number, item in enumerate(top.rows("objects") if names else ()):
+        own = item if isinstance(item, dict) else {}
+        used = [own["texture"]] if "texture" in own else own.get("textures", [])
+        found = next((name for name in names if isinstance(used, list) and name in used), None)
+        key = next((key for key in ("texels_per_unit", "texel_offset") if key in own), None)
+        if found and key:
+            raise ToolError(f"{top.where}: object {number}: {key} counts texels, and the texture {quoted(found)} has a size by the "
+                            "path: give its size as a number")
+
+
+def sizes_of_path(data, scene, names):
+    """The scene file with sizes as numbers: what the path shows of the textures of a compiled scene."""
+    sides = {}
+    for number, needed in texture_size.needed(scene).items():
+        name = scene.surfaces.texture_names[number - 1]
+        sides[name] = max(sides.get(name, 1), *needed)
+    rows = [{**row, "size": sides.get(row["name"], 1)} if isinstance(row, dict) and row.get("name") in names else row
+            for row in data["textures"]]
+    notes = [f"texture {quoted(name)}: the path shows no more than {sides[name]} texels a side" for name in names if name in sides]
+    return {**data, "textures": rows}, notes
 
 
 def _pattern(row, pictures):
@@ -50,10 +89,9 @@ def _paint(data, where, pictures):
     row = Table(data, where, _ROW_KEYS)
     name, bits = row.text("name"), toml_images.texel_bits(row)
     if row.only_one("file", "pattern") == "file":
-        for key in ("size", "colours"):
-            if key in row:
-                raise ToolError(f"{row.at(key)}: belongs to a pattern; a file has its own")
-        picture = pictures.file(row, _most(row, bits))
+        if "colours" in row:
+            raise ToolError(f"{row.at('colours')}: belongs to a pattern; a file has its own")
+        picture = pictures.file(row, _most(row, bits), side=_file_side(row))
     else:
         if "most_colours" in row:
             raise ToolError(f"{row.at('most_colours')}: belongs to a file; a pattern has its own colours")
@@ -104,6 +142,7 @@ class Wish:
         self.opacities = images.opacities if images else (table.whole("opacity", 16, 1, 16),)
         self.mixes = self._mixing(table)
         self.smooth, self.crease = self._smoothness(table)
+        self.by_normals = table.data.get("smooth") == "file"
         self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
@@ -130,6 +169,10 @@ class Wish:
     def _smoothness(table):
         """(whether the object is smooth, the degrees from which an edge shows, or None)."""
         value = table.data.get("smooth", False)
+        if value == "file":
+            if "solid" in table:
+                raise ToolError(f'{table.at("smooth")}: "file" means nothing for a solid')
+            return True, Fraction(CREASE)
         if isinstance(value, bool):
             return value, None
         degrees = quantity.in_range(quantity.degrees(value, table.at("smooth")), 1, 180, table.at("smooth"), "degrees")
@@ -187,7 +230,7 @@ class Wish:
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
         return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
-                    self.mixes, self.lit, self.smooth, self.crease, self.by_file)
+                    self.mixes, self.lit, self.smooth, self.crease, self.by_normals, self.by_file)
 
     def wanted(self):
         """Whether any face has a surface."""
@@ -235,16 +278,25 @@ class Wish:
                           if known else [(Fraction(0),) * 2] * len(corners))
         return result
 
-    def looks(self, made, coordinates, bake, where):
-        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal."""
+    def looks(self, made, coordinates, bake, where, bakes_all=False):
+        """The look of each face of a shape; bake: what becomes of a colour on a face with this normal. bakes_all: in
+        DIRECTIONS_MAX levels where faces look in more directions."""
         normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        if made.normals:
+            normals = [given or own for given, own in zip(made.normals, normals)]
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
-        if bake is not keep and not self.lit and len({normal for _, normal in painted}) > DIRECTIONS_MAX:
-            raise ManyDirections(where)
+        directions, stands_for = {normal for _, normal in painted}, {}
+        if bake is not keep and not self.lit and len(directions) > DIRECTIONS_MAX:
+            if not bakes_all:
+                raise ManyDirections(where)
+            stands_for = _levels_of(directions, bake)
 
-        @functools.lru_cache(None)      # one object for all faces that look the same way
-        def baked(paint, normal):
+        @functools.lru_cache(None)      # one object for all faces that are lit the same
+        def of_direction(paint, normal):
             return tuple(bake(colour, normal) for colour in paint.picture.colours)
+
+        def baked(paint, normal):
+            return of_direction(paint, stands_for.get(normal, normal))
         return tuple(self._look(made, number, coordinates[number], normals[number], bake is not keep and baked, where)
                      for number in range(len(made.faces)))
 
@@ -274,6 +326,20 @@ class Wish:
         return self.own.setdefault(paint, tuple(paint.picture.colours))
 
 
+def _levels_of(normals, bake):
+    """{normal: the one whose light stands for its own}: of at most DIRECTIONS_MAX levels of light, evenly spaced, the normal that
+    is nearest to the level."""
+    light = {normal: sum(bake((255, 255, 255), normal)) for normal in normals}
+    low, step = min(light.values()), max(1, max(light.values()) - min(light.values())) / (DIRECTIONS_MAX - 1)
+    levels = {normal: round((value - low) / step) for normal, value in light.items()}
+    nearest = {}
+    for normal in sorted(normals):
+        off = abs(light[normal] - low - levels[normal] * step)
+        if levels[normal] not in nearest or off < nearest[levels[normal]][0]:
+            nearest[levels[normal]] = off, normal
+    return {normal: nearest[level][1] for normal, level in levels.items()}
+
+
 def keep(colour, _normal):
     """What a light that is not there makes of a colour."""
     return colour
@@ -284,6 +350,9 @@ _NO_PAINT = Paint(None, 8, True)
 
 def shape_of(wish, mesh, rows, made, scale, inside):
     """(shape, coordinates) with the wish's surfaces."""
-    return surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
+    made, coordinates = surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
+    if wish.by_normals and mesh.normals:
+        made.normals = surfaces.file_normals(mesh, rows, made)
+    return made, coordinates
 
 

@@ -1,0 +1,328 @@
+# SPDX-License-Identifier: MIT
+"""Nodes of a glTF file as objects of a model without a scene file: which, their names, what they hang on, how they move."""
+
+import json
+import math
+import re
+
+import numpy
+import pytest
+
+from conftest import assert_one_sentence, run_cli
+from fixel.base.errors import ToolError
+from fixel.image import image
+from fixel.model import gltf
+from fixel.model.gltf_motion import between
+from fixel.model.mesh import UNIT
+from fixel.model.turning import matrix
+from fixel.scene import compiler, look, toml_scene, tracks
+from node_files import CORNERS, SIDES, WHEELS, File, about_x, car
+
+
+def compiled(path, **wanted):
+    """(scene, notes) of a model as its author made it."""
+    made, notes = compiler.compile_scene(str(path), 4, look=look.Look(**wanted))
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
+
+
+def placed(made, number, frame):
+    """The vertices of an instance in a frame, by docs/extras/motion.md, section 2."""
+    first = len(made.objects) - len(made.motions)
+    points = numpy.array(made.models[made.objects[number].model].vertices) / 65536
+    if number < first:
+        return points + numpy.array(made.objects[number].centre) / 65536
+    motion = made.motions[number - first]
+    while motion is not None:
+        keys, at = motion.keys, frame % motion.keys[-1].frame if motion.repeats else min(frame, motion.keys[-1].frame)
+        one = max(i for i, key in enumerate(keys) if key.frame <= at)
+        two = min(one + 1, len(keys) - 1)
+        part = (at - keys[one].frame) / max(keys[two].frame - keys[one].frame, 1)
+        centre = [a + (b - a) * part for a, b in zip(keys[one].centre, keys[two].centre)]
+        scale = keys[one].scale + (keys[two].scale - keys[one].scale) * part
+        angles = [a + ((b - a + (1 << 31)) % (1 << 32) - (1 << 31)) * part for a, b in zip(keys[one].angles, keys[two].angles)]
+        rows = numpy.array(matrix((1, 1, 1), [angle * 360 / (1 << 32) for angle in angles]), dtype=float)
+        points = points @ rows.T * scale / 65536 + numpy.array(centre) / 65536
+        motion = made.motions[motion.parent - 1] if motion.parent else None
+    return points
+
+
+def by_name(made):
+    return {name: number for number, name in enumerate(made.names)}
+
+
+# --- which parts -----------------------------------------------------------------------------
+
+def test_the_nodes_of_a_small_file_are_objects_with_names(tmp_path):
+    made, _ = compiled(car(turns=False).write(tmp_path / "car.glb"))
+    assert made.names == ["body", "cabin", "bonnet", "lamp", "lamp_2", *WHEELS] and not made.placements
+    whole, _ = compiled(tmp_path / "car.glb", depth=0)
+    assert len(whole.objects) == 1 and whole.names == []
+    corners = [{tuple(numpy.round(point * 65536)) for number in range(len(scene.objects)) for point in placed(scene, number, 0)}
+               for scene in (made, whole)]
+    assert corners[0] == corners[1]         # to the last bit: no gap between two parts
+    assert run_cli("export", "--c", tmp_path / "car.glb", "-o", tmp_path / "car.h").returncode == 0
+    text = (tmp_path / "car.h").read_text()
+    assert re.findall(r"CAR_INSTANCE_(\w+) = \d", text) == ["BODY", "CABIN", "BONNET", "LAMP", "LAMP_2", "WHEEL_FL", "WHEEL_FR", "WHEEL_BL", "WHEEL_BR"]
+
+
+def test_a_name_is_the_nodes_the_meshs_or_a_number(tmp_path):
+    made = File({"mesh": 0, "name": "box"}, {"mesh": 0, "name": " "}, {"mesh": 1}, {"mesh": 1, "name": "box"}, {"mesh": 0, "name": "box_2"}, roots=[0, 1, 2, 3, 4])
+    made.box(name="plate")
+    made.box()
+    mesh, _ = gltf.read(str(made.write(tmp_path / "m.glb")))
+    assert list(mesh.groups) == ["box", "plate", "node_2", "box_2", "box_2_2"]
+
+
+def crowd(count, meshes=2):
+    """Boxes in a row, which share meshes."""
+    made = File({"children": list(range(1, count + 1))}, *({"name": f"post {i}", "mesh": i % meshes, "translation": [2 * i, 0, 0]} for i in range(count)))
+    for number in range(meshes):
+        made.box(name=f"kind {number}")
+    return made
+
+
+def test_of_a_large_file_each_mesh_is_a_part_and_keep_names_more(tmp_path):
+    path = crowd(63).write(tmp_path / "few.glb")
+    assert len(compiled(path)[0].objects) == 63
+    path = crowd(64).write(tmp_path / "many.glb")
+    made, _ = compiled(path)
+    assert made.names == ["kind 0", "kind 1"]
+    made, _ = compiled(path, keep="post 1?,post 5")
+    assert sorted(made.names) == sorted(["kind 0", "kind 1", "post 5", *(f"post {i}" for i in range(10, 20))])
+    assert len(made.placements) == 11 and not made.motions      # a program may turn them
+    made, _ = compiled(path, keep="post 5", depth=0)
+    assert made.names == [None, "post 5"]
+    with pytest.raises(ToolError, match='--keep: no node has a name like "pst 5"; the nearest is "post 5'):
+        compiled(path, keep="pst 5")
+
+
+def test_what_is_kept_hangs_on_what_is_kept_above_it(tmp_path):
+    made, _ = compiled(car(turns=False).write(tmp_path / "car.glb"), keep="*")
+    numbers = by_name(made)
+    assert [motion.parent for motion in made.motions] == [0, *[1] * 8] and numbers["body"] == 0
+    plain, _ = compiled(tmp_path / "car.glb")
+    for name, number in numbers.items():
+        assert abs(placed(made, number, 7) - placed(plain, by_name(plain)[name], 0)).max() < 1e-4
+
+
+def test_an_image_on_several_parts_is_one_texture(tmp_path):
+    from model_files import png
+    made = car(turns=False)
+    uvs = made.add([(x, z) for x, _, z in numpy.array(CORNERS) + 0.5], "<f4", "VEC2")
+    for mesh in made.data["meshes"]:
+        mesh["primitives"][0]["attributes"]["TEXCOORD_0"] = uvs
+        mesh["primitives"][0]["material"] = 0
+    blob = png([[(8 * x, 8 * y, 40) for x in range(32)] for y in range(32)])
+    made.data["images"], made.data["textures"] = [{"bufferView": len(made.data["bufferViews"]), "mimeType": "image/png"}], [{"source": 0}]
+    made.data["bufferViews"].append({"buffer": 0, "byteOffset": len(made.blob), "byteLength": len(blob)})
+    made.blob += blob
+    made.data["materials"][0] = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}
+    scene, _ = compiled(made.write(tmp_path / "car.glb"))
+    assert len(scene.objects) == 9 and len(scene.surfaces.textures) == 1
+
+
+# --- motion ----------------------------------------------------------------------------------
+
+def scale_of(made, number, size):
+    """World units of one of the file, by the width of a part."""
+    points = placed(made, number, 0)
+    return (points[:, 0].max() - points[:, 0].min()) / size
+
+
+def test_wheels_turn_on_a_body_that_moves(tmp_path):
+    made, notes = compiled(car().write(tmp_path / "car.glb"))
+    assert any("the animation takes 60 frames and moves 9 parts" in note for note in notes) and not any("left out" in note for note in notes)
+    numbers = by_name(made)
+    scale, parents = scale_of(made, numbers["body"], 2), [motion.parent for motion in made.motions]
+    assert parents[0] == 0 and set(parents[1:]) == {1}
+    middle = placed(made, numbers["body"], 0).mean(axis=0)
+    for frame in (0, 1, 7, 15, 22, 30, 44, 59, 60, 75):
+        rise = 0.4 * (1 - abs(frame % 60 - 30) / 30)
+        angle = math.radians(frame * 6)
+        for name, (x, z) in WHEELS.items():
+            corners = numpy.array(CORNERS) * (0.3, 0.9, 0.9)
+            turned = numpy.column_stack([corners[:, 0], corners[:, 1] * math.cos(angle) - corners[:, 2] * math.sin(angle),
+                                         corners[:, 1] * math.sin(angle) + corners[:, 2] * math.cos(angle)]) + (x, rise - 0.4, z)
+            wanted = turned * (1, 1, -1) * scale + middle
+            found = placed(made, numbers[name], frame)
+            assert max(min(abs(point - other).max() for other in found) for point in wanted) < 2e-3 * scale, (frame, name)
+
+
+def test_an_animated_car_is_drawn_as_double_draws_it_and_by_its_scene_file(build, tmp_path):
+    path = car().write(tmp_path / "car.glb")
+    done = run_cli("run", "--board", "mps2-an385", "--scene", path, "--frames", 20, "--out", tmp_path / "run", "--write", tmp_path / "s.toml")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
+    assert run_cli("build", path, "-o", tmp_path / "a.fxls", "--frames", 20).returncode == 0
+    assert run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "b.fxls").returncode == 0
+    assert (tmp_path / "a.fxls").read_bytes() == (tmp_path / "b.fxls").read_bytes()
+    assert len(toml_scene.compile_file(str(tmp_path / "s.toml"))[0].motions) == 9
+
+
+def test_what_hangs_on_a_node_without_faces_moves_with_it(tmp_path):
+    made = File({"children": [1, 2], "scale": [1, 3, 1]}, {"name": "arm", "mesh": 0, "translation": [2, 0, 0]}, {"name": "foot", "mesh": 0})
+    made.box()
+    made.animate((0, "translation", [0, 1], [(0, 0, 0), (0, 0, 3)]))
+    scene, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert len(scene.motions) == 2 and not any(motion.parent for motion in scene.motions)
+    scale = scale_of(scene, 0, 1)
+    for number in (0, 1):
+        way = placed(scene, number, 15) - placed(scene, number, 0)
+        assert abs(way - (0, 0, -1.5 * scale)).max() < 1e-3 and not any("stretched" in note for note in notes)
+
+
+def test_uneven_sizes_in_motion_are_told(tmp_path):
+    made = File({"name": "jelly", "mesh": 0})
+    made.box()
+    made.animate((0, "scale", [0, 1], [(1, 1, 1), (1, 2, 1)]))
+    _, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert any("stretched in one direction" in note and "(first: jelly)" in note for note in notes)
+
+
+def test_of_several_animations_one_is_played(tmp_path):
+    made = File({"name": "thing", "mesh": 0})
+    made.box()
+    made.animate((0, "translation", [0, 1], [(0, 0, 0), (1, 0, 0)]), name="walk")
+    made.animate((0, "translation", [0, 2], [(0, 0, 0), (0, 1, 0)]), name="jump")
+    path = made.write(tmp_path / "m.glb")
+    for wanted, frames in (("", 30), ("jump", 60), ("j*", 60)):
+        scene, notes = compiled(path, animation=wanted)
+        assert scene.motions[0].keys[-1].frame == frames and any("left out 1 other animations; --animation" in note for note in notes)
+    with pytest.raises(ToolError, match='--animation: no animation .* like "fly"; the file\'s: walk, jump'):
+        compiled(path, animation="fly")
+
+
+def test_tracks_of_every_interpolation():
+    times, at = numpy.array([0.0, 1.0, 3.0]), numpy.array([-1.0, 0.0, 0.5, 1.0, 2.0, 3.0, 9.0])
+    values = numpy.array([[0.0], [2.0], [4.0]])
+    assert between(times, values, "LINEAR", at, False)[:, 0].tolist() == [0, 0, 1, 2, 3, 4, 4]
+    assert between(times, values, "STEP", at, False)[:, 0].tolist() == [0, 0, 0, 2, 2, 4, 4]
+    line = numpy.array([[9.0], [0.0], [2.0], [2.0], [2.0], [1.0], [1.0], [4.0], [9.0]])   # tangents of the straight lines
+    assert numpy.allclose(between(times, line, "CUBICSPLINE", at, False)[:, 0], [0, 0, 1, 2, 3, 4, 4])
+    turns = numpy.array([about_x(0), [-c for c in about_x(90)]])       # the same turn as +90 degrees
+    found = between(numpy.array([0.0, 1.0]), turns, "LINEAR", numpy.array([0.5]), True)[0]
+    assert abs(abs(found @ about_x(45)) - 1) < 1e-9
+
+
+def test_a_track_keeps_every_frame_with_few_keys():
+    generator = numpy.random.default_rng(3)
+    wild = generator.uniform(-400, 400, (40, 3)).cumsum(axis=0) / 8
+    for degrees in (wild, numpy.outer(numpy.arange(90), (0, 7, 0)), numpy.outer(numpy.arange(50), (3, -2, 5))):
+        turns = numpy.array([numpy.array(matrix((1, 1, 1), list(row)), dtype=float) for row in degrees])
+        rows = tracks.keys(numpy.zeros((len(turns), 3)), turns, numpy.ones(len(turns)))
+        frames, found = numpy.cumsum([0] + [row.get("frames", 1) for row in rows])[:-1], [[float(c) for c in row.get("turn", (0, 0, 0))] for row in rows]
+        assert frames[-1] == len(turns) - 1
+        for frame, turn in enumerate(turns):
+            angles = [numpy.interp(frame, frames, column) for column in zip(*found)]
+            assert abs(numpy.array(matrix((1, 1, 1), angles), dtype=float) - turn).max() < 4e-3
+    assert len(rows) <= 5       # the last one, past straight down
+
+
+@pytest.mark.parametrize("words, said", [
+    (["--keep", "whel"], "--keep"), (["--animation", "fly"], "drive"), (["--tree", "all", "--keep", "body"], "--tree and --keep exclude"),
+    (["--look", "--keep nothing"], "--keep")])
+def test_what_does_not_go(tmp_path, words, said):
+    done = run_cli("build", car().write(tmp_path / "car.glb"), "-o", tmp_path / "a.fxls", *words)
+    assert_one_sentence(done, said)
+
+
+def test_keep_is_refused_without_nodes_and_a_tree_stands_still(tmp_path):
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert_one_sentence(run_cli("build", tmp_path / "m.obj", "-o", tmp_path / "a.fxls", "--keep", "*"), "m.obj", "--keep is for the nodes of a glTF file")
+    made, notes = compiler.compile_scene(str(car().write(tmp_path / "car.glb")), 4, layers="all", look=look.Look(depth=0))
+    assert made.tree and not made.motions and any("left out 1 animations" in note for note in notes)
+
+
+@pytest.mark.parametrize("damage, said", [
+    (lambda data: data["animations"][0]["channels"][0].update(sampler=99), "a channel has no sampler"),
+    (lambda data: data["animations"][0]["samplers"][0].update(output=0), "times do not rise|not read here"),
+    (lambda data: data["animations"][0]["samplers"][0].update(interpolation="X"), "interpolation"),
+    (lambda data: data.update(animations=[3]), "list of objects")])
+def test_damaged_animations_are_refused(tmp_path, damage, said):
+    made = car()
+    damage(made.data)
+    with pytest.raises(ToolError, match=said):
+        compiled(made.write(tmp_path / "car.glb"))
+
+
+# --- skins -----------------------------------------------------------------------------------
+
+def figure(soft=False, moves=True):
+    """A trunk, an upper arm and a forearm of one mesh on three joints; the elbow bends by 90 degrees in one second. The joints stand
+    elsewhere than when the mesh was bound: 5 units higher."""
+    made = File({"name": "figure", "mesh": 0, "skin": 0, "translation": [9, 9, 9]}, {"name": "hip", "children": [2], "translation": [0, 5, 0]},
+                {"name": "shoulder", "children": [3], "translation": [0, 2, 0]}, {"name": "elbow", "translation": [1, 0, 0]}, roots=[0, 1])
+    boxes = [((1, 2, 1), (0, 1, 0)), ((1, 0.4, 0.4), (0.5, 2, 0)), ((1, 0.4, 0.4), (1.5, 2, 0))]
+    points = [[c * s + m for c, s, m in zip(corner, size, middle)] for size, middle in boxes for corner in CORNERS]
+    joints = [[joint, 0, 0, 0] for joint in range(3) for _ in CORNERS]
+    weights = [[1, 0, 0, 0]] * len(points)
+    if soft:
+        joints[0], weights = [0, 1, 0, 0], [[0.5, 0.5, 0, 0], *weights[1:]]
+    made.data["meshes"].append({"primitives": [{"attributes": {
+        "POSITION": made.add(points, "<f4", "VEC3"), "JOINTS_0": made.add(joints, "<u1", "VEC4"), "WEIGHTS_0": made.add(weights, "<f4", "VEC4")},
+        "indices": made.add((numpy.array(SIDES)[None] + 8 * numpy.arange(3)[:, None, None]).ravel(), "<u2", "SCALAR")}]})
+    binds = [numpy.eye(4) for _ in range(3)]
+    for matrix, place in zip(binds, [(0, 0, 0), (0, 2, 0), (1, 2, 0)]):
+        matrix[:3, 3] = [-c for c in place]
+    made.data["skins"] = [{"joints": [1, 2, 3], "inverseBindMatrices": made.add([matrix.T.ravel() for matrix in binds], "<f4", "MAT4")}]
+    if moves:
+        half = math.radians(45)
+        made.animate((3, "rotation", [0, 1], [[0, 0, 0, 1], [0, 0, math.sin(half), math.cos(half)]]))
+    return made
+
+
+def test_a_skin_whose_faces_hang_on_one_joint_each_is_rigid_parts(tmp_path):
+    made, notes = compiled(figure().write(tmp_path / "m.glb"))
+    assert made.names == ["hip", "shoulder", "elbow"] and len(made.motions) == 1
+    assert not any("left out 1 skins" in note or "left out 1 animations" in note for note in notes)
+    scale = scale_of(made, 0, 1)
+    hip = placed(made, 0, 0).mean(axis=0)
+    for frame in (0, 10, 29):
+        angle = math.radians(90 * frame / 30)
+        middle = placed(made, 2, frame).mean(axis=0) - hip
+        wanted = numpy.array([1 + 0.5 * math.cos(angle), 1 + 0.5 * math.sin(angle), 0]) * scale
+        assert abs(middle - wanted).max() < 3e-3 * scale
+    still, more = compiled(figure(moves=False).write(tmp_path / "s.glb"))
+    assert still.names == ["hip", "shoulder", "elbow"] and not still.motions and not any("left out 1 skins" in note for note in more)
+    mesh, _ = gltf.read(str(tmp_path / "s.glb"))
+    assert min(y for _, y, _ in mesh.vertices) == 5 * UNIT      # where the joints stand
+
+
+def test_a_figure_is_drawn_as_double_draws_it(build, tmp_path):
+    done = run_cli("run", "--board", "mps2-an385", "--scene", figure().write(tmp_path / "m.glb"), "--frames", 10, "--out", tmp_path / "run")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
+
+
+def test_other_skins_stay_in_the_pose_in_which_they_were_bound(tmp_path):
+    made, notes = compiled(figure(soft=True).write(tmp_path / "m.glb"))
+    assert made.names == ["figure"] and not made.motions and any("left out 1 skins" in note for note in notes)
+    damaged = figure()
+    damaged.data["skins"][0]["joints"] = [1, 2, 77]
+    assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
+    for key in ("JOINTS_0", "WEIGHTS_0"):
+        damaged = figure()
+        del damaged.data["meshes"][0]["primitives"][0]["attributes"][key]
+        assert compiled(damaged.write(tmp_path / "d.glb"))[0].names == ["figure"]
+
+
+# --- in a scene file ----------------------------------------------------------------------------
+
+def test_groups_of_a_scene_file_are_nodes(tmp_path):
+    car(turns=False).write(tmp_path / "car.glb")
+    text = '[[objects]]\nmodel = "car.glb"\ngroup = ["wheel fl", "body"]\nanchor = "node"\nposition = [1, 2, 3]\n'
+    (tmp_path / "s.toml").write_text(text)
+    made, _ = toml_scene.compile_file(str(tmp_path / "s.toml"))
+    assert made.objects[0].centre == (1 << 16, 2 << 16, 3 << 16) and len(made.models[0].vertices) == 16
+    body = max(made.models[0].vertices)
+    assert [c / 65536 for c in body] == pytest.approx([1 + 1.1, 0.3 + 0.4, 2 + 1.3], abs=1e-4)
+    for change, said in (('"wheel fl", "body"', '"whel"'), ('anchor = "node"\n', 'anchor = "nod"\n')):
+        (tmp_path / "s.toml").write_text(text.replace(change, said))
+        with pytest.raises(ToolError, match="nearest name|did you mean"):
+            toml_scene.compile_file(str(tmp_path / "s.toml"))
+    (tmp_path / "s.toml").write_text('[[objects]]\nsolid = "box"\nanchor = "node"\n')
+    with pytest.raises(ToolError, match='"node" needs a group'):
+        toml_scene.compile_file(str(tmp_path / "s.toml"))

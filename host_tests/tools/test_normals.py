@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Normals of a file: vn of OBJ, NORMAL of glTF. They make the smooth light of a model without a scene file, and of smooth = "file"."""
+
+import json
+import math
+
+import numpy
+import pytest
+
+from conftest import run_cli
+from fixel.base.errors import ToolError
+from fixel.image import image
+from fixel.model import gltf, obj
+from fixel.scene import compiler, look, toml_scene
+from node_files import File
+
+ONE = 1 << 30
+
+
+def compiled(path, **wanted):
+    made, notes = compiler.compile_scene(str(path), 4, look=look.Look(**wanted))
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
+
+
+def corners(made):
+    """{(corner, the face's normal): the normal there} of all faces that are lit at their corners, as unit vectors."""
+    found = {}
+    for model in made.models:
+        for face in model.faces:
+            for vertex, number in zip(face.mapped.vertices, face.mapped.normals) if face.mapped else ():
+                found[model.vertices[vertex], face.normal] = numpy.array(made.surfaces.normals[number]) / ONE
+    return found
+
+
+def roof(path, normals, scale=1):
+    """A roof of two faces that bend by 90 degrees, with these normals at the ridge."""
+    text = f"v -1 0 0\nv 0 {scale} 0\nv 1 0 0\nv -1 0 4\nv 0 {scale} 4\nv 1 0 4\n" + "".join(f"vn {' '.join(map(str, normal))}\n" for normal in normals)
+    path.write_text(text + "f 1//1 4//1 5//2 2//2\nf 2//2 5//2 6//3 3//3\n")
+    return path
+
+
+UP = [(-1, 1, 0), (0, 1, 0), (1, 1, 0)]
+
+
+def test_normals_of_an_obj_file_make_smooth_light(tmp_path):
+    made, _ = compiled(roof(tmp_path / "m.obj", UP))
+    found = corners(made)
+    ridge = [normal for (vertex, _), normal in found.items() if vertex[1] == max(v[1] for v, _ in found)]
+    assert made.light and len(ridge) >= 4 and all(abs(abs(normal[1]) - 1) < 1e-6 for normal in ridge)
+    # The file is open: the backs have the same normals, turned round.
+    assert {round(float(normal[1])) for normal in ridge} == {1, -1}
+    by_angle, _ = compiled(tmp_path / "m.obj", normals=False)       # --smooth: the edge of 90 degrees shows
+    assert by_angle.light is None and by_angle.surfaces is None
+
+
+def test_a_file_whose_normals_are_those_of_its_faces_is_flat(tmp_path):
+    """A bowl that the crease would make smooth."""
+    rows, faces = [], []
+    for y in range(5):
+        for x in range(5):
+            rows.append(f"v {x} {-((x - 2) ** 2 + (y - 2) ** 2) / 16} {y}\n")
+    for y in range(4):
+        for x in range(4):
+            a = 5 * y + x + 1
+            faces += [(a, a + 5, a + 6), (a, a + 6, a + 1)]
+    points = [tuple(map(float, row.split()[1:])) for row in rows]
+    normals = []
+    for face in faces:
+        p, q, r = (numpy.array(points[c - 1]) for c in face)
+        normals.append(numpy.cross(q - p, r - p))
+    (tmp_path / "plain.obj").write_text("".join(rows) + "".join("f %d %d %d\n" % face for face in faces))
+    (tmp_path / "flat.obj").write_text("".join(rows) + "".join("vn %g %g %g\n" % tuple(n) for n in normals) +
+                                       "".join("f " + " ".join(f"{c}//{i + 1}" for c in face) + "\n" for i, face in enumerate(faces)))
+    assert compiled(tmp_path / "plain.obj")[0].light and compiled(tmp_path / "flat.obj")[0].light is None
+    assert compiled(tmp_path / "flat.obj", normals=False)[0].light
+
+
+def test_normals_of_a_gltf_file_turn_with_their_node(tmp_path):
+    slant = numpy.array([3.0, 1.0, 0.0])
+    made = File({"name": "box", "mesh": 0, "rotation": [0, 0, math.sin(math.pi / 4), math.cos(math.pi / 4)], "scale": [2, 1, 1]})
+    mesh = made.box()
+    made.data["meshes"][mesh]["primitives"][0]["attributes"]["NORMAL"] = made.add([slant] * 8, "<f4", "VEC3")
+    read, _ = gltf.read(str(made.write(tmp_path / "m.glb")))
+    wanted = numpy.array([-1.0, 1.5, 0.0])      # (3 / 2, 1, 0), a quarter turn about z
+    wanted /= numpy.linalg.norm(wanted)
+    assert all(numpy.allclose(normal, wanted) for normals in read.normals for normal in normals)
+
+
+def test_a_mirrored_node_has_normals_that_look_outward(tmp_path):
+    made = File({"name": "ball", "mesh": 0, "scale": [-1, 1, 1]}, {"name": "ball", "mesh": 0, "translation": [3, 0, 0]}, roots=[0, 1])
+    mesh = made.box()
+    made.data["meshes"][mesh]["primitives"][0]["attributes"]["NORMAL"] = made.add(
+        [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], "<f4", "VEC3")
+    scene, _ = compiled(made.write(tmp_path / "m.glb"))
+    found = corners(scene)
+    assert len(found) > 20
+    for (vertex, _), normal in found.items():
+        assert numpy.allclose(normal, numpy.sign(vertex) / math.sqrt(3), atol=1e-5)
+
+
+def test_normals_that_are_none_and_damaged_ones_are_left_out(tmp_path):
+    made, _ = compiled(roof(tmp_path / "m.obj", [(-1, 1, 0), (0, 0, 0), ("nan", 1, 0)]))
+    assert made.light is None
+    (tmp_path / "n.obj").write_text((tmp_path / "m.obj").read_text().replace("//3", "//9"))
+    assert compiled(tmp_path / "n.obj")[0].light is None
+    file = File({"mesh": 0})
+    mesh = file.box()
+    file.data["meshes"][mesh]["primitives"][0]["attributes"]["NORMAL"] = file.add([[0, 1, 0]] * 5, "<f4", "VEC3")
+    read, _ = gltf.read(str(file.write(tmp_path / "m.glb")))
+    assert read.normals == []
+
+
+def test_vertices_in_the_middle_of_an_edge_have_normals_between(tmp_path):
+    """A T-junction on the ridge of the roof: the left face is divided there."""
+    (tmp_path / "m.obj").write_text("v -1 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 4\nv 0 1 4\nv 1 0 4\nv 0 1 1\nv 1 0 1\nvn -1 1 0\nvn 0 1 0\nvn 1 1 0\nvn 0 1 1\n"
+                                    "f 1//1 4//1 5//4 2//2\nf 2//2 7//2 8//3 3//3\nf 7//2 5//2 6//3 8//3\n")
+    made, notes = compiled(tmp_path / "m.obj")
+    assert any("had vertices of other faces on them" in note for note in notes)
+    top = max(vertex[1] for vertex, _ in corners(made))
+    found = [normal for (vertex, own), normal in corners(made).items() if vertex[1] == top and own[0] < 0 and own[1] > 0]
+    bends = sorted(round(float(-normal[2]), 3) for normal in found)
+    assert bends[0] == 0 and bends[-1] == round(math.sqrt(0.5), 3)
+    between = numpy.array([0, 1, 0.25]) / numpy.linalg.norm([0, 1, 0.25])
+    assert len(found) == 2 or round(float(between[2]), 3) in bends
+
+
+def test_smooth_file_of_a_scene_file(tmp_path):
+    roof(tmp_path / "m.obj", UP)
+    scene = '[light]\nlevels = 8\n[[objects]]\nmodel = "m.obj"\nrotation = 90\nscale = [1, 2, 1]\nsmooth = "file"\n'
+    (tmp_path / "s.toml").write_text(scene)
+    made, _ = toml_scene.compile_file(str(tmp_path / "s.toml"))
+    found = {tuple(round(float(c), 4) for c in normal) for normal in corners(made).values()}
+    # (-1, 1 / 2, 0) and (1, 1 / 2, 0), a quarter turn about y.
+    slope = round(2 / math.sqrt(5), 4)
+    assert (0, 1, 0) in found and {(0, round(slope / 2, 4), z) for z in (-slope, slope)} <= found
+    (tmp_path / "s.toml").write_text(scene.replace('model = "m.obj"', 'solid = "box"'))
+    with pytest.raises(ToolError, match='"file" means nothing for a solid'):
+        toml_scene.compile_file(str(tmp_path / "s.toml"))
+
+
+def test_a_file_without_normals_takes_the_crease(tmp_path):
+    (tmp_path / "m.obj").write_text("v -1 0 0\nv 0 0.2 0\nv 1 0 0\nv -1 0 4\nv 0 0.2 4\nv 1 0 4\nf 1 4 5 2\nf 2 5 6 3\n")
+    scene = '[light]\nlevels = 8\n[[objects]]\nmodel = "m.obj"\nsmooth = {}\n'
+    found = []
+    for value in ('"file"', 40):
+        (tmp_path / "s.toml").write_text(scene.format(value))
+        found.append(image.pack(toml_scene.compile_file(str(tmp_path / "s.toml"))[0]))
+    assert found[0] == found[1]
+
+
+def test_a_model_with_normals_is_drawn_as_double_draws_it_and_by_its_scene_file(build, tmp_path):
+    path = roof(tmp_path / "m.obj", UP)
+    done = run_cli("run", "--board", "mps2-an385", "--scene", path, "--frames", 4, "--out", tmp_path / "run", "--write", tmp_path / "s.toml")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "run" / "summary.json").read_text())
+    assert summary["pixels_unexplained"] == 0 and summary["host_frames_equal"]
+    assert 'smooth = "file"' in (tmp_path / "s.toml").read_text()
+    made, _ = compiler.compile_scene(str(path), 4, look=look.Look())
+    assert image.pack(toml_scene.compile_file(str(tmp_path / "s.toml"))[0]) == image.pack(made)
+
+
+def test_obj_normals_run_as_the_corners_do(tmp_path):
+    read, _ = obj.read(str(roof(tmp_path / "m.obj", UP)))
+    for face, normals in zip(read.faces, read.normals):
+        for corner, normal in zip(face, normals):
+            assert normal[0] == math.copysign(1, read.vertices[corner][0]) * (read.vertices[corner][0] != 0) and normal[1] == 1

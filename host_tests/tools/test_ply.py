@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""The reader of PLY: what trimesh writes and what other programs do, and what is refused."""
+
+import struct
+
+import numpy
+import pytest
+import trimesh
+
+from fixel.image import image
+from fixel.model import ply
+from fixel.model.mesh import UNIT
+from fixel.scene import compiler, look
+from model_files import SQUARE, TETRAHEDRON, assert_refused, png
+
+
+def text(points=TETRAHEDRON[0], faces=TETRAHEDRON[1], vertex=(), face=(), comment=""):
+    """A text PLY file's bytes. vertex, face: (declarations, rows) of more properties."""
+    (vertex_names, vertex_rows), (face_names, face_rows) = vertex or ((), [()] * len(points)), face or ((), [()] * len(faces))
+    lines = ["ply", "format ascii 1.0", *([f"comment {comment}"] if comment else []), f"element vertex {len(points)}",
+             *(f"property float {axis}" for axis in "xyz"), *(f"property {each}" for each in vertex_names),
+             f"element face {len(faces)}", "property list uchar int vertex_indices", *(f"property {each}" for each in face_names),
+             "end_header", *(" ".join(map(str, (*point, *row))) for point, row in zip(points, vertex_rows)),
+             *(" ".join(map(str, (len(each), *each, *row))) for each, row in zip(faces, face_rows)), ""]
+    return "\n".join(lines).encode()
+
+
+def binary(points=TETRAHEDRON[0], faces=TETRAHEDRON[1], end="<"):
+    """A binary PLY file's bytes."""
+    order = {"<": "little", ">": "big"}[end]
+    head = (f"ply\nformat binary_{order}_endian 1.0\nelement vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
+            f"element face {len(faces)}\nproperty list uchar int vertex_index\nend_header\n")
+    return head.encode() + b"".join(struct.pack(end + "3f", *point) for point in points) + \
+        b"".join(struct.pack(f"{end}B{len(face)}i", len(face), *face) for face in faces)
+
+
+def read(tmp_path, data):
+    (tmp_path / "model.ply").write_bytes(data)
+    return ply.read(str(tmp_path / "model.ply"), "model.ply")
+
+
+@pytest.mark.parametrize("data", [text(), binary(), binary(end=">")])
+def test_corners_stand_where_the_file_says(tmp_path, data):
+    mesh, notes = read(tmp_path, data)
+    ours = [[tuple(c / UNIT for c in mesh.vertices[corner]) for corner in face[::-1]] for face in mesh.faces]
+    assert ours == [[(x, y, -z) for x, y, z in (TETRAHEDRON[0][corner] for corner in face)] for face in TETRAHEDRON[1]]
+    assert mesh.surfaces is None and any("z was negated" in note for note in notes)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "binary"])
+@pytest.mark.parametrize("kind", ["vertex", "face"])
+def test_colours_as_trimesh_writes_them(tmp_path, encoding, kind):
+    colours = [(255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (90, 120, 30, 255)]
+    made = trimesh.Trimesh(*TETRAHEDRON, process=False, **{f"{kind}_colors": colours})
+    mesh, notes = read(tmp_path, made.export(file_type="ply", encoding=encoding))
+    rows = numpy.array(colours)[:, :3]
+    wanted = rows if kind == "face" else [rows[list(face)].mean(axis=0) for face in TETRAHEDRON[1]]
+    assert numpy.abs(numpy.array(mesh.surfaces.colours()) - wanted).max() <= 0.5
+    assert sum("vertices have colours" in note for note in notes) == (kind == "vertex")
+
+
+RGB = ("red", "green", "blue")
+
+
+@pytest.mark.parametrize("kind, row", [("uchar", (51, 102, 255)), ("ushort", (13107, 26214, 65535)), ("float", (0.2, 0.4, 1))])
+def test_colours_of_every_kind_of_number(tmp_path, kind, row):
+    mesh, _ = read(tmp_path, text(vertex=([f"{kind} {channel}" for channel in RGB], [row] * 4)))
+    assert set(mesh.surfaces.colours()) == {(51, 102, 255)}
+
+
+def test_alpha_is_left_out_and_said(tmp_path):
+    rows = [(9, 99, 199, 80)] * 4
+    mesh, notes = read(tmp_path, text(vertex=([f"uchar {channel}" for channel in (*RGB, "alpha")], rows)))
+    assert set(mesh.surfaces.colours()) == {(9, 99, 199)} and any("left out alpha" in note for note in notes)
+
+
+@pytest.mark.parametrize("where", ["vertex", "face"])
+def test_an_image_by_coordinates_of_vertices_or_of_corners(tmp_path, where):
+    (tmp_path / "skin.png").write_bytes(png([[(255, 0, 0), (0, 0, 255)]]))
+    uvs = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    more = {"vertex": (("float s", "float t"), uvs)} if where == "vertex" else \
+        {"face": (("list uchar float texcoord",), [(6, *(c for corner in face for c in uvs[corner])) for face in SQUARE[1]])}
+    mesh, _ = read(tmp_path, text(*SQUARE, comment="TextureFile skin.png", **more))
+    assert [[(1 - u, v) for u, v in face[::-1]] for face in mesh.surfaces.uvs] == \
+        [[(1 - uvs[corner][0], 1 - uvs[corner][1]) for corner in face] for face in SQUARE[1]]
+    compiled, _ = compiler.compile_scene(str(tmp_path / "model.ply"), 4, look=look.Look())
+    assert compiled.surfaces.textures and image.unpack(image.pack(compiled)) == compiled
+
+
+def test_an_image_that_is_not_there_is_said(tmp_path):
+    mesh, notes = read(tmp_path, text(*SQUARE, comment="TextureFile C:\\skins\\skin.png", vertex=(("float u", "float v"), [(0, 0)] * 4)))
+    assert mesh.surfaces is None and any('no image "C:\\\\skins\\\\skin.png"' in note for note in notes)
+
+
+def test_faces_of_different_numbers_of_corners_in_a_text(tmp_path):
+    points, faces = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1)], [(3, 2, 1, 0), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+    mesh, _ = read(tmp_path, text(points, faces, face=([f"uchar {c}" for c in RGB], [(10 * i, 0, 0) for i in range(5)])))
+    assert [len(face) for face in mesh.faces] == [4, 3, 3, 3, 3] and mesh.surfaces.colours() == [(10 * i, 0, 0) for i in range(5)]
+
+
+def test_a_ply_file_is_a_scene_by_itself_and_in_a_scene_file(tmp_path):
+    (tmp_path / "model.ply").write_bytes(binary())
+    (tmp_path / "scene.toml").write_text('[[objects]]\nmodel = "model.ply"\nfit = 4\n')
+    for name in ("model.ply", "scene.toml"):
+        made, notes = compiler.compile_scene(str(tmp_path / name), 4)
+        assert made.models[0].kind == image.CONVEX and not any("inside out" in note or "turned round" in note for note in notes)
+
+
+MIXED = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 4), (3, 2, 1, 0)])
+NAN = text([(0, 0, 0), (1, 0, 0), (0, "nan", 0), (0, 0, 1)])
+BAD = {
+    "no PLY": (b"OFF\n3 1 0\n", ["begins with ply"]),
+    "no end": (b"ply\nformat ascii 1.0\nelement vertex 3\n", ["end_header"]),
+    "promise": (text().replace(b"vertex 4", b"vertex 4000000000"), ["promises 4,000,000,000", '"vertex"', "damaged"]),
+    "many": (text().replace(b"face 4", b"face 1048577") + b" " * (1 << 21), ["1,048,577 faces", "1,048,576"]),
+    "points alone": (text(faces=[]), ["no faces", "MeshLab"]),
+    "strips": (text(faces=[]).replace(b"end_header", b"element tristrips 1\nproperty list int int vertex_indices\nend_header"), ["strips"]),
+    "cut": (binary()[:-3], ["cannot be read", "must be whole"]),
+    "mixed": (binary(*MIXED), ["cannot be read", "as many corners", "save it as text"]),
+    "NaN": (NAN, ["vertex 2: y is nan"]),
+    "huge": (binary([(0, 0, 1e30), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["vertex 0: z is 1e+30"]),
+    "index": (text(faces=[(0, 1, 4)]), ["face 0", "does not exist", "there are 4"]),
+    "two corners": (text(faces=[(0, 1), (0, 1, 2)]), ["face 0 has 2 corners"]),
+    "word": (text().replace(b"1 0 0\n", b"1 0 zero\n"), ["cannot be read"]),
+    "no z": (text().replace(b"float z", b"float w"), ["model.ply"]),
+    "no indices": (text().replace(b"vertex_indices", b"numbers"), ["cannot be read"]),
+}
+
+
+@pytest.mark.parametrize("kind", BAD)
+def test_what_is_wrong_is_said_in_one_sentence(tmp_path, kind):
+    assert_refused(read, tmp_path, *BAD[kind], most=400)
+
+
+def test_counts_of_a_binary_file_are_compared():
+    """Two faces whose bytes make up those of two others."""
+    points = [(0, 0, 0)] * 6
+    data = binary(points, [(0, 1, 2, 3), (0, 1, 2, 3), (0, 1, 2, 3)])
+    changed = bytearray(data)
+    changed[-17] = 3
+    with pytest.raises(ply.ToolError, match="of face 2 has 3 numbers, and that of face 0 4"):
+        ply._lists(ply._tables(bytes(changed), "m")["face"], "vertex_index", "m")

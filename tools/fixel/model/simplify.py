@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: MIT
+"""Models of fewer faces. Borders of materials and groups, and seams of texture coordinates, stay where they are, and no edge
+opens: a result in which one does is refused.
+
+meshoptimizer does it where tools/setup.sh simplify has set it up. It takes a vertex for each position, material, group and
+texture coordinate, finds by equal positions which of them lie on a seam, and collapses both sides of a seam together.
+Without it fast-simplification does it, which knows no seams: models with images or with materials that meet are refused."""
+
+import pathlib
+import shutil
+import subprocess
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from fixel.base import children
+from fixel.base.errors import ToolError
+from fixel.model import deviation
+from fixel.model.mesh import UNIT, Mesh, newell
+from fixel.model.surface import WHITE, Surfaces
+from fixel.model.triangles import triangulate
+
+FACES_MIN = 4
+PROGRAM = pathlib.Path(__file__).with_suffix(".mjs")
+MODULE = pathlib.Path(__file__).resolve().parents[3] / ".node" / "node_modules" / "meshoptimizer" / "meshopt_simplifier.js"
+SET_UP = "tools/setup.sh simplify sets up meshoptimizer, which keeps them"
+_HEAP = 1024                # MiB of node's own memory
+_NORMAL, _COORDINATE, _COLOUR = 0.3, 1.0, 0.5   # weights beside a position, whose extent is 1
+
+
+@dataclass(frozen=True)
+class Result:
+    """A mesh of fewer faces, and how many the other one had, as triangles; by: what made it. deviation: how far the surface
+    moved at most, in units of the file."""
+    mesh: Mesh
+    before: int
+    by: str
+    deviation: float
+
+
+@dataclass
+class _Triangles:
+    """A mesh as triangles whose corners are wedges: a position with a material, a group and texture coordinates. corners:
+    (count, 3) wedges; places: of each wedge its vertex; keys: (vertex, material, groups, coordinates); tints: of each
+    triangle."""
+    corners: np.ndarray
+    places: np.ndarray
+    keys: list
+    tints: list
+
+
+def _cut(mesh):
+    """For each triangle of the mesh (its face, which three corners of it)."""
+    found = []
+    for number, face in enumerate(mesh.faces):
+        if len(face) == 3:
+            found.append((number, (0, 1, 2)))
+            continue
+        points = [mesh.vertices[corner] for corner in face]
+        triangles, _ = triangulate(list(range(len(face))), points, newell(points))
+        found += [(number, three) for three in triangles]
+    return found
+
+
+def _groups_of(mesh):
+    """For each face the names of its groups."""
+    names = [()] * len(mesh.faces)
+    for name, runs in mesh.groups.items():
+        for first, end in runs:
+            names[first:end] = [(*each, name) for each in names[first:end]]
+    return names
+
+
+def _welded(mesh):
+    """(positions of extent 1 about the middle, of each vertex the first one there): floats of 32 bits, as meshoptimizer has
+    them."""
+    ends = [(min(axis), max(axis)) for axis in zip(*mesh.vertices)]
+    twice, extent = [low + high for low, high in ends], max(1, *(high - low for low, high in ends))
+    # Whole numbers up to here, so that a mesh that was moved is simplified to the same.
+    points = np.array([[2 * c - m for c, m in zip(vertex, twice)] for vertex in mesh.vertices], dtype=float)
+    points = (points / (2 * extent)).astype(np.float32)
+    _, first, inverse = np.unique(points, axis=0, return_index=True, return_inverse=True)
+    return points, first[inverse.reshape(-1)]
+
+
+def _triangles(mesh, vertex_of):
+    surfaces, groups, numbers = mesh.surfaces, _groups_of(mesh), {}
+    uvs, corners, tints = (surfaces.uvs if surfaces else mesh.uvs) or [None] * len(mesh.faces), [], []
+    for face, three in _cut(mesh):
+        material, own, outline = surfaces.of_face[face] if surfaces else 0, uvs[face], mesh.faces[face]
+        keys = [(int(vertex_of[outline[i]]), material, groups[face], tuple(map(float, own[i])) if own else None) for i in three]
+        if len({key[0] for key in keys}) == 3:
+            corners.append([numbers.setdefault(key, len(numbers)) for key in keys])
+            tints.append(surfaces.tints[face] if surfaces else None)
+    keys = list(numbers)
+    return _Triangles(np.array(corners, dtype=np.int64).reshape(-1, 3), np.array([key[0] for key in keys], dtype=np.int64), keys, tints)
+
+
+def _open_edges(triangles):
+    """The edges, by the vertices of their ends, that have not as many triangles one way as the other."""
+    ways = np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)])
+    ends, count = np.sort(ways, axis=1), np.where(ways[:, 0] < ways[:, 1], 1, -1)
+    edges, inverse = np.unique(ends, axis=0, return_inverse=True)
+    sums = np.zeros(len(edges), dtype=np.int64)
+    np.add.at(sums, inverse.reshape(-1), count)
+    return edges[sums != 0]
+
+
+def has_new_open_edges(before, after):
+    """Whether triangles, (count, 3) vertices, have an open edge whose ends were not ends of open edges of those before."""
+    old = _open_edges(before)
+    return not np.isin(_open_edges(after), old).all()
+
+
+def _mean_tints(made):
+    """Of each wedge the mean of its triangles' colours; white without one."""
+    values = np.array([tint or WHITE for tint in made.tints], dtype=float)
+    sums, counts = np.zeros((len(made.keys), 3)), np.zeros(len(made.keys))
+    for i in range(3):
+        np.add.at(sums, made.corners[:, i], values)
+        np.add.at(counts, made.corners[:, i], 1)
+    return sums / np.maximum(counts, 1)[:, None]
+
+
+def _normals(points, triangles):
+    """Of each vertex the mean normal of its triangles, by area."""
+    one, two, three = (points[triangles[:, i]].astype(float) for i in range(3))
+    areas, sums = np.cross(two - one, three - one), np.zeros((len(points), 3))
+    for i in range(3):
+        np.add.at(sums, triangles[:, i], areas)
+    return sums / np.maximum(np.sqrt((sums * sums).sum(axis=1)), 1e-30)[:, None]
+
+
+def _by_meshoptimizer(made, points, count, name):
+    """The corners that are left."""
+    coordinates = np.array([key[3] or (0.0, 0.0) for key in made.keys])
+    attributes = np.column_stack([_normals(points, made.places[made.corners])[made.places], coordinates, _mean_tints(made) / 255])
+    weights = [_NORMAL] * 3 + [_COORDINATE] * 2 + [_COLOUR] * 3
+    data = points[made.places].astype("<f4").tobytes() + attributes.astype("<f4").tobytes() + made.corners.astype("<u4").tobytes()
+    command = ["node", "--disable-wasm-trap-handler", f"--max-old-space-size={_HEAP}", PROGRAM, MODULE.as_uri(), len(made.keys),
+               attributes.shape[1], made.corners.size, 3 * count, *weights]
+    with children.start(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        out, said = process.communicate(data)
+    if process.returncode:
+        last = said.decode("utf-8", "replace").strip().splitlines()
+        raise ToolError(f"{name}: simplify: node could not make fewer faces ({next((line for line in last if 'rror' in line), 'no reason given')[:200]}): "
+                        "it needs node 20.15 or later, and memory (--memory-limit)")
+    return np.frombuffer(out, dtype="<u4").astype(np.int64).reshape(-1, 3)
+
+
+def _parts(made):
+    """Of each triangle the number of the connected part that it is in."""
+    parent = list(range(int(made.places.max()) + 1))
+
+    def root(number):
+        while parent[number] != number:
+            parent[number] = number = parent[parent[number]]
+        return number
+    corners = made.places[made.corners]
+    for a, b, c in corners.tolist():
+        a, b, c = root(a), root(b), root(c)
+        parent[b] = parent[c] = a
+    return np.array([root(corner) for corner in corners[:, 0].tolist()])
+
+
+def _refuse_seams(mesh, made, parts, name):
+    """Refuses what fast-simplification would tear: images, and parts of several materials or groups."""
+    materials = mesh.surfaces.materials if mesh.surfaces else []
+    used = sorted({made.keys[wedge][1] for wedge in made.corners[:, 0].tolist()})
+    textured = [materials[number].name for number in used if materials and materials[number].image is not None]
+    if textured:
+        raise ToolError(f"{name}: simplify: the material {textured[0]!r} has an image, whose seams would tear: {SET_UP}")
+    kinds = {}
+    for part, wedge in zip(parts.tolist(), made.corners[:, 0].tolist()):
+        if kinds.setdefault(part, made.keys[wedge][1:3]) != made.keys[wedge][1:3]:
+            raise ToolError(f"{name}: simplify: a part of the model has several materials or groups, whose borders would tear: {SET_UP}")
+
+
+def _by_fast_simplification(mesh, made, points, count, name):
+    """(the corners that are left, as vertices; of each the triangle before whose material it has)."""
+    import fast_simplification
+    parts, found, sources = _parts(made), [], []
+    _refuse_seams(mesh, made, parts, name)
+    corners = made.places[made.corners]
+    for part in np.unique(parts).tolist():
+        numbers = np.flatnonzero(parts == part)
+        used, own = np.unique(corners[numbers], return_inverse=True)
+        wanted = max(FACES_MIN, count * len(numbers) // len(corners))
+        left = own.reshape(-1, 3)
+        if wanted < len(numbers):
+            # Its collapses keep the one end of an edge or the middle; the vertices of the model are taken, which are exact.
+            moved, left = fast_simplification.simplify(points[used], left.astype(np.int32), target_count=wanted)
+            left = _nearest(points[used], moved)[left]
+            left = left[(left[:, 0] != left[:, 1]) & (left[:, 1] != left[:, 2]) & (left[:, 0] != left[:, 2])]
+        found.append(used[left])
+        sources += [int(numbers[0])] * len(left)
+    return np.concatenate(found), sources
+
+
+def _nearest(points, others):
+    """Of each of the others the number of the nearest point that no other has taken."""
+    taken, result = set(), np.zeros(len(others), dtype=np.int64)
+    for number, other in enumerate(np.asarray(others, dtype=np.float32)):
+        away = ((points - other) ** 2).sum(axis=1)
+        best = int(away.argmin())
+        if best in taken:
+            best = next(int(each) for each in np.argsort(away) if int(each) not in taken)
+        taken.add(best)
+        result[number] = best
+    return result
+
+
+def is_set_up():
+    """Whether meshoptimizer is there, and node."""
+    return MODULE.exists() and shutil.which("node") is not None
+
+
+def simplified(mesh, count, name):
+    """The Result with at most so many triangles, or as few as the borders and seams let it have; None where the mesh has no
+    more than so many."""
+    points, vertex_of = _welded(mesh)
+    made = _triangles(mesh, vertex_of)
+    if len(made.corners) <= count:
+        return None
+    before = made.places[made.corners]
+    if is_set_up():
+        left = _by_meshoptimizer(made, points, count, name)
+        result, after, by = _of_wedges(mesh, made, left), made.places[left], "meshoptimizer"
+    else:
+        after, sources = _by_fast_simplification(mesh, made, points, count, name)
+        result, by = _of_vertices(mesh, made, after, sources), "fast-simplification"
+    if not len(after):
+        raise ToolError(f"{name}: simplify: no face is left; give more than {count:,}")
+    if has_new_open_edges(before, after):
+        raise ToolError(f"{name}: simplify: {by} would open edges that are closed; {'give more faces' if is_set_up() else SET_UP}")
+    exact = np.array(mesh.vertices, dtype=float) / UNIT
+    return Result(result, len(made.corners), by, deviation.between((exact, before), (exact, after)))
+
+
+def _runs(names):
+    """{name: [(first face, behind the last)]} of faces with these names."""
+    runs = {}
+    for number, each in enumerate(names):
+        for name in each:
+            own = runs.setdefault(name, [])
+            if own and own[-1][1] == number:
+                own[-1] = own[-1][0], number + 1
+            else:
+                own.append((number, number + 1))
+    return runs
+
+
+def _mesh(mesh, corners, names, materials, uvs, tints):
+    """A Mesh of triangles, (vertex, vertex, vertex) each, of the vertices of another one."""
+    order, place = {}, "a face of the simplified model"
+    faces = [[order.setdefault(vertex, len(order)) for vertex in three] for three in corners]
+    surfaces = Surfaces(mesh.surfaces.materials, materials, uvs, tints) if mesh.surfaces else None
+    return replace(mesh, vertices=[mesh.vertices[vertex] for vertex in order], faces=faces, places=[place] * len(faces), surfaces=surfaces, uvs=uvs,
+                   groups=_runs(names) if mesh.groups else {}, normals=[])
+
+
+def _of_wedges(mesh, made, left):
+    """The Mesh of the triangles that meshoptimizer has left. Faces stand in the order of their groups and materials."""
+    rows = sorted(left.tolist(), key=lambda three: (made.keys[three[0]][2], made.keys[three[0]][1]))
+    keys = [[made.keys[wedge] for wedge in three] for three in rows]
+    tints = [None] * len(rows)
+    if any(tint is not None for tint in made.tints):
+        means = np.rint(_mean_tints(made)[np.array(rows)].mean(axis=1)).astype(int)
+        tints = [None if tint == WHITE else tint for tint in map(tuple, means.tolist())]
+    uvs = [[key[3] for key in three] if all(key[3] is not None for key in three) else None for three in keys]
+    return _mesh(mesh, [[key[0] for key in three] for three in keys], [three[0][2] for three in keys], [three[0][1] for three in keys],
+                 uvs, tints)
+
+
+def _of_vertices(mesh, made, after, sources):
+    """The Mesh of the triangles that fast-simplification has left, without texture coordinates."""
+    keys = [made.keys[made.corners[source, 0]] for source in sources]
+    tints = [None] * len(sources)
+    if any(tint is not None for tint in made.tints):
+        sums, counts = np.zeros((len(mesh.vertices), 3)), np.zeros(len(mesh.vertices))
+        np.add.at(sums, made.places, _mean_tints(made))
+        np.add.at(counts, made.places, 1)
+        means = np.rint((sums / np.maximum(counts, 1)[:, None])[after].mean(axis=1)).astype(int)
+        tints = [None if tint == WHITE else tint for tint in map(tuple, means.tolist())]
+    return _mesh(mesh, after.tolist(), [key[2] for key in keys], [key[1] for key in keys], [None] * len(sources), tints)

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""The pairs of pictures of docs/looks.md: a model that looks wrong, and the same with the option that mends it."""
+
+import pathlib
+import sys
+
+from PIL import Image
+
+from fixel.base import children, picture, scratch
+from fixel.base.errors import ToolError
+from fixel.board import dump
+from fixel.report.picture_row import GAP
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+MODELS = "host_tests/tools/models"
+# Of each pair: file and options that look wrong, and those that look right. Both are drawn from the frame of this number.
+LOOKS = {
+    "order": ("scenes/gallery.toml --depth 0", "scenes/gallery.toml", 2),
+    "tree": ("scenes/knot.toml --order distance", "scenes/knot.toml", 2),
+    "backs": ("docs/looks/open.toml", "docs/looks/open_both.toml", 2),
+    "facets": (f"{MODELS}/ball_textured.obj --flat", f"{MODELS}/ball_textured.obj --smooth 40", 2),
+    "mean": (f"{MODELS}/plain_texture.glb --no-textures", f"{MODELS}/plain_texture.glb", 2),
+    "dark": ("docs/looks/dark.toml", "docs/looks/lit.toml", 0),
+    "decal": ("docs/looks/decal.toml --depth 16", "docs/looks/decal.toml --depth 32", 3),
+}
+SCREEN, FRAMES = "160x120", 8
+
+
+def draw(frames, words, number):
+    """A frame of a scene that is built with options. frames: the program build/host/frames."""
+    with scratch.folder("look") as folder:
+        image, drawn = pathlib.Path(folder) / "look.fxls", pathlib.Path(folder) / "look.fxld"
+        for command in ([sys.executable, ROOT / "tools" / "fixel" / "launcher.py", "build", *words.split(), "--screen", SCREEN, "--frames", FRAMES,
+                         "-o", image], [frames, image, drawn]):
+            done = children.run(list(map(str, command)), cwd=ROOT, text=True)
+            if done.returncode != 0:
+                raise ToolError(f"{words} cannot be drawn", words=done.stderr.strip())
+        made = dump.read_dump(drawn)
+    return picture.palette_image(made.frames[number].pixels, made.palette).convert("RGB")
+
+
+def pair(frames, name):
+    """Both pictures of a pair, side by side."""
+    if name not in LOOKS:
+        raise ToolError(f"there is no look '{name}'; there are: {', '.join(LOOKS)}")
+    wrong, right, number = LOOKS[name]
+    shown = [draw(frames, words, number) for words in (wrong, right)]
+    width, height = shown[0].size
+    row = Image.new("RGB", (2 * width + GAP, height), (255, 255, 255))
+    row.paste(shown[0], (0, 0))
+    row.paste(shown[1], (width + GAP, 0))
+    return row

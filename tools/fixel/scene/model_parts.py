@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+"""The parts of a model without a scene file: which nodes of a glTF file become objects of their own, where each stands,
+what it hangs on, and how it moves (docs/scenes.md, "Parts of a glTF file")."""
+
+from dataclasses import dataclass, field
+import difflib
+import fnmatch
+from fractions import Fraction
+
+import numpy as np
+
+from fixel.base.errors import ToolError
+from fixel.base.reading import QUOTE_MAX, quoted, shortened
+from fixel.image.image_placement import DEPTH_MAX
+from fixel.model.mesh import UNIT, Mesh, transform
+from fixel.scene import tracks
+
+NODES_MAX = 64      # of a file whose nodes all become objects
+POSES_MAX = 1 << 21     # of all parts in all frames
+
+
+@dataclass
+class Part:
+    """name: of its node, or None. groups: the nodes whose faces it has. node: a nodes.Node or None. is_kept: --keep names it.
+    parent: the Part that it hangs on, or None. pose: matrices of 3x4, one a frame, of what moves, as the board plays them."""
+    name: str
+    groups: list
+    node: object = None
+    is_kept: bool = False
+    parent: object = None
+    pose: object = None
+
+    @property
+    def is_turned(self):
+        """Whether a board turns it."""
+        return self.is_kept or self.parent is not None or self.pose is not None
+
+    @property
+    def depth(self):
+        """How many parts it hangs on, one after the other."""
+        return 0 if self.parent is None else 1 + self.parent.depth
+
+
+@dataclass
+class Played:
+    """The parts of a model, how many frames its animation takes, and what there is to say."""
+    parts: list
+    frames: int = 0
+    notes: list = field(default_factory=list)
+    uses: set = field(default_factory=set)      # kinds of scenery.left_out that are not left out
+    poses: dict = field(default_factory=dict)   # of cameras that the animation moves, matrices of 3x4, one a frame
+
+
+def _kept(nodes, patterns, name):
+    """The names of the nodes that patterns name."""
+    found = set()
+    for pattern in filter(None, patterns.split(",")):
+        fitting = {each for each in nodes if fnmatch.fnmatchcase(each, pattern)}
+        if not fitting:
+            near = difflib.get_close_matches(pattern[:QUOTE_MAX], list(nodes)[:1000], 1, 0)
+            raise ToolError(f"{name}: --keep: no node has a name like {quoted(pattern)}" +
+                            (f"; the nearest is {quoted(near[0])}" if near else ""))
+        found |= fitting
+    return found
+
+
+def _carriers(nodes, chosen):
+    """{name of a node: the node, among the chosen ones, that it moves with}; None for what moves with none."""
+    found = {None: None}
+    for name, node in nodes.items():
+        found[name] = name if name in chosen else found[node.parent]
+    return found
+
+
+def _divided(mesh, nodes, kept, whole):
+    """The Parts of a file, parents first. whole: whether what nothing moves and no pattern names stays in one part."""
+    is_small = not whole and mesh.scenery.count <= NODES_MAX
+    chosen = {name for name, node in nodes.items() if node.is_animated or name in kept or (is_small and name in mesh.groups)}
+    carriers, found = _carriers(nodes, chosen), {}
+    for name in mesh.groups:
+        key = carriers[name]
+        if key is None and not whole:
+            key = (nodes[name].mesh,)       # one part a mesh
+        found.setdefault(key, []).append(name)
+    parts = {}
+    for key in [None, *(key for key in found if isinstance(key, tuple)), *nodes]:
+        if key not in found:
+            continue
+        if not isinstance(key, str):
+            parts[key] = Part(key and key[0], found[key])
+            continue
+        above = nodes[key].parent
+        while above is not None and (above not in parts or not parts[above].is_turned or parts[above].depth >= DEPTH_MAX):
+            above = nodes[above].parent
+        node = nodes[key]
+        parts[key] = Part(key, sorted(found[key], key=lambda each: each != key), node, key in kept,
+                          parts[above] if above is not None else None)
+        if node.poses is not None and parts[key].parent is None:
+            parts[key].pose = True          # until it is played
+    return list(parts.values())
+
+
+def _inverse(pose):
+    """Of matrices of 3x4 that are a turn, a scale and a move."""
+    linear = np.linalg.inv(pose[:, :, :3])
+    return np.concatenate([linear, -(linear @ pose[:, :, 3:])], axis=2)
+
+
+def _product(one, other):
+    return np.concatenate([one[:, :, :3] @ other[:, :, :3], one[:, :, :3] @ other[:, :, 3:] + one[:, :, 3:]], axis=2)
+
+
+def _play(parts, frames, name):
+    """Gives parts their poses, relative to nothing; and notes. A part's relative pose becomes a turn with one scale."""
+    stretched, still = [], np.repeat(np.eye(4)[None, :3], frames, axis=0)
+    for part in parts:
+        if not part.is_turned:
+            continue
+        wanted = part.node.poses() if part.node.poses is not None else still
+        above = part.parent.pose if part.parent is not None else still
+        relative = _product(_inverse(above), wanted)
+        turns, sizes, off = tracks.similar(relative[:, :, :3])
+        if off > tracks.STRETCH_MAX:
+            stretched.append(part.name)
+        pivot = np.array([c / UNIT for c in part.node.pivot])
+        linear = turns * sizes[:, None, None]
+        move = relative[:, :, :3] @ pivot + relative[:, :, 3] - linear @ pivot      # the pivot is where it should be
+        part.pose = _product(above, np.concatenate([linear, move[:, :, None]], axis=2))
+    return [f"{name}: nodes that are stretched in one direction as they move have one size in all: {len(stretched):,} (first: "
+            f"{shortened(stretched[0])})"] if stretched else []
+
+
+def divide(mesh, name, look):
+    """The Played of a file. look: a look.Look."""
+    scenery = mesh.scenery
+    if scenery is None or look.whole:
+        for option, value in (("--keep", look.keep), ("--animation", look.animation), ("--camera", look.camera)):
+            if value and scenery is None:
+                raise ToolError(f"{name}: {option} is for the nodes of a glTF file; this file has none")
+        return Played([Part(None, [])])
+    nodes, frames, notes = scenery.play(look.animation or None)
+    if look.animation and not frames:
+        there = shortened(", ".join(scenery.animations)) or "none"
+        raise ToolError(f"{name}: --animation: no animation that moves a node has a name like {quoted(look.animation)}; the file's: {there}")
+    parts = _divided(mesh, nodes, _kept(nodes, look.keep, name), look.depth == 0)
+    uses = {"animations"} if frames else set()
+    if frames * sum(part.is_turned for part in parts) > POSES_MAX:
+        raise ToolError(f"{name}: the animation moves {len(parts):,} parts in {frames:,} frames: more than the limit of {POSES_MAX:,} places; "
+                        "give it fewer nodes, or a shorter animation")
+    notes = notes + _play(parts, max(frames, 1), name)
+    if frames:
+        moving = sum(part.is_turned for part in parts)
+        notes.append(f"{name}: the animation takes {frames:,} frames and moves {moving:,} parts" if moving else
+                     f"{name}: the animation moves nothing that has faces")
+    poses = {camera.name: nodes[camera.name].poses() for camera in scenery.cameras if nodes[camera.name].poses is not None}
+    return Played(parts, frames, notes, uses, poses)
+
+
+def _relative(part):
+    """The pose of a part in its parent's model."""
+    return part.pose if part.parent is None else _product(_inverse(part.parent.pose), part.pose)
+
+
+def _motion(part, scale):
+    """The keys turn, size, parent and motion of a part that is turned."""
+    relative, pivot = _relative(part), np.array([c / UNIT for c in part.node.pivot])
+    linear = relative[:, :, :3]
+    turns, sizes, _ = tracks.similar(linear)
+    offsets = (linear @ pivot + relative[:, :, 3] - pivot) * float(scale)
+    rows = tracks.keys(offsets, turns, sizes)
+    found = {"parent": part.parent.name} if part.parent is not None else {}
+    if len(rows) == 1 and not rows[0]:
+        return found | {"size": 1}
+    return found | {"motion": {"keys": rows}}
+
+
+def objects(played, mesh, name, scale, thing):
+    """The objects of a scene. thing: the keys that all have."""
+    if len(played.parts) == 1 and not played.parts[0].is_turned:
+        part, = played.parts
+        return [{"name": part.name or name, "model": name, "scale": scale, "anchor": "middle", **thing}]
+    rows = [[scale if i == j else Fraction(0) for j in range(3)] for i in range(3)]
+    placed = transform(mesh, rows)
+    middle = [(min(axis) + max(axis)) // 2 for axis in zip(*placed)]
+    found = []
+    for part in played.parts:
+        node = part.node or mesh.scenery.nodes[part.groups[0]]
+        own = transform(Mesh([node.pivot], []), rows)[0]
+        above = middle if part.parent is None else transform(Mesh([part.parent.node.pivot], []), rows)[0]
+        found.append({"name": part.name or name, "model": name, "group": part.groups if len(part.groups) > 1 else part.groups[0],
+                      "scale": scale, "anchor": "node", "position": [Fraction(a - b, 65536) for a, b in zip(own, above)], **thing,
+                      **(_motion(part, scale) if part.is_turned else {})})
+    return found
+
+
+def moved_points(played, mesh):
+    """Points that moving parts reach, in the mesh's units: the corners of their boxes in some frames."""
+    found = []
+    for part in played.parts:
+        if part.pose is None:
+            continue
+        used = {corner for group in part.groups for first, end in mesh.groups[group] for face in mesh.faces[first:end] for corner in face}
+        points = np.array([mesh.vertices[corner] for corner in used], dtype=float) / UNIT
+        low, high = points.min(axis=0), points.max(axis=0)
+        corners = np.array([[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)])
+        some = part.pose[::max(1, len(part.pose) // 60)]
+        found.append((corners @ some[:, :, :3].transpose(0, 2, 1) + some[:, None, :, 3]).reshape(-1, 3))
+    return np.concatenate(found) if found else np.zeros((0, 3))
