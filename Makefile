@@ -109,12 +109,23 @@ endif
 
 # --- boards ------------------------------------------------------------------
 
-BOARDS := $(sort $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
+ALL_BOARDS := $(sort $(patsubst boards/%/board.mk,%,$(wildcard boards/*/board.mk)))
 # The board that the commands are for: BOARD=, which is exactly one of them.
-BOARD_CHOSEN := $(call ONE_OF,$(BOARD),$(BOARDS))
+BOARD_CHOSEN := $(call ONE_OF,$(BOARD),$(ALL_BOARDS))
 ifeq ($(BOARD_CHOSEN),)
-$(error there is no board "$(BOARD)"; the boards are: $(BOARDS))
+$(error there is no board "$(BOARD)"; the boards are: $(ALL_BOARDS))
 endif
+# Boards whose tools make test does not install (BOARD_SETUP). A command has them if BOARD= names one, and make boards if
+# their tools are there; it says to the make that it calls which ones.
+EXTRA_BOARDS := $(patsubst boards/%/board.mk,%,$(shell grep -l '^BOARD_SETUP' boards/*/board.mk))
+SETUP_OF = $(shell sed -n 's/^BOARD_SETUP := //p' boards/$(1)/board.mk)
+SETUP_OF_BOARD := $(if $(filter $(EXTRA_BOARDS),$(BOARD_CHOSEN)),$(call SETUP_OF,$(BOARD_CHOSEN)))
+ifneq ($(and $(filter boards,$(MAKECMDGOALS)),$(EXTRA_BOARDS)),)
+$(foreach board,$(EXTRA_BOARDS),$(eval LACKS.$(board) := $(shell tools/setup.sh --missing $(call SETUP_OF,$(board)))))
+FIXEL_EXTRA_BOARDS := $(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),,$(board)))
+export FIXEL_EXTRA_BOARDS
+endif
+BOARDS := $(filter-out $(filter-out $(BOARD_CHOSEN) $(FIXEL_EXTRA_BOARDS),$(EXTRA_BOARDS)),$(ALL_BOARDS))
 
 # --- set-up ------------------------------------------------------------------
 
@@ -153,17 +164,25 @@ endif
 HOST_WALK := $(call WALK_OF,host)
 WALK      := $(call WALK_OF,$(BOARD_CHOSEN))
 IMAGE     := $(BUILD)/flash/$(BOARD_CHOSEN).bin
-SCENE_OF_PROGRAM := $(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml)
+SCENE_OF_PROGRAM := $(if $(OWN),scenes/tiny.toml,$(if $(filter game,$(PROGRAM)),examples/game/game.toml,scenes/plaza.toml))
 # These have been compared with the names that there are: firmware/firmware.mk.
-METHODS_OPTIONS := --program $(PROGRAM) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
+METHODS_OPTIONS := --program $(PROGRAM_NAME) $(VISIBILITY:%=--visibility %) $(CLIPPER:%=--clipper %) $(ROWS:%=--rows %) $(DRIVER:%=--driver %)
 # How a model without a scene file is drawn depends on what its frames are predicted to take.
 PREDICTS := $(if $(filter %.obj %.gltf %.glb %.stl %.ply,$(value SCENE)),$(addprefix $(BUILD)/host/,predict judge raycast) $(HOST_WALK))
 DRAW_OPTIONS := --board $(BOARD_CHOSEN) --scene $(SCENE_OF_PROGRAM) --build $(BUILD) $(METHODS_OPTIONS)
-FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)
+FLASH_SETUP := $(if $(PROBE),$(if $(DRY_RUN),run,probe),run)$(SETUP_OF_BOARD:%= %)
 
 # The record of a display's wires is what run reads.
 ifneq ($(and $(DRIVER),$(filter view flash boot gdb screen,$(MAKECMDGOALS))),)
 $(error DRIVER= is for make run alone, which reads what the driver of the display sends)
+endif
+
+# A program of the user's own chooses what it draws, and with what.
+ifneq ($(and $(OWN),$(filter view flash boot gdb screen size,$(MAKECMDGOALS))),)
+$(error PROGRAM=FILE is for make run alone, which shows the pictures that it draws)
+endif
+ifneq ($(and $(OWN),$(CLIPPER)$(VISIBILITY)$(ROWS)$(DRIVER)$(PIXELS)$(ORDER)$(DEPTH)$(value LOOK)),)
+$(error PROGRAM=$(PROGRAM) chooses itself what it draws: leave out CLIPPER, VISIBILITY, ROWS, DRIVER, PIXELS, ORDER, DEPTH and LOOK)
 endif
 
 # --- commands ----------------------------------------------------------------
@@ -173,19 +192,19 @@ endif
 help: ## print this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1@\2/p' Makefile | \
 	    while IFS=@ read -r name what; do printf '  %-20s %s\n' "$$name" "$$what"; done
-	@echo "Boards: $(BOARDS)"
+	@echo "Boards: $(ALL_BOARDS)"
 
 all: ## build everything, run nothing
 	@tools/setup.sh report
 	@$(MAKE) $(WALK) $(HOST_WALK) $(HOST_TOOLS)
 
-run: ## draw a scene's path on a board, compare it with double [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
-	@tools/setup.sh run
+run: ## draw a scene's path on a board, compare it with double; or run a program of your own there [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DRIVER= OUT= FRESH=1]
+	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(PREDICTS)
 	@$(TOOL) run $(DRAW_OPTIONS) --out $(BUILD)/run
 
 view: ## show a board live on a web page of this machine, moved by keys [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= PORT= OPEN=1]
-	@tools/setup.sh view
+	@tools/setup.sh view$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(BUILD)/host/live $(PREDICTS)
 	@$(TOOL) view $(DRAW_OPTIONS)
 
@@ -195,12 +214,12 @@ flash: ## write program and scene to the board's flash image, or to the real boa
 	@$(TOOL) flash --board $(BOARD_CHOSEN) --elf $(WALK) --scene $(SCENE_OF_PROGRAM) --scenes $(BUILD)/scenes --image $(IMAGE)
 
 boot: ## boot a board from its flash image [BOARD= FRAMES= PIXELS= ORDER= DEPTH=; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
-	@tools/setup.sh run
+	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@$(TOOL) boot --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK) --dump $(BUILD)/boot/$(BOARD_CHOSEN).fxld
 
 gdb: ## open a debugger on a board, booted from its flash image, stopped at main [BOARD= FRAMES= GDB_COMMANDS=file; PROGRAM= VISIBILITY= CLIPPER= ROWS= as for flash]
-	@tools/setup.sh gdb
+	@tools/setup.sh gdb$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@$(TOOL) gdb --board $(BOARD_CHOSEN) --image $(IMAGE) --elf $(WALK)
 
@@ -228,7 +247,7 @@ showcase: ## make 24 models as people have them, draw each by its first command,
 	@$(TOOL) showcase --board $(BOARD_CHOSEN) --build $(BUILD)
 
 screen: ## save what a board's screen shows after the last frame [BOARD= PROGRAM=walk SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SCREEN= FRAMES= PIXELS= ORDER= DEPTH= LOOK= VISIBILITY= CLIPPER= ROWS= DEVICE= PICTURE=]
-	@tools/setup.sh run
+	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(PREDICTS)
 	@$(TOOL) screen $(DRAW_OPTIONS) --out $(BUILD)/screen/$(BOARD_CHOSEN).png
 
@@ -279,7 +298,7 @@ SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(call CORE_SHARED,$(core))/libfixel.a)
 
 size: ## print flash, RAM and stack; check that the library has no float and no heap [BOARD= PROGRAM=walk]
-	@tools/setup.sh run
+	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK)
 	@for core in $(sort $(call CORE_SHARED,$(SIZE_CORES))); do echo "  LIB  $$core" && \
 	    $(MAKE) CORE=$$core $(BUILD)/lib/$$core/libfixel.a >/dev/null || exit; done
@@ -329,19 +348,20 @@ HOST_UNIT_OPTIONS = $(foreach folder,$(sort $(dir $(UNITY_TESTS))),--host-units 
 $(if $(filter test-programs,$(MAKECMDGOALS)),$(eval test-programs: $(TEST_UNITS) $(TEST_PROGRAMS)))
 
 test: ## run the tests, on the host and on a board for each build of the library [BOARD= of one board, ONLY=, WHOLE=1: all of what is otherwise sampled]
-	@tools/setup.sh test
+	@tools/setup.sh test$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) test-programs
 	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(TOOL) test --json $(BUILD)/tests.json $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) $(TEST_BOARD:%=--board %)
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 
 COMPARED_BOARDS = $(if $(filter host,$(TEST_BOARD)),$(error BOARD=host: all boards are compared with the host; name another),$(or $(TEST_BOARD),$(TARGET_BOARDS)))
+NOT_RUN_OPTIONS = $(if $(TEST_BOARD),,$(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),--not-run $(board) $(LACKS.$(board)))))
 COMPARED_PROGRAMS = $(foreach board,host $(COMPARED_BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [BOARD= of one board, PIXELS= ORDER= DEPTH=]
-	@tools/setup.sh units
+	@tools/setup.sh units$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(COMPARED_PROGRAMS)
 	@$(TOOL) boards --boards $(COMPARED_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
-	    $(call UNIT_OPTIONS,$(COMPARED_BOARDS)) --build $(BUILD) --out $(BUILD)/boards.json
+	    $(call UNIT_OPTIONS,$(COMPARED_BOARDS)) $(NOT_RUN_OPTIONS) --build $(BUILD) --out $(BUILD)/boards.json
 
 # CORE here is one of the bench's; the default of the other commands is none.
 BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(BENCH_CORES_HERE)),\

@@ -13,6 +13,9 @@
 #   BOARD_POLYGON_CAPACITY  vertices of a polygon at most (the library's own choice without)
 #   BOARD_SETTINGS          NAME=VALUE for parts that ask for it: macros for all of the board's own objects
 #   BOARD_OWN_FLAGS         compiler flags for the board's own objects, not for the library
+#   BOARD_CROSS             the prefix of the compiler and its tools (CROSS without)
+#   BOARD_SETUP             what tools/setup.sh installs for it: then make test leaves it out, unless BOARD= names it
+#   BOARD_LIBC              flags that choose its C library, for unit tests (--specs=nano.specs without)
 #   BOARD_OPENOCD           OpenOCD's configuration for the real board
 #   BOARD_NOTE              more of key=value for the tools, separated by blanks
 #   BOARD_HOSTED            "yes" where the host itself is the board
@@ -48,7 +51,7 @@ DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -58,6 +61,8 @@ $(foreach setting,$(BOARD_MUST),$$(if $$(BOARD_$(setting)),,$$(error boards/$(1)
 $(foreach setting,$(BOARD_MUST) $(BOARD_MAY),BOARD_$(setting).$(1) := $$(BOARD_$(setting))$(newline))
 endef
 $(foreach board,$(BOARDS),$(eval $(call BOARD_READ,$(board))))
+
+CROSS_OF = $(or $(BOARD_CROSS.$(1)),$(CROSS))
 
 # --- cores ---------------------------------------------------------------------
 
@@ -95,7 +100,9 @@ endef
 # $(1): the first board with this core, $(2): the name of the core, $(3): its flags.
 define CORE_RULES
 CORE_TUNE.$(2) = $$(call LIB_TUNE,$(3))
-CORE_CC.$(2) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(CROSS)gcc -masm-syntax-unified) $(FIRMWARE_CFLAGS) $(3)
+CORE_CROSS.$(2) := $(call CROSS_OF,$(1))
+CORE_LIBC.$(2) := $(BOARD_LIBC.$(1))
+CORE_CC.$(2) := $(if $(BOARD_HOSTED.$(1)),$(HOSTCC),$(call CROSS_OF,$(1))gcc $(if $(BOARD_CROSS.$(1)),,-masm-syntax-unified)) $(FIRMWARE_CFLAGS) $(3)
 endef
 
 CORES_READ :=
@@ -124,9 +131,19 @@ BOARD_FAULTS_OBJECTS_OF = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(wildcard fir
 # (firmware/walk/act.h).
 PROGRAMS := walk game
 PROGRAM ?= walk
-ifeq ($(call ONE_OF,$(PROGRAM),$(PROGRAMS)),)
-$(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS))
+# Or a C file of the user's own, or a folder of C files, with a main: firmware/own. Recipes name the path, so it has no
+# character that means something to the shell or to make.
+OWN_REFUSED := $(SHELL_CHARACTERS) % : , = * ? [ ] ~ @ + !
+OWN_SOURCES := $(strip $(if $(or $(call ONE_OF,$(PROGRAM),$(PROGRAMS)),$(findstring $(space),$(PROGRAM)),$(findstring $(newline),$(PROGRAM)),\
+    $(filter -%,$(PROGRAM)),$(strip $(foreach character,$(OWN_REFUSED),$(findstring $(character),$(PROGRAM))))),,\
+    $(if $(filter %.c,$(PROGRAM)),$(wildcard $(PROGRAM)),$(sort $(wildcard $(PROGRAM:/=)/*.c)))))
+ifeq ($(call ONE_OF,$(PROGRAM),$(PROGRAMS))$(OWN_SOURCES),)
+$(error there is no PROGRAM "$(PROGRAM)"; the programs are: $(PROGRAMS), and a C file or a folder of C files of your own)
 endif
+# A name of its path without a folder.
+OWN_NAME_OF = $(subst /,_,$(subst .,-,$(1)))
+OWN := $(if $(OWN_SOURCES),own-$(call OWN_NAME_OF,$(PROGRAM:/=)))
+PROGRAM_NAME := $(or $(OWN),$(PROGRAM))
 # A board without the memory for a program: make says so before anything is built.
 ifneq ($(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(BOARD_CHOSEN))),)
 $(error PROGRAM=$(PROGRAM) needs more memory than BOARD=$(BOARD) has; the boards that it fits are: $(foreach board,$(BOARDS),$(if $(filter $(PROGRAM),$(BOARD_PROGRAM_OMIT.$(board))),,$(board))))
@@ -221,11 +238,11 @@ DRIVER_RECORD = $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),fxl_module_,fxl_)$(D
 WALK_RECORDS := $(WALK_CLIPPER) $(WALK_TARGET) $(if $(DRIVER),$(DRIVER_RECORD))
 
 # The program of a board with what was chosen.
-WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM)$(WALK_CHOICE))
+WALK_OF = $(call PROGRAM_FILE_OF,$(1),$(PROGRAM_NAME)$(WALK_CHOICE))
 PROGRAM_FILES_OF = $(sort $(foreach program,$(PROGRAMS),$(call PROGRAM_FILE_OF,$(1),$(program))) $(call WALK_OF,$(1)))
 
 # How a board's programs are linked, and what it takes beside the objects.
-BOARD_LINK = $(CROSS)gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
+BOARD_LINK = $(call CROSS_OF,$(1))gcc $(BOARD_CORE.$(1)) -nostartfiles -Llinker -T boards/$(1)/memory.ld \
     -Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments $(LINK_OF_FILE)
 # With a map beside the program.
 BOARD_LINK_MAP = -Wl,-Map,$(@:.elf=.map)
@@ -235,6 +252,30 @@ define FIRMWARE_LINK
 $(MAKE_FOLDER)
 $(SAY)
 $(FIRMWARE_QUIET)$(1) -o $@
+endef
+
+# What a program of the user's own links beside its objects: own.c, which hands out its pictures, and any of the library. Its
+# code may have warnings, and GNU's C. An exported scene is kept whole, so that the tools find its palette.
+OWN_WRAPPED := main fxl_frame_begin fxl_frame_draw fxl_render
+OWN_CC = $(filter-out -std=% -W% -fdata-sections,$(CORE_CC.$(call CORE_NAME,$(1)))) -std=gnu11 -Wall
+OWN_LIB_OF = $(if $(BOARD_HOSTED.$(1)),$(BUILD)/host/objects/lib,$(BOARD_CORE_OUT)/lib)
+OWN_LIB_NAMES_OF = $(filter-out study/% draw/offsets,$(if $(BOARD_HOSTED.$(1)),$(LIB_HOST_NAMES),$(call LIB_NAMES_FOR,$(BOARD_CORE.$(1)))))
+OWN_OBJECT_OF = $(FIRMWARE_OUT)/$(1)/own/$(call OWN_NAME_OF,$(2)).o
+
+define OWN_RULES
+$(call OWN_OBJECT_OF,$(1),$(2)): $(2) firmware/firmware.mk boards/$(1)/board.mk
+	$$(call FIRMWARE_COMPILE,$$(call OWN_CC,$(1)) -Ilib/include -Iboards)
+
+$(call WALK_OF,$(1)): $(call OWN_OBJECT_OF,$(1),$(2))
+endef
+
+define OWN_PROGRAM_RULES
+$(FIRMWARE_OUT)/$(1)/libown.a: $(FIRMWARE_OUT)/$(1)/firmware/own/show_rows.o
+	@rm -f $$@
+	@$(if $(BOARD_HOSTED.$(1)),ar,$(call CROSS_OF,$(1))ar) rcs $$@ $$^
+
+$(call WALK_OF,$(1)): $(FIRMWARE_OUT)/$(1)/firmware/own/own.o $(patsubst %,$(OWN_LIB_OF)/%.o,$(OWN_LIB_NAMES_OF)) $(FIRMWARE_OUT)/$(1)/libown.a
+$(call WALK_OF,$(1)): LINK_OF_FILE := $(OWN_WRAPPED:%=-Wl$(,)--wrap=%)
 endef
 
 define BOARD_RULES
@@ -281,7 +322,7 @@ define HOSTED_RULES
 BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF)
-	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^))
+	$$(call FIRMWARE_LINK,$(HOSTCC) $$(LINK_OF_FILE) $$(filter %.o,$$^) $$(filter %.a,$$^))
 endef
 
 define TARGET_RULES
@@ -289,7 +330,7 @@ BOARD_WALK.$(1) := $(FIRMWARE_OUT)/$(1)/walk.elf
 BOARD_FAULTS.$(1) := $(FIRMWARE_OUT)/$(1)/faults.elf
 
 $(call PROGRAM_FILES_OF,$(1)): $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
-	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
+	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) $$(filter %.a,$$^) -lgcc)
 
 $$(BOARD_FAULTS.$(1)): $(BOARD_FAULTS_OBJECTS_OF) $(BOARD_PARTS_OF) $(BOARD_LINK_SCRIPTS)
 	$$(call FIRMWARE_LINK,$$(call BOARD_LINK,$(1)) $$(BOARD_LINK_MAP) -nostdlib $$(filter %.o,$$^) -lgcc)
@@ -300,6 +341,8 @@ $(foreach board,$(BOARDS),$(eval $(call BOARD_RULES,$(board)))\
     $(eval $(call $(if $(BOARD_HOSTED.$(board)),HOSTED,TARGET)_RULES,$(board))))
 
 $(if $(BUILT_GOALS),$(foreach board,$(BOARDS),$(foreach program,$(PROGRAMS),$(eval $(call PROGRAM_RULES,$(board),$(program))))))
+$(if $(and $(BUILT_GOALS),$(OWN)),$(foreach board,$(BOARDS),$(eval $(call OWN_PROGRAM_RULES,$(board)))\
+    $(foreach source,$(OWN_SOURCES),$(eval $(call OWN_RULES,$(board),$(source))))))
 $(if $(and $(BUILT_GOALS),$(WALK_CHOICE)),$(foreach board,$(BOARDS),$(eval $(call CHOICE_RULES,$(board)))))
 $(if $(and $(BUILT_GOALS),$(WALK_METHODS)),$(foreach board,$(BOARDS),$(eval $(call METHODS_RULES,$(board)))))
 $(if $(and $(BUILT_GOALS),$(DRIVER)),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -21,10 +21,11 @@
 #   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
+#   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
 # requirements/*.txt and go into .venv, meshoptimizer is that of requirements/package-lock.json and goes into .node. Where nothing is missing, set-up says nothing and
-# takes less than a second. Exit: 0 all there, 1 something is missing.
+# takes less than a second. --missing installs nothing: it prints the packages that are missing. Exit: 0 all there, 1 something is missing.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -56,6 +57,12 @@ need_board() { need_host_compiler; need_cross_compiler; need_emulator; need_pyth
 need_cmock() {
     has ruby || need ruby
     [ -f "$cmock_home/lib/cmock.rb" ] || need cmock
+}
+need_riscv() {
+    has riscv64-unknown-elf-gcc || need gcc-riscv64-unknown-elf
+    printf '#include <math.h>\n' | riscv64-unknown-elf-gcc --specs=picolibc.specs -x c -E - >/dev/null 2>&1 ||
+        need picolibc-riscv64-unknown-elf
+    has qemu-system-riscv32 || need qemu-system-misc
 }
 need_gmp() { compiles gcc gmp.h || need libgmp-dev; }
 need_browser() { has chromium || need chromium; }
@@ -153,7 +160,8 @@ find_missing() {
         predict) need_host_compiler; need_python run ;;
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb or probe" ;;
+        riscv) need_riscv ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe or riscv" ;;
         esac
     done
     has python3 || need python3
@@ -297,9 +305,17 @@ install_node() {
 
 # --- all together ------------------------------------------------------------
 
-packages_only=
-if [ "${1-}" = --packages-only ]; then packages_only=yes; shift; fi
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe..."
+packages_only= missing_only=
+case "${1-}" in
+--packages-only) packages_only=yes; shift ;;
+--missing) missing_only=yes; shift ;;
+esac
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv..."
+if [ -n "$missing_only" ]; then
+    find_missing "$@"
+    printf '%s\n' "${packages# }"
+    exit 0
+fi
 
 # make test has set up all of this, and then its tests call hundreds of commands of make.
 is_of_test() {

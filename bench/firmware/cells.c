@@ -15,7 +15,6 @@
 #include "draw.h"
 #include "fixel/all.h"
 #include "path.h"
-#include "scene/scene_header.h"
 #include "start.h"
 #include "text.h"
 
@@ -108,7 +107,7 @@ static fxl_status draw_all(const fxl_scene_image *image, const cell_way *way, ui
                               (uint8_t *)pixels + i * frame_bytes);
         }
     }
-    *crc = fxl_crc32((const uint8_t *)pixels, frame_bytes * image->frame_count);
+    *crc = fxl_crc(FXL_CRC_START, pixels, frame_bytes * image->frame_count);
     return status;
 }
 

@@ -20,6 +20,7 @@ enum {
     SYSTEM_EXIT_DISPLAY = 15,    /* the display could not be opened, or did not take every pixel */
     SYSTEM_EXIT_JOURNAL = 16,    /* what is told about a frame could not be written */
     SYSTEM_EXIT_INPUT = 17,      /* the keys that are held make no sense */
+    SYSTEM_EXIT_PROGRAM = 18,    /* the program of PROGRAM=FILE failed by itself */
     SYSTEM_EXIT_ASSERTION = 20,  /* an assertion failed: a bug of the program */
     SYSTEM_EXIT_TEST = 21,       /* a unit test failed */
     SYSTEM_EXIT_BOARD = 22,      /* the core or the board lacks what the program needs */

@@ -4,37 +4,20 @@
  * incomplete dump is recognised. */
 #include <stddef.h>
 
+#include "fixel/crc.h"
 #include "parts/dump.h"
 #include "parts/sink.h"
 
-#define DUMP_VERSION   3u
-#define PALETTE_BYTES  768u
-#define CRC_POLYNOMIAL 0xEDB88320u /* IEEE 802.3, reflected */
+#define DUMP_VERSION  3u
+#define PALETTE_BYTES 768u
 
 static uint32_t frames; /* ended */
 static uint32_t pixel_bytes;
-static uint32_t crc;    /* inverted, of all bytes so far */
-
-/* Four bits at a time: a table of 64 bytes instead of 1 KiB. */
-static uint32_t crc_update(uint32_t value, const uint8_t *bytes, size_t size)
-{
-    static const uint32_t table[16] = {0x00000000u,    0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu,
-                                       0x76DC4190u,    0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
-                                       CRC_POLYNOMIAL, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
-                                       0x9B64C2B0u,    0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu};
-    size_t i;
-
-    for (i = 0; i < size; i++) {
-        value ^= bytes[i];
-        value = (value >> 4) ^ table[value & 15u];
-        value = (value >> 4) ^ table[value & 15u];
-    }
-    return value;
-}
+static uint32_t crc; /* of all bytes so far */
 
 static bool put(const uint8_t *bytes, size_t size)
 {
-    crc = crc_update(crc, bytes, size);
+    crc = fxl_crc(crc, bytes, size);
     return sink_write(bytes, size);
 }
 
@@ -70,7 +53,7 @@ static panel_answer open(const panel_format *format)
     }
     frames = 0;
     pixel_bytes = format->pixel_bits / 8u;
-    crc = ~0u;
+    crc = FXL_CRC_START;
     to = put_u16(put_tag(head, "FXLD"), DUMP_VERSION);
     to = put_u16(put_u16(to, format->width), format->height);
     to = put_u16(to, format->pixel_bits);
@@ -125,7 +108,7 @@ static bool close(bool whole)
 
     if (whole) {
         whole = put(tail, (size_t)(put_u32(put_tag(tail, "FEND"), frames) - tail));
-        (void)put_u32(tail + 8, ~crc);
+        (void)put_u32(tail + 8, crc);
         whole = whole && put(tail + 8, 4);
         return sink_close(whole) && whole;
     }

@@ -16,15 +16,36 @@ enum {
     APPLICATION_EXIT = 0x20026 /* ADP_Stopped_ApplicationExit */
 };
 
+/* The host may read and write any memory that the parameters point to. */
+#if defined __riscv
+/* Three instructions that mean nothing else, uncompressed and on one page. */
+static int32_t call(uint32_t operation, const void *parameter)
+{
+    register uint32_t a0 __asm__("a0") = operation;
+    register const void *a1 __asm__("a1") = parameter;
+
+    __asm__ volatile(".balign 16\n\t"
+                     ".option push\n\t"
+                     ".option norvc\n\t"
+                     "slli zero, zero, 0x1f\n\t"
+                     "ebreak\n\t"
+                     "srai zero, zero, 7\n\t"
+                     ".option pop"
+                     : "+r"(a0)
+                     : "r"(a1)
+                     : "memory");
+    return (int32_t)a0;
+}
+#else
 static int32_t call(uint32_t operation, const void *parameter)
 {
     register uint32_t r0 __asm__("r0") = operation;
     register const void *r1 __asm__("r1") = parameter;
 
-    /* The host may read and write any memory that the parameters point to. */
     __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
     return (int32_t)r0;
 }
+#endif
 
 static size_t length(const char *text)
 {

@@ -19,10 +19,10 @@ BOARD_TEST_HELPERS := $(filter-out host_tests/unit/test_%,$(wildcard host_tests/
 # Unity asks for setjmp, and tests may print: these programs have a C library. The library in them
 # is optimised as a program's; of the tests themselves more is compiled than ever runs, and to
 # compile them so, or for a debugger, would take twice the time.
-BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) $(if $(filter -Os,$(CORE_CC.$(1))),,-O1) -fno-data-sections -Ilib/include -Ilib -Iboards \
+BOARD_TEST_CC = $(filter-out -ffreestanding -O2 -g,$(CORE_CC.$(1))) $(if $(filter -Os,$(CORE_CC.$(1))),,-O1) $(CORE_LIBC.$(1)) -fno-data-sections -Ilib/include -Ilib -Iboards \
     -I$(UNITY_DIR)/src -Ihost_tests/unit -Ifirmware/unittest -DUNITY_INCLUDE_CONFIG_H
 # All RAM that is left is their stack (linker/sections.ld).
-BOARD_TEST_LINK := --specs=nano.specs -Wl,--defsym=fxl_stack_is_rest=1
+BOARD_TEST_LINK = $(or $(BOARD_LIBC.$(1)),--specs=nano.specs) -Wl,--defsym=fxl_stack_is_rest=1
 
 # Others' code: not by our warnings.
 BOARD_TEST_FOREIGN_CC = $(filter-out -W%,$(BOARD_TEST_CC)) -w
@@ -53,8 +53,8 @@ $(CORE_OUT)/$(1)/unit/libfixel.a: $(patsubst %,$(BOARD_TEST_LIB)/%.o,$(call LIB_
 $(CORE_OUT)/$(1)/unit/libtests.a: $(BOARD_TESTS:%=$(CORE_OUT)/$(1)/unit/%.o)
 $(addprefix $(CORE_OUT)/$(1)/unit/,libtests.a libhelpers.a libfixel.a):
 	$(FIRMWARE_QUIET)rm -f $$@
-	$(FIRMWARE_QUIET)$(CROSS)ar rcs $$@ $$^
-	$(FIRMWARE_QUIET)$$(if $$(UNIT_OBJCOPY.$$(@F)),$(CROSS)objcopy $$(UNIT_OBJCOPY.$$(@F)) $$@)
+	$(FIRMWARE_QUIET)$(CORE_CROSS.$(1))ar rcs $$@ $$^
+	$(FIRMWARE_QUIET)$$(if $$(UNIT_OBJCOPY.$$(@F)),$(CORE_CROSS.$(1))objcopy $$(UNIT_OBJCOPY.$$(@F)) $$@)
 
 $(CORE_OUT)/$(1)/unit/%.o: %.c firmware/unittest/unittest.mk
 	$$(call FIRMWARE_COMPILE,$$(call BOARD_TEST_CC,$(1)))
@@ -76,7 +76,7 @@ BOARD_TEST_PARTS = $(patsubst %.c,$(FIRMWARE_OUT)/$(1)/%.o,$(filter-out $(BOARD_
 
 # What every program links beside the tests. The helpers and the library are archives: to read all
 # of their objects for each program would take most of the linker's time.
-BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,firmware/unittest/main.c firmware/unittest/newlib.c) \
+BOARD_TEST_OBJECTS = $(patsubst %.c,$(BOARD_CORE_OUT)/unit/%.o,firmware/unittest/main.c firmware/unittest/newlib.c firmware/unittest/picolibc.c) \
     $(BOARD_CORE_OUT)/unit/unity.o $(BOARD_PARTS_OF) $(BOARD_TEST_PARTS)
 BOARD_TEST_ARCHIVES = $(BOARD_CORE_OUT)/unit/libhelpers.a $(BOARD_CORE_OUT)/unit/libfixel.a
 
@@ -87,7 +87,7 @@ BOARD_UNITS.$(1) := $(FIRMWARE_OUT)/$(1)/unit/units.json
 $$(BOARD_UNITS.$(1)): $(BOARD_CORE_OUT)/unit/libtests.a $(BOARD_TEST_OBJECTS) $(BOARD_TEST_ARCHIVES) $(BOARD_LINK_SCRIPTS) firmware/unittest/programs.py
 	$$(MAKE_FOLDER)
 	$$(SAY)
-	$(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --folder $$(@D) --cross $(CROSS) --tests $$< --archives $(BOARD_TEST_ARCHIVES) \
+	$(FIRMWARE_QUIET)$(PY) firmware/unittest/programs.py --folder $$(@D) --cross $(call CROSS_OF,$(1)) --tests $$< --archives $(BOARD_TEST_ARCHIVES) \
 	    -- $(BOARD_LINK) $(BOARD_TEST_LINK) $$(filter %.o,$$^) $$< $(BOARD_TEST_ARCHIVES) -lm -lc -lgcc
 endef
 $(foreach board,$(TARGET_BOARDS),$(eval $(call BOARD_TEST_RULES,$(board))))

@@ -3,11 +3,11 @@
 
 import pytest
 
-from board_programs import ROOT, built, scene_bytes, tiny_scene
+from board_programs import EVERY_BOARD, ROOT, built, scene_bytes, tiny_scene
 from fixel.board import dump, emulator, firmware, flash_memory
 from fixel.base.errors import ToolError
 
-BOARDS = sorted(path.parent.name for path in (ROOT / "boards").glob("*/board.mk"))
+BOARDS = sorted([firmware.HOST, *EVERY_BOARD])
 EMULATED = [board for board in BOARDS if board != firmware.HOST]
 FRAMES = 2
 

@@ -84,9 +84,9 @@ def test_every_board_plays_the_same_game_and_sends_it(tmp_path, image, board, sc
     emulator.run(board, tmp_path / "board.bin", elf, file, record=record)
     drawn = dump.read_dump(file)
     assert digest(drawn) == SHA256[screen]
-    equal, hashes = wires.compare(record, driver, drawn)
-    assert equal == len(hashes) == FRAMES
-    assert hashlib.sha256("".join(hashes).encode()).hexdigest() == sha256
+    found = wires.compare(record, driver, drawn)
+    assert found.equal == len(found.hashes) == FRAMES
+    assert hashlib.sha256("".join(found.hashes).encode()).hexdigest() == sha256
 
 
 # Plays the scene file's path to examples/game/on_display.c; what is sent goes to stdout as a record of wires.
@@ -155,7 +155,7 @@ def test_the_example_draws_it_on_a_display(tmp_path, image, build, screen):
         subprocess.run([tmp_path / "play", *(["small"] if screen == SMALL else [])], stdin=scene, stdout=record, check=True)
     with (tmp_path / "wires.bin").open("rb") as record:
         hashes = [hashlib.sha256(shown.astype("<u2").tobytes()).hexdigest()
-                  for shown in wires.read(record, controllers.start(driver), 0 if controllers.is_mono(driver) else 1)]
+                  for shown, _ in wires.read(record, controllers.start(driver), 0 if controllers.is_mono(driver) else 1)]
     assert len(hashes) == FRAMES and hashlib.sha256("".join(hashes).encode()).hexdigest() == sha256
 
 
@@ -188,8 +188,8 @@ def test_every_board_plays_it_in_rgb565_also_on_a_display(tmp_path, played, rgb5
     colours = wires.rgb565(recorded.palette)
     assert all((frame.pixels == colours[indices.pixels]).all()
                for frame, indices in zip(drawn.frames, recorded.frames, strict=True))
-    equal, hashes = wires.compare(record, driver, drawn)
-    assert equal == len(hashes) == FRAMES
+    found = wires.compare(record, driver, drawn)
+    assert found.equal == len(found.hashes) == FRAMES
 
 
 @pytest.mark.parametrize("board, depth", [("microbit", 16), ("lm3s6965evb", 32), ("netduinoplus2", 16)])

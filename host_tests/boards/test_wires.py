@@ -4,6 +4,7 @@
 import io
 import json
 import struct
+import zlib
 
 import numpy
 import pytest
@@ -14,12 +15,12 @@ from fixel.board import controllers, dump, wires
 from fixel.base.errors import ToolError
 
 
-def run_driver(out, driver, screen, board="host", frames=6, **changes):
+def run_driver(out, driver, screen, board="host", frames=6, more=(), **changes):
     """make run of a few frames of scenes/tiny.toml."""
     for each in {board, "host"}:
         made(f"build/boards/{each}/walk-on-{driver}{'' if each == 'host' else '.elf'}", f"BOARD={board}", f"DRIVER={driver}")
     return run_cli("run", "--board", board, "--scene", "scenes/tiny.toml", "--screen", screen, "--frames", frames,
-                   "--driver", driver, "--out", out, **changes)
+                   "--driver", driver, "--out", out, *more, **changes)
 
 
 @pytest.mark.parametrize("driver, screen", [("st7789", "320x240"), ("st7789", "240x320"), ("ili9341", "101x37"),
@@ -35,7 +36,22 @@ def test_every_driver_shows_frames_of_every_shape(tmp_path, driver, screen):
     summary = json.loads((tmp_path / "out" / "summary.json").read_text())
     assert summary["driver"] == driver and summary["wires_frames_equal"] == 6
     assert len(set(summary["wires_frame_sha256"])) > 1, "the eye moves"
+    assert f"CRC of all frames" in done.stdout and summary["frame_crc_all"] in done.stdout and summary["sent_crc_all"] in done.stdout
+    assert len(summary["frame_crc"]) == len(summary["sent_crc"]) == 6
     assert f"from the wires of an {driver}" in done.stdout and "6 of 6 frames as they were drawn" in done.stdout
+
+
+def test_an_rgb565_frame_is_sent_as_it_was_drawn(tmp_path):
+    """Its bytes are the display's, so both CRCs are one number; of a palette they are not."""
+    crcs = {}
+    for pixels in ("rgb565", "palette"):
+        done = run_driver(tmp_path / pixels, "st7789", "240x135", more=["--pixels", pixels])
+        assert done.returncode == 0, done.stdout + done.stderr
+        crcs[pixels] = json.loads((tmp_path / pixels / "summary.json").read_text())
+    assert crcs["rgb565"]["frame_crc"] == crcs["rgb565"]["sent_crc"] and len(set(crcs["rgb565"]["frame_crc"])) > 1
+    assert crcs["palette"]["frame_crc"] != crcs["palette"]["sent_crc"]
+    frames = dump.read_dump(tmp_path / "rgb565" / "board.fxld").frames
+    assert crcs["rgb565"]["frame_crc_all"] == f"{zlib.crc32(b''.join(frame.pixels.astype('>u2').tobytes() for frame in frames)):08x}"
 
 
 def test_a_board_of_16_kib_sends_row_by_row(tmp_path):
@@ -87,7 +103,7 @@ END = (b"F", struct.pack("<I", 0))
 
 
 def read(data, name="ili9341", turns=1):
-    return list(wires.read(io.BytesIO(data), controllers.start(name), turns))
+    return [picture for picture, _ in wires.read(io.BytesIO(data), controllers.start(name), turns)]
 
 
 def test_a_record_becomes_a_picture():
@@ -188,8 +204,12 @@ def test_one_wrong_pixel_is_a_frame_that_differs(tmp_path):
         sent[200, 100] ^= number    # of the second frame one bit is wrong
         parts += [*whole, (b"C", b"\x2C"), (b"D", sent.tobytes()), (b"F", struct.pack("<I", number))]
     (tmp_path / "wires.bin").write_bytes(record(*parts))
-    equal, hashes = wires.compare(tmp_path / "wires.bin", "ili9341", dump.read_dump(file))
-    assert equal == 1 and len(hashes) == 2
+    found = wires.compare(tmp_path / "wires.bin", "ili9341", dump.read_dump(file))
+    assert found.equal == 1 and len(found.hashes) == 2
+    colours = [wires.rgb565(palette)[frame].astype(">u2") for frame in frames]
+    colours[1][200, 100] ^= 1
+    assert found.sent.each == [f"{zlib.crc32(sent.tobytes()):08x}" for sent in colours]
+    assert found.sent.all == f"{zlib.crc32(b''.join(sent.tobytes() for sent in colours)):08x}"
     (tmp_path / "wires.bin").write_bytes(record(*parts[:-1]))
     with pytest.raises(ToolError, match="1 frames come, and 2 were drawn"):
         wires.compare(tmp_path / "wires.bin", "ili9341", dump.read_dump(file))

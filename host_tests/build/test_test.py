@@ -156,7 +156,7 @@ def test_unit_tests_run_on_a_board_for_each_build_of_the_library():
         return [words[at + 1] for at, word in enumerate(words) if word == "--units"]
     tested = boards("test")
     assert sorted(map(core, tested)) == sorted({core(board) for board in EVERY_BOARD})
-    assert sorted(boards("boards")) == EVERY_BOARD
+    assert [board for board in sorted(boards("boards")) if board != "rv32"] == EVERY_BOARD     # rv32: where its tools are
 
 
 def test_make_test_links_what_make_boards_links():

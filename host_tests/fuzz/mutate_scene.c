@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "../../lib/scene/scene_header.h"
+#include "fixel/crc.h"
 
 enum {
     HEADER_SIZE = 92,
@@ -44,7 +44,7 @@ static size_t mend(uint8_t *data, size_t size, unsigned seed)
     }
     uint32_t stated = get32(data + AT_SIZE);
     if (stated >= HEADER_SIZE && stated <= size) {
-        put32(data + AT_CRC, fxl_crc32(data + 16, stated - 16));
+        put32(data + AT_CRC, fxl_crc(FXL_CRC_START, data + 16, stated - 16));
     }
     return size;
 }

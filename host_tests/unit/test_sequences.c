@@ -6,7 +6,6 @@
 #include "bsp_scene.h"
 #include "depth_scene.h"
 #include "draw/renderer.h"
-#include "scene/scene_header.h"
 #include "unit.h"
 #include "unity.h"
 
@@ -155,7 +154,7 @@ static void look(const way *into, uint32_t set)
         fxl_render(&made->renderer, &depth_scene_eye, pixels, DEPTH_SCENE_WIDTH));
     TEST_ASSERT_EQUAL_UINT32(refused, made->renderer.workspace.counters.refused_calls);
     TEST_ASSERT_EQUAL(refused, made->renderer.frame.state == FXL_FRAME_NONE);
-    const uint32_t picture = fxl_crc32((const uint8_t *)pixels, sizeof pixels);
+    const uint32_t picture = fxl_crc(FXL_CRC_START, pixels, sizeof pixels);
     if (is_drawn[set]) {
         TEST_ASSERT_EQUAL_HEX32(pictures[set], picture);
     }

@@ -10,7 +10,7 @@
 #include "fixel/all.h"
 #include "unity.h"
 
-#if defined(__ARM_ARCH) && !defined(__linux__) && !defined(UNIT_ON_TARGET)
+#if (defined(__ARM_ARCH) || defined(__riscv)) && !defined(__linux__) && !defined(UNIT_ON_TARGET)
 #define UNIT_ON_TARGET
 #endif
 

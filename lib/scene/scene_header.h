@@ -57,8 +57,6 @@ fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
 /* The entry of a section in the table of an image whose header was checked; null: there is none. */
 const fxl_image_section *fxl_scene_section(const fxl_image_header *head, uint32_t kind);
 
-uint32_t fxl_crc32(const uint8_t *bytes, size_t count);
-
 #ifdef __cplusplus
 }
 #endif

@@ -4,6 +4,7 @@
  */
 #include "scene_sections.h"
 
+#include "fixel/crc.h"
 #include "scene_check.h"
 #include "scene_header.h"
 
@@ -27,7 +28,7 @@ static fxl_status check_envelope(const fxl_image_header *head, size_t size)
         return FXL_E_SIZE;
     }
     const uint8_t *bytes = (const uint8_t *)head;
-    if (fxl_crc32(bytes + 16, head->image_size - 16) != head->crc) {
+    if (fxl_crc(FXL_CRC_START, bytes + 16, head->image_size - 16) != head->crc) {
         return FXL_E_CRC;
     }
     return head->target < 16 && head->target % 4 < 3 ? FXL_OK : FXL_E_RESERVED;
@@ -236,23 +237,4 @@ fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
         status = check_presence(head, fault);
     }
     return status == FXL_OK ? check_counts(head, fault) : status;
-}
-
-/* The remainders of the 16 values of four bits, for the reflected polynomial 0xEDB88320. The table
- * takes 64 bytes instead of the usual 1,024, at half the speed. */
-static const uint32_t remainders[16] = {
-    0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,
-    0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
-    0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu,
-};
-
-uint32_t fxl_crc32(const uint8_t *bytes, size_t count)
-{
-    uint32_t crc = 0xFFFFFFFFu;
-    for (size_t i = 0; i < count; i++) {
-        crc ^= bytes[i];
-        crc = (crc >> 4) ^ remainders[crc & 15u];
-        crc = (crc >> 4) ^ remainders[crc & 15u];
-    }
-    return ~crc;
 }

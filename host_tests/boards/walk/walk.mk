@@ -74,7 +74,7 @@ $(WALK_TEST)/test_path: $(addprefix $(WALK_TEST)/,test_path.o test_path_runner.o
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 
-$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o display.o dump.o unity.o)
+$(WALK_TEST)/test_dump: $(addprefix $(WALK_TEST)/,test_dump.o test_dump_runner.o display.o dump.o unity.o) $(HOST_LIBRARIES)
 	$(SAY)
 	$(HOSTCC) $(WALK_TEST_CFLAGS) $^ -o $@
 

@@ -8,6 +8,7 @@
 #include "fixel/billboards.h"
 #include "fixel/camera.h"
 #include "fixel/collide.h"
+#include "fixel/crc.h"
 #include "fixel/display.h"
 #include "fixel/driver.h"
 #include "fixel/light.h"

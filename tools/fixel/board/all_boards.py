@@ -9,7 +9,7 @@ import threading
 
 from fixel.base import output, scratch
 from fixel.scene import making, target
-from fixel.board import dump, emulator, firmware, fleet, methods, unit_tests
+from fixel.board import dump, emulator, firmware, fleet, frame_crc, methods, unit_tests
 from fixel.check import units
 from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import Progress
@@ -117,6 +117,8 @@ def print_rows(rows, scenes):
                  for each in rows], header))
     print("flash: the program; free beside it and the largest scene walked. RAM: with its stacks.\n"
           "stack: the deepest that was seen. .../M: frames in a million instructions.")
+    for scene in scenes:
+        print(f"CRC of all frames of {scene.name}: {frame_crc.both(frame_crc.drawn(scene.host.frames).all, None)}")
     for each in rows:
         for note in notes(each):
             print(f"{each['name']}: {note}")
@@ -147,8 +149,10 @@ def command(options):
         answers = run_jobs(all_jobs(options, scenes, folder), max(1, options.workers))
         rows = [row(board, options, scenes, answers[board]) for board in options.boards]
     output.write_json(options.out, {"reference": firmware.HOST, "scenes": [scene.name for scene in scenes],
-                                    "boards": rows})
+                                    "boards": rows, "not_run": {board: needs for board, *needs in options.not_run}})
     print_rows(rows, scenes)
+    for board, *needs in options.not_run:
+        print(f"{board}: not run: needs {' '.join(needs)}")
     good = all(each["hash_equal"] and not each["unit_tests_failed"] for each in rows)
     print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
     return 0 if good else 1

@@ -20,6 +20,7 @@ def parser():
     made.add_argument("--boards", nargs="+", required=True, help="the boards; the host, which they are compared with, is not one of them")
     made.add_argument("--scene", nargs="+", required=True, help="scenes; the first must run on every board")
     units.add_options(made)
+    made.add_argument("--not-run", nargs="+", action="append", default=[], metavar="BOARD", help="a board that is left out, and the packages that it needs")
     made.add_argument("--build", default="build", help="folder that make builds in")
     made.add_argument("--out", default="build/boards.json", help="the JSON file to write")
     target.add_options(made)

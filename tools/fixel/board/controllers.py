@@ -46,6 +46,8 @@ class Glass:
 class Colour:
     """A controller of MIPI's commands, in pixels of RGB565."""
 
+    WRITE = 0x2C    # the command whose data are pixels
+
     def __init__(self, glass):
         self.glass = glass
         self.memory = numpy.full((glass.rows, glass.columns), UNWRITTEN, numpy.uint16)
@@ -76,6 +78,11 @@ class Colour:
         require(self.command is not None, "data come without a command")
         self.arguments += data
 
+    @property
+    def takes_pixels(self):
+        """Whether data that come now are pixels."""
+        return self.command == self.WRITE
+
     def finish(self):
         """Does the last command, whose data are there."""
         if self.command is not None:
@@ -95,7 +102,7 @@ class Colour:
             self.on = True
         elif command in (0x2A, 0x2B):
             self._set_window(command - 0x2A, data)
-        elif command == 0x2C:
+        elif command == self.WRITE:
             self._write(data)
         elif command in (0x36, 0x3A):
             require(len(data) == 1, f"command {command:#x} has {len(data)} bytes of data")
@@ -132,6 +139,7 @@ class Colour:
 class Ssd1351(Colour):
     """An OLED of colours: commands of its own, and bits 0, 1 and 4 of its access are 5, 6 and 7 of MIPI's."""
 
+    WRITE = 0x5C
     ARGUMENTS = {0xA0: 1, 0xA1: 1, 0xA2: 1, 0xAB: 1, 0xB1: 1, 0xB3: 1, 0xB4: 3, 0xB5: 1, 0xB6: 1, 0xBE: 1, 0xC1: 3, 0xC7: 1,
                  0xCA: 1, 0xFD: 1, 0x15: 2, 0x75: 2, 0xA6: 0, 0xA7: 0, 0xAE: 0, 0xAF: 0}
     LOCKED = frozenset([0xA2, 0xB1, 0xB3, 0xBB, 0xBE, 0xC1])     # until FD B1 came
@@ -141,7 +149,7 @@ class Ssd1351(Colour):
         self.unlocked, self.start_line = False, 0
 
     def _do(self, command, data):
-        if command == 0x5C:
+        if command == self.WRITE:
             self._write(data)
             return
         require(len(data) == self.ARGUMENTS.get(command, -1), f"command {command:#x} has {len(data)} bytes of data")
@@ -174,6 +182,7 @@ class Pages:
     """A controller of pages of eight rows, whose rows are scanned: an SSD1306."""
 
     PAGES = 8
+    takes_pixels = True     # whenever data come
     TWO_BYTES = frozenset([0x20, 0x81, 0x8D, 0xA8, 0xAD, 0xD3, 0xD5, 0xD9, 0xDA, 0xDB])  # commands with an argument
     PLAIN = frozenset([0x40, 0xA0, 0xA1, 0xA4, 0xA6, 0xA7, 0xC0, 0xC8])                  # those that it must know
     COM_PINS = 0x12                                                                      # after reset; None: no such command

@@ -19,5 +19,5 @@ def draw(kept, part, board, elf, scene, folder, frames=None, timeout=TIMEOUT, pr
         image.unlink()
 
     made = [file, record] if record else [file]
-    kept.obtain(part, [elf, scene, frames or 0, len(made), "" if program.hosted else qemu.version()], made, compute)
+    kept.obtain(part, [elf, scene, frames or 0, len(made), "" if program.hosted else qemu.version(program.emulator)], made, compute)
     return file

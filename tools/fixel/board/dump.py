@@ -3,6 +3,7 @@
 
 import dataclasses
 import hashlib
+import itertools
 import struct
 import zlib
 
@@ -63,7 +64,7 @@ class Head:
     width: int
     height: int
     pixel: numpy.dtype
-    frames: int             # to come
+    frames: int             # to come; 0: the tail says how many
     palette: numpy.ndarray  # x 3, uint8: red, green, blue of each value that a pixel may have
 
     @property
@@ -86,7 +87,7 @@ def parse_dump(data, name):
     """The dump in a block of bytes; name is what messages call it."""
     head = parse_head(data, name)
     frames, offset = [], HEAD.size + PALETTE_BYTES
-    for number in range(head.frames):
+    for number in range(head.frames) if head.frames else itertools.count():
         if data[offset:offset + 4] == b"FEND":
             break
         frames.append(parse_frame(data, offset, head, number, name))
@@ -138,7 +139,7 @@ def _check_tail(data, offset, read, promised, name):
     if len(data) < offset + TAIL.size or data[offset:offset + 4] != b"FEND":
         raise ToolError(f"{name}: incomplete: no tail after frame {read} of {promised}")
     _, written, checksum = TAIL.unpack_from(data, offset)
-    if written != read or read != promised:
+    if written != read or promised not in (0, read):
         raise ToolError(f"{name}: the head promises {promised} frames, the tail says {written}, "
                         f"and {read} are there")
     if len(data) != offset + TAIL.size:

@@ -13,8 +13,13 @@ FRAME_EXTRA = 32 + 48  # bytes around a frame's pixels
 TAIL = struct.Struct("<4sII")
 
 
+def length(frames, each):
+    """Bytes of a dump of so many frames of so many bytes each."""
+    return HEAD.size + frames * each + TAIL.size
+
+
 def shape(path):
-    """(frames, bytes) that a dump's head announces; None before it is there."""
+    """(frames, bytes) that a dump's head announces; None before it is there. 0 frames: the tail says how many."""
     try:
         with open(path, "rb") as file:
             head = file.read(HEAD.size)
@@ -25,7 +30,7 @@ def shape(path):
     magic, version, width, height, bits, frames, _ = HEAD.unpack(head)
     if magic != b"FXLD" or version != VERSION or bits not in (8, 16):
         return None
-    return frames, HEAD.size + frames * (width * height * bits // 8 + FRAME_EXTRA) + TAIL.size
+    return frames, length(frames, width * height * bits // 8 + FRAME_EXTRA)
 
 
 def check(path, frames):
@@ -33,6 +38,8 @@ def check(path, frames):
     announced = shape(path)
     if announced is None:
         raise ToolError("the board was done but left no frame dump", exit_code=1)
+    if announced[0] == 0:   # it announces nothing
+        announced = frames, _size(path)
     if announced[0] != frames or path.stat().st_size != announced[1]:
         raise ToolError(f"the board's dump is not whole: {path.stat().st_size} bytes, "
                         f"{announced[1]} expected for {announced[0]} frames", exit_code=1)
@@ -65,7 +72,7 @@ def watch(path, progress):
         part = path.with_name(path.name + ".part")  # the host's name for it, until it is whole
         announced = announced or shape(part) or shape(path)
         size = max(_size(part), _size(path))
-        if announced is None:
+        if announced is None or announced[0] == 0:
             return size, None
         frames, total = announced
         if progress:

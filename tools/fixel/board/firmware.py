@@ -50,6 +50,7 @@ class Program:
     scene_flash_size: int = 0   # 0: there is none
     sectors: tuple[int, ...] = ()  # the size of each of the flash, from the lowest on
     window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
+    emulator: str = "qemu-system-arm"
     keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
     @property
@@ -166,7 +167,7 @@ def _load(path, board):
         common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
                       qemu=tuple(shlex.split(note.get("qemu", ""))),
                       openocd=tuple(shlex.split(note.get("openocd", ""))),
-                      window_size=int(note.get("window", "0")), keys=read_keys(note.get("keys", "")))
+                      window_size=int(note.get("window", "0")), emulator=note.get("emulator", Program.emulator), keys=read_keys(note.get("keys", "")))
         if note["board"] == HOST:
             return Program(segments=(), **common)
         return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))

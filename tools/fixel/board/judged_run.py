@@ -8,7 +8,7 @@ import sys
 import numpy
 
 from fixel.base import kept, output, picture, scratch, spent
-from fixel.board import drawing, dump, emulator, firmware, methods, model_look, order_check, wires
+from fixel.board import drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
@@ -106,12 +106,13 @@ def summarise(options, cpu, drawn, equal):
 
 
 def compare_wires(options, record, drawn):
-    """What came over the wires of DRIVER=, beside what was drawn: for summary.json."""
+    """What came over the wires of DRIVER=, beside what was drawn, and the CRCs of both: for summary.json."""
+    frame = frame_crc.drawn(drawn.frames)
     if not options.driver:
-        return {"wires_frames_equal": None, "wires_frame_sha256": None}
+        return {"wires_frames_equal": None, "wires_frame_sha256": None} | frame_crc.summary(frame, None)
     with Progress(f"reading the wires of an {options.driver}") as progress:
-        equal, hashes = wires.compare(record, options.driver, drawn, progress)
-    return {"wires_frames_equal": equal, "wires_frame_sha256": hashes}
+        found = wires.compare(record, options.driver, drawn, progress)
+    return {"wires_frames_equal": found.equal, "wires_frame_sha256": found.hashes} | frame_crc.summary(frame, found.sent)
 
 
 def write_pictures(folder, drawn, twin):
@@ -158,6 +159,7 @@ def print_summary(summary, out):
             ["instructions a frame", "not counted on this board" if counts["min"] is None else
              f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
             ["equal to host", summary["host_frames_equal"]],
+            ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
             *([[f"from the wires of an {summary['driver']}",
                 f"{summary['wires_frames_equal']} of {summary['frames']} frames as they were drawn"]]
               if summary["driver"] else []),
@@ -215,9 +217,9 @@ def run(options, folder):
     output.make_folder(options.build)
     with scratch.folder("run", options.build) as work:
         # QEMU may be missing: say so before the scene takes its time.
-        if options.board != firmware.HOST:
-            emulator.find_qemu()
         name = methods.program(options)
+        if options.board != firmware.HOST:
+            emulator.find_qemu(firmware.load(methods.elf_of(options.board, options.build, name), options.board).emulator)
         image = model_look.scene_image(options, methods.elf_of(options.board, options.build, name), work)
         methods.check_scene(options, scene_image.load(image))
         say_what_depth_confuses(image, options)
@@ -246,6 +248,8 @@ def command(options):
     """The command; its exit code."""
     scene_options.check(options)
     methods.check(options)
+    if own_run.is_own(options):
+        return own_run.command(options, PATTERNS)
     options.kept = kept.Kept(options.build, options.fresh)
     with output.replaced_folder(options.out, PATTERNS) as folder:
         summary = run(options, folder)

@@ -12,20 +12,22 @@ from fixel.base.errors import ToolError
 from fixel.board.symbols import Symbols
 
 QEMU = "qemu-system-arm"
+PACKAGES = {QEMU: "qemu-system-arm", "qemu-system-riscv32": "qemu-system-misc"}
 ANSWER = 10.0  # seconds of CPU time that a program that hangs may take to answer
 
 
-def find_qemu():
-    path = shutil.which(QEMU)
+def find_qemu(name=QEMU):
+    """The path of an emulator. name: a program's emulator."""
+    path = shutil.which(name)
     if path is None:
-        raise ToolError(f"{QEMU} is not installed: run 'sudo apt-get install qemu-system-arm'")
+        raise ToolError(f"{name} is not installed: run 'sudo apt-get install {PACKAGES.get(name, name)}'")
     return path
 
 
 @functools.cache
-def version():
+def version(name=QEMU):
     """What QEMU says of its version."""
-    return children.run([find_qemu(), "--version"], text=True).stdout
+    return children.run([find_qemu(name), "--version"], text=True).stdout
 
 
 def escape(value):
@@ -34,7 +36,7 @@ def escape(value):
 
 
 def command(program, *options):
-    return [find_qemu(), *program.qemu, "-display", "none", "-monitor", "none", "-serial", "null",
+    return [find_qemu(program.emulator), *program.qemu, "-display", "none", "-monitor", "none", "-serial", "null",
             "-no-reboot", *options]
 
 
@@ -64,7 +66,7 @@ def where(channel, program, process):
             text = machine.monitor("info registers")
     except ToolError as error:
         return f"  the emulator does not say where: {error}"
-    found = [re.search(rf"\bR{number}=([0-9a-f]{{8}})", text) for number in (14, 15)]
+    found = [re.search(rf"(?:{name})([0-9a-f]{{8}})", text) for name in (r"\bR14=|x1/ra +", r"\bR15=|\bpc +")]
     if None in found:
         return "  the emulator does not say where"
     lr, pc = (int(match[1], 16) for match in found)
@@ -103,5 +105,5 @@ def read_memory(program, image, timeout=30.0):
                 execute.kill(process)
         except ToolError as error:
             words.seek(0)
-            raise ToolError(f"{QEMU} could not read the flash back: {error.message}", 1,
+            raise ToolError(f"{program.emulator} could not read the flash back: {error.message}", 1,
                             error.words).with_words(words.read().rstrip()) from error

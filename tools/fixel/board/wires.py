@@ -2,13 +2,14 @@
 """The record of a display's wires (docs/formats.md, section 5): the pictures that a controller made of it, beside those
 that were drawn."""
 
+import dataclasses
 import hashlib
 import struct
 
 import numpy
 
 from fixel.base import reading
-from fixel.board import controllers, grey
+from fixel.board import controllers, frame_crc, grey
 from fixel.board.controllers import require
 from fixel.base.errors import ToolError
 
@@ -29,22 +30,33 @@ def records(file):
         yield kind, data
 
 
+@dataclasses.dataclass
+class Wires:
+    """What the wires showed of the frames that were drawn."""
+    equal: int = 0      # frames that the display shows as they were drawn
+    hashes: list = dataclasses.field(default_factory=list)      # a SHA-256 of each picture
+    sent: frame_crc.Crcs = dataclasses.field(default_factory=frame_crc.Crcs)    # of the pixels of each frame, as they came
+
+
 def read(file, model, turns=0):
-    """Plays the record of an open file to a model of fixel.board.controllers; after each whole frame, its picture for whoever
-    turned the module by these quarter turns."""
-    frames = 0
+    """Plays the record of an open file to a model of fixel.board.controllers; after each whole frame, (its picture for whoever
+    turned the module by these quarter turns, the bytes of all pixels that came since the frame before)."""
+    frames, pixels = 0, bytearray()
     for kind, data in records(file):
         if kind == b"C":
             model.take_command(data)
         elif kind == b"D":
             model.take_data(data)
+            if model.takes_pixels:
+                pixels += data
         elif kind == b"P":
             model.pause(int.from_bytes(data, "little"))
         elif kind == b"F":
             model.finish()
             require(int.from_bytes(data, "little") == frames, f"after frame {frames - 1} comes another than {frames}")
             frames += 1
-            yield model.picture(turns)
+            yield model.picture(turns), bytes(pixels)
+            pixels.clear()
         else:
             require(False, f"their record has an unknown part {kind!r}")
     model.finish()
@@ -87,17 +99,25 @@ def check_size(driver, width, height):
         raise ToolError(f"frames of {width}x{height} do not fit the {size} of DRIVER={driver}: SCREEN={size} draws smaller ones")
 
 
+def frame_bytes(driver, pixels):
+    """Bytes that a display is sent of a frame. Before its first one it may be sent the black around the frames."""
+    height, width = pixels.shape
+    return -(-height // 8) * width if controllers.is_mono(driver) else 2 * height * width
+
+
 def compare(path, driver, drawn, progress=None):
-    """How many of a dump's frames the wires show as they were drawn, and a SHA-256 of each picture from the wires."""
-    equal, hashes = 0, []
+    """What the wires show of a dump's frames: Wires."""
+    found = Wires()
     with reading.open_file(path) as file:
         turns = turns_of(driver, drawn.frames[0].pixels.shape[1], drawn.frames[0].pixels.shape[0]) if drawn.frames else 0
-        for picture in read(file, controllers.start(driver), turns):
-            require(len(hashes) < len(drawn.frames), "more frames come than were drawn")
-            wanted = shown(driver, drawn.frames[len(hashes)].pixels, drawn.palette, turns)
-            equal += picture.shape == wanted.shape and bool((picture == wanted).all())
-            hashes.append(hashlib.sha256(picture.astype("<u2").tobytes("C")).hexdigest())
+        for picture, pixels in read(file, controllers.start(driver), turns):
+            require(len(found.hashes) < len(drawn.frames), "more frames come than were drawn")
+            frame = drawn.frames[len(found.hashes)].pixels
+            wanted = shown(driver, frame, drawn.palette, turns)
+            found.equal += picture.shape == wanted.shape and bool((picture == wanted).all())
+            found.hashes.append(hashlib.sha256(picture.astype("<u2").tobytes("C")).hexdigest())
+            found.sent.add(pixels[-frame_bytes(driver, frame):])
             if progress:
-                progress(len(hashes), len(drawn.frames))
-    require(len(hashes) == len(drawn.frames), f"{len(hashes)} frames come, and {len(drawn.frames)} were drawn")
-    return equal, hashes
+                progress(len(found.hashes), len(drawn.frames))
+    require(len(found.hashes) == len(drawn.frames), f"{len(found.hashes)} frames come, and {len(drawn.frames)} were drawn")
+    return found

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+# QEMU's virt machine with a RISC-V core of 32 bits, as of an ESP32-C3: multiplier, compressed instructions, no FPU.
+
+BOARD_CPU := rv32imc
+BOARD_CORE := -march=rv32imc -mabi=ilp32 -mcmodel=medany -msmall-data-limit=0
+BOARD_CROSS := riscv64-unknown-elf-
+BOARD_QEMU := -M virt -bios none
+BOARD_NOTE := emulator=qemu-system-riscv32
+# make test installs none of its tools, and runs nothing on it: make run, boards and test with BOARD=rv32 do.
+BOARD_SETUP := riscv
+BOARD_LIBC := --specs=picolibc.specs
+BOARD_OWN_FLAGS := $(BOARD_LIBC) # its headers; programs link none of it
+
+# Of 4 MiB, like mps2-an500: any screen in one band.
+BOARD_BAND_BYTES := 1048576
+BOARD_ORDER_ENTRIES := 65536
+BOARD_LIST_BYTES := 262144
+BOARD_CACHE_ENTRIES := 1024
+
+BOARD_SOURCES := boards/rv32/board.c \
+    $(addprefix boards/parts/,riscv_start.c riscv_fault.c stack.c semihosting.c semihosting_system.c semihosting_sink.c \
+        semihosting_keys.c display.c dump.c partition_store.c memory_functions.c board_note.c)

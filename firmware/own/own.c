@@ -1,0 +1,262 @@
+/* SPDX-License-Identifier: MIT */
+#include "own.h"
+
+#include <stddef.h>
+
+#include "contract/clock.h"
+#include "contract/system.h"
+#include "fixel.h"
+#include "parts/dump.h"
+
+#define PALETTE_BYTES 768u
+
+fxl_status __real_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
+fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose);
+fxl_status __real_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band);
+fxl_status __real_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
+                             uint16_t stride);
+fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
+                             uint16_t stride);
+int __real_main(int argc, char **argv);
+int __wrap_main(int argc, char **argv);
+
+/* The frame that is shown, and the dump that it goes to. */
+static struct {
+    bool is_open, in_frame;
+    uint32_t frames, most; /* ended; after how many the program ends, 0: it ends itself */
+    uint16_t width, height, row;
+    uint8_t pixel_bits;
+} dump;
+
+/* What was drawn last. */
+static struct {
+    const fxl_renderer *renderer;
+    fxl_pose pose;
+    uint64_t spent; /* instructions for the frame so far */
+    uint16_t width;
+    uint8_t pixel_bits;
+} drawn;
+
+/* A frame of fxl_render that is shown when the next one comes, or at the end: the program may draw
+ * over it until then. */
+static struct {
+    const void *pixels; /* null: none */
+    uint16_t stride;
+} held;
+
+static const uint8_t *first_frame; /* the stack of main is below */
+
+static void fail(const char *sentence, int status)
+{
+    system_text("own: ");
+    system_text(sentence);
+    system_text("\n");
+    system_exit(status);
+}
+
+static void print_done(void)
+{
+    char digits[11]; /* 4294967295 and the 0 that ends it */
+    char *first = &digits[sizeof digits - 1];
+    uint32_t left = dump.frames;
+
+    *first = '\0';
+    do {
+        first--;
+        *first = (char)('0' + left % 10u);
+        left /= 10u;
+    } while (left != 0);
+    system_text("own: done ");
+    system_text(first);
+    system_text(" frames\n");
+}
+
+static void finish(void)
+{
+    if (!dump.is_open) {
+        fail("main drew no frame: it called neither fxl_render nor fxl_frame_draw",
+             SYSTEM_EXIT_PROGRAM);
+    }
+    if (!dump_panel.close(!dump.in_frame)) {
+        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    }
+    if (dump.in_frame) {
+        fail("main returned within a frame: its last rows were not drawn", SYSTEM_EXIT_PROGRAM);
+    }
+    print_done();
+    system_exit(SYSTEM_EXIT_DONE);
+}
+
+static void open_dump(void)
+{
+    static const uint8_t palette[PALETTE_BYTES]; /* the tools know that of the program */
+    const fxl_lens *lens = &drawn.renderer->frame.view.lens;
+    const panel_format format = {palette, 0, lens->width, lens->height, drawn.pixel_bits};
+
+    dump.width = lens->width;
+    dump.height = lens->height;
+    dump.pixel_bits = drawn.pixel_bits;
+    if (dump_panel.open(&format) != PANEL_READY) {
+        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    }
+    dump.is_open = true;
+}
+
+static void begin_frame(void)
+{
+    if (!dump.is_open) {
+        open_dump();
+    }
+    if (drawn.width != dump.width || drawn.pixel_bits != dump.pixel_bits ||
+        drawn.renderer->frame.view.lens.height != dump.height) {
+        fail("a frame has another size, or other pixels, than the frame before",
+             SYSTEM_EXIT_DISPLAY);
+    }
+    if (!dump_panel.begin(dump.frames, &drawn.pose)) {
+        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    }
+    dump.in_frame = true;
+    dump.row = 0;
+}
+
+static void end_frame(void)
+{
+    if (!dump_panel.end(&drawn.renderer->workspace.counters, 0, drawn.spent)) {
+        fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+    }
+    dump.in_frame = false;
+    dump.frames++;
+    drawn.spent = 0;
+    system_alive();
+    if (dump.frames == dump.most) {
+        finish();
+    }
+}
+
+uint16_t own_width(void)
+{
+    return drawn.width;
+}
+
+void own_show(uint16_t first_row, uint16_t rows, const void *pixels, uint16_t stride)
+{
+    const uint32_t row_bytes = (uint32_t)stride * (drawn.pixel_bits / 8u);
+    const uint8_t *row = pixels;
+
+    if (drawn.renderer == NULL) {
+        fail("rows are shown before any were drawn", SYSTEM_EXIT_DISPLAY);
+    }
+    if (first_row == 0 && !dump.in_frame) {
+        begin_frame();
+    }
+    if (!dump.in_frame || first_row != dump.row || rows > dump.height - first_row) {
+        fail("the rows of a frame do not go downward, each once", SYSTEM_EXIT_DISPLAY);
+    }
+    for (uint16_t i = 0; i < rows; i++) {
+        if (!dump_panel.flush(0, (uint16_t)(first_row + i), dump.width, 1, row)) {
+            fail("the frames could not be written", SYSTEM_EXIT_DISPLAY);
+        }
+        row += row_bytes;
+    }
+    dump.row = (uint16_t)(first_row + rows);
+    if (dump.row == dump.height) {
+        end_frame();
+    }
+}
+
+static void show_held(void)
+{
+    const void *pixels = held.pixels;
+
+    if (pixels != NULL) {
+        held.pixels = NULL;
+        own_show(0, drawn.renderer->frame.view.lens.height, pixels, held.stride);
+    }
+}
+
+static void note(const fxl_renderer *renderer, uint16_t width)
+{
+    drawn.renderer = renderer;
+    drawn.width = width;
+    drawn.pixel_bits = renderer->palette != NULL ? 16 : 8;
+}
+
+fxl_status __wrap_fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
+{
+    uint64_t before;
+    fxl_status status;
+
+    show_held();
+    before = clock_instructions();
+    status = __real_fxl_frame_begin(renderer, pose);
+    if (status == FXL_OK) {
+        drawn.spent = clock_instructions() - before;
+        drawn.pose = *pose;
+    }
+    return status;
+}
+
+fxl_status __wrap_fxl_frame_draw(fxl_renderer *renderer, const fxl_band *band)
+{
+    const uint64_t before = clock_instructions();
+    const fxl_status status = __real_fxl_frame_draw(renderer, band);
+
+    if (status != FXL_OK) {
+        return status;
+    }
+    drawn.spent += clock_instructions() - before;
+    note(renderer, band->width);
+    if (&own_has_display_rows == NULL) {
+        if (band->columns != 0 && band->columns != band->width) {
+            fail("a band of some columns cannot be shown", SYSTEM_EXIT_DISPLAY);
+        }
+        own_show(band->first_row, band->rows, band->pixels, band->stride);
+    }
+    return FXL_OK;
+}
+
+fxl_status __wrap_fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels,
+                             uint16_t stride)
+{
+    const uint8_t *here = __builtin_frame_address(0);
+    uint64_t before;
+    fxl_status status;
+
+    show_held();
+    before = clock_instructions();
+    status = __real_fxl_render(renderer, eye, pixels, stride);
+    if (status != FXL_OK || &own_has_display_rows != NULL) {
+        if (status == FXL_OK) {
+            note(renderer, renderer->frame.view.lens.width);
+        }
+        return status;
+    }
+    drawn.spent = clock_instructions() - before;
+    drawn.pose = *eye;
+    note(renderer, renderer->frame.view.lens.width);
+    held.pixels = pixels;
+    held.stride = stride;
+    /* Pixels on the stack of main, or of who it called, may be gone when the next frame comes. */
+    if ((const uint8_t *)pixels > here && (const uint8_t *)pixels < first_frame) {
+        show_held();
+    }
+    return FXL_OK;
+}
+
+int __wrap_main(int argc, char **argv)
+{
+    int answer;
+
+    first_frame = __builtin_frame_address(0);
+    system_start(argc, argv);
+    dump.most = system_frames();
+    system_alive();
+    answer = __real_main(argc, argv);
+    if (answer != 0) {
+        fail("main did not return 0", SYSTEM_EXIT_PROGRAM);
+    }
+    show_held();
+    finish();
+    return 0; /* not reached */
+}

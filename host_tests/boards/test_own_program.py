@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+"""make run PROGRAM=my.c: a program of the user's own, on boards and on the host."""
+
+import json
+import re
+
+import numpy
+import pytest
+from conftest import CHECKOUT, run_make
+from PIL import Image
+
+from fixel.board import dump
+from fixel.scene import making
+
+HELLO = (CHECKOUT / "docs" / "hello.md").read_text(encoding="utf-8")
+BLOCKS = dict(re.findall(r"```c\n/\* ([a-z]+\.[ch])\b[^\n]*\n(.*?)```", HELLO, re.DOTALL))
+OVERLAY = """
+#include <fixel.h>
+#include <fixel/overlay.h>
+#include "cube_scene.h"
+static fxl_renderer renderer;
+static uint64_t memory[CUBE_MEMORY];
+static uint8_t pixels[240][320];
+int main(void)
+{
+    const fxl_band whole = {.pixels = pixels[0], .width = 320, .stride = 320, .rows = 240};
+    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory)) { return 1; }
+    for (int i = 0;; i++) {
+        if (fxl_render(&renderer, &cube_path[i % CUBE_FRAMES], pixels[0], 320) ||
+            fxl_draw_rectangle(&whole, 10 * i, 0, 10, 240, 1)) { return 1; }
+    }
+}
+"""
+RGB565 = """
+#include <fixel/all.h>
+#include "cube_scene.h"
+static fxl_renderer renderer;
+static uint64_t memory[CUBE_MEMORY];
+static uint16_t pixels[240][322], colours[256];
+int main(void)
+{
+    fxl_config config = cube_config;
+    for (int i = 0; i < 256; i++) { colours[i] = FXL_RGB565(cube_palette[i][0], cube_palette[i][1], cube_palette[i][2]); }
+    config.target = &fxl_rgb565;
+    config.palette = colours;
+    return fxl_renderer_init(&renderer, &cube_scene, &config, memory, sizeof memory) ||
+           fxl_render(&renderer, &cube_path[0], pixels[0], 322);
+}
+"""
+ON_STACK = """
+#include <fixel.h>
+#include "cube_scene.h"
+static fxl_renderer renderer;
+static uint64_t memory[CUBE_MEMORY];
+static int draw(const fxl_pose *eye)
+{
+    uint8_t pixels[40][60];
+    fxl_config config = fxl_config_default(60, 40);
+    return fxl_renderer_init(&renderer, &cube_scene, &config, memory, sizeof memory) || fxl_render(&renderer, eye, pixels[0], 60);
+}
+static int spoil(void)
+{
+    volatile uint8_t other[4000];
+    for (int i = 0; i < 4000; i++) { other[i] = 3; }
+    return other[7] - 3;
+}
+int main(void) { return draw(&cube_path[0]) || spoil(); }
+"""
+
+
+@pytest.fixture(name="folder", scope="module")
+def fixture_folder(tmp_path_factory):
+    """A folder with programs of the page, and the exported scene."""
+    made = tmp_path_factory.mktemp("own")
+    for name, text in BLOCKS.items():
+        (made / name).write_text(text, encoding="utf-8")
+    making.export(str(CHECKOUT / "examples/cube/cube.obj"), str(made / "cube_scene.h"), frames=60)
+    return made
+
+
+def run(folder, program, *words, text=None):
+    """make run of a program: (what it said, its summary, its frames)."""
+    if text:
+        (folder / program).write_text(text, encoding="utf-8")
+    out = folder / "out"
+    done = run_make("run", f"PROGRAM={folder / program}", f"OUT={out}", *words)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done, json.loads((out / "summary.json").read_text()), dump.read_dump(out / "board.fxld").frames
+
+
+@pytest.mark.parametrize("board", ["mps2-an385", "mps2-an505", "mps2-an500", "host"])
+def test_a_program_draws_the_same_on_boards_of_each_kind(folder, board):
+    done, summary, frames = run(folder, "loop.c", f"BOARD={board}", "FRAMES=3")
+    assert summary["host_frames_equal"] and len(frames) == summary["frames"] == 3
+    assert (summary["instructions_per_frame"] is None) == (board == "host")
+    assert summary["frame_crc_all"] in done.stdout
+
+
+def test_bands_and_whole_frames_are_one_picture(folder):
+    _, whole, _ = run(folder, "main.c")
+    _, bands, _ = run(folder, "bands.c")
+    assert whole["frame_crc"] == bands["frame_crc"] and len(whole["frame_crc"]) == 1
+
+
+def test_what_is_drawn_over_a_frame_is_shown_and_a_loop_without_end_is_ended(folder):
+    done, summary, frames = run(folder, "overlay.c", "BOARD=host", text=OVERLAY)
+    assert summary["frames"] == 120 and "FRAMES= takes more than 120" in done.stdout
+    assert all((frame.pixels[:, 10 * number:10 * number + 10] == 1).all() for number, frame in enumerate(frames[:30]))
+
+
+def test_colours_of_16_bits_and_a_stride(folder):
+    _, summary, frames = run(folder, "colours.c", text=RGB565)
+    assert frames[0].pixels.dtype == numpy.uint16 and len(numpy.unique(frames[0].pixels)) > 3
+    assert summary["host_frames_equal"]
+    _, _, indices = run(folder, "loop.c", "FRAMES=1")
+    assert len(numpy.unique(indices[0].pixels)) == len(numpy.unique(frames[0].pixels))
+
+
+@pytest.mark.parametrize("board", ["host", "mps2-an385"])
+def test_pixels_on_the_stack_are_shown_before_they_are_gone(folder, board):
+    _, _, frames = run(folder, "stack.c", f"BOARD={board}", text=ON_STACK)
+    assert 1 < len(numpy.unique(frames[0].pixels)) and (frames[0].pixels != 3).mean() > 0.5
+
+
+def test_a_folder_is_a_program(folder):
+    inner = folder / "several"
+    inner.mkdir()
+    for name in ("bands.h", "cube_scene.h", "bands.c"):
+        (inner / name).write_text((folder / name).read_text(encoding="utf-8"), encoding="utf-8")
+    (inner / "display.c").write_text("#include <stdint.h>\nvoid display_rows(uint16_t first, uint16_t rows, const uint8_t *pixels);\n"
+                                     "void display_rows(uint16_t first, uint16_t rows, const uint8_t *pixels)\n"
+                                     "{ (void)first; (void)rows; (void)pixels; }\n", encoding="utf-8")
+    _, summary, _ = run(folder, "several/")
+    _, bands, _ = run(folder, "bands.c")
+    assert summary["frame_crc"] == bands["frame_crc"], "with a display_rows of its own, too"
+
+
+def test_pictures_have_the_colours_of_the_exported_scene(folder):
+    run(folder, "main.c", "BOARD=host")
+    with Image.open(folder / "out" / "frame_0000.png") as shown, Image.open(CHECKOUT / "docs" / "cube.png") as expected:
+        assert numpy.array_equal(numpy.asarray(shown.convert("RGB")), numpy.asarray(expected.convert("RGB")))
+
+
+@pytest.mark.parametrize("text, code, sentence", [
+    ("int main(void) { return 3; }", 18, "own: main did not return 0"),
+    ("int main(void) { return 0; }", 18, "own: main drew no frame"),
+    ('#include "contract/system.h"\nint main(void) { system_text("mine\\n"); for (;;) {} }', 50, "mine")])
+def test_a_program_that_fails_says_so(folder, text, code, sentence):
+    (folder / "failing.c").write_text(text, encoding="utf-8")
+    done = run_make("run", f"PROGRAM={folder / 'failing.c'}", f"OUT={folder / 'failed'}", "BOARD=netduino2")
+    assert done.returncode == 2 and f"Error {code}" in done.stderr and sentence in done.stdout + done.stderr, done.stderr
+    assert not (folder / "failed").exists()
+
+
+@pytest.mark.parametrize("words, sentence", [
+    (["run", "PROGRAM=nowhere.c"], 'there is no PROGRAM "nowhere.c"; the programs are: walk game, and a C file or a folder'),
+    (["run", "PROGRAM=docs"], 'there is no PROGRAM "docs"'),
+    (["flash", "PROGRAM=examples/cube/main.c"], "PROGRAM=FILE is for make run alone"),
+    (["run", "PROGRAM=examples/cube/main.c", "DEPTH=16"], "PROGRAM=examples/cube/main.c chooses itself what it draws")])
+def test_what_make_refuses(words, sentence):
+    done = run_make(*words)
+    assert done.returncode == 2 and sentence in done.stderr and done.stdout == ""
+
+
+@pytest.mark.parametrize("name", ["a b.c", "a;b.c", "a$b.c", "a%b.c", "a*.c", "a'b.c", "-a.c", "a:b.c"])
+def test_a_path_that_the_shell_would_read_is_refused(tmp_path, name):
+    (tmp_path / name).write_text("int main(void) { return 0; }\n")
+    words = f"PROGRAM={name}" if name.startswith("-") else f"PROGRAM={tmp_path}/{name}"
+    done = run_make("run", words)
+    assert done.returncode == 2 and "there is no PROGRAM" in done.stderr and done.stdout == ""

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""A program of the user's own on a board: its pictures, and whether the host draws the same (make run PROGRAM=my.c)."""
+
+import re
+import sys
+
+import numpy
+from elftools.elf.elffile import ELFFile
+
+from fixel.base import output, picture, reading, scratch
+from fixel.base.errors import one_line
+from fixel.base.progress import Progress, steps
+from fixel.base.table import coloured, table
+from fixel.board import dump, emulator, firmware, flash_memory, frame_crc, methods, model_look
+
+PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
+FRAMES = 120        # after which a program without an end is ended
+TIMEOUT = 60.0      # seconds of CPU time without a new frame
+PALETTE = "_palette"
+OURS = re.compile(r"^(?:own: done \d+ frames|stack: \d+ of \d+ bytes\b.*)\n?", re.MULTILINE)
+
+
+def is_own(options):
+    """Whether a command is to run a program of the user's own."""
+    return options.program.startswith(PREFIX)
+
+
+def palette_of(elf):
+    """The palette that an exported scene of the program has, 256 x 3; None where it has none."""
+    with reading.open_file(elf) as file:
+        made = ELFFile(file)
+        symbols = made.get_section_by_name(".symtab")
+        found = [symbol for symbol in (symbols.iter_symbols() if symbols else ())
+                 if symbol.name.endswith(PALETTE) and symbol["st_info"]["type"] == "STT_OBJECT" and symbol["st_size"] == 768]
+        if not found:
+            return None
+        address, section = found[0]["st_value"], made.get_section(found[0]["st_shndx"])
+        offset = address - section["sh_addr"]
+        return numpy.frombuffer(section.data()[offset:offset + 768], numpy.uint8).reshape(256, 3)
+
+
+def greys():
+    """Colours of palette indices that nobody knows."""
+    return numpy.repeat(numpy.arange(256, dtype=numpy.uint8)[:, None], 3, 1)
+
+
+def draw(board, options, image, folder):
+    """What the program draws on a board, and what it prints: (Dump, text)."""
+    elf = methods.elf_of(board, options.build, options.program)
+    program = firmware.load(elf, board)
+    file, flashed = folder / f"{board}.fxld", folder / f"{board}.bin"
+    flash_memory.flash(board, elf, image, flashed)
+    with Progress(f"running on {board} ({program.cpu})") as progress:
+        done = emulator.run(board, flashed, elf, file, options.frames or FRAMES, TIMEOUT, progress, at_most=True)
+    return dump.read_dump(file), done.output
+
+
+def same(one, other):
+    """Whether two boards drew the same pictures."""
+    return (one.width, one.height, len(one.frames)) == (other.width, other.height, len(other.frames)) and \
+        all(numpy.array_equal(a.pixels, b.pixels) for a, b in zip(one.frames, other.frames))
+
+
+def summarise(options, cpu, drawn, equal):
+    """summary.json."""
+    counts = [frame.instructions for frame in drawn.frames]
+    return {"board": options.board, "cpu": cpu, "program": options.program, "width": drawn.width, "height": drawn.height,
+            "frames": len(drawn.frames),
+            "instructions_per_frame": {"min": min(counts), "max": max(counts)} if all(counts) else None,
+            "host_frames_equal": equal} | frame_crc.summary(frame_crc.drawn(drawn.frames), None)
+
+
+def print_summary(summary, options):
+    """A short table for people."""
+    counts = summary["instructions_per_frame"]
+    print(table([["board", f"{summary['board']} ({summary['cpu']})"],
+                 ["program", summary["program"]],
+                 ["pictures", f"{summary['width']}x{summary['height']}, {summary['frames']} frames"
+                              + ("" if options.frames or summary["frames"] < FRAMES else f", then it was ended: FRAMES= takes more than {FRAMES}")],
+                 ["instructions a frame", f"{counts['min']:,} to {counts['max']:,}" if counts else "not counted on this board"],
+                 ["equal to host", summary["host_frames_equal"]],
+                 ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])]]))
+    good = summary["host_frames_equal"]
+    print(f"{coloured('pass', 'green') if good else coloured('FAIL', 'red')}: {one_line(options.out)}")
+
+
+def run(options, folder):
+    """The whole run; its files go into folder. The summary."""
+    output.make_folder(options.build)
+    with scratch.folder("run", options.build) as work:
+        elf = methods.elf_of(options.board, options.build, options.program)
+        program = firmware.load(elf, options.board)
+        if not program.hosted:
+            emulator.find_qemu(program.emulator)
+        image = model_look.scene_image(options, elf, work)
+        drawn, said = draw(options.board, options, image, work)
+        print(OURS.sub("", said), end="", flush=True)
+        hosted = drawn if options.board == firmware.HOST else draw(firmware.HOST, options, image, work)[0]
+        palette = palette_of(elf) if drawn.frames[0].pixels.itemsize == 1 else drawn.palette
+        if palette is None:
+            print("  the program has no palette of an exported scene: its colours are shown as greys", file=sys.stderr)
+            palette = greys()
+        for frame in steps("writing pictures", drawn.frames):
+            picture.palette_image(frame.pixels, palette).save(folder / f"frame_{frame.number:04d}.png")
+        (folder / "walk.gif").write_bytes(picture.animation_bytes([frame.pixels for frame in drawn.frames], palette))
+        (work / f"{options.board}.fxld").rename(folder / "board.fxld")
+    return summarise(options, program.cpu, drawn, same(drawn, hosted))
+
+
+def command(options, patterns):
+    """make run of such a program; its exit code. patterns: the files of a result."""
+    with output.replaced_folder(options.out, patterns) as folder:
+        summary = run(options, folder)
+        output.write_json(folder / "summary.json", summary)
+    print_summary(summary, options)
+    return 0 if summary["host_frames_equal"] else 1
