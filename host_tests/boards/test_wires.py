@@ -187,8 +187,8 @@ def test_rows_of_pages_are_joined_as_they_were_told():
                  [(b"C", bytes([0xB0 + page, 0x00, 0x10])), (b"D", bytes(128))]]
         shown, = read(record(*blank, *dot, (b"C", told), END), "ssd1306", 0)
         assert shown.sum() == 1 and shown[place] == 1
-    for told in (b"\xDA\x02", b"\xA8\x1F"):
-        with pytest.raises(ToolError, match="of another glass"):
+    for told, words in ((b"\xDA\x02", "of other COM pins"), (b"\xA8\x1F", "of another glass")):
+        with pytest.raises(ToolError, match=words):
             read(record(*dot, (b"C", told), END), "ssd1306", 0)
 
 
