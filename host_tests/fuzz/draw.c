@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "fixel/crc.h"
 #include "judge.h"
 #include "record.h"
 #include "../unit/clippers_list.h"
@@ -170,11 +171,14 @@ static void draw_in_bands(fxl_renderer *renderer, const fxl_band *whole, fuzz_in
         fxl_band band = make_band(&renderer->frame.view.lens, gap, row, rows);
         DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
         demand_gaps_intact(&band);
+        uint32_t crc = FXL_CRC_START, expected_crc = FXL_CRC_START;
         for (uint32_t i = 0; i < rows; i++) {
             const uint8_t *expected =
                 whole->pixels + (size_t)(row - whole->first_row + i) * whole->stride;
             DEMAND(memcmp(band.pixels + (size_t)i * band.stride, expected, band.width) == 0);
+            expected_crc = fxl_crc(expected_crc, expected, band.width);
         }
+        DEMAND(fxl_band_crc(&crc, &band) == FXL_OK && crc == expected_crc);
         free(band.pixels);
         row += rows;
     }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "demand.h"
+#include "fixel/crc.h"
 #include "draw.h"
 #include "record.h"
 
@@ -141,6 +142,9 @@ static void draw_bands(fxl_renderer *renderer, fxl_workspace *workspace, uint16_
         for (uint32_t i = 0; i < rows; i++) {
             DEMAND(first[i * stride + lens->width] == GUARD);
         }
+        uint32_t crc = FXL_CRC_START;
+        DEMAND(fxl_band_crc(&crc, &band) == FXL_OK);
+        DEMAND(fxl_band_crc(NULL, &band) == FXL_E_ARGUMENT);
     }
 }
 
