@@ -274,6 +274,35 @@ static void fuzz_driver(fuzz_input *in, fxl_renderer *renderer, const fxl_pose *
     DEMAND(fxl_display_open(&display, &config, &port, palette) == FXL_E_ARGUMENT);
 }
 
+/* A module of each driver in each turn: a configuration, unless the controller can't turn so or the
+ * glass lies beyond the memory. */
+static void demand_modules(void)
+{
+    for (uint32_t which = 0; which < DRIVERS; which++) {
+        const fxl_display_driver *driver = drivers[which];
+        const fxl_display_module sound = {.driver = driver, .width = driver->memory_columns,
+                                          .height = driver->memory_rows,
+                                          .columns = driver->memory_columns,
+                                          .rows = driver->memory_rows, .display_offset = 8};
+        fxl_display_module unsound[] = {sound, sound, sound, sound, sound, sound};
+        unsound[0].width = 0;
+        unsound[1].height = 0;
+        unsound[2].left = 1;
+        unsound[3].top = 1;
+        unsound[4].columns++;
+        unsound[5].rows++;
+        for (uint32_t turns = 0; turns < 5; turns++) {
+            const fxl_display_config config = fxl_display_config_turned(&sound, turns);
+            const fxl_display_config by_default = fxl_display_config_default(driver, turns);
+            DEMAND((config.driver == NULL) == (by_default.driver == NULL));
+            DEMAND(config.driver == NULL || (config.left == 0 && config.top == 0));
+            for (uint32_t i = 0; i < sizeof unsound / sizeof unsound[0]; i++) {
+                DEMAND(fxl_display_config_turned(&unsound[i], turns).driver == NULL);
+            }
+        }
+    }
+}
+
 /* Null pointers, and configurations out of range. */
 static void demand_refusals(fuzz_input *in)
 {
@@ -298,6 +327,7 @@ static void demand_refusals(fuzz_input *in)
     DEMAND(fxl_display_place(NULL, 1, 1) == FXL_E_ARGUMENT);
     DEMAND(fxl_display_config_default(NULL, 0).driver == NULL);
     DEMAND(fxl_display_config_turned(NULL, 0).driver == NULL);
+    demand_modules();
     DEMAND(fxl_pump_init(NULL, &shape, &sink, memory, 32) == FXL_E_ARGUMENT);
     DEMAND(fxl_pump_init(&pump, NULL, &sink, memory, 32) == FXL_E_ARGUMENT);
     DEMAND(fxl_pump_init(&pump, &shape, NULL, memory, 32) == FXL_E_ARGUMENT);
