@@ -11,30 +11,13 @@ import pytest
 from conftest import CHECKOUT, run_cli, run_make
 
 from fixel.scene import making
+from test_hello import WHOLE
 
 PAGE = (CHECKOUT / "docs" / "crc.md").read_text(encoding="utf-8")
 BLOCKS = {re.search(r"\w+\.c\b", text).group(0): text for text in re.findall(r"```c\n(.*?)```", PAGE, re.DOTALL)}
 COMMANDS = [line.strip() for line in re.sub(r"```.*?```", "", PAGE, flags=re.DOTALL).splitlines() if re.match(r" {4,6}\S", line)]
 WARNINGS = ["-std=c11", "-O2", "-Wall", "-Wextra", "-Wshadow", "-Werror"]
 HOST = CHECKOUT / "build" / "lib" / "host"
-# Writes all frames whole.
-WHOLE = """
-#include <stdio.h>
-#include <fixel.h>
-#include "cube_scene.h"
-static fxl_renderer renderer;
-static uint64_t memory[CUBE_MEMORY];
-static uint8_t pixels[240][320];
-int main(void)
-{
-    if (fxl_renderer_init(&renderer, &cube_scene, &cube_config, memory, sizeof memory)) { return 1; }
-    for (int i = 0; i < CUBE_FRAMES; i++) {
-        if (fxl_render(&renderer, &cube_path[i], pixels[0], 320)) { return 1; }
-        fwrite(pixels, 1, sizeof pixels, stdout);
-    }
-    return 0;
-}
-"""
 # A display of 320 x 240 in RGB565 whose wires write the pixels to stdout, and then the CRC of them.
 WIRED = """
 #include <stdio.h>
