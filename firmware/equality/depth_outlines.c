@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of outlines in a depth buffer against the rows of lib/paint/depth_row.h. Each side
- * has cells and pixels of its own. All of that memory must be equal, also what lies around it. */
+/* The kernels of outlines in a depth buffer, of one colour and with light, and of runs in it,
+ * against the rows of lib/paint/depth_row.h, painted by fxl_paint_pixels where there is light. Each
+ * side has cells and pixels of its own. All of that memory must be equal, also what lies around it.
+ */
 #include "depth_outlines.h"
 
 #include "equality.h"
-#include "paint/depth_outline.h"
+#include "paint/depth_rows.h"
+#include "paint/smooth_outline.h"
 #include "raster/edge.h"
 #include "sides.h"
 
@@ -28,12 +31,19 @@ typedef struct {
     fxl_screen_point points[6];
     uint32_t count;
     uint32_t pixel_bits;
+    bool is_smooth;
+    fxl_gradients light;
+    fxl_paint paint; /* of it */
 } polygon;
 
 typedef struct {
+    const polygon *of;
     uint8_t *pixels; /* of column 0 */
-    uint32_t bits;
+    int32_t y;
 } row_of_pixels;
+
+static uint8_t ramp[64 * 256];
+static uint16_t palette[256];
 
 /* fxl_run_painter. */
 static void paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
@@ -41,8 +51,14 @@ static void paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl
     const row_of_pixels *row = (const row_of_pixels *)with;
     (void)cells;
     (void)line;
+    if (row->of->is_smooth) {
+        const fxl_paint_row painted = {.pixels = row->pixels, .y = row->y};
+        (row->of->pixel_bits == 16 ? fxl_paint_pixels_565 : fxl_paint_pixels)(&row->of->paint,
+                                                                              &painted, x0, x1);
+        return;
+    }
     for (int32_t x = x0; x < x1; x++) {
-        if (row->bits == 16) {
+        if (row->of->pixel_bits == 16) {
             ((uint16_t *)(void *)row->pixels)[x] = COLOUR;
         } else {
             row->pixels[x] = (uint8_t)COLOUR;
@@ -61,14 +77,24 @@ static void draw_by_rows(const polygon *of, const fxl_band *band)
         fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
         for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
             const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
-            const row_of_pixels row = {band->pixels + (uint32_t)(y - band->first_row) *
+            const row_of_pixels row = {of,
+                                       band->pixels + (uint32_t)(y - band->first_row) *
                                                           band->stride * of->pixel_bits / 8,
-                                       of->pixel_bits};
+                                       y};
             fxl_depth_paint_row(&painting, y, x0, x1, 16, false, paint_run, &row);
             fxl_edge_advance(&a, 1);
             fxl_edge_advance(&b, 1);
         }
     }
+}
+
+static bool draw_smooth(const polygon *of, const fxl_band *band)
+{
+    fxl_smooth_outline smooth;
+    return fxl_smooth_outline_begin(&by_core, &of->plane, &of->paint, band, of->pixel_bits / 8,
+                                    &smooth) &&
+           (of->pixel_bits == 16 ? fxl_draw_smooth_outline_16 : fxl_draw_smooth_outline_8)(
+               of->points, of->count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
 }
 
 /* Draws nothing where the outline has more than two chains, or the plane is not the kernel's. */
@@ -85,6 +111,63 @@ static bool draw_by_kernel(const polygon *of, const fxl_band *band)
     }
     outline.filling = (COLOUR & 255u) * 0x01010101u;
     return fxl_draw_depth_outline_8(of->points, of->count, band, &outline) != FXL_DEPTH_NOT_DRAWN;
+}
+
+/* Paints the runs of a list, and empties it. *row: that of the run before. */
+static void paint_list(const polygon *of, const fxl_band *band, uint32_t *list,
+                       fxl_depth_rows *rows, row_of_pixels *row)
+{
+    for (const uint32_t *run = list; run != rows->runs; run++) {
+        if (*run & FXL_RUN_BELOW) {
+            row->pixels += band->stride * of->pixel_bits / 8;
+        }
+        paint_run(row, (int32_t)(*run & 0xFFFFu), (int32_t)(*run >> 16 & 0x7FFFu), NULL,
+                  (fxl_depth_line){0, 0});
+    }
+    rows->runs = list;
+}
+
+/* The same by a list of runs, of any length. A trapezoid that goes on below the one before may go
+ * on with its list. */
+static bool draw_by_runs(const polygon *of, const fxl_band *band)
+{
+    static fxl_scan scan;
+    uint32_t list[32];
+    fxl_depth_painting painting;
+    fxl_depth_rows rows;
+    const fxl_trapezoid *trapezoid;
+    row_of_pixels row = {of, band->pixels, 0};
+    int32_t y = -1;
+    fxl_depth_begin(&painting, &by_core, &of->plane, band);
+    if (!fxl_depth_rows_take(&painting)) {
+        return false;
+    }
+    fxl_depth_rows_begin(&painting, &rows);
+    rows.runs = list;
+    rows.runs_end = list + 1u + (any_32() >> 9) % 32u;
+    portable_scan_outline(of->points, of->count, band, &scan);
+    while ((trapezoid = portable_scan_next_trapezoid(&scan)) != NULL) {
+        rows.rows = (uint32_t)(trapezoid->end_row - trapezoid->first_row);
+        if (trapezoid->first_row == y) {
+            rows.rows |= FXL_RUN_BELOW;
+        } else {
+            paint_list(of, band, list, &rows, &row);
+            row.pixels = band->pixels + (uint32_t)(trapezoid->first_row - band->first_row) *
+                                            band->stride * of->pixel_bits / 8;
+            fxl_depth_rows_go(&painting, trapezoid->first_row, &rows);
+        }
+        y = trapezoid->end_row;
+        rows.edges[0] = trapezoid->edges[0];
+        rows.edges[1] = trapezoid->edges[1];
+        while (fxl_find_depth_runs(&rows)) {
+            paint_list(of, band, list, &rows, &row);
+        }
+        if (rows.runs == rows.runs_end) {
+            paint_list(of, band, list, &rows, &row);
+        }
+    }
+    paint_list(of, band, list, &rows, &row);
+    return true;
 }
 
 /* Within 0..end, on a centre or beside one every other time. */
@@ -133,6 +216,17 @@ static void any_plane(const fxl_band *band, fxl_depth_plane *plane)
     plane->gradient.at = corners[0] - plane->gradient.down * band->first_row;
 }
 
+/* Words: codes of the band that are near each other, or any; no sum of them wraps. */
+static void any_linear_plane(const fxl_band *band, fxl_depth_plane *plane)
+{
+    const uint32_t drop = 2u + (any_32() >> 9) % 20u;
+    plane->one = FXL_DEPTH_IS_LINEAR;
+    plane->gradient.along = ((int32_t)any_32() >> drop) / band->width;
+    plane->gradient.down = ((int32_t)any_32() >> drop) / band->rows;
+    plane->gradient.at = (int32_t)((1u << 31) + (uint32_t)((int32_t)any_32() >> 2) -
+                                   (uint32_t)plane->gradient.down * band->first_row);
+}
+
 /* Cells of which nothing is drawn, or that are near the plane, or any. */
 static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
 {
@@ -161,6 +255,44 @@ static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
     }
 }
 
+/* Light at three corners of the band: of the ramp, or also a quarter of it beside it. In the whole
+ * band it is from -128 to 128, as light_row.h says of a face. */
+static void any_light(const fxl_band *band, polygon *of)
+{
+    fxl_gradient *light = &of->light.attributes[0];
+    const uint32_t beside = any_32() >> 9 & 1u;
+    const uint32_t levels = 2u + (any_32() >> 9) % (beside ? 39u : 63u);
+    const uint32_t exponent = 8u + (any_32() >> 9) % 21u; /* of 16.16 levels */
+    const uint32_t range = (levels - 1u) << 16, quarter = beside * (range >> 2);
+    int64_t corners[3];
+    for (uint32_t i = 0; i < 3; i++) {
+        const int32_t value =
+            (int32_t)((any_32() >> 1) % (range + 2u * quarter) + 32768u) - (int32_t)quarter;
+        corners[i] = (int64_t)((uint64_t)(int64_t)value << exponent);
+    }
+    light->along = (corners[1] - corners[0]) / band->width;
+    light->down = (corners[2] - corners[0]) / band->rows;
+    light->at = corners[0] - light->down * band->first_row;
+    of->light.count = 1;
+    of->light.shifts[0] = (int8_t)(61 - (int32_t)exponent);
+    of->paint.gradients = &of->light;
+    of->paint.is_light_linear = of->paint.has_light_rows = true;
+    of->paint.ramp = ramp;
+    of->paint.colour = (uint8_t)any_32();
+    of->paint.levels_less_1 = (uint8_t)(levels - 1u);
+    of->paint.of_565.palette = palette;
+    of->paint.of_565.part_of_level = (65536u + (levels - 1u) / 2u) / (levels - 1u);
+    of->paint.of_565.dark = (uint16_t)(any_32() >> 9);
+    palette[of->paint.colour] = (uint16_t)(any_32() >> 9);
+}
+
+static void fill_ramp(void)
+{
+    for (uint32_t i = 0; i < sizeof ramp; i++) {
+        ramp[i] = (uint8_t)(any_32() >> 9);
+    }
+}
+
 static bool is_same(void)
 {
     bool same = true;
@@ -174,7 +306,7 @@ static bool is_same(void)
     return same;
 }
 
-static void compare(void)
+static void compare(bool (*draw)(const polygon *of, const fxl_band *band))
 {
     polygon of;
     const uint32_t width = 1u + (any_32() >> 8) % ROW, tall = CELLS / width;
@@ -190,6 +322,7 @@ static void compare(void)
                    left = (any_32() >> 9) % (width - narrow + 1);
     of.count = (any_32() & 1u) != 0 ? 3u : 3u + (any_32() >> 11 & 3u);
     of.pixel_bits = 8u + (any_32() >> 9 & 8u);
+    of.is_smooth = draw == draw_smooth;
     for (uint32_t i = 0; i < of.count; i++) {
         of.points[i].x = (int32_t)(left << 16) + any_place(narrow);
         of.points[i].y = top + any_place(height);
@@ -201,9 +334,15 @@ static void compare(void)
     }
     by_core.head.scale = by_portable.head.scale = (fxl_depth_scale){octaves, mantissa};
     any_plane(&band, &of.plane);
+    if (of.is_smooth) {
+        any_linear_plane(&band, &of.plane);
+    }
     any_cells(&band, &of.plane);
+    if (of.is_smooth) {
+        any_light(&band, &of);
+    }
     band.pixels = (uint8_t *)(by_core.pixels + AROUND);
-    if (draw_by_kernel(&of, &band)) {
+    if (draw(&of, &band)) {
         band.pixels = (uint8_t *)(by_portable.pixels + AROUND);
         draw_by_rows(&of, &band);
     }
@@ -213,7 +352,22 @@ static void compare(void)
 void test_depth_outlines(uint32_t rounds)
 {
     for (uint32_t i = 0; i < rounds; i++) {
-        compare();
+        compare(draw_by_kernel);
+    }
+}
+
+void test_smooth_outlines(uint32_t rounds)
+{
+    fill_ramp();
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_smooth);
+    }
+}
+
+void test_depth_runs(uint32_t rounds)
+{
+    for (uint32_t i = 0; i < rounds; i++) {
+        compare(draw_by_runs);
     }
 }
 

@@ -5,5 +5,7 @@
 #include <stdint.h>
 
 void test_depth_outlines(uint32_t rounds);
+void test_smooth_outlines(uint32_t rounds);
+void test_depth_runs(uint32_t rounds);
 
 #endif

@@ -51,6 +51,8 @@ static void compare_wide(uint64_t a, uint64_t b)
 {
     equality_case(core_multiply_s64((int64_t)a, (int64_t)b) ==
                   portable_multiply_s64((int64_t)a, (int64_t)b));
+    equality_case(core_multiply_s64_u16((int64_t)a, (uint32_t)(b & 0xFFFFu)) ==
+                  portable_multiply_s64((int64_t)a, (int64_t)(b & 0xFFFFu)));
 }
 
 void test_wide_products(uint32_t rounds)

@@ -25,6 +25,11 @@ int64_t NAME(multiply_s64)(int64_t a, int64_t b)
     return fxl_multiply_s64(a, b);
 }
 
+int64_t NAME(multiply_s64_u16)(int64_t a, uint32_t b)
+{
+    return fxl_multiply_s64_u16(a, b);
+}
+
 uint64_t NAME(multiply_high)(uint64_t a, uint64_t b)
 {
     return fxl_multiply_high(a, b);

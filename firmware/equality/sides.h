@@ -5,6 +5,7 @@
 #ifndef SIDES_H
 #define SIDES_H
 
+#include "draw/depth_plane.h"
 #include "draw/stages.h"
 #include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
@@ -18,6 +19,7 @@
     uint32_t side##divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *rest); \
     uint32_t side##divide_half(uint32_t numerator, uint32_t denominator); \
     int64_t side##multiply_s64(int64_t a, int64_t b); \
+    int64_t side##multiply_s64_u16(int64_t a, uint32_t b); \
     uint64_t side##multiply_high(uint64_t a, uint64_t b); \
     uint32_t side##edge_height_max(void); \
     int32_t side##edge_dividend_max(void); \
@@ -69,6 +71,10 @@ void portable_intersect_edge(const fxl_view_point *from, const fxl_view_point *t
                              fxl_view_point *point);
 
 void portable_placement_rows(const fxl_axes *view, const fxl_orientation *of, fxl_axes *matrix);
+
+void portable_find_depth_plane(const fxl_direction *normal, const fxl_axes *axes,
+                               const fxl_view_point *point, const fxl_view *view,
+                               fxl_depth_plane *plane);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 

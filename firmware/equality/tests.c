@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "chain_walks.h"
 #include "depth_outlines.h"
+#include "depth_planes.h"
 #include "depth_rows.h"
 #include "edges.h"
 #include "equality.h"
@@ -46,9 +47,12 @@ const equality_test equality_tests[] = {
     {"row-to-16", test_row_to_16},
     {"texture-rows", test_texture_rows},
     {"divided-rows", test_divided_rows},
+    {"depth-planes", test_depth_planes},
     {"depth-rows", test_depth_rows},
 #if FXL_DRAWS_DEPTH_OUTLINES
     {"depth-outlines", test_depth_outlines},
+    {"smooth-outlines", test_smooth_outlines},
+    {"depth-runs", test_depth_runs},
 #endif
     {NULL, NULL},
 };

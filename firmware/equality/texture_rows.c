@@ -4,6 +4,7 @@
 #include "texture_rows.h"
 
 #include "equality.h"
+#include "paint/depth_rows.h"
 #include "paint/plain_rows.h"
 #include "sides.h"
 
@@ -96,6 +97,56 @@ static void compare_rows(const fxl_segment_face *face, const fxl_paint_row *row,
     equality_case(same);
 }
 
+#if FXL_HAS_DEPTH_ROWS
+
+typedef bool runs_kernel(fxl_plain_runs *runs);
+
+/* Runs of some rows, up to three in a row, against each of them by itself. */
+static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                         int32_t x1, runs_kernel *core, row_kernel *portable)
+{
+    uint32_t list[ROWS];
+    fxl_plain_runs runs;
+    runs.row = *row;
+    runs.row.segments = face;
+    runs.row.pixels = by_core[0] + 32;
+    runs.stride = (uint32_t)sizeof by_core[0];
+    runs.next = list;
+    runs.end = list + 1 + (any_32() >> 5) % ROWS;
+    runs.downs[0] =
+        (int64_t)(any_64() >> 10 >> (any_32() >> 7) % 30u) * (any_32() >> 9 & 1u ? 1 : -1);
+    runs.downs[1] = any_value() >> 3;
+    runs.downs[2] = any_value() >> 3;
+    fxl_paint_row by_itself = runs.row;
+    bool same = true;
+    by_itself.pixels = by_portable[0] + 32;
+    for (uint32_t i = 0; i < ROWS; i++) {
+        const uint32_t begin = (uint32_t)x0 + (any_32() >> 9) % (uint32_t)(x1 - x0 + 1);
+        const uint32_t end = begin + (any_32() >> 9) % ((uint32_t)x1 - begin + 1u);
+        list[i] = begin | end << 16 | (i > 0 && any_32() >> 9 & 1u ? FXL_RUN_BELOW : 0);
+    }
+    for (const uint32_t *run = list; run != runs.end; run++) {
+        const int32_t begin = (int32_t)(*run & 0xFFFFu), end = (int32_t)(*run >> 16 & 0x7FFFu);
+        if (*run & FXL_RUN_BELOW) {
+            by_itself.pixels += sizeof by_portable[0];
+            by_itself.weight = (int64_t)((uint64_t)by_itself.weight + (uint64_t)runs.downs[0]);
+            for (uint32_t i = 0; i < 2; i++) {
+                by_itself.attributes[i] =
+                    (int64_t)((uint64_t)by_itself.attributes[i] + (uint64_t)runs.downs[1 + i]);
+            }
+        }
+        if (begin < end && !fxl_segments_suffice(face, &by_itself, begin, end)) {
+            same &= core(&runs) && runs.next == run + 1;
+        } else if (begin < end) {
+            portable(face, &by_itself, begin, end);
+        }
+    }
+    same &= !core(&runs) && runs.next == runs.end && runs.row.weight == by_itself.weight;
+    equality_case(is_same() && same);
+}
+
+#endif
+
 /* A line has more bits than a segment's coordinates; so its least weight is larger, or its drops.
  */
 static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1)
@@ -115,7 +166,13 @@ static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int3
     face->form = (uint8_t)(face->in_beam != NULL ? 0 : form);
     compare_row(face, row, x0, x1, fxl_paint_segments_565, portable_paint_segments_565);
     compare_rows(face, row, x0, x1, fxl_paint_rows_565, portable_paint_rows_565);
+#if FXL_HAS_DEPTH_ROWS
+    compare_runs(face, row, x0, x1, fxl_paint_runs_565, portable_paint_segments_565);
+#endif
     face->form = (uint8_t)form;
+#if FXL_HAS_DEPTH_ROWS
+    compare_runs(face, row, x0, x1, fxl_paint_runs, portable_paint_segments);
+#endif
     compare_rows(face, row, x0, x1, fxl_paint_rows, portable_paint_rows);
 }
 

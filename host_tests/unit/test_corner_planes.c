@@ -120,7 +120,7 @@ void test_small_is_what_its_conditions_say(void)
         make_corners(unit_random() % 4 == 0 ? 5.0 : 0.2);
         const double w = corners.width, h = corners.height;
         const bool has_size = fmin(w, h) >= 16384 && fmax(w, h) <= 64 * 65536;
-        const bool is_thin = twice_area() * 8 < w * h;
+        const bool is_thin = twice_area() * 8 < w * h, is_line = twice_area() * 64 < w * h;
         const double z = fmax((double)corners.depths[0],
                               fmax((double)corners.depths[1], (double)corners.depths[2]));
         const double power = exp2(floor(log2(z)) - 1);
@@ -135,8 +135,9 @@ void test_small_is_what_its_conditions_say(void)
             continue; /* a tie, to within rounding */
         }
         const bool is_steep = 1 - near / z > side;
-        const bool expected = has_size && !is_thin && !is_apart && !is_steep;
+        const bool expected = has_size && !is_line && !is_apart && (is_thin || !is_steep);
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&corners, &view.lens, &planes));
+        TEST_ASSERT_TRUE(!expected || planes.is_thin == is_thin);
         /* Whichever corner is the first. */
         const fxl_screen_corners turned = {
             {corners.points[1], corners.points[2], corners.points[0]},
@@ -171,6 +172,12 @@ void test_the_box_counts_that_of_all_vertices(void)
     TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &view.lens, &planes));
 }
 
+/* Whether the face is small, and not thin. */
+static bool begins(void)
+{
+    return fxl_corner_planes_begin(&corners, &view.lens, &planes) && !planes.is_thin;
+}
+
 void test_depth_is_that_of_the_plane_through_the_corners(void)
 {
     uint32_t checked = 0;
@@ -178,7 +185,7 @@ void test_depth_is_that_of_the_plane_through_the_corners(void)
         fxl_depth_plane plane;
         double values[3], x, y;
         make_corners(0.5);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!begins()) {
             continue;
         }
         fxl_corner_planes_depth(&planes, &plane);
@@ -193,6 +200,67 @@ void test_depth_is_that_of_the_plane_through_the_corners(void)
         checked++;
     }
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 200, checked);
+}
+
+/* A word that is linear on the screen, where its true value is near `expected`, in units of the
+ * word.
+ */
+static double word_at(const fxl_gradient *gradient, double x, double y, double expected)
+{
+    const double off =
+        (x / 65536 - 0.5) * (double)gradient->along + (y / 65536 - 0.5) * (double)gradient->down;
+    return remainder((double)gradient->at + off - expected, 4294967296.0) + expected;
+}
+
+/* The code of a depth, whose octave is o: what depth_code.h states. */
+static double code_of(double depth, int o, fxl_depth_scale scale)
+{
+    return (ldexp(depth, o + 1) - 1 + scale.octaves - 1 - o) * (1 << scale.mantissa) + 1;
+}
+
+void test_words_of_one_octave_are_codes_and_light(void)
+{
+    uint32_t checked = 0, refused = 0, thin = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_gradients gradients;
+        fxl_depth_plane plane;
+        double values[3], lights[3], x, y;
+        int32_t light[3];
+        make_corners(unit_random() % 2 ? 0.5 : 1.0 / 64);
+        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+            continue;
+        }
+        for (int k = 0; k < 3; k++) {
+            light[k] = unit_between(32768, 31 << 16);
+            lights[k] = light[k];
+            values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
+        }
+        const int o = -1 - ilogb(values[0]);
+        const fxl_depth_scale scale = fxl_depth_scale_of(&view.lens);
+        if (!fxl_corner_planes_linear(&planes, light, &gradients, &plane)) {
+            refused++;
+            continue;
+        }
+        TEST_ASSERT_EQUAL(o, -1 - ilogb(values[1]));
+        TEST_ASSERT_EQUAL(o, -1 - ilogb(values[2]));
+        TEST_ASSERT_TRUE(o >= 0 && o < scale.octaves);
+        TEST_ASSERT_EQUAL(FXL_DEPTH_IS_LINEAR, plane.one);
+        TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
+        choose_point(&x, &y);
+        const double code = code_of(plane_at(values, x, y), o, scale) * 65536;
+        TEST_ASSERT_NEAR(code, word_at(&plane.gradient, x, y, code),
+                         ldexp(rounding(values), o + 1 + scale.mantissa + 16) + 2048);
+        const fxl_light_plane words = fxl_light_plane_of(&gradients);
+        TEST_ASSERT_EQUAL((uint32_t)gradients.attributes[0].at, words.at);
+        const double level = plane_at(lights, x, y) * 256;
+        TEST_ASSERT_NEAR(level, word_at(&gradients.attributes[0], x, y, level),
+                         rounding(lights) * 256 + 2048);
+        checked++;
+        thin += planes.is_thin;
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, checked);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, refused);
+    TEST_ASSERT_GREATER_THAN(checked / 100, thin);
 }
 
 /* An attribute with the weight, where it is divided. */
@@ -243,7 +311,7 @@ void test_attributes_are_those_of_the_corners(void)
     uint32_t checked = 0, constant = 0, affine = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         make_corners(unit_random() % 2 ? 0.5 : 1.0 / 1024);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!begins()) {
             continue;
         }
         check_attributes(0, 2, false, &constant);
@@ -267,7 +335,7 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
         int32_t given[2][3];
         fxl_gradients found;
         make_corners(0.5);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!begins()) {
             continue;
         }
         const int bits = unit_between(13, 24);

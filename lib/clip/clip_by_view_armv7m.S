@@ -91,7 +91,7 @@ fxl_clip_by_view:
     bl      fxl_transform_and_project
     cbz     r0, .Lproject
     adds    r0, r0, #1
-    bne     .Lrange
+    bne     .Lrange_of_new
     mov     flags, r1
 #endif
 .Lunprojected:
@@ -156,6 +156,12 @@ fxl_clip_by_view:
     movs    r0, #CLIP_OUTSIDE
     b       .Ldone
 
+#if !FXL_IS_COMPACT
+    /* The vertex has no flags yet. */
+.Lrange_of_new:
+    movs    r1, #VERTEX_UNPROJECTED
+    str     r1, [r2, #CACHED_VERTEX_CLIP_FLAGS - CACHED_VERTEX_SCREEN]
+#endif
 .Lrange:
     movs    r0, #CLIP_RANGE
     b       .Ldone

@@ -20,15 +20,6 @@ static bool reaches_nothing(const fxl_shader *shader, const fxl_scene *scene,
 
 const fxl_shader_code fxl_mark = {.reaches = reaches_nothing};
 
-const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer, uint32_t rank)
-{
-    const fxl_shader *shader = renderer->shader;
-    while (shader != NULL && shader->rank != rank) {
-        shader = shader->next;
-    }
-    return shader;
-}
-
 void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
 {
     fxl_renderer_set_shader(renderer, rank, shader);

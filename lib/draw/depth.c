@@ -1,27 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* With the normal n of a face in the view, its corner P, and the direction D of a pixel, the face
- * is seen at distance z = (n . P) focal / (n . D). So the depth near_z / z is the gradient of n .
- * D, times near_z / ((n . P) focal). */
+/* The depth of a face by its normal, and the parts in which a band with a depth buffer is drawn. */
 #include "../view/view.h"
 #include "surface_polygon.h"
 
 #include "../math/arith.h"
+#include "depth_plane.h"
 #include "submit.h"
 #include "../paint/depth_row.h"
 
-/* Products of a row and a normal, of unit length or shorter: a sum is below 2^61. Of a row whose
- * components are at most 2^30, below 2^62. */
+/* Products of a row whose components are at most 2^30 and a normal: a sum is below 2^62. */
 static int64_t row_times(const fxl_direction *row, const fxl_direction *normal)
 {
     return fxl_multiply_s32(row->x, normal->x) + fxl_multiply_s32(row->y, normal->y) +
            fxl_multiply_s32(row->z, normal->z);
-}
-
-/* row_times of three rows, less the sign: it points away from the eye, so that n . P > 0. */
-static fxl_block_vector rotated(const fxl_axes *axes, const fxl_direction *normal)
-{
-    return fxl_block(-row_times(&axes->right, normal), -row_times(&axes->up, normal),
-                     -row_times(&axes->forward, normal), 0);
 }
 
 /* The components are at most 2^30, so differences of two products are at most 2^61. */
@@ -52,52 +43,33 @@ static fxl_block_vector sheared(const fxl_axes *axes, const fxl_direction *norma
     return fxl_block(sums[0], sums[1], sums[2], 0);
 }
 
-/* n . P / 2^31, rounded down. Components of n are at most 2^30. Upper parts of P are at most 2^30
- * and lower parts are below 2^31: their sums of three products are below 2^62 and 2^63. */
-static int64_t height_of(const fxl_block_vector *n, const fxl_view_point *p)
+/* The first corner of a face in the view; other: room for it. */
+static inline const fxl_view_point *first_corner(const fxl_model_view *model_view,
+                                                 const fxl_face *face,
+                                                 const fxl_traversal *traversal,
+                                                 fxl_cached_vertex *other)
 {
-    const int64_t lower = fxl_multiply_s32(n->x, (int32_t)(p->x & INT32_MAX)) +
-                          fxl_multiply_s32(n->y, (int32_t)(p->y & INT32_MAX)) +
-                          fxl_multiply_s32(n->z, (int32_t)(p->z & INT32_MAX));
-    return fxl_multiply_s32(n->x, (int32_t)(p->x >> 31)) +
-           fxl_multiply_s32(n->y, (int32_t)(p->y >> 31)) +
-           fxl_multiply_s32(n->z, (int32_t)(p->z >> 31)) + (lower >> 31);
-}
-
-/* value * factor / 2^32, rounded down; factor is from 2^30 to 2^32. */
-static int64_t times(int64_t value, uint32_t factor)
-{
-    return fxl_multiply_su32((int32_t)(value >> 32), factor) +
-           (int64_t)(fxl_multiply_u32((uint32_t)value, factor) >> 32);
+    const uint32_t number = model_view->indices[face->first_index];
+    if (traversal->clipper->by_clip_flags) {
+        return &fxl_fetch_vertex(model_view, number)->position;
+    }
+    fxl_transform_vertex(model_view, number, other);
+    return &other->position;
 }
 
 void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_depth_plane *plane)
 {
-    const fxl_axes *axes = model_view->axes;
     const fxl_view *view = model_view->view;
-    fxl_gradient *gradient = &plane->gradient;
-    fxl_view_point first;
-    fxl_find_corner(model_view, model_view->indices[face->first_index], traversal, &first);
-    const fxl_block_vector n =
-        view->lens.off_centre == NULL ? rotated(axes, &face->normal) : sheared(axes, &face->normal);
-    const int64_t height = height_of(&n, &first);
-    if (height <= 0) {
-        gradient->at = gradient->along = gradient->down = 0;
-        plane->one = 0;
-        return;
+    fxl_cached_vertex other;
+    const fxl_view_point *first = first_corner(model_view, face, traversal, &other);
+    if (view->lens.off_centre == NULL) {
+        fxl_find_depth_plane(&face->normal, model_view->axes, first, view, plane);
+    } else {
+        const fxl_block_vector n = sheared(model_view->axes, &face->normal);
+        const fxl_direction normal = {n.x, n.y, n.z};
+        fxl_find_depth_plane(&normal, NULL, first, view, plane);
     }
-    /* height is in units of 2^-15 of n's, near_z in units of 2^-16. */
-    const int exponent = fxl_gradient_of_plane(n, view, gradient) - n.exponent;
-    const fxl_real near_z = fxl_real_of((uint32_t)view->lens.near_z, 0);
-    const fxl_real at_height = fxl_real_of((uint64_t)height, 0);
-    const fxl_real divisor =
-        fxl_real_of(fxl_multiply_u32(at_height.mantissa, (uint32_t)fxl_view_drawn_focal(view)), 0);
-    const uint32_t factor = fxl_mantissa_ratio(&near_z, &divisor);
-    gradient->at = times(gradient->at, factor);
-    gradient->along = times(gradient->along, factor);
-    gradient->down = times(gradient->down, factor);
-    plane->one = at_height.exponent + divisor.exponent - near_z.exponent - exponent;
 }
 
 void fxl_find_exact_depth(const fxl_model_view *model_view, const fxl_face *face,

@@ -5,9 +5,10 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
-#include "../paint/depth_outline.h"
+#include "../paint/depth_rows.h"
 #include "../paint/paint_divided.h"
 #include "../paint/plain_rows.h"
+#include "../paint/smooth_outline.h"
 #include "fixel/render.h"
 
 #if FXL_CORE_ARMV6M || FXL_CORE_ARMV7M
@@ -92,6 +93,7 @@ AT(fxl_model_view, axes, MODEL_VIEW_AXES);
 AT(fxl_model_view, translation, MODEL_VIEW_TRANSLATION);
 AT(fxl_model_view, scale_vertex, MODEL_VIEW_SCALE_VERTEX);
 VALUE(FXL_MODEL_VIEW_SCALED, 0x80); /* the sign of the planes' byte */
+AT(fxl_view, lens.near_z, VIEW_NEAR_Z);
 AT(fxl_view, projection, VIEW_PROJECTION);
 AT(fxl_view, view_frustum, VIEW_FRUSTUM);
 
@@ -159,10 +161,18 @@ AT(fxl_plain_rows, edges, PLAIN_ROWS_EDGES);
 AT(fxl_plain_rows, end_row, PLAIN_ROWS_END);
 AT(fxl_plain_rows, stride, PLAIN_ROWS_STRIDE);
 
+AT(fxl_plain_runs, row, 0);
+AT(fxl_plain_runs, downs, PLAIN_ROWS_DOWNS);
+AT(fxl_plain_runs, next, PLAIN_RUNS_NEXT);
+AT(fxl_plain_runs, end, PLAIN_RUNS_NEXT + 4);
+AT(fxl_plain_runs, stride, PLAIN_RUNS_STRIDE);
+
 AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
 AT(fxl_texel_run, step, TEXEL_RUN_STEP);
 AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
 AT(fxl_texel_run, light_step, TEXEL_RUN_LIGHT_STEP);
+
+AT(fxl_depth_plane, one, DEPTH_PLANE_ONE);
 
 AT(fxl_depth_outline, value, DEPTH_OUTLINE_VALUE);
 AT(fxl_depth_outline, along, DEPTH_OUTLINE_ALONG);
@@ -173,6 +183,32 @@ AT(fxl_depth_outline, cells, DEPTH_OUTLINE_CELLS);
 AT(fxl_depth_outline, one, DEPTH_OUTLINE_ONE);
 AT(fxl_depth_outline, mantissa, DEPTH_OUTLINE_MANTISSA);
 AT(fxl_depth_outline, rest, DEPTH_OUTLINE_REST);
+
+AT(fxl_depth_rows, edges, 0);
+AT(fxl_depth_rows, value, DEPTH_ROWS_VALUE);
+AT(fxl_depth_rows, along, DEPTH_ROWS_ALONG);
+AT(fxl_depth_rows, cells, DEPTH_ROWS_CELLS);
+AT(fxl_depth_rows, zeros, DEPTH_ROWS_ZEROS);
+AT(fxl_depth_rows, one, DEPTH_ROWS_ONE);
+AT(fxl_depth_rows, mantissa, DEPTH_ROWS_MANTISSA);
+AT(fxl_depth_rows, rows, DEPTH_ROWS_ROWS);
+AT(fxl_depth_rows, runs, DEPTH_ROWS_RUNS);
+AT(fxl_depth_rows, runs_end, DEPTH_ROWS_RUNS + 4);
+AT(fxl_depth_rows, rest, DEPTH_ROWS_REST);
+AT(fxl_depth_rows, resumed, DEPTH_ROWS_RESUMED);
+
+AT(fxl_smooth_outline, code, SMOOTH_OUTLINE_CODE);
+AT(fxl_smooth_outline, code_down, SMOOTH_OUTLINE_CODE_DOWN);
+AT(fxl_smooth_outline, down, SMOOTH_OUTLINE_DOWN);
+AT(fxl_smooth_outline, light, SMOOTH_OUTLINE_LIGHT);
+AT(fxl_smooth_outline, along, SMOOTH_OUTLINE_ALONG);
+AT(fxl_smooth_outline, by, SMOOTH_OUTLINE_BY);
+AT(fxl_smooth_outline, mixture, SMOOTH_OUTLINE_MIXTURE);
+AT(fxl_smooth_outline, cells, SMOOTH_OUTLINE_CELLS);
+AT(fxl_smooth_outline, code_along, SMOOTH_OUTLINE_CODE_ALONG);
+AT(fxl_smooth_outline, most, SMOOTH_OUTLINE_MOST);
+AT(fxl_smooth_outline, last_level, SMOOTH_OUTLINE_LAST_LEVEL);
+AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);
 VALUE(FXL_DEPTH_NOT_DRAWN, DEPTH_NOT_DRAWN);

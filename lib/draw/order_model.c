@@ -4,11 +4,22 @@
 #include "../view/order.h"
 #include "submit_sorted.h"
 
+/* Whether a face of an instance that lies outside comes to the clipper whole: no beam splits it,
+ * and its points are not rounded. */
+static bool is_clipped_whole(const fxl_traversal *traversal, const fxl_model_view *model_view)
+{
+    const fxl_renderer *renderer = traversal->renderer;
+    return model_view->shader == NULL ||
+           (fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) == NULL &&
+            model_view->shader ==
+                fxl_shader_reaching(renderer->shader, renderer->scene, model_view->instance));
+}
+
 bool fxl_drops_outside(const fxl_traversal *traversal, const fxl_model_view *model_view,
                        const fxl_model *model)
 {
     return !FXL_IS_COMPACT && traversal->clipper->by_clip_flags && model_view->planes != 0 &&
-           model_view->shader == NULL && model->vertex_count < 2 * model->face_count;
+           model->vertex_count < 2 * model->face_count && is_clipped_whole(traversal, model_view);
 }
 
 static void find_clusters(const fxl_traversal *traversal, const fxl_model_view *model_view,

@@ -217,7 +217,14 @@ void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shad
 extern const fxl_shader_code fxl_mark;
 
 /* The shader of a rank that a renderer has; or null. */
-const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer, uint32_t rank);
+static inline const fxl_shader *fxl_renderer_shader(const fxl_renderer *renderer, uint32_t rank)
+{
+    const fxl_shader *shader = renderer->shader;
+    while (shader != NULL && shader->rank != rank) {
+        shader = shader->next;
+    }
+    return shader;
+}
 
 /* fxl_renderer.check: finds two things that do not go together, and lets what is attached know of
  * the rest. */

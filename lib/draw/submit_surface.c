@@ -106,7 +106,7 @@ static bool has_few_texels(int32_t (*values)[3])
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_depth_finder *find_depth,
-                      fxl_surface_polygon *polygon)
+                      fxl_linear_finder *find_linear, fxl_surface_polygon *polygon)
 {
     const fxl_view *view = model_view->view;
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
@@ -115,11 +115,23 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     fxl_screen_corners on_screen;
     fxl_corner_planes planes;
     fxl_gradient_corners corners;
-    const bool is_small =
+    bool is_small =
         fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen) &&
         fxl_corner_planes_begin(&on_screen, &view->lens, &planes);
     corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
     find_even_light(corners.values[FXL_SEGMENT_LIGHT], &corners.count, polygon);
+    polygon->surface = mapped->surface;
+    polygon->colour = face->material;
+    polygon->shade = 0;
+    polygon->is_in_beam = false;
+    polygon->has_depth = find_depth != NULL;
+    if (is_small && find_linear != NULL && texture == NULL && corners.count == 1 &&
+        surface->division != FXL_DIVIDE_1 &&
+        find_linear(&planes, corners.values[0], &polygon->gradients, &polygon->depth)) {
+        polygon->level = 0;
+        return;
+    }
+    is_small = is_small && !planes.is_thin;
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
@@ -127,11 +139,6 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                                                    on_screen.is_on_screen, &polygon->gradients)
                                       : find_large(surface, texture, model_view, mapped, traversal,
                                                    &corners, &polygon->gradients);
-    polygon->surface = mapped->surface;
-    polygon->colour = face->material;
-    polygon->shade = 0;
-    polygon->is_in_beam = false;
-    polygon->has_depth = find_depth != NULL;
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
     }

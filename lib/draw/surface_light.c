@@ -47,6 +47,13 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const uint32_t number = fxl_instance_number(scene, instance);
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const bool has_places = settings->point_count != 0 || settings->fog_far != 0;
+    if (turned == NULL && !has_places) {
+        for (uint32_t i = 0; i < 3; i++) {
+            values[i] = level_of(fxl_light_brightness_of(settings, &normals[mapped->normals[i]]),
+                                 settings->levels);
+        }
+        return;
+    }
     fxl_lit_place place = {{0, 0, 0}, {0, 0, 0}};
     for (uint32_t i = 0; i < 3; i++) {
         place.normal = normals[mapped->normals[i]];

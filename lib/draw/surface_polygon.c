@@ -163,6 +163,42 @@ static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
+/* The three vertices where the clipper has projected all of them, and they are in the cache:
+ * mostly. */
+static inline bool find_projected(const fxl_model_view *model_view, const uint16_t *vertices,
+                                  fxl_screen_corners *corners)
+{
+    const fxl_cached_vertex *entries = model_view->entries;
+    const uint32_t mask = model_view->mask, tag = model_view->tag;
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t number = vertices[i];
+        const fxl_cached_vertex *vertex = &entries[number & mask];
+        if (vertex->tag != tag + number || (vertex->clip_flags & FXL_VERTEX_OUTSIDE) != 0) {
+            return false;
+        }
+        corners->points[i] = vertex->screen;
+        corners->depths[i] = vertex->position.z;
+    }
+    return true;
+}
+
+/* The three vertices, on the screen or beside it. */
+static inline bool find_three(const fxl_model_view *model_view, const uint16_t *vertices,
+                              const fxl_traversal *traversal, fxl_screen_corners *corners)
+{
+    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
+        find_projected(model_view, vertices, corners)) {
+        return true;
+    }
+    for (uint32_t i = 0; i < 3; i++) {
+        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
+                            &corners->depths[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 typedef struct {
     int32_t left, right, top, bottom;
 } screen_box;
@@ -201,15 +237,18 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
         indices += count;
         count = face->whole_count;
     }
-    screen_box box = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
     for (uint32_t i = 0; i < 3; i++) {
-        if ((vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) ||
-            !find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
-                            &corners->depths[i])) {
+        if (vertices[i] != indices[i] && !has_vertex(indices, count, vertices[i])) {
             return false;
         }
-        add_point(&box, &corners->points[i]);
     }
+    if (!find_three(model_view, vertices, traversal, corners)) {
+        return false;
+    }
+    const fxl_screen_point *first = corners->points;
+    screen_box box = {first->x, first->x, first->y, first->y};
+    add_point(&box, &corners->points[1]);
+    add_point(&box, &corners->points[2]);
     corners->is_on_screen = is_within(&box, &model_view->view->lens);
     for (uint32_t i = 0; count > 3 && i < count; i++) {
         fxl_screen_point point;
@@ -244,8 +283,7 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     paint->ramp = NULL;
     paint->levels_less_1 = 0;
     if (fxl_surface_is_lit(surfaces, surface)) {
-        paint->ramp = surfaces->light->settings.ramp;
-        paint->levels_less_1 = (uint8_t)(surfaces->light->settings.levels - 1);
+        fxl_surface_light_of(surfaces, paint);
     }
     paint->in_beam =
         polygon->is_in_beam ? ((const fxl_beam_shader *)(const void *)surfaces->beams)->lit : NULL;

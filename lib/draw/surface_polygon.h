@@ -35,6 +35,14 @@ static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_su
     return (surface->flags & FXL_SURFACE_LIT) && surfaces->light != NULL;
 }
 
+/* The light of a surface that is lit. */
+static inline void fxl_surface_light_of(const fxl_surfaces *surfaces, fxl_paint *paint)
+{
+    const fxl_light_settings *settings = &surfaces->light->settings;
+    paint->ramp = settings->ramp;
+    paint->levels_less_1 = (uint8_t)(settings->levels - 1);
+}
+
 #define FXL_NO_SURFACE UINT16_MAX
 FXL_STATIC_ASSERT(FXL_SURFACES_MAX <= FXL_NO_SURFACE, "no surface has this number");
 
@@ -137,11 +145,16 @@ typedef void fxl_depth_finder(const fxl_model_view *model_view, const fxl_face *
                               const fxl_traversal *traversal, fxl_corner_planes *planes,
                               fxl_depth_plane *plane);
 
-/* What a face with a surface has beside its outlines. find_depth: null: it has no depth. */
+/* fxl_corner_planes_linear: what a painter with a depth buffer of 16 bits links. */
+typedef bool fxl_linear_finder(const fxl_corner_planes *planes, const int32_t light[3],
+                               fxl_gradients *gradients, fxl_depth_plane *depth);
+
+/* What a face with a surface has beside its outlines. find_depth: null: it has no depth.
+ * find_linear: null: planes are never found as words. */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_depth_finder *find_depth,
-                      fxl_surface_polygon *polygon);
+                      fxl_linear_finder *find_linear, fxl_surface_polygon *polygon);
 
 /* The view of an instance, turned or not, in which the corners of a whole face are found where
  * pieces of it are drawn. view: room for it. */
@@ -187,12 +200,16 @@ typedef bool fxl_polygon_painter(const void *what, fxl_workspace *workspace,
                                  const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                                  uint32_t count, const fxl_tiny *tiny, const fxl_band *band);
 
-/* Finds the pixels of a triangle that is tiny. */
+/* Finds the pixels of a triangle that is tiny. Most others are as high as to have more rows of
+ * centres between two of their points. */
 static inline bool fxl_find_tiny(const fxl_traversal *traversal, fxl_tiny *tiny)
 {
     const fxl_screen_polygon *screen = &traversal->workspace->screen;
-    return FXL_HAS_TINY && screen->count == 3 &&
-           fxl_tiny_find(screen->points, traversal->band, tiny);
+    const fxl_screen_point *points = screen->points;
+    const int32_t high = (FXL_TINY_SIDE + 1) * 65536;
+    return FXL_HAS_TINY && screen->count == 3 && points[1].y - points[0].y < high &&
+           points[0].y - points[1].y < high && points[2].y - points[0].y < high &&
+           points[0].y - points[2].y < high && fxl_tiny_find(points, traversal->band, tiny);
 }
 
 /* Paints a polygon in the band. One that has no row there may have one on the rest of the screen,

@@ -19,14 +19,24 @@
 #if FXL_TARGET_PIXEL_BITS == 8
 #define PAINT_PIXELS fxl_paint_pixels
 #define PAINT_ROWS   fxl_paint_rows
+#define PAINT_RUNS   fxl_paint_runs
 #else
 #define PAINT_PIXELS fxl_paint_pixels_565
 #define PAINT_ROWS   fxl_paint_rows_565
+#define PAINT_RUNS   fxl_paint_runs_565
 #endif
 
 /* --- a polygon ------------------------------------------------------------------------------ */
 
 #if FXL_TARGET_PIXEL_BITS == 16
+
+/* Requires paint->ramp. */
+static inline void mix_light(const fxl_surfaces *surfaces, fxl_paint *paint)
+{
+    const uint32_t levels = paint->levels_less_1;
+    paint->of_565.part_of_level = (65536u + levels / 2) / levels;
+    paint->of_565.dark = surfaces->light->settings.dark;
+}
 
 static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,
                      const fxl_band *band, fxl_paint *paint)
@@ -34,10 +44,12 @@ static void paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *po
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_paint_565 *of = &paint->of_565;
     fxl_surface_paint_of(surfaces, polygon, paint);
-    const uint32_t levels = paint->levels_less_1;
     of->palette = band->palette;
-    of->part_of_level = paint->ramp != NULL ? (65536u + levels / 2) / levels : 0;
-    of->dark = paint->ramp != NULL ? surfaces->light->settings.dark : 0;
+    of->part_of_level = 0;
+    of->dark = 0;
+    if (paint->ramp != NULL) {
+        mix_light(surfaces, paint);
+    }
     if (paint->is_evenly_lit) {
         paint->ramp = NULL;
     }
@@ -82,10 +94,10 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 
 #endif
 
-/* Whether a kernel paints its rows one after the other. An Armv6-M has none: rows by themselves take less stack. */
+/* Whether a kernel paints its rows one after the other. */
 static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
 {
-    return !FXL_KERNELS_ARMV6M && segments != NULL && paint->ramp == NULL &&
+    return segments != NULL && paint->ramp == NULL &&
            (FXL_TARGET_PIXEL_BITS == 16 ? !paint->is_evenly_lit : paint->in_beam == NULL);
 }
 
@@ -119,17 +131,18 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     }
 }
 
-#define FIND_DEPTH NULL
+#define FIND_DEPTH  NULL
+#define FIND_LINEAR NULL
 
 #else
 
-#include "../paint/depth_row.h"
+#include "../paint/depth_rows.h"
+#include "../paint/smooth_outline.h"
 
-#define SCRATCH        16 /* pixels */
+#define SCRATCH  16 /* pixels */
 
-/* Rows that are visible whole are painted together: for a kernel that has all rows of a trapezoid
- * in one call. */
-#define HAS_WHOLE_ROWS (FXL_KERNELS_ARMV7M && FXL_TARGET_DEPTH_BITS == 16 && !FXL_IS_COMPACT)
+/* A kernel tests the rows of a trapezoid, and another one paints what is visible. */
+#define HAS_RUNS (FXL_HAS_DEPTH_ROWS && FXL_TARGET_DEPTH_BITS == 16)
 
 /* A row of a polygon. */
 typedef struct {
@@ -188,63 +201,158 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     fxl_depth_paint_row(depth, row->y, x0, x1, FXL_TARGET_DEPTH_BITS, false, paint_run, &of);
 }
 
-#if HAS_WHOLE_ROWS
+#if HAS_RUNS
 
-/* A row whose depths are tested while rows above it, which are visible whole, are still to be
- * painted. */
+#define RUNS (FXL_POLYGON_CAPACITY < 24 ? 26 : 64) /* that are listed before they are painted */
+
+/* Where the runs of a polygon are found and listed. */
 typedef struct {
-    const fxl_paint *paint;
-    fxl_plain_rows *rows;
-    bool *is_whole; /* set where all pixels of this row are visible */
-    int32_t y, x0, x1;
-} plain_row;
+    fxl_depth_rows rows;
+    uint32_t list[RUNS];
+} run_memory;
 
-/* fxl_run_painter. */
-static inline __attribute__((always_inline)) void
-paint_plain_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
+/* The active edges of a scan by chains, which has none. */
+static inline run_memory *run_memory_of(fxl_scan *scan)
 {
-    const plain_row *of = (const plain_row *)with;
-    (void)cells;
-    (void)line;
-    if (x0 == of->x0 && x1 == of->x1) {
-        *of->is_whole = true;
-        return;
-    }
-    fxl_paint_plain_rows(of->paint, of->y, of->rows, PAINT_ROWS, PAINT_PIXELS);
-    PAINT_PIXELS(of->paint, &of->rows->row, x0, x1);
+    FXL_STATIC_ASSERT(sizeof(run_memory) + 7 <= sizeof scan->active_edges.found,
+                      "room for the runs");
+    return (run_memory *)(((uintptr_t)scan->active_edges.found + 7u) & ~(uintptr_t)7);
 }
 
-/* A polygon whose depths are all kept, and whose rows have a kernel: rows that are visible whole
- * are painted together. Not inline: its rows would be on the stack of others. */
-static __attribute__((noinline)) void
-paint_plain(const fxl_paint *paint, const fxl_segment_face *segments, fxl_depth_painting *depth,
-            const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan)
+/* Paints runs that no kernel of rows paints, one by one. */
+static inline __attribute__((always_inline)) void paint_each_run(const fxl_paint *paint,
+                                                                 fxl_plain_runs *runs)
 {
-    const fxl_trapezoid *trapezoid;
-    fxl_plain_rows rows;
-    rows.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
-    rows.row.segments = segments;
-    fxl_scan_outline(points, count, band, scan);
-    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
-        rows.row.pixels =
-            band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
-        fxl_begin_plain_rows(paint->gradients, trapezoid, &rows);
-        for (int32_t y = trapezoid->first_row; y < trapezoid->end_row; y++) {
-            const int32_t x0 = a.x < b.x ? a.x : b.x, x1 = a.x < b.x ? b.x : a.x;
-            bool is_whole = x0 == x1;
-            const plain_row of = {paint, &rows, &is_whole, y, x0, x1};
-            fxl_depth_paint_row(depth, y, x0, x1, FXL_TARGET_DEPTH_BITS, true, paint_plain_run,
-                                &of);
-            if (!is_whole) {
-                fxl_paint_plain_rows(paint, y, &rows, PAINT_ROWS, PAINT_PIXELS);
-                fxl_plain_rows_next(&rows);
-            }
-            fxl_edge_step(&a);
-            fxl_edge_step(&b);
+    for (; runs->next != runs->end; runs->next++) {
+        const uint32_t run = *runs->next;
+        const int32_t x0 = (int32_t)(run & 0xFFFFu), x1 = (int32_t)((run & ~FXL_RUN_BELOW) >> 16);
+        if (run & FXL_RUN_BELOW) {
+            runs->row.pixels += runs->stride;
+            fxl_next_row(paint->gradients, &runs->row);
         }
-        fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, PAINT_ROWS, PAINT_PIXELS);
+        if (x0 < x1) {
+            PAINT_PIXELS(paint, &runs->row, x0, x1);
+        }
     }
+}
+
+/* Paints what is listed, and empties the list. has_kernel: the pixels are those of a kernel of
+ * rows. */
+static inline __attribute__((always_inline)) void
+paint_runs(const fxl_paint *paint, bool has_kernel, run_memory *memory, fxl_plain_runs *runs)
+{
+    runs->next = memory->list;
+    runs->end = memory->rows.runs;
+    memory->rows.runs = memory->list;
+    if (!has_kernel) {
+        paint_each_run(paint, runs);
+        return;
+    }
+    while (PAINT_RUNS(runs)) {
+        const uint32_t run = runs->next[-1];
+        PAINT_PIXELS(paint, &runs->row, (int32_t)(run & 0xFFFFu),
+                     (int32_t)((run & ~FXL_RUN_BELOW) >> 16));
+    }
+}
+
+/* The trapezoids of a polygon whose depths are all kept. A trapezoid right below the one before
+ * goes on with the same list. Requires a scan by chains. Not inline: its rows would be on the stack
+ * of others. */
+static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
+                                                  const fxl_segment_face *segments, bool has_kernel,
+                                                  const fxl_depth_painting *depth,
+                                                  const fxl_band *band, fxl_scan *scan)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_trapezoid *trapezoid;
+    run_memory *memory = run_memory_of(scan);
+    fxl_depth_rows *rows = &memory->rows;
+    fxl_plain_runs runs;
+    int32_t y = -1; /* of the row that comes next */
+    runs.row.segments = segments;
+    runs.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
+    fxl_find_downs(gradients, runs.downs);
+    fxl_depth_rows_begin(depth, rows);
+    rows->runs = memory->list;
+    rows->runs_end = memory->list + RUNS;
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        rows->rows = (uint32_t)(trapezoid->end_row - trapezoid->first_row);
+        if (trapezoid->first_row == y) {
+            rows->rows |= FXL_RUN_BELOW;
+        } else {
+            if (rows->runs != memory->list) {
+                paint_runs(paint, has_kernel, memory, &runs);
+            }
+            runs.row.pixels =
+                band->pixels + (size_t)(trapezoid->first_row - band->first_row) * runs.stride;
+            fxl_begin_row(gradients, trapezoid->first_row, &runs.row);
+            fxl_depth_rows_go(depth, trapezoid->first_row, rows);
+        }
+        y = trapezoid->end_row;
+        rows->edges[0] = trapezoid->edges[0];
+        rows->edges[1] = trapezoid->edges[1];
+        while (fxl_find_depth_runs(rows)) {
+            paint_runs(paint, has_kernel, memory, &runs);
+        }
+        if (rows->runs == rows->runs_end) {
+            paint_runs(paint, has_kernel, memory, &runs);
+        }
+    }
+    if (rows->runs != memory->list) {
+        paint_runs(paint, has_kernel, memory, &runs);
+    }
+}
+
+#endif
+
+#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+
+/* Draws a polygon by the kernel of smooth outlines, where it can: an opaque one that is in no beam,
+ * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay
+ * on the stack of others. */
+static __attribute__((noinline)) bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
+                                                  const fxl_surface_polygon *polygon,
+                                                  const fxl_screen_point *points, uint32_t count,
+                                                  const fxl_band *band)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    fxl_smooth_outline smooth;
+    fxl_paint paint;
+    if (surface->opacity != 16 || (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ||
+        polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
+        return false;
+    }
+    fxl_surface_light_of(surfaces, &paint);
+    paint.gradients = &polygon->gradients;
+    paint.colour = polygon->colour;
+#if FXL_TARGET_PIXEL_BITS == 16
+    paint.of_565.palette = band->palette;
+    mix_light(surfaces, &paint);
+#endif
+    if (!fxl_smooth_outline_begin(memory, &polygon->depth, &paint, band, FXL_TARGET_PIXEL_BITS / 8,
+                                  &smooth)) {
+        return false;
+    }
+#if FXL_TARGET_PIXEL_BITS == 16
+    return fxl_draw_smooth_outline_16(points, count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+#else
+    return fxl_draw_smooth_outline_8(points, count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+#endif
+}
+
+#else
+
+static inline bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
+                               const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                               uint32_t count, const fxl_band *band)
+{
+    (void)surfaces;
+    (void)memory;
+    (void)polygon;
+    (void)points;
+    (void)count;
+    (void)band;
+    return false;
 }
 
 #endif
@@ -258,22 +366,30 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_depth_painting depth;
     fxl_paint paint;
     fxl_segment_face face;
-    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
-    if (depth.head->pass == (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
+    if (polygon->depth.one == FXL_DEPTH_IS_LINEAR &&
+        draw_smooth(surfaces, workspace->target_memory, polygon, points, count, band)) {
+        return;
+    }
+    if (((const fxl_depth_head *)workspace->target_memory)->pass ==
+        (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
         return;
     }
     paint_of(surfaces, polygon, band, &paint);
+    fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
     if (is_blended) {
         depth.keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
     const fxl_segment_face *segments = segments_of(&paint, &face);
-#if HAS_WHOLE_ROWS
-    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && !depth.head->or_equal &&
-        has_plain_rows(&paint, segments)) {
-        paint_plain(&paint, segments, &depth, points, count, band, &workspace->work.scan);
-        return;
+#if HAS_RUNS
+    if (depth.keeps == FXL_DEPTH_KEEPS_ALL && fxl_depth_rows_take(&depth)) {
+        fxl_scan_outline(points, count, band, &workspace->work.scan);
+        if (workspace->work.scan.by_chains) {
+            paint_plain(&paint, segments, has_plain_rows(&paint, segments), &depth, band,
+                        &workspace->work.scan);
+            return;
+        }
     }
 #endif
     fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
@@ -281,9 +397,11 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 }
 
 #if FXL_TARGET_DEPTH_BITS == 32
-#define FIND_DEPTH fxl_find_exact_depth
+#define FIND_DEPTH  fxl_find_exact_depth
+#define FIND_LINEAR NULL
 #else
-#define FIND_DEPTH fxl_find_depth
+#define FIND_DEPTH  fxl_find_depth
+#define FIND_LINEAR fxl_corner_planes_linear
 #endif
 
 #endif
@@ -296,7 +414,8 @@ find(const void *what, const fxl_model_view *model_view, const fxl_face *face,
      const fxl_traversal *traversal, fxl_surface_polygon *polygon)
 {
     const fxl_mapped_surface *of = (const fxl_mapped_surface *)what;
-    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, polygon);
+    fxl_surface_find(of->surfaces, of->mapped, model_view, face, traversal, FIND_DEPTH, FIND_LINEAR,
+                     polygon);
 }
 
 /* fxl_polygon_painter. */

@@ -145,9 +145,10 @@ static __attribute__((noinline)) void paint_by_rows(fxl_workspace *workspace,
 }
 
 /* Returns true if it is known that the polygon reaches a row. */
-static bool paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
-                       const fxl_screen_point *points, uint32_t count, uint8_t colour,
-                       uint8_t shade, const fxl_band *band)
+static inline __attribute__((always_inline)) bool
+paint_flat_here(fxl_workspace *workspace, const fxl_depth_plane *plane,
+                const fxl_screen_point *points, uint32_t count, uint8_t colour, uint8_t shade,
+                const fxl_band *band)
 {
     const fxl_depth_drawn drawn =
         draw_outline(workspace, plane, points, count, colour, shade, band);
@@ -157,25 +158,33 @@ static bool paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane,
     return drawn == FXL_DEPTH_DRAWN;
 }
 
+static __attribute__((noinline)) bool
+paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane, const fxl_screen_point *points,
+           uint32_t count, uint8_t colour, uint8_t shade, const fxl_band *band)
+{
+    return paint_flat_here(workspace, plane, points, count, colour, shade, band);
+}
+
 /* The pixels of a tiny triangle. */
-static void paint_tiny(const fxl_workspace *workspace, const fxl_surface_polygon *polygon,
-                       const fxl_tiny *tiny, const fxl_band *band)
+static __attribute__((noinline)) void paint_tiny(const fxl_workspace *workspace,
+                                                 const fxl_depth_plane *plane, uint8_t colour,
+                                                 uint8_t shade, const fxl_tiny *tiny,
+                                                 const fxl_band *band)
 {
     const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
     const fxl_depth_rule rule = {FXL_TARGET_DEPTH_BITS == 32, head->or_equal};
-    const fxl_gradient *gradient = &polygon->depth.gradient;
+    const fxl_gradient *gradient = &plane->gradient;
     if (head->pass == FXL_DEPTH_BLENDED) {
         return;
     }
-    const fxl_filling filling =
-        fxl_filling_of(band, polygon->colour, polygon->shade, workspace->dark);
+    const fxl_filling filling = fxl_filling_of(band, colour, shade, workspace->dark);
     for (uint32_t pixels = tiny->pixels; pixels != 0;) {
         const uint32_t last = 31u - fxl_leading_zeros(pixels);
         const int32_t x = tiny->column + (int32_t)(last % FXL_TINY_SIDE);
         const int32_t y = tiny->row + (int32_t)(last / FXL_TINY_SIDE);
         pixels ^= 1u << last;
         const uint32_t code =
-            fxl_depth_code_at(head->scale, &polygon->depth, gradient->at + gradient->down * y, x);
+            fxl_depth_code_at(head->scale, plane, gradient->at + gradient->down * y, x);
         void *cells = (uint8_t *)(uintptr_t)(head + 1) +
                       (size_t)(y - band->first_row) * band->width * (FXL_TARGET_DEPTH_BITS / 8);
         if (fxl_depth_passes(cells, x, code, rule)) {
@@ -234,7 +243,7 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
 {
     (void)what;
     if (tiny != NULL) {
-        paint_tiny(workspace, polygon, tiny, band);
+        paint_tiny(workspace, &polygon->depth, polygon->colour, polygon->shade, tiny, band);
         return true;
     }
     return paint_flat(workspace, &polygon->depth, points, count, polygon->colour, polygon->shade,
@@ -255,12 +264,64 @@ static bool is_drawn_into(const fxl_traversal *traversal)
     return traversal->renderer->target == &FXL_TARGET;
 }
 
+/* Whether a face gives at most one polygon, which is drawn into the band at once. */
+static bool draws_one_polygon(const fxl_traversal *traversal)
+{
+    return traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE &&
+           traversal->clipper->next == NULL;
+}
+
+/* Draws the polygon that the clipper has left of a face. Returns whether it reaches a row of the
+ * screen. */
+static inline bool draw_polygon(const fxl_model_view *model_view, const fxl_face *face,
+                                const fxl_traversal *traversal)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_screen_polygon *screen = &workspace->screen;
+    const uint8_t shade = FXL_TARGET_PIXEL_BITS == 16 ? screen->shade : 0;
+    fxl_depth_plane plane;
+    fxl_tiny tiny;
+    const bool is_tiny = fxl_find_tiny(traversal, &tiny);
+    if (!is_tiny || tiny.pixels != 0) {
+        fxl_find_depth_by_normal(model_view, face, traversal, &plane);
+    }
+    if (is_tiny && tiny.pixels != 0) {
+        paint_tiny(workspace, &plane, face->material, shade, &tiny, traversal->band);
+        return true;
+    }
+    return (!is_tiny && paint_flat_here(workspace, &plane, screen->points, screen->count,
+                                        face->material, shade, traversal->band)) ||
+           fxl_outline_has_rows(screen, traversal->renderer->frame.view.lens.height);
+}
+
+/* fxl_submit_polygons and fxl_count_outcome of such a face. */
+static bool draw_face(const fxl_model_view *model_view, const fxl_face *face,
+                      const fxl_traversal *traversal)
+{
+    fxl_counters *counters = traversal->counters;
+    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
+    if (cut > FXL_CLIP_CUT) {
+        return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
+    }
+    if (draw_polygon(model_view, face, traversal)) {
+        counters->spilled += 1;
+    }
+    counters->drawn += 1;
+    if (cut == FXL_CLIP_CUT) {
+        counters->clipped += 1;
+    }
+    return true;
+}
+
 static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     (void)shader;
     if (!is_drawn_into(traversal)) {
         return fxl_submit_shaded_face(model_view, face, traversal);
+    }
+    if (draws_one_polygon(traversal)) {
+        return draw_face(model_view, face, traversal);
     }
     const uint32_t used = traversal->renderer->frame.display_list.used;
     return fxl_count_outcome(traversal, submit_polygons(model_view, face, traversal), used);

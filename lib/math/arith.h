@@ -126,9 +126,10 @@ typedef struct {
 /* number * 2^exponent, rounded down by less than 2^-31 of it. Requires number > 0. */
 static inline fxl_real fxl_real_of(uint64_t number, int exponent)
 {
-    const int drop = (int)fxl_bit_length(number) - 32;
-    const fxl_real result = {(uint32_t)(drop > 0 ? number >> drop : number << -drop),
-                             exponent + drop};
+    const uint32_t high = (uint32_t)(number >> 32), low = (uint32_t)number;
+    const unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
+    const fxl_real result = {high != 0 ? high << zeros | low >> 1 >> (31 - zeros) : low << zeros,
+                             exponent + (high != 0 ? 32 : 0) - (int)zeros};
     return result;
 }
 

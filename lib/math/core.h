@@ -40,6 +40,12 @@ static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
     return (int64_t)((uint64_t)a * (uint64_t)b);
 }
 
+/* The same. Requires b < 2^16. */
+static inline int64_t fxl_multiply_s64_u16(int64_t a, uint32_t b)
+{
+    return (int64_t)((uint64_t)a * b);
+}
+
 /* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. */
 static inline uint32_t fxl_divide_u32(uint32_t numerator, uint32_t denominator, uint32_t *remainder)
 {
@@ -137,6 +143,15 @@ static inline int64_t fxl_multiply_s64(int64_t a, int64_t b)
     uint32_t a_low = (uint32_t)a, b_low = (uint32_t)b;
     uint32_t cross = (uint32_t)(a >> 32) * b_low + a_low * (uint32_t)(b >> 32);
     return (int64_t)(fxl_multiply_u32(a_low, b_low) + ((uint64_t)cross << 32));
+}
+
+/* The same. Requires b < 2^16. The middle sum is at most (2^16 - 1)^2 + 2^16 - 1: below 2^32. */
+static inline int64_t fxl_multiply_s64_u16(int64_t a, uint32_t b)
+{
+    const uint32_t low = (uint32_t)a, lowest = (low & 0xFFFFu) * b;
+    const uint32_t middle = (low >> 16) * b + (lowest >> 16);
+    const uint32_t high = (uint32_t)(a >> 32) * b + (middle >> 16);
+    return (int64_t)((uint64_t)high << 32 | (middle << 16 | (lowest & 0xFFFFu)));
 }
 
 /* floor(numerator / denominator); *rest becomes the remainder. Requires denominator > 0. It

@@ -58,6 +58,14 @@
 #define FXL_FILLS_COMPACT 0
 #endif
 
+/* Before a function that is in place wherever it is called, but on an Armv6-M, where what it has on
+ * the stack would stay there below the kernels that the caller goes on to. */
+#if FXL_KERNELS_ARMV6M
+#define FXL_APART static __attribute__((noinline, unused))
+#else
+#define FXL_APART static inline
+#endif
+
 /* On a host the files in assembly have no code. This section states that they need no
  * executable stack. */
 #if defined __ASSEMBLER__ && defined __ELF__ && defined __linux__

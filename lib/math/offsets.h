@@ -94,6 +94,7 @@
 #define MODEL_VIEW_SCALE_VERTEX 76
 
 /* fxl_view */
+#define VIEW_NEAR_Z     56 /* of the lens */
 #define VIEW_PROJECTION 80
 #define VIEW_FRUSTUM    112
 
@@ -150,13 +151,13 @@
 #define DIVIDED_FACE_V_SHIFT      64
 
 /* fxl_paint_row */
-#define PAINT_ROW_WEIGHT 0
-#define PAINT_ROW_U      8
-#define PAINT_ROW_V      16
-#define PAINT_ROW_LIGHT  28 /* the upper word */
-#define PAINT_ROW_PIXELS 32
-#define PAINT_ROW_SEGMENTS 36
-#define PAINT_ROW_Y      40
+#define PAINT_ROW_WEIGHT   0
+#define PAINT_ROW_U        8
+#define PAINT_ROW_V        16
+#define PAINT_ROW_LIGHT    28 /* the upper word */
+#define PAINT_ROW_PIXELS   32
+#define PAINT_ROW_Y        36
+#define PAINT_ROW_SEGMENTS 40
 
 /* fxl_plain_rows */
 #define PLAIN_ROWS_DOWNS  48
@@ -164,11 +165,18 @@
 #define PLAIN_ROWS_END    104
 #define PLAIN_ROWS_STRIDE 108
 
+/* fxl_plain_runs: the row and the downs as of fxl_plain_rows */
+#define PLAIN_RUNS_NEXT   72 /* then the end */
+#define PLAIN_RUNS_STRIDE 80
+
 /* fxl_texel_run */
 #define TEXEL_RUN_POSITION   0
 #define TEXEL_RUN_STEP       4
 #define TEXEL_RUN_LIGHT      8
 #define TEXEL_RUN_LIGHT_STEP 12
+
+/* fxl_depth_plane */
+#define DEPTH_PLANE_ONE 24
 
 /* fxl_depth_outline */
 #define DEPTH_OUTLINE_VALUE    0
@@ -180,6 +188,32 @@
 #define DEPTH_OUTLINE_ONE      60
 #define DEPTH_OUTLINE_MANTISSA 68
 #define DEPTH_OUTLINE_REST     72
+
+/* fxl_depth_rows */
+#define DEPTH_ROWS_VALUE    32
+#define DEPTH_ROWS_ALONG    40
+#define DEPTH_ROWS_CELLS    56
+#define DEPTH_ROWS_ZEROS    64
+#define DEPTH_ROWS_ONE      84
+#define DEPTH_ROWS_MANTISSA 92
+#define DEPTH_ROWS_ROWS     96
+#define DEPTH_ROWS_RUNS     100 /* then the end */
+#define DEPTH_ROWS_REST     108
+#define DEPTH_ROWS_RESUMED  140
+
+/* fxl_smooth_outline */
+#define SMOOTH_OUTLINE_CODE       0
+#define SMOOTH_OUTLINE_CODE_DOWN  4
+#define SMOOTH_OUTLINE_DOWN       8
+#define SMOOTH_OUTLINE_LIGHT      12
+#define SMOOTH_OUTLINE_ALONG      16
+#define SMOOTH_OUTLINE_BY         20
+#define SMOOTH_OUTLINE_MIXTURE    24
+#define SMOOTH_OUTLINE_CELLS      40
+#define SMOOTH_OUTLINE_CODE_ALONG 48
+#define SMOOTH_OUTLINE_MOST       52
+#define SMOOTH_OUTLINE_LAST_LEVEL 56
+#define SMOOTH_OUTLINE_ROWS       60
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

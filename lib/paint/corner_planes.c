@@ -1,42 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "corner_planes.h"
 
-#include "../math/family.h"
+#include "../math/product.h"
 #include "light_row.h"
 #include "segments.h"
-
-/* On a core without long products these are calls: in place, all of them take 2 KB more. */
-#if FXL_KERNELS_ARMV6M
-#define PRODUCT static __attribute__((noinline))
-#else
-#define PRODUCT static inline
-#endif
-
-PRODUCT int64_t product(int32_t a, int32_t b)
-{
-    return fxl_multiply_s32(a, b);
-}
-
-PRODUCT uint64_t product_unsigned(uint32_t a, uint32_t b)
-{
-    return fxl_multiply_u32(a, b);
-}
-
-PRODUCT int64_t product_wide(int64_t a, int32_t b)
-{
-    return fxl_multiply_s64(a, b);
-}
-
-/* The upper word of a product. */
-static inline int32_t upper(int32_t a, int32_t b)
-{
-    return (int32_t)((uint64_t)product(a, b) >> 32);
-}
-
-static inline uint32_t upper_unsigned(uint32_t a, uint32_t b)
-{
-    return (uint32_t)(product_unsigned(a, b) >> 32);
-}
 
 /* value / 2^drop, rounded down, for 0 <= drop <= 31, by words: cores have no shift of 64 bits. */
 static inline int64_t shifted(int64_t value, unsigned drop)
@@ -88,19 +55,21 @@ static inline bool find_weights(const fxl_screen_corners *corners, const fxl_len
             return false;
         }
     }
-    uint32_t products[3] = {upper_unsigned(depths[1], depths[2]),
-                            upper_unsigned(depths[0], depths[2]),
-                            upper_unsigned(depths[0], depths[1])};
+    uint32_t products[3] = {fxl_upper_product_unsigned(depths[1], depths[2]),
+                            fxl_upper_product_unsigned(depths[0], depths[2]),
+                            fxl_upper_product_unsigned(depths[0], depths[1])};
     const unsigned zeros = fxl_leading_zeros(products[0] | products[1] | products[2]);
     const uint32_t near_z = (uint32_t)lens->near_z;
     const unsigned near_zeros = fxl_leading_zeros(near_z);
     for (uint32_t i = 0; i < 3; i++) {
         products[i] = products[i] << zeros >> 1;
     }
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_unsigned(products[0], depths[0]));
-    const uint32_t factor = upper_unsigned(near_z << near_zeros, (uint32_t)reciprocal.value);
+    const fxl_reciprocal reciprocal =
+        fxl_reciprocal_of(fxl_upper_product_unsigned(products[0], depths[0]));
+    const uint32_t factor =
+        fxl_upper_product_unsigned(near_z << near_zeros, (uint32_t)reciprocal.value);
     for (uint32_t i = 0; i < 3; i++) {
-        planes->weights[i] = (int32_t)upper_unsigned(factor, products[i]);
+        planes->weights[i] = (int32_t)fxl_upper_product_unsigned(factor, products[i]);
     }
     planes->weight_exponent = 32 + (int)near_zeros - (int)shift - (int)reciprocal.zeros;
     planes->has_weight = false;
@@ -115,9 +84,10 @@ static inline uint32_t farthest(int32_t pixel, int32_t end)
 }
 
 /* The box has at most its height above the lowest of the three corners, and below the highest. */
-static inline void find_rows(const fxl_screen_corners *corners, const fxl_lens *lens,
-                             fxl_corner_planes *planes)
+static inline void find_rows(fxl_corner_planes *planes)
 {
+    const fxl_screen_corners *corners = planes->corners;
+    const fxl_lens *lens = planes->lens;
     int32_t top = corners->points[0].y, bottom = top;
     for (uint32_t i = 1; i < 3; i++) {
         const int32_t y = corners->points[i].y;
@@ -130,10 +100,22 @@ static inline void find_rows(const fxl_screen_corners *corners, const fxl_lens *
     planes->last_row = last > lens->height ? lens->height : last;
 }
 
+/* Where the face is on the screen. */
+static inline void locate(fxl_corner_planes *planes)
+{
+    if (!planes->is_located) {
+        const fxl_screen_point *p = planes->corners->points;
+        planes->columns = farthest(p[0].x >> 16, (planes->lens->width + 15) & ~15);
+        planes->rows = farthest(p[0].y >> 16, planes->lens->height);
+        find_rows(planes);
+        planes->is_located = true;
+    }
+}
+
 /* Edges are at most 2^22 in 1/65536 pixel, so the area is at most 2^45; of a small face it is at
- * least 2^25. Its upper 31 bits have a reciprocal r within 2^-29. The edges are scaled to less than
- * 2^31, so a product with r is at most 2^62. What is cut off a coefficient is less than 2^-29 of
- * the largest. */
+ * least 2^25, of a thin one 2^22. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
+ * scaled to less than 2^31, so a product with r is at most 2^62. What is cut off a coefficient is
+ * less than 2^-29 of the largest. */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes)
 {
@@ -145,15 +127,25 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     }
     const int32_t x1 = p[1].x - p[0].x, y1 = p[0].y - p[1].y;
     const int32_t x2 = p[0].x - p[2].x, y2 = p[2].y - p[0].y;
-    const int64_t area = product(x1, y2) - product(x2, y1);
-    const uint64_t box = product_unsigned(width, height);
+    const int64_t area = fxl_product(x1, y2) - fxl_product(x2, y1);
+    const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
-    if (planes->area << 3 < box || !find_weights(corners, lens, planes)) {
+    planes->is_thin = false;
+    if (planes->area << 3 < box) {
+        if (planes->area << 6 < box) {
+            return false;
+        }
+        planes->is_thin = true;
+    }
+    if (!find_weights(corners, lens, planes)) {
         return false;
     }
+    planes->weight_range = range_of(planes->weights);
+    planes->weight_most = largest_of(planes->weights);
     /* A side has at most 23 bits, and weights 30. */
-    if (product_unsigned(range_of(planes->weights), (uint32_t)FXL_SMALL_SLOPES << 16) >
-        product_unsigned(largest_of(planes->weights), width < height ? width : height)) {
+    if (!planes->is_thin &&
+        fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
+            fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
         return false;
     }
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
@@ -164,16 +156,16 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const unsigned scale = fxl_leading_zeros(width > height ? width : height) - 1u;
     planes->x = p[0].x - 32768;
     planes->y = p[0].y - 32768;
-    planes->along[0] = upper((int32_t)((uint32_t)y2 << scale), reciprocal);
-    planes->along[1] = upper((int32_t)((uint32_t)y1 << scale), reciprocal);
-    planes->down[0] = upper((int32_t)((uint32_t)x2 << scale), reciprocal);
-    planes->down[1] = upper((int32_t)((uint32_t)x1 << scale), reciprocal);
+    planes->along[0] = fxl_upper_product((int32_t)((uint32_t)y2 << scale), reciprocal);
+    planes->along[1] = fxl_upper_product((int32_t)((uint32_t)y1 << scale), reciprocal);
+    planes->down[0] = fxl_upper_product((int32_t)((uint32_t)x2 << scale), reciprocal);
+    planes->down[1] = fxl_upper_product((int32_t)((uint32_t)x1 << scale), reciprocal);
     planes->exponent = (int)scale + (high != 0 ? 46 : 14) - (int)zeros;
-    planes->columns = farthest(p[0].x >> 16, (lens->width + 15) & ~15);
-    planes->rows = farthest(p[0].y >> 16, lens->height);
+    planes->corners = corners;
+    planes->lens = lens;
+    planes->is_located = false;
     planes->is_triangle = corners->is_triangle;
     planes->is_sparse = planes->area << 1 < box;
-    find_rows(corners, lens, planes);
     return true;
 }
 
@@ -191,24 +183,24 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
                     fxl_gradient *gradient)
 {
     const int32_t d1 = values[1] - values[0], d2 = values[2] - values[0];
-    const int64_t along = product(d1, planes->along[0]) + product(d2, planes->along[1]);
-    const int64_t down = product(d1, planes->down[0]) + product(d2, planes->down[1]);
+    const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
+    const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
     const int32_t along_high = (int32_t)((uint64_t)along >> 32);
     const int32_t down_high = (int32_t)((uint64_t)down >> 32);
     const uint32_t value = (uint32_t)(values[0] ^ (values[0] >> 31)) + 1u;
     const int up = planes->exponent - 32; /* -12..4 */
     const uint64_t largest =
-        (product_unsigned((uint32_t)(along_high ^ (along_high >> 31)) + 1u, planes->columns) +
-         product_unsigned((uint32_t)(down_high ^ (down_high >> 31)) + 1u, planes->rows) +
-         (up >= 0 ? product_unsigned(value, 1u << up) : (value >> -up) + 1u)) |
+        (fxl_product_unsigned((uint32_t)(along_high ^ (along_high >> 31)) + 1u, planes->columns) +
+         fxl_product_unsigned((uint32_t)(down_high ^ (down_high >> 31)) + 1u, planes->rows) +
+         (up >= 0 ? fxl_product_unsigned(value, 1u << up) : (value >> -up) + 1u)) |
         1u << 29;
     const unsigned drop = fxl_bit_length(largest) - 30u;
     const int exponent = planes->exponent - (int)drop;
     gradient->along = shifted(along, drop);
     gradient->down = shifted(down, drop);
     gradient->at = (int64_t)((uint64_t)(int64_t)values[0] << exponent) -
-                   product_wide(gradient->along >> 16, planes->x) -
-                   product_wide(gradient->down >> 16, planes->y);
+                   fxl_product_wide(gradient->along >> 16, planes->x) -
+                   fxl_product_wide(gradient->down >> 16, planes->y);
     return exponent;
 }
 
@@ -216,6 +208,7 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
 static void find_weight(fxl_corner_planes *planes)
 {
     if (!planes->has_weight) {
+        locate(planes);
         planes->gradient_exponent = plane_of(planes, planes->weights, &planes->weight);
         planes->has_weight = true;
     }
@@ -236,12 +229,13 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane)
 static bool is_nearly_affine(const fxl_corner_planes *planes, const uint32_t *ranges,
                              uint32_t count, uint32_t range)
 {
-    const uint32_t least = largest_of(planes->weights) - range;
+    const uint32_t least = planes->weight_most - range;
     const unsigned part = planes->is_triangle ? 0 : 3;
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t error =
             i % 2 == 0 && i + 1 == count ? FXL_AFFINE_ERROR_LIGHT : FXL_AFFINE_ERROR_TEXEL;
-        if (product_unsigned(ranges[i], range) > product_unsigned(least, 4u * error >> part)) {
+        if (fxl_product_unsigned(ranges[i], range) >
+            fxl_product_unsigned(least, 4u * error >> part)) {
             return false;
         }
     }
@@ -264,6 +258,83 @@ static inline void scale(int32_t values[3], unsigned shift)
         values[i] = (int32_t)((uint32_t)values[i] << shift);
     }
 }
+
+/* --- a triangle in one octave --------------------------------------------------------------- */
+
+/* A value that is linear on the screen, by its words: that of corner 0, the differences of the
+ * others, and how many bits of their gradient are below a word's. along * x is below 2^31 2^27. */
+static inline void find_words(const fxl_corner_planes *planes, uint32_t value, int64_t along,
+                              int64_t down, unsigned drop, fxl_gradient *gradient)
+{
+    const int32_t step = (int32_t)fxl_lower_of_shifted(along, drop);
+    const int32_t step_down = (int32_t)fxl_lower_of_shifted(down, drop);
+    const int64_t off = fxl_product(step, planes->x) + fxl_product(step_down, planes->y);
+    gradient->along = step;
+    gradient->down = step_down;
+    gradient->at = (int32_t)(value - fxl_lower_of_shifted(off, 16));
+}
+
+/* The upper word of a magnitude, but for a unit of the lowest bit. */
+static inline uint32_t upper_size(int64_t value)
+{
+    const int32_t high = (int32_t)((uint64_t)value >> 32);
+    return (uint32_t)(high ^ (high >> 31));
+}
+
+/* With weights of `length` bits a code is a weight times 2^(mantissa + 17 - length), and a bias:
+ * depth_code.h. A weight changes by at most 16 / s of its range a pixel along a side of s pixels,
+ * where the range is at most s / 16 of the largest weight, which is below 2^length: so a code
+ * changes by less than 2^(mantissa + 17), at most 2^31. Of a thin face a code may change by
+ * 2^(mantissa + 14), less than a quarter of the largest weight. Drops are from 13 to 38; of light,
+ * from 9 to 28. */
+bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
+                              fxl_gradients *gradients, fxl_depth_plane *depth)
+{
+    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    const int32_t *weights = planes->weights;
+    const fxl_depth_scale scale = fxl_depth_scale_of(planes->lens);
+    const unsigned zeros = fxl_leading_zeros(planes->weight_most);
+    const int number = planes->weight_exponent + (int)zeros - 32;
+    const uint32_t range = range_of(light);
+    if (!planes->is_triangle || scale.mantissa > 14 || number < 0 || number >= scale.octaves ||
+        fxl_leading_zeros(planes->weight_most - planes->weight_range) != zeros ||
+        !is_nearly_affine(planes, &range, 1, planes->weight_range)) {
+        return false;
+    }
+    const int32_t *across = planes->along, *below = planes->down;
+    int32_t d1 = light[1] - light[0], d2 = light[2] - light[0];
+    int64_t along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
+    int64_t down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
+    const unsigned drop = (unsigned)planes->exponent - 8u;
+    if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
+        return false;
+    }
+    find_words(planes, (uint32_t)light[0] << 8, along, down, drop, &gradients->attributes[0]);
+    gradients->shifts[0] = 53;
+    gradients->count = 1;
+    gradients->weight = constant;
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+
+    d1 = weights[1] - weights[0];
+    d2 = weights[2] - weights[0];
+    along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
+    down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
+    const unsigned length = 32u - zeros, bits = scale.mantissa + 17u; /* 28 to 31 */
+    if (planes->is_thin &&
+        (upper_size(along) | upper_size(down)) >> ((unsigned)planes->exponent + length - 35u) !=
+            0) {
+        return false;
+    }
+    const uint32_t bias = (uint32_t)(scale.octaves - 2 - number) << (bits - 1u);
+    const uint32_t weight = (uint32_t)weights[0];
+    const uint32_t code = length > bits ? weight >> (length - bits) : weight << (bits - length);
+    find_words(planes, bias + 65536u + code, along, down,
+               (unsigned)planes->exponent + length - bits, &depth->gradient);
+    depth->one = FXL_DEPTH_IS_LINEAR;
+    return true;
+}
+
+/* --- attributes ----------------------------------------------------------------------------- */
 
 /* Attributes are linear on the screen: values are scaled to less than 2^30. The weight is 2^29. */
 static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
@@ -305,7 +376,7 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     const uint32_t change = (uint32_t)(slope ^ (slope >> 31)) + 1u, range = attributes | 1u;
     const uint32_t sum =
         (uint32_t)(along[0] ^ (along[0] >> 31)) + (uint32_t)(along[1] ^ (along[1] >> 31)) + 2u;
-    const uint32_t most = largest_of(planes->weights);
+    const uint32_t most = planes->weight_most;
     const uint32_t unit = (uint32_t)((uint64_t)most << planes->gradient_exponent >> 32);
     const uint32_t growth = growths[planes->is_sparse][weights <= most >> 5   ? 0
                                                        : weights <= most >> 3 ? 1
@@ -313,8 +384,10 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     const int range_zeros = (int)fxl_leading_zeros(range), sum_zeros = (int)fxl_leading_zeros(sum);
     const int change_zeros = (int)fxl_leading_zeros(change);
     const int unit_zeros = (int)fxl_leading_zeros(unit);
-    uint32_t product = upper_unsigned(range << range_zeros, sum << sum_zeros);
-    product = upper_unsigned(upper_unsigned(product, change << change_zeros), growth) + 1u;
+    uint32_t product = fxl_upper_product_unsigned(range << range_zeros, sum << sum_zeros);
+    product = fxl_upper_product_unsigned(
+                  fxl_upper_product_unsigned(product, change << change_zeros), growth) +
+              1u;
     const int zeros = (int)fxl_leading_zeros(product);
     const int step = 64 - range_zeros - sum_zeros - planes->exponent;
     int bits = 62 - range_zeros - sum_zeros - change_zeros - planes->exponent + unit_zeros - zeros;
@@ -322,8 +395,9 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     bits = bits < -4 ? -4 : bits;
     weight_min[0] = weight_min[1] = (uint32_t)1 << 31;
     if (step <= 21 && bits <= 8) {
-        weight_min[0] = (uint32_t)(product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
-        weight_min[1] = (uint32_t)(product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
+        weight_min[0] = (uint32_t)(fxl_product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
+        weight_min[1] =
+            (uint32_t)(fxl_product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
     }
 }
 
@@ -336,7 +410,8 @@ static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[
     for (uint32_t i = 0; i < gradients->count; i++) {
         const unsigned shift = room_of(values[i]) - 1u;
         for (uint32_t k = 0; k < 3; k++) {
-            values[i][k] = upper((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
+            values[i][k] =
+                fxl_upper_product((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
         }
         gradients->shifts[i] = (int8_t)(32 - (int)shift + planes->gradient_exponent -
                                         plane_of(planes, values[i], &gradients->attributes[i]));
@@ -349,20 +424,21 @@ void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uin
     uint32_t ranges[FXL_ATTRIBUTES], most = 0, range = 0;
     gradients->count = (uint8_t)count;
     if (!is_affine) {
-        range = range_of(planes->weights);
+        range = planes->weight_range;
         for (uint32_t i = 0; i < count; i++) {
             ranges[i] = range_of(values[i]);
             most = ranges[i] > most ? ranges[i] : most;
         }
         is_affine = is_nearly_affine(planes, ranges, count, range);
     }
+    locate(planes);
     if (is_affine) {
         find_affine(planes, values, gradients);
     } else {
         find_weight(planes);
         find_perspective(planes, values, gradients);
         find_least(planes, most, range, gradients->weight_min);
-        const uint32_t least = largest_of(planes->weights) - range;
+        const uint32_t least = planes->weight_most - range;
         if ((uint32_t)((uint64_t)least << planes->gradient_exponent >> 32) <
             gradients->weight_min[0]) {
             fxl_gradients_find_least(gradients, planes->first_row, planes->last_row);
@@ -383,7 +459,8 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine,
         density->depth = fxl_real_of(near < z[2] ? near : z[2], 0);
         for (uint32_t i = 0; i < 3; i++) {
             const fxl_real pixels = density->pixels;
-            density->pixels = fxl_real_of(product_unsigned(pixels.mantissa, z[i]), pixels.exponent);
+            density->pixels =
+                fxl_real_of(fxl_product_unsigned(pixels.mantissa, z[i]), pixels.exponent);
         }
     }
 }

@@ -44,17 +44,23 @@ typedef struct {
     /* A pixel along, values grow by (v1 - v0) along[0] + (v2 - v0) along[1], times 2^-exponent; a
      * pixel down likewise. The coefficients are at most 2^30. */
     int32_t along[2], down[2];
-    int exponent;                /* 20..36 */
-    uint32_t columns, rows;      /* how far corner 0 is from the ends of the screen, at most */
-    int32_t first_row, last_row; /* of the screen, within which the box lies */
-    uint64_t area;               /* twice the triangle's, in units of 2^-32 pixel */
-    uint32_t depths[3];          /* proportional to z: from 2^30 to 2^32 */
-    int32_t weights[3];          /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
+    int exponent; /* 20..36; of a thin face from 17 on */
+    const fxl_screen_corners *corners;
+    const fxl_lens *lens;
+    uint64_t area;         /* twice the triangle's, in units of 2^-32 pixel */
+    uint32_t depths[3];    /* proportional to z: from 2^30 to 2^32 */
+    int32_t weights[3];    /* near_z / z 2^weight_exponent: from 2^26 to 2^30 */
+    uint32_t weight_range; /* from the least to the largest */
+    uint32_t weight_most;
     int weight_exponent;
     bool is_triangle;
-    bool is_sparse;        /* the triangle fills less than a quarter of the box */
-    bool has_weight;       /* the next two are found */
-    int gradient_exponent; /* the gradient's 64 bits are a weight times 2^gradient_exponent */
+    bool is_sparse;              /* the triangle fills less than a quarter of the box */
+    bool is_thin;                /* less than 1/16: for fxl_corner_planes_linear alone */
+    bool is_located;             /* the next four are found */
+    uint32_t columns, rows;      /* how far corner 0 is from the ends of the screen, at most */
+    int32_t first_row, last_row; /* of the screen, within which the box lies */
+    bool has_weight;             /* the next two are found */
+    int gradient_exponent;       /* the gradient's 64 bits are a weight times 2^gradient_exponent */
     fxl_gradient weight;
 } fxl_corner_planes;
 
@@ -64,7 +70,12 @@ typedef struct {
  * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest,
  * - with s pixels the shorter side, the corners' 1/z differ by at most s / FXL_SMALL_SLOPES of the
  *   largest one. So what the corners' rounding changes a depth by is below its resolution in 16
- * bits. Requires a box that reaches the screen of the lens. */
+ * bits. Requires a box that reaches the screen of the lens.
+ *
+ * A thin face, whose triangle fills 1/128 to 1/16 of the box, is small too, whatever its slopes:
+ * only fxl_corner_planes_linear takes it, if its 1/z changes by less than 1/4 of the largest one a
+ * pixel.
+ */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes);
 
@@ -73,6 +84,17 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
  * largest depth there, and 1/16 unit of the upper word. Corners are off by 0.52/65536 pixel, which
  * moves the plane by so much times its slope. */
 void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
+
+/* The depth of a triangle of one octave, and its light, in words: fxl_depth_plane that
+ * FXL_DEPTH_IS_LINEAR, and gradients of a constant weight with light alone, whose lower words are
+ * those of light_row.h. Returns false where the face is not a triangle, or not in one octave, or a
+ * constant weight changes its light by more than FXL_AFFINE_ERROR_LIGHT, or light changes by 128
+ * levels a pixel or more, or it is thin and its depth changes much; or where the lens has a single
+ * octave. light: at the corners, of levels and a half. Error in the triangle, beyond that: as
+ * above, and 2048 2^-16 code, 2048 2^-24 level.
+ */
+bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
+                              fxl_gradients *gradients, fxl_depth_plane *depth);
 
 /* The weight and the attributes of values, which it changes. Where is_affine, the weight is
  * constant. It is constant too where that changes no attribute by more than FXL_AFFINE_ERROR_TEXEL

@@ -19,6 +19,11 @@ typedef struct {
     int32_t one; /* at z = near_z the gradient's 64 bits are 2^one */
 } fxl_depth_plane;
 
+/* `one` of a face that lies in one octave as a whole: the lower words of the gradient are the codes
+ * of its pixels, modulo 2^32. So they are linear on the screen; rounded down, the steps make a code
+ * too small by less than 2048 2^-16. */
+#define FXL_DEPTH_IS_LINEAR INT32_MIN
+
 /* What the codes of a lens share. */
 typedef struct {
     uint8_t octaves;  /* e: 1..24 */
@@ -26,17 +31,14 @@ typedef struct {
 } fxl_depth_scale;
 
 /* 257/256 far_z <= 2^e near_z, so that no depth comes near the code 0. far_z is below 2^31, and
- * near_z 2^e is below 2^33. (e << m) + 1 codes are at most 65536. */
+ * near_z shifted to the length of the sum is below 2^32. (e << m) + 1 codes are at most 65536. */
 static inline fxl_depth_scale fxl_depth_scale_of(const fxl_lens *lens)
 {
-    const uint64_t far_z = (uint64_t)(uint32_t)lens->far_z + ((uint32_t)lens->far_z >> 8) + 1;
-    fxl_depth_scale scale = {1, 15};
-    while ((uint64_t)(uint32_t)lens->near_z << scale.octaves < far_z) {
-        scale.octaves++;
-    }
-    while ((uint32_t)scale.octaves << scale.mantissa >= 65536u) {
-        scale.mantissa--;
-    }
+    const uint32_t far_z = (uint32_t)lens->far_z + ((uint32_t)lens->far_z >> 8) + 1;
+    const uint32_t near_z = (uint32_t)lens->near_z;
+    uint32_t octaves = fxl_leading_zeros(near_z) - fxl_leading_zeros(far_z);
+    octaves += octaves == 0 || near_z << octaves < far_z;
+    const fxl_depth_scale scale = {(uint8_t)octaves, (uint8_t)(fxl_leading_zeros(octaves) - 16u)};
     return scale;
 }
 
@@ -73,7 +75,13 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
     octave->is_constant = true;
     octave->drop = 0;
     octave->step = 0;
-    if (length == 0 || number >= scale.octaves) {
+    if (one == FXL_DEPTH_IS_LINEAR) {
+        octave->low = INT64_MIN;
+        octave->high = INT64_MAX;
+        octave->bias = 0;
+        octave->step = (uint32_t)plane->gradient.along;
+        octave->is_constant = false;
+    } else if (length == 0 || number >= scale.octaves) {
         octave->low = INT64_MIN;
         octave->high = fxl_power_of_2(one - scale.octaves);
         octave->bias = 65536u;

@@ -20,13 +20,14 @@ extern "C" {
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. An octave here is the number of leading zeros of the gradient's upper
- * word. */
+ * word. Of an outline that has one octave the members from `one` on are overwritten: 64 bits, whose
+ * upper word is the code of cell 0 in the next row, their change a row, and the step. */
 typedef struct {
     FXL_ALIGN_8 int64_t value; /* of the plane in column 0 of row 0; then of the next row */
     int64_t along, down;
     uint32_t row_cell;  /* of column 0 of the next row: the kernel's own */
     uint32_t row_cells; /* of a row: the kernel's own */
-    uint32_t zeros;     /* of the octave that is known; above 32: of none */
+    uint32_t zeros;     /* of the octave that is known; above 32: of none; 0: the outline has one */
     int32_t drop;       /* of it, as of fxl_depth_octave; so the next two */
     uint32_t bias;
     uint32_t step;
@@ -59,26 +60,41 @@ fxl_depth_drawn fxl_draw_depth_outline_16(const fxl_screen_point *points, uint32
 
 #endif
 
+/* Whether the kernels can draw there, whatever is drawn: all columns of a band without gaps, whose
+ * first pixel is where two can be stored at once. */
+static inline bool fxl_depth_outline_can_draw(const fxl_depth_head *head, const fxl_band *band,
+                                              uint32_t pixel_bytes)
+{
+    return !head->or_equal && band->columns == 0 && band->stride == band->width &&
+           ((uintptr_t)band->pixels & (2 * pixel_bytes - 1)) == 0;
+}
+
+/* fxl_depth_outline.pixels. */
+static inline uintptr_t fxl_depth_outline_pixels(const fxl_depth_head *head, const fxl_band *band,
+                                                 uint32_t pixel_bytes)
+{
+    const uintptr_t cells = (uintptr_t)(head + 1), pixels = (uintptr_t)band->pixels;
+    return pixel_bytes == 1 ? pixels - cells / 2 : pixels - cells;
+}
+
 /* Prepares a polygon whose pixels have `pixel_bytes` bytes. Returns false if the kernel cannot draw
- * it: *outline is undefined then. It draws all columns of a band without gaps, whose first pixel is
- * where two can be stored at once; and planes of which a value whose upper word is not above 0 is
- * beyond the last octave. */
+ * it: *outline is undefined then. It draws planes of which a value whose upper word is not above 0
+ * is beyond the last octave. */
 static inline bool fxl_depth_outline_begin(const void *memory, const fxl_depth_plane *plane,
                                            const fxl_band *band, uint32_t pixel_bytes,
                                            fxl_depth_outline *outline)
 {
     const fxl_depth_head *head = (const fxl_depth_head *)memory;
-    const uintptr_t cells = (uintptr_t)(head + 1), pixels = (uintptr_t)band->pixels;
-    if (head->or_equal || plane->one < 32 + head->scale.octaves || band->columns != 0 ||
-        band->stride != band->width || (pixels & (2 * pixel_bytes - 1)) != 0) {
+    if (plane->one < 32 + head->scale.octaves ||
+        !fxl_depth_outline_can_draw(head, band, pixel_bytes)) {
         return false;
     }
+    outline->cells = (uint16_t *)(uintptr_t)(head + 1);
+    outline->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
     outline->value = plane->gradient.at;
     outline->along = plane->gradient.along;
     outline->down = plane->gradient.down;
     outline->zeros = UINT32_MAX;
-    outline->cells = (uint16_t *)cells;
-    outline->pixels = pixel_bytes == 1 ? pixels - cells / 2 : pixels - cells;
     outline->one = plane->one;
     outline->octaves = head->scale.octaves;
     outline->mantissa = head->scale.mantissa;

@@ -1,34 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Errors are in units of 2^-30. Products are rounded down. A normal is within 2^-27 of unit length,
  * or within 2^-29 where its instance has no placement; that is its own, and no error. */
-#include "../math/arith.h"
-#include "../math/family.h"
+#include "../math/product.h"
 #include "rgb565_colour.h"
 #include "../math/plane.h"
 #include "fixel/light.h"
 #include "light_level.h"
 
-/* On a core without long products these are calls: in place, all of them take 1 KB more. */
-#if FXL_KERNELS_ARMV6M
-#define PRODUCT static __attribute__((noinline))
-#else
-#define PRODUCT static inline
-#endif
-
-PRODUCT int64_t product(int32_t a, int32_t b)
-{
-    return fxl_multiply_s32(a, b);
-}
-
-PRODUCT uint64_t product_unsigned(uint32_t a, uint32_t b)
-{
-    return fxl_multiply_u32(a, b);
-}
-
 /* a * b, for a, b <= 2^30 + 2^3. Error: less than 1. */
 static inline uint32_t fraction_of(uint32_t a, uint32_t b)
 {
-    return (uint32_t)(product_unsigned(a, b) >> 30);
+    return (uint32_t)(fxl_product_unsigned(a, b) >> 30);
 }
 
 /* A sum of brightness, held to 1. */
@@ -46,11 +28,6 @@ static uint32_t from_direction(const fxl_light_settings *settings, const fxl_dir
     const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
                              (int64_t)normal->z * direction->z);
     return facing > 0 ? fraction_of((uint32_t)settings->strength, (uint32_t)(facing >> 30)) : 0;
-}
-
-static inline uint32_t upper(uint32_t a, uint32_t b)
-{
-    return (uint32_t)(product_unsigned(a, b) >> 32);
 }
 
 /* The upper word of value * 2^shift, 0 <= shift <= 63, by words: cores have no shift of 64 bits. */
@@ -83,10 +60,13 @@ static uint32_t root_reciprocal(uint32_t value)
         147, 147, 146, 145, 144, 144, 143, 142, 142, 141, 140, 140, 139, 138, 138, 137,
         137, 136, 135, 135, 134, 134, 133, 132, 132, 131, 131, 130, 130, 129, 129, 128};
     const uint32_t rough = (uint32_t)roots[(value >> 25) - 32u] << 8;
-    const int32_t first = (int32_t)((1u << 30) - upper(rough * rough, value)) >> 10;
+    const int32_t first =
+        (int32_t)((1u << 30) - fxl_upper_product_unsigned(rough * rough, value)) >> 10;
     const uint32_t root = (rough << 15) + (uint32_t)((int32_t)rough * first >> 6);
-    const int32_t second = (int32_t)((1u << 28) - upper(upper(root, root), value));
-    return root + (uint32_t)(int32_t)(product((int32_t)root, second * 8) >> 32);
+    const int32_t second =
+        (int32_t)((1u << 28) -
+                  fxl_upper_product_unsigned(fxl_upper_product_unsigned(root, root), value));
+    return root + (uint32_t)(int32_t)(fxl_product((int32_t)root, second * 8) >> 32);
 }
 
 /* The cosine between a normal and a vector to a light; dot is their product, from 1 to below 2^61,
@@ -101,15 +81,17 @@ static uint32_t cosine(int64_t dot, uint64_t square)
 }
 
 /* 1 - square / range_square, of 0 < square < range_square <= 2^60. Both are scaled so that the
- * divisor is from 2^31 to 2^32. The estimate of 2^62 / divisor has 16 bits; Newton's step leaves the
- * square of its error, below 2^-29. Errors: 2 of that, 2 of the upper words. */
+ * divisor is from 2^31 to 2^32. The estimate of 2^62 / divisor has 16 bits; Newton's step leaves
+ * the square of its error, below 2^-29. Errors: 2 of that, 2 of the upper words. */
 static uint32_t fading(uint64_t square, uint64_t range_square)
 {
     const unsigned shift = zeros_of(range_square);
     const uint32_t divisor = upper_of(range_square, shift);
     const uint32_t estimate = fxl_divide_half((uint32_t)INT32_MAX, divisor >> 16);
-    const uint32_t reciprocal = (estimate << 16) - upper(estimate * estimate, divisor);
-    const int32_t left = FXL_Q2_30_ONE - (int32_t)upper(upper_of(square, shift), reciprocal);
+    const uint32_t reciprocal =
+        (estimate << 16) - fxl_upper_product_unsigned(estimate * estimate, divisor);
+    const int32_t left =
+        FXL_Q2_30_ONE - (int32_t)fxl_upper_product_unsigned(upper_of(square, shift), reciprocal);
     return left > 0 ? (uint32_t)left : 0;
 }
 
@@ -118,23 +100,25 @@ static uint32_t fading(uint64_t square, uint64_t range_square)
  * whatever the dot is then, the light is out of range. Of words three products are below 2^63. A
  * light behind the face is left out first. Within the range squares are below 2^60, and a sum that
  * is less than range_square too. Errors: cosine 34, fading 4, two products 2. */
-static uint32_t from_point(const fxl_point_light *light, const fxl_lit_place *place)
+__attribute__((noinline)) /* in place, a face turned away takes 12 instructions more */
+static uint32_t
+from_point(const fxl_point_light *light, const fxl_lit_place *place)
 {
     const uint32_t x = 2u * (uint32_t)light->position.x - (uint32_t)place->middle.x;
     const uint32_t y = 2u * (uint32_t)light->position.y - (uint32_t)place->middle.y;
     const uint32_t z = 2u * (uint32_t)light->position.z - (uint32_t)place->middle.z;
     const fxl_direction *normal = &place->normal;
-    const int64_t dot = product(normal->x, (int32_t)x) + product(normal->y, (int32_t)y) +
-                        product(normal->z, (int32_t)z);
+    const int64_t dot = fxl_product(normal->x, (int32_t)x) + fxl_product(normal->y, (int32_t)y) +
+                        fxl_product(normal->z, (int32_t)z);
     const uint32_t range = 2u * (uint32_t)light->range;
-    if (dot <= 0 || x + range > 2u * range || y + range > 2u * range || z + range > 2u * range) {
+    if (dot < 0 || x + range > 2u * range || y + range > 2u * range || z + range > 2u * range) {
         return 0;
     }
-    const uint64_t square = (uint64_t)product((int32_t)x, (int32_t)x) +
-                            (uint64_t)product((int32_t)y, (int32_t)y) +
-                            (uint64_t)product((int32_t)z, (int32_t)z);
-    const uint64_t range_square = product_unsigned(range, range);
-    if (square >= range_square) {
+    const uint64_t square = (uint64_t)fxl_product((int32_t)x, (int32_t)x) +
+                            (uint64_t)fxl_product((int32_t)y, (int32_t)y) +
+                            (uint64_t)fxl_product((int32_t)z, (int32_t)z);
+    const uint64_t range_square = fxl_product_unsigned(range, range);
+    if (square >= range_square || dot == 0) {
         return 0;
     }
     return fraction_of(fraction_of((uint32_t)light->strength, cosine(dot, square)),
@@ -163,15 +147,23 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
 /* Errors: of the directional light 2, of four points 4 * 40, of the fog 1, of its product 1. Where
  * the instance has a placement, its normal is rounded by 1 a component, and its middle by 2 units
  * of 2^-17, which fxl_lit_place is; so these are no errors of this function. */
+fxl_q2_30 fxl_light_brightness_of(const fxl_light_settings *settings, const fxl_direction *normal)
+{
+    const uint32_t ambient = (uint32_t)settings->ambient;
+    return (fxl_q2_30)(settings->strength == 0 ? ambient
+                                               : sum_of(ambient, from_direction(settings, normal)));
+}
+
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place)
 {
-    uint32_t sum = (uint32_t)settings->ambient;
-    if (settings->strength != 0) {
-        sum = sum_of(sum, from_direction(settings, &place->normal));
-    }
-    for (uint32_t i = 0; i < settings->point_count; i++) {
-        sum = sum_of(sum, from_point(&settings->points[i], place));
+    uint32_t sum = (uint32_t)fxl_light_brightness_of(settings, &place->normal);
+    const fxl_point_light *point = settings->points;
+    for (uint32_t left = settings->point_count; left != 0; left--) {
+        const uint32_t part = from_point(point++, place);
+        if (part != 0) {
+            sum = sum_of(sum, part);
+        }
     }
     if (settings->fog_far != 0) {
         sum = fraction_of(sum, (uint32_t)through_fog(settings, camera, &place->middle));

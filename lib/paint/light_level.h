@@ -16,6 +16,9 @@ typedef struct {
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place);
 
+/* The same without points and fog, of which `place` would be needed for more than its normal. */
+fxl_q2_30 fxl_light_brightness_of(const fxl_light_settings *settings, const fxl_direction *normal);
+
 /* The level of a brightness: the nearest, halves upward. Exact. */
 static inline uint32_t fxl_light_level(fxl_q2_30 brightness, uint32_t levels)
 {

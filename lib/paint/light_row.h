@@ -2,11 +2,11 @@
 /* Neighbouring pixels of a face of one colour, whose light is linear. Light is one word, with 24
  * bits after the point, and a half, as in the gradients.
  *
- * Where the weight is constant, light is linear along a whole row. That of column x is first + x
- * step modulo 2^32, where both are rounded down to 2^-24: it is too small by less than 1024 2^-24
- * level, and depends on the face and the pixel alone. It is from -128 to 128 in the face: light at
- * three corners is from 0 to 63, and the fourth corner of a parallelogram may be at -63 or 126.
- * Internal. */
+ * Where the weight is constant, light is linear on the screen. That of column x of row y is at + y
+ * down + x along modulo 2^32, where all three are rounded down to 2^-24: it is too small by less
+ * than 2048 2^-24 level, and depends on the face and the pixel alone. It is from -128 to 128 in the
+ * face: light at three corners is from 0 to 63, and the fourth corner of a parallelogram may be at
+ * -63 or 126. Internal. */
 #ifndef FXL_LIGHT_ROW_H
 #define FXL_LIGHT_ROW_H
 
@@ -34,16 +34,34 @@ static inline uint32_t fxl_lower_of_shifted(int64_t value, unsigned drop)
                       : (uint32_t)value >> drop | (uint32_t)high << 1 << (31u - drop);
 }
 
-/* From column x0 on. A gradient's upper word is the light times 2^(29 - shift) in 16.16: so 53 -
- * shift of its 64 bits are below the word's. */
-static inline fxl_light_run fxl_light_run_of(const fxl_paint *paint, const fxl_paint_row *row,
-                                             int32_t x0)
+/* The light of a face on the screen. */
+typedef struct {
+    uint32_t at, along, down;
+} fxl_light_plane;
+
+/* A gradient's upper word is the light times 2^(29 - shift) in 16.16: so 53 - shift of its 64 bits
+ * are below the word's. */
+static inline fxl_light_plane fxl_light_plane_of(const fxl_gradients *gradients)
 {
-    const fxl_gradients *gradients = paint->gradients;
+    const fxl_gradient *light = &gradients->attributes[0];
     const unsigned drop = (unsigned)(53 - gradients->shifts[0]);
-    fxl_light_run run;
-    run.step = fxl_lower_of_shifted(gradients->attributes[0].along, drop);
-    run.light = fxl_lower_of_shifted(row->attributes[0], drop) + (uint32_t)x0 * run.step;
+    if (drop == 0) {
+        const fxl_light_plane words = {(uint32_t)light->at, (uint32_t)light->along,
+                                       (uint32_t)light->down};
+        return words;
+    }
+    const fxl_light_plane plane = {fxl_lower_of_shifted(light->at, drop),
+                                   fxl_lower_of_shifted(light->along, drop),
+                                   fxl_lower_of_shifted(light->down, drop)};
+    return plane;
+}
+
+/* From column x0 of row y on. */
+static inline fxl_light_run fxl_light_run_of(const fxl_paint *paint, int32_t y, int32_t x0)
+{
+    const fxl_light_plane plane = fxl_light_plane_of(paint->gradients);
+    const fxl_light_run run = {plane.at + (uint32_t)y * plane.down + (uint32_t)x0 * plane.along,
+                               plane.along};
     return run;
 }
 

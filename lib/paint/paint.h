@@ -63,9 +63,9 @@ typedef struct fxl_segment_face fxl_segment_face;
 typedef struct {
     int64_t weight;
     int64_t attributes[FXL_ATTRIBUTES];
-    uint8_t *pixels;                  /* of column 0 */
-    const fxl_segment_face *segments; /* null: the kernel cannot paint this face */
+    uint8_t *pixels; /* of column 0 */
     int32_t y;
+    const fxl_segment_face *segments; /* null: the kernel cannot paint this face */
 } fxl_paint_row;
 
 /* Paints the pixels x0 <= x < x1 of a row. Safe for any gradients: no texel is read that is not of

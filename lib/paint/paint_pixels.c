@@ -213,7 +213,7 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     uint32_t least[3];
     at.column = -1;
     if (paint->is_light_linear) {
-        const fxl_light_run run = fxl_light_run_of(paint, row, x0);
+        const fxl_light_run run = fxl_light_run_of(paint, row->y, x0);
         paint_lights(paint, row, x0, x1, &run);
         return;
     }

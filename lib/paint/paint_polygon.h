@@ -12,13 +12,18 @@
 typedef void fxl_row_painter(void *with, const fxl_paint *paint, const fxl_paint_row *row,
                              int32_t x0, int32_t x1);
 
-/* The row's gradients, y rows down. */
-static inline void fxl_begin_row(const fxl_gradients *gradients, int32_t y, fxl_paint_row *row)
+static inline int64_t value_down(const fxl_gradient *gradient, int32_t y)
+{
+    return gradient->at + fxl_multiply_s64_u16(gradient->down, (uint32_t)y);
+}
+
+/* The row's gradients, y rows down: 0 <= y < 2^16. */
+FXL_APART void fxl_begin_row(const fxl_gradients *gradients, int32_t y, fxl_paint_row *row)
 {
     row->y = y;
-    row->weight = gradients->weight.at + gradients->weight.down * y;
+    row->weight = value_down(&gradients->weight, y);
     for (uint32_t i = 0; i < gradients->count; i++) {
-        row->attributes[i] = gradients->attributes[i].at + gradients->attributes[i].down * y;
+        row->attributes[i] = value_down(&gradients->attributes[i], y);
     }
 }
 
@@ -67,20 +72,15 @@ fxl_paint_polygon(const fxl_paint *paint, const fxl_segment_face *segments,
     }
 }
 
-/* The rows of a trapezoid of a face that has a kernel for them, and no light. */
-static inline __attribute__((always_inline)) void
-fxl_begin_plain_rows(const fxl_gradients *gradients, const fxl_trapezoid *trapezoid,
-                     fxl_plain_rows *rows)
+/* What changes from row to row in a face that has a kernel for its rows, and no light. */
+static inline void fxl_find_downs(const fxl_gradients *gradients, int64_t downs[3])
 {
-    fxl_begin_row(gradients, trapezoid->first_row, &rows->row);
-    rows->downs[0] = gradients->weight.down;
-    rows->downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
-    rows->downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
-    rows->edges[0] = trapezoid->edges[0];
-    rows->edges[1] = trapezoid->edges[1];
+    downs[0] = gradients->weight.down;
+    downs[1] = gradients->attributes[FXL_ATTRIBUTE_U].down;
+    downs[2] = gradients->attributes[FXL_ATTRIBUTE_V].down;
 }
 
-/* Those above end_row. */
+/* The rows of such a face above end_row. */
 static inline __attribute__((always_inline)) void fxl_paint_plain_rows(
     const fxl_paint *paint, int32_t end_row, fxl_plain_rows *rows,
     bool (*paint_rows)(fxl_plain_rows *rows),
@@ -95,7 +95,7 @@ static inline __attribute__((always_inline)) void fxl_paint_plain_rows(
     }
 }
 
-/* fxl_paint_polygon of such a face. */
+/* fxl_paint_polygon of such a face. A trapezoid right below the one before goes on with its row. */
 static inline __attribute__((always_inline)) void fxl_paint_plain_polygon(
     const fxl_paint *paint, const fxl_segment_face *segments, const fxl_screen_point *points,
     uint32_t count, const fxl_band *band, uint32_t pixel_bytes, fxl_scan *scan,
@@ -106,11 +106,17 @@ static inline __attribute__((always_inline)) void fxl_paint_plain_polygon(
     fxl_plain_rows rows;
     rows.stride = band->stride * pixel_bytes;
     rows.row.segments = segments;
+    rows.row.y = -1;
+    fxl_find_downs(paint->gradients, rows.downs);
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
-        rows.row.pixels =
-            band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
-        fxl_begin_plain_rows(paint->gradients, trapezoid, &rows);
+        if (trapezoid->first_row != rows.row.y) {
+            rows.row.pixels =
+                band->pixels + (size_t)(trapezoid->first_row - band->first_row) * rows.stride;
+            fxl_begin_row(paint->gradients, trapezoid->first_row, &rows.row);
+        }
+        rows.edges[0] = trapezoid->edges[0];
+        rows.edges[1] = trapezoid->edges[1];
         fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, paint_rows, paint_pixels);
     }
 }

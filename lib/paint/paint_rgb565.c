@@ -95,38 +95,21 @@ static inline uint32_t part_of(uint32_t light, uint32_t part_of_level)
     return ((light >> 16) * part_of_level + 32768u) >> 16;
 }
 
-/* Red and blue of a colour: blue in bits 8 to 12, red in bits 27 to 31. */
-static inline uint32_t red_and_blue(uint32_t colour)
-{
-    return (colour & FXL_RED_565) << 16 | (colour & FXL_BLUE_565) << 8;
-}
-
-/* Green, in bits 13 to 18. */
-static inline uint32_t green_of(uint32_t colour)
-{
-    return (colour & FXL_GREEN_565) << 8;
-}
-
-/* Opaque pixels of one colour, lit: those of fxl_mix_565, which mixes each channel for itself. Here
- * a channel has 8 bits after the point and is dark, and the parts of the difference; it lies
- * between those of the two colours, so fields of one word do not touch. light: less the half. */
+/* Opaque pixels of one colour, lit: those of fxl_mix_565. light: less the half. */
 static inline __attribute__((always_inline)) void
 paint_lit_colour(const fxl_paint_565 *of, uint32_t colour, uint32_t most, bool is_within,
                  uint32_t light, uint32_t step, uint16_t *pixel, const uint16_t *end)
 {
-    const uint32_t dark = of->dark, part_of_level = of->part_of_level;
-    /* Differences of a 256th, and half a unit of the lowest bit that is kept. */
-    const uint32_t red_dark = red_and_blue(dark) + (1u << 26 | 1u << 7);
-    const uint32_t red_step = (red_and_blue(colour) >> 8) - (red_and_blue(dark) >> 8);
-    const uint32_t green_dark = green_of(dark) + (1u << 12);
-    const uint32_t green_step = (green_of(colour) >> 8) - (green_of(dark) >> 8);
+    const uint32_t part_of_level = of->part_of_level;
+    const fxl_mixture_565 mixture = fxl_mixture_of_565(colour, of->dark);
     for (; pixel != end; light += step) {
         uint32_t held = light;
         if (!is_within) {
             held = (int32_t)light < 0 ? 0 : light > most ? most : light;
         }
         const uint32_t part = part_of(held, part_of_level);
-        const uint32_t red = red_dark + red_step * part, green = green_dark + green_step * part;
+        const uint32_t red = mixture.red_dark + mixture.red_step * part;
+        const uint32_t green = mixture.green_dark + mixture.green_step * part;
         *pixel++ = (uint16_t)((red >> 16 & FXL_RED_565) | (green >> 8 & FXL_GREEN_565) |
                               (red >> 8 & FXL_BLUE_565));
     }
@@ -150,12 +133,12 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
 static void mix_evenly(const fxl_paint *paint, uint16_t *pixel, const uint16_t *end)
 {
     const uint32_t dark = paint->of_565.dark, part = part_of_light(paint, paint->light << 8);
-    const uint32_t red_dark =
-        red_and_blue(dark) + (1u << 26 | 1u << 7) - (red_and_blue(dark) >> 8) * part;
-    const uint32_t green_dark = green_of(dark) + (1u << 12) - (green_of(dark) >> 8) * part;
+    const fxl_mixture_565 mixture = fxl_mixture_of_565(0, dark);
+    const uint32_t red_dark = mixture.red_dark + mixture.red_step * part;
+    const uint32_t green_dark = mixture.green_dark + mixture.green_step * part;
     for (; pixel != end; pixel++) {
         const uint32_t colour = *pixel;
-        const uint32_t red = red_dark + (red_and_blue(colour) >> 8) * part;
+        const uint32_t red = red_dark + (fxl_red_and_blue_565(colour) >> 8) * part;
         const uint32_t green = green_dark + (colour & FXL_GREEN_565) * part;
         *pixel = (uint16_t)((red >> 16 & FXL_RED_565) | (green >> 8 & FXL_GREEN_565) |
                             (red >> 8 & FXL_BLUE_565));
@@ -188,13 +171,13 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
 {
     divided_column at;
     uint32_t least[3];
+    least[0] = 0; /* not found yet */
     at.column = -1;
     if (paint->is_light_linear) {
-        const fxl_light_run run = fxl_light_run_of(paint, row, x0);
+        const fxl_light_run run = fxl_light_run_of(paint, row->y, x0);
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
         int32_t end = fxl_segments_end(row, x0, x1);
         if (end > x0) {
@@ -204,6 +187,9 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
                 mix_evenly(paint, pixels + x0, pixels + end);
             }
         } else {
+            if (least[0] == 0) {
+                fxl_find_least_weights(paint->gradients, paint->division, least);
+            }
             end = smaller((x0 & ~15) + 16, x1);
             paint_sixteen(paint, row, least, x0, end, &at);
         }

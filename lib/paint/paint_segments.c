@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "plain_rows.h"
+#include "plain_run.h"
 
 #include "../math/family.h"
 
@@ -11,16 +11,38 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
     fxl_paint_texels(face, run, row->pixels + x, count);
 }
 
+#define TEXEL_CODE (&fxl_texel_code_8)
+
+static inline bool has_kernel(const fxl_segment_face *face)
+{
+    return face->ramp == NULL;
+}
+
 #include "segment_runs.h"
+
+/* The kernels of Armv6-M paint texels. */
+static inline void put_through(const uint8_t *table, uint8_t *pixel, const uint8_t *end)
+{
+    for (; pixel != end; pixel++) {
+        *pixel = table[*pixel];
+    }
+}
 
 void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                         int32_t x1)
 {
     paint_row_segments(face, row, x0, x1);
+    if (FXL_KERNELS_ARMV6M && has_kernel(face) && face->table != NULL) {
+        put_through(face->table, row->pixels + x0, row->pixels + x1);
+    }
 }
 
 bool fxl_paint_rows(fxl_plain_rows *rows)
 {
+    if (FXL_KERNELS_ARMV6M && has_kernel(rows->row.segments) && rows->row.segments->table == NULL &&
+        !rows->row.segments->is_constant) {
+        return fxl_paint_plain_rows(rows, TEXEL_CODE);
+    }
     return fxl_paint_rows_by(rows, fxl_paint_segments);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "plain_rows.h"
+#include "plain_run.h"
 
 #include "../math/family.h"
 
@@ -25,6 +25,14 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
     }
 }
 
+#define TEXEL_CODE (&fxl_texel_code_565)
+
+static inline bool has_kernel(const fxl_segment_face *face)
+{
+    (void)face;
+    return true;
+}
+
 #include "segment_runs.h"
 
 void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
@@ -35,6 +43,9 @@ void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *r
 
 bool fxl_paint_rows_565(fxl_plain_rows *rows)
 {
+    if (FXL_KERNELS_ARMV6M && has_kernel(rows->row.segments) && !rows->row.segments->is_constant) {
+        return fxl_paint_plain_rows(rows, TEXEL_CODE);
+    }
     return fxl_paint_rows_by(rows, fxl_paint_segments_565);
 }
 

@@ -7,6 +7,7 @@
 #if FXL_KERNELS_ARMV7M
 
 #define ROWS        fxl_paint_rows_565
+#define RUNS        fxl_paint_runs_565
 #define WIDE        1
 #define TABLE       SEGMENT_FACE_PALETTE
 #define PIXEL       18
@@ -18,6 +19,9 @@
     .thumb
     .section .text.fxl_paint_segments_565, "ax", %progbits
     .global fxl_paint_rows_565
+#if !FXL_IS_COMPACT
+    .global fxl_paint_runs_565
+#endif
     .global fxl_paint_segments_565
     .type fxl_paint_segments_565, %function
     .thumb_func

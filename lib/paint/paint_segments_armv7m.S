@@ -7,6 +7,7 @@
 #if FXL_KERNELS_ARMV7M
 
 #define ROWS        fxl_paint_rows
+#define RUNS        fxl_paint_runs
 #define WIDE        0
 #define TABLE       SEGMENT_FACE_TABLE
 #define PIXEL       16
@@ -18,6 +19,9 @@
     .thumb
     .section .text.fxl_paint_segments, "ax", %progbits
     .global fxl_paint_rows
+#if !FXL_IS_COMPACT
+    .global fxl_paint_runs
+#endif
     .global fxl_paint_segments
     .type fxl_paint_segments, %function
     .thumb_func

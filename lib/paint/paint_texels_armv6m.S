@@ -1,24 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_paint_texels for Armv6-M. lib/paint/paint.h states what it requires and does. A texel
- * takes 7 instructions if the texture is 32 to 256 texels wide and no higher than wide; any other
- * takes 12. Light takes 7 more, in a second pass. */
+/* fxl_paint_texels and fxl_texel_code_8 for Armv6-M. lib/paint/segments.h and plain_run.h state what they require
+ * and do. A texel takes 7 instructions if the texture is 32 to 256 texels wide and no higher than wide; any other
+ * takes 12 in fxl_paint_texels, 14 else. Light takes 7 more, in a second pass. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 
 #if FXL_KERNELS_ARMV6M
 
+#include "plain_rows_armv6m.h"
 
     .syntax unified
     .thumb
 
 #define PIXEL_BYTES 14  /* of code */
-#define WHOLE       228 /* of code, for 16 pixels */
-
-texels  .req r0
-p       .req r1     /* the position */
-pixels  .req r2     /* of the first of 16 pixels, the last ones of which are painted */
-step    .req r4
-mask    .req r5
+#define WHOLE       226 /* of code, for 16 pixels */
 
     .section .text.fxl_paint_texels, "ax", %progbits
     .global fxl_paint_texels
@@ -47,6 +42,8 @@ fxl_paint_texels:
     adds    r3, r3, r6
     subs    r3, #WHOLE - 1              /* Thumb code */
     ldr     texels, [r0, #SEGMENT_FACE_TEXELS]
+    ldr     r6, =.Llight + 1
+    mov     lr, r6
     bx      r3
 
     /* A texture of any size. */
@@ -113,32 +110,41 @@ fxl_paint_texels:
     add     sp, #16
     pop     {r4-r7, pc}
 
-    .macro  whole log
-.Lpixels_\log:
-    .irp    i, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
-    .if     \log == 8
-    movs    r3, p
-    .else
-    lsrs    r3, p, #(16 - 2 * \log)
-    .endif
-    ands    r3, mask
-    lsrs    r6, p, #(32 - \log)
-    adds    r3, r3, r6
+    .ltorg
+    .size fxl_paint_texels, . - fxl_paint_texels
+
+    .macro  paint_texel
+    ldrb    r3, [texels, r3]
+    strb    r3, [pixels]
+    .endm
+
+    .macro  store_texel i
     ldrb    r3, [texels, r3]
     strb    r3, [pixels, #\i]
-    adds    p, p, step
-    .endr
-    b       .Llight
     .endm
-    .align  2
-    whole   5
-    .org    .Lpixels_5 + WHOLE
-    whole   6
-    .org    .Lpixels_5 + 2 * WHOLE
-    whole   7
-    .org    .Lpixels_5 + 3 * WHOLE
-    whole   8
 
-    .size fxl_paint_texels, . - fxl_paint_texels
+    .align  2
+    .global fxl_texel_code_8
+    .type   fxl_texel_code_8, %object
+fxl_texel_code_8:
+    .word   0
+    .word   .Lpixels_5 + 1 - WHOLE, WHOLE, PIXEL_BYTES
+    .word   0, 0, 0                     /* a palette: none */
+    .word   .Lloop + 1
+    .size   fxl_texel_code_8, . - fxl_texel_code_8
+
+    .type   texels_8, %function
+texels_8:
+.Lpixels_5:
+    sixteen 5, store_texel
+    .org    .Lpixels_5 + WHOLE
+    sixteen 6, store_texel
+    .org    .Lpixels_5 + 2 * WHOLE
+    sixteen 7, store_texel
+    .org    .Lpixels_5 + 3 * WHOLE
+    sixteen 8, store_texel
+.Lloop:
+    paint_loop 0
+    .size texels_8, . - texels_8
 
 #endif

@@ -27,6 +27,21 @@ typedef struct {
 bool fxl_paint_rows(fxl_plain_rows *rows);
 bool fxl_paint_rows_565(fxl_plain_rows *rows);
 
+/* Runs of visible pixels: depth_rows.h. The row is that of the run before. Only Armv7-M paints
+ * them, where its code is not compiled for size. */
+typedef struct {
+    fxl_paint_row row; /* y is not kept */
+    int64_t downs[3];  /* as above */
+    const uint32_t *next, *end;
+    uint32_t stride; /* bytes */
+} fxl_plain_runs;
+
+/* Paints runs from runs->next on. Returns false if it has come to the end. Returns true after a run
+ * whose weights the kernel does not take: it is the one before runs->next, in runs->row, and
+ * nothing of it is painted. Requires a face without a ramp. Pixels have 8 bits, or 16. */
+bool fxl_paint_runs(fxl_plain_runs *runs);
+bool fxl_paint_runs_565(fxl_plain_runs *runs);
+
 /* A sum below the last row may be beyond what is bounded: then it wraps. */
 static inline void fxl_plain_rows_next(fxl_plain_rows *rows)
 {

@@ -65,6 +65,34 @@ static inline uint16_t fxl_mix_565(uint32_t colour, uint32_t dark, uint32_t part
                       fxl_mix_channel_565(colour, dark, part, FXL_BLUE_565));
 }
 
+/* What mixes two colours by parts, in two words: red and blue, whose lowest bits are 27 and 8, and
+ * green, whose lowest bit is 13. A channel has 8 bits after the point, and half a unit of the
+ * lowest bit that is kept. It is dark, and the parts of a 256th of the difference: between those of
+ * the two colours, so fields of one word do not touch. */
+typedef struct {
+    uint32_t red_dark, red_step, green_dark, green_step;
+} fxl_mixture_565;
+
+static inline uint32_t fxl_red_and_blue_565(uint32_t colour)
+{
+    return (colour & FXL_RED_565) << 16 | (colour & FXL_BLUE_565) << 8;
+}
+
+static inline uint32_t fxl_raised_green_565(uint32_t colour)
+{
+    return (colour & FXL_GREEN_565) << 8;
+}
+
+/* fxl_mix_565 of these two and any part. */
+static inline fxl_mixture_565 fxl_mixture_of_565(uint32_t colour, uint32_t dark)
+{
+    const uint32_t red = fxl_red_and_blue_565(dark), green = fxl_raised_green_565(dark);
+    const fxl_mixture_565 mixture = {red + (1u << 26 | 1u << 7),
+                                     (fxl_red_and_blue_565(colour) >> 8) - (red >> 8),
+                                     green + (1u << 12), (colour & FXL_GREEN_565) - (green >> 8)};
+    return mixture;
+}
+
 /* --- in a palette -------------------------------------------------------------------------- */
 
 /* The number of the entry of a palette that is nearest to a colour: by the sum of the squared

@@ -5,11 +5,17 @@
  *   static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
  *                                   const fxl_texel_run *run, int32_t x, uint32_t count);
  *
+ * and, for the kernels of plain_run.h, which of them paints these pixels, TEXEL_CODE, and whether
+ * the kernels take a face:
+ *
+ *   static inline bool has_kernel(const fxl_segment_face *face);
+ *
  * Internal. */
 #ifndef FXL_SEGMENT_RUNS_H
 #define FXL_SEGMENT_RUNS_H
 
-#include "segments.h"
+#include "../math/family.h"
+#include "plain_run.h"
 
 /* The weight and the attributes at a column, of light the upper word; and their steps. */
 typedef struct {
@@ -25,7 +31,7 @@ typedef struct {
 /* Segments may end beyond what the gradients are bounded for: then their sums wrap. */
 static inline int64_t sum(int64_t value, int64_t step, uint32_t times)
 {
-    return (int64_t)((uint64_t)value + (uint64_t)fxl_multiply_s64(step, times));
+    return (int64_t)((uint64_t)value + (uint64_t)fxl_multiply_s64_u16(step, times));
 }
 
 /* The values at column number `segment` of those that are multiples of 2^log. Steps are multiples
@@ -121,8 +127,8 @@ static inline int32_t paint_part(const fxl_segment_face *face, const fxl_paint_r
 }
 
 /* Segments of 2^log columns. */
-static void paint_run(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
-                      int32_t x0, int32_t x1)
+FXL_APART void paint_run(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
+                         int32_t x0, int32_t x1)
 {
     segment_values at;
     segment_end ends[2];
@@ -143,8 +149,8 @@ static void paint_run(const fxl_segment_face *face, const fxl_paint_row *row, ui
 }
 
 /* Each pixel divided. */
-static void paint_each(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
-                       int32_t x1)
+FXL_APART void paint_each(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                          int32_t x1)
 {
     segment_values at;
     segment_end end;
@@ -188,8 +194,8 @@ static inline void find_line(int64_t value, int64_t change, const fxl_reciprocal
         segment * line->change + 8u * (line->step - upper_half(line->step)) + 0x8000u;
 }
 
-static void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
-                       int32_t x1)
+FXL_APART void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                          int32_t x1)
 {
     const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(row->weight >> 32));
     const uint32_t segment = (uint32_t)x0 >> 4;
@@ -200,6 +206,11 @@ static void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, i
     find_line(row->attributes[FXL_ATTRIBUTE_V], face->v_step, &reciprocal, face->v_drop, segment,
               &v);
     run.step = upper_half(u.step) + (uint32_t)((int32_t)upper_half(v.step) >> 16);
+    if (FXL_KERNELS_ARMV6M && has_kernel(face)) {
+        const fxl_line_run line = {x0, x1, TEXEL_CODE, u.at, v.at, u.change, v.change, run.step};
+        fxl_paint_line(face, row, &line);
+        return;
+    }
     while (x0 < x1) {
         run.position = (u.at & 0xFFFF0000u) | v.at >> 16;
         x0 += paint_part(face, row, &run, 4, x0, x1);
@@ -210,12 +221,54 @@ static void paint_line(const fxl_segment_face *face, const fxl_paint_row *row, i
 
 /* --- a row ---------------------------------------------------------------------------------- */
 
-/* The logarithm of the segments of 16 columns. */
-static inline uint32_t log_at(const fxl_segment_face *face, const fxl_paint_row *row,
-                              uint32_t segment)
+/* Where the segments of a row have another length than those of 2^log columns. Weights are linear:
+ * the least one of 16 columns is that at their left end if it rises, and that at their right end if
+ * it falls. */
+static inline int32_t length_bound(const fxl_segment_face *face, uint32_t log, bool rises)
 {
-    return fxl_segment_log(face->least, (uint32_t)fxl_segment_weight(face, row, segment),
-                           (uint32_t)fxl_segment_weight(face, row, segment + 1u));
+    const uint32_t *least = face->least;
+    if (rises) {
+        return log == 4 ? INT32_MAX : (int32_t)least[log == 3 ? 0 : log == 2 ? 1 : 2];
+    }
+    return log == 0 ? INT32_MIN : (int32_t)least[log == 4 ? 0 : log == 3 ? 1 : 2];
+}
+
+/* The end of the columns from x0 on, before x1, that have segments of 2^log. weight: at the left
+ * end of the first 16; becomes that at the left end of those that follow. */
+static inline int32_t length_end(const fxl_segment_face *face, uint32_t log, int32_t x0, int32_t x1,
+                                 uint64_t *weight)
+{
+    const uint64_t step = (uint64_t)face->weight_step;
+    const bool rises = face->weight_step >= 0;
+    const int32_t bound = length_bound(face, log, rises);
+    uint64_t at = *weight + step; /* beyond the row it may wrap */
+    int32_t end = (x0 & ~15) + 16;
+    if (rises) {
+        for (; end < x1 && (int32_t)(at >> 32) < bound; end += 16) {
+            at += step;
+        }
+        *weight = at;
+    } else {
+        for (at += step; end < x1 && (int32_t)(at >> 32) >= bound; end += 16) {
+            at += step;
+        }
+        *weight = at - step;
+    }
+    return end < x1 ? end : x1;
+}
+
+/* Segments of 2^log columns, or pixels that are each divided. */
+static inline void paint_equal(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
+                               int32_t x0, int32_t x1)
+{
+    if (FXL_KERNELS_ARMV6M && has_kernel(face)) {
+        const fxl_run run = {x0, x1, TEXEL_CODE, log};
+        fxl_paint_run(face, row, &run);
+    } else if (FXL_KERNELS_ARMV6M || log != 0) { /* lit faces have segments of 16 alone */
+        paint_run(face, row, log, x0, x1);
+    } else {
+        paint_each(face, row, x0, x1);
+    }
 }
 
 static inline void paint_row_segments(const fxl_segment_face *face, const fxl_paint_row *row,
@@ -225,18 +278,13 @@ static inline void paint_row_segments(const fxl_segment_face *face, const fxl_pa
         paint_line(face, row, x0, x1);
         return;
     }
+    uint64_t weight = (uint64_t)sum(row->weight, face->weight_step, (uint32_t)x0 >> 4);
     while (x0 < x1) {
-        const uint32_t log = log_at(face, row, (uint32_t)x0 >> 4);
-        int32_t end = (x0 & ~15) + 16;
-        while (end < x1 && log_at(face, row, (uint32_t)end >> 4) == log) {
-            end += 16;
-        }
-        end = end < x1 ? end : x1;
-        if (log == 0) {
-            paint_each(face, row, x0, end);
-        } else {
-            paint_run(face, row, log, x0, end);
-        }
+        const uint64_t next = weight + (uint64_t)face->weight_step;
+        const uint32_t log =
+            fxl_segment_log(face->least, (uint32_t)(weight >> 32), (uint32_t)(next >> 32));
+        const int32_t end = length_end(face, log, x0, x1, &weight);
+        paint_equal(face, row, log, x0, end);
         x0 = end;
     }
 }

@@ -22,8 +22,9 @@
  * Where the weight is the same in all columns and there is no light, a row is one line. Its
  * coordinates have 32 bits, FXL_ROW_BITS more than U and V: at column 16 k they are those of column
  * 0 and k times their change in 16 columns, modulo 2^32. p is their upper halves there, and the
- * step is a 16th of the change, rounded to the upper half; 8 times what that loses, and half a unit of p,
- * are added to the coordinates, so that the middle of 16 columns is right. So p begins anew every 16 columns.
+ * step is a 16th of the change, rounded to the upper half; 8 times what that loses, and half a unit
+ * of p, are added to the coordinates, so that the middle of 16 columns is right. So p begins anew
+ * every 16 columns.
  *
  * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
  * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
@@ -86,7 +87,9 @@ bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face);
 static inline int32_t fxl_segment_weight(const fxl_segment_face *face, const fxl_paint_row *row,
                                          uint32_t segment)
 {
-    return (int32_t)(((uint64_t)row->weight + (uint64_t)face->weight_step * segment) >> 32);
+    return (int32_t)(((uint64_t)row->weight +
+                      (uint64_t)fxl_multiply_s64_u16(face->weight_step, segment)) >>
+                     32);
 }
 
 /* The least weight, at both ends of each 16 columns, that the kernel takes. */
@@ -106,7 +109,7 @@ static inline bool fxl_segments_suffice(const fxl_segment_face *face, const fxl_
 
 /* The column before which the kernel may paint from x0 on: x0, the end of 16 columns, or
  * x1. */
-static inline int32_t fxl_segments_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
+FXL_APART int32_t fxl_segments_end(const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     const fxl_segment_face *face = row->segments;
     if (face == NULL ||

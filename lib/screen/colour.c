@@ -30,7 +30,7 @@ static bool set_up(const fxl_display *display, const fxl_display_config *config)
                                 SET_ACCESS,
                                 config->access,
                                 1,
-                                config->is_inverted ? INVERT : INVERT_OFF,
+                                (uint8_t)(config->is_inverted ? INVERT : INVERT_OFF),
                                 0};
     if (!fxl_display_command(display, SOFTWARE_RESET, NULL, 0)) {
         return false;

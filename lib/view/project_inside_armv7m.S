@@ -83,10 +83,9 @@ fxl_project_inside_saved:
     mls     lr, r7, depth, lr
     sub     depth, depth, #1
     cmp     depth, lr                       /* no carry: one less */
-    sbc     r8, r8, r7
-    strd    r5, r8, [screen]
+    sbc     r3, r8, r7
+    strd    r5, r3, [screen]
     mov     r1, r5
-    mov     r3, r8
     movs    r0, #0                          /* FXL_OK */
     pop     {r4-r11, pc}
 

@@ -27,9 +27,13 @@ planes      .req lr         /* in the lowest byte */
     strd    r10, \upper, [entry, #CACHED_VERTEX_POSITION + 8 * \number]
     .endm
 
-/* Transforms a vertex, and continues with its clip flags in r1: at .Ldecided; if fxl_outcode must say
- * them at .Lundecided; and if the instance is scaled at .Lscaled. r0: model_view, r1: number, r2:
- * entry. \at is the end of these names. */
+/* Transforms a vertex. r0: model_view, r1: number, r2: entry. \at is the end of these names. Continues
+ *
+ *   at .Linside     if it is inside all planes; view is the frustum in the view
+ *   at .Lwithin     if no vertex is outside a plane; view is the view
+ *   at .Ldecided    with its clip flags in r1, if they may be 0
+ *   at .Lundecided  if fxl_outcode must find its clip flags
+ *   at .Lscaled     if the instance is scaled */
     .macro  transform at
     push    {r0, r4-r11, lr}
     ldm     r0, {r3-r7}                     /* view, -, -, tag, vertices */
@@ -44,7 +48,7 @@ planes      .req lr         /* in the lowest byte */
     along   2, r0                           /* the last use of the model view */
 
     lsls    r1, planes, #24
-    beq     .Ldecided\at                    /* inside all planes */
+    beq     .Lwithin\at
     bmi     .Lscaled\at
     adds    view, view, #VIEW_FRUSTUM
     ldm     view, {r4-r7}
@@ -79,8 +83,7 @@ planes      .req lr         /* in the lowest byte */
     orr     r1, r1, r9
     orr     r1, r1, r5
     orrs    r1, r1, r7
-    mov     r1, #0
-    bpl     .Ldecided\at                    /* inside all planes */
+    bpl     .Linside\at
     lsrs    r1, r5, #31                     /* signs, from the lowest bit upward; adding 4
                                                changes no sign that is decided */
     lsrs    r7, r7, #31
@@ -128,6 +131,10 @@ planes      .req lr         /* in the lowest byte */
  * kept. */
 fxl_transform_vertex:
     transform
+    b       .Ldecided
+.Lwithin:
+.Linside:
+    movs    r1, #0
 .Ldecided:
     orr     r1, r1, #VERTEX_UNPROJECTED
     str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
@@ -150,27 +157,37 @@ fxl_transform_vertex:
 
 /* The same for fxl_clip_by_view, and a vertex that is inside all planes is projected in the same
  * frame on the stack: 30 cycles less on a Cortex-M3. r0 returns what fxl_project_inside returns,
- * with r1, r2 and r3; or -1 if the vertex is outside a plane. */
+ * with r1, r2 and r3: then the clip flags are not stored. Or r0 returns -1: they are in r1 and in
+ * the entry, as the vertex is outside a plane. */
 fxl_transform_and_project:
     transform _and
 .Ldecided_and:
+    cmp     r1, #0
+    beq     .Linside_and
     orr     r1, r1, #VERTEX_UNPROJECTED
     str     r1, [entry, #CACHED_VERTEX_CLIP_FLAGS]
-.Lflags_and:
-    cmp     r1, #VERTEX_UNPROJECTED
-    bne     .Loutside_and
-    ldr     r0, [sp], #4                    /* the model view; below are r4-r11 and lr */
-    ldr     r0, [r0, #MODEL_VIEW_VIEW]
-    add     r1, entry, #CACHED_VERTEX_POSITION
-    adds    r2, r2, #CACHED_VERTEX_SCREEN
-    adds    r0, r0, #VIEW_PROJECTION
-    b.w     fxl_project_inside_saved
 .Loutside_and:
     mov     r0, #-1
     pop     {r3-r11, pc}
+.Linside_and:
+    subs    r0, view, #VIEW_FRUSTUM - VIEW_PROJECTION
+.Lproject_and:
+    add     r1, entry, #CACHED_VERTEX_POSITION
+    adds    r2, r2, #CACHED_VERTEX_SCREEN
+    add     sp, sp, #4                      /* below are r4-r11 and lr */
+    b.w     fxl_project_inside_saved
+.Lwithin_and:
+    add     r0, view, #VIEW_PROJECTION
+    b       .Lproject_and
 .Lundecided_and:
     find_clip_flags
-    b       .Lflags_and
+.Lflags_and:
+    cmp     r1, #VERTEX_UNPROJECTED
+    bne     .Loutside_and
+    ldr     r0, [sp]                        /* the model view */
+    ldr     r0, [r0, #MODEL_VIEW_VIEW]
+    adds    r0, r0, #VIEW_PROJECTION
+    b       .Lproject_and
 .Lscaled_and:
     scale_vertex
     b       .Lflags_and

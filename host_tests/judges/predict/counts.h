@@ -53,6 +53,7 @@
     X(small_weights) \
     X(small_divided) \
     X(small_depths) \
+    X(small_linear) \
     X(surfaces_listed) \
     X(surfaces_read) \
     X(surfaces_painted) \
@@ -91,6 +92,12 @@
     X(depth_outline_runs) \
     X(depth_outline_kept) \
     X(depth_outline_hidden) \
+    X(smooth_outlines) \
+    X(smooth_edges) \
+    X(smooth_trapezoids) \
+    X(smooth_rows) \
+    X(smooth_kept) \
+    X(smooth_hidden) \
     X(points_transformed) \
     X(billboards) \
     X(billboard_rows) \
@@ -146,6 +153,9 @@ extern predict_counts counted;
 /* Under way is a band with a depth buffer; and a surface of which it keeps not every depth: a
  * blended one, or one with holes. */
 extern bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline;
+
+/* A smooth polygon in words, near to far, is about to be scanned; it is drawn. */
+extern bool begins_smooth, draws_smooth, compares_each;
 
 /* The frame is of RGB565: its pixels are wide. */
 extern bool is_wide;

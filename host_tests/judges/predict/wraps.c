@@ -215,7 +215,9 @@ WRAPPED(bool, fxl_draw_outline_rgb565,
 
 WRAPPED(const fxl_trapezoid *, fxl_scan_next_trapezoid, (fxl_scan * scan))
 {
-    *(draws_depth_outline ? &counted.depth_outline_trapezoids : &counted.trapezoids) += 1;
+    *(draws_smooth          ? &counted.smooth_trapezoids
+      : draws_depth_outline ? &counted.depth_outline_trapezoids
+                            : &counted.trapezoids) += 1;
     return __real_fxl_scan_next_trapezoid(scan);
 }
 
@@ -360,7 +362,9 @@ WRAPPED(void, fxl_surface_paint_of,
         (const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon, fxl_paint *paint))
 {
     __real_fxl_surface_paint_of(surfaces, polygon, paint);
-    counted.surfaces_painted += 1;
+    begins_smooth = paint->is_light_linear && polygon->has_depth &&
+                    polygon->depth.one == FXL_DEPTH_IS_LINEAR && !compares_each;
+    counted.surfaces_painted += !begins_smooth;
     paints_surface = true;
     keeps_less = paint->blend != NULL || has_holes(paint);
 }
@@ -552,6 +556,10 @@ WRAPPED(int32_t, fxl_paint_divided,
 WRAPPED(void, fxl_paint_pixels,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
+    if (draws_smooth) {
+        __real_fxl_paint_pixels(paint, row, x0, x1);
+        return;
+    }
     counted.slow_rows += !paint->is_light_linear;
     if (has_depth_buffer && has_holes(paint)) {
         counted.depth_holes += x1 - x0;
@@ -566,6 +574,10 @@ WRAPPED(void, fxl_paint_pixels,
 WRAPPED(void, fxl_paint_pixels_565,
         (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
+    if (draws_smooth) {
+        __real_fxl_paint_pixels_565(paint, row, x0, x1);
+        return;
+    }
     counted.wide_texture_rows += !paint->is_light_linear;
     if (has_depth_buffer && has_holes(paint)) {
         counted.depth_holes += x1 - x0;

@@ -18,16 +18,24 @@
 
 /* --- depth buffer --------------------------------------------------------------------------- */
 
-bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline;
+bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline, begins_smooth, draws_smooth;
 
 /* The band under way is drawn far to near, by loops that stand in the callers: each pixel of a
  * polygon is compared, and counted by area. */
-static bool compares_each;
+bool compares_each;
 
 WRAPPED(void, fxl_corner_planes_depth, (fxl_corner_planes * planes, fxl_depth_plane *plane))
 {
     counted.small_depths += !planes->has_weight;
     __real_fxl_corner_planes_depth(planes, plane);
+}
+
+WRAPPED(bool, fxl_corner_planes_linear,
+        (const fxl_corner_planes *planes, const int32_t light[3], fxl_gradients *gradients,
+         fxl_depth_plane *depth))
+{
+    counted.small_linear += 1;
+    return __real_fxl_corner_planes_linear(planes, light, gradients, depth);
 }
 
 WRAPPED(void, fxl_find_depth_by_normal,
@@ -45,13 +53,23 @@ WRAPPED(void, fxl_depth_draw_parts,
     has_depth_buffer = true;
     compares_each = !renderer->near_first;
     __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes, pixel_bytes);
-    has_depth_buffer = draws_depth_outline = false;
+    has_depth_buffer = draws_depth_outline = draws_smooth = false;
 }
 
 WRAPPED(void, fxl_scan_outline,
         (const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
 {
     const double top = band->first_row, bottom = top + band->rows;
+    draws_smooth = begins_smooth;
+    begins_smooth = false;
+    if (draws_smooth) {
+        counted.smooth_outlines += 1;
+        counted.smooth_edges += count;
+        counted.smooth_rows += rows_between(points, count, top, bottom);
+        paints_surface = keeps_less = draws_depth_outline = false;
+        __real_fxl_scan_outline(points, count, band, scan);
+        return;
+    }
     if (paints_surface) {
         counted.painted_edges += count;
         counted.painted_rows += rows_between(points, count, top, bottom);
@@ -75,6 +93,10 @@ WRAPPED(uint32_t, fxl_depth_keep_visible,
         (uint16_t * cells, uint32_t count, uint32_t code, uint32_t step))
 {
     const uint32_t kept = __real_fxl_depth_keep_visible(cells, count, code, step);
+    if (draws_smooth) {
+        counted.smooth_kept += kept;
+        return kept;
+    }
     *(draws_depth_outline ? &counted.depth_outline_runs : &counted.depth_runs) += 1;
     *(draws_depth_outline ? &counted.depth_outline_kept : &counted.depth_kept) += kept;
     return kept;
@@ -84,6 +106,10 @@ WRAPPED(uint32_t, fxl_depth_skip_hidden,
         (const uint16_t *cells, uint32_t count, uint32_t code, uint32_t step))
 {
     const uint32_t hidden = __real_fxl_depth_skip_hidden(cells, count, code, step);
+    if (draws_smooth) {
+        counted.smooth_hidden += hidden;
+        return hidden;
+    }
     *(draws_depth_outline ? &counted.depth_outline_runs : &counted.depth_hidden_runs) += 1;
     *(draws_depth_outline ? &counted.depth_outline_hidden : &counted.depth_hidden) += hidden;
     return hidden;

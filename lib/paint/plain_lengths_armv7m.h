@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: MIT */
+/* Part of plain_rows_armv7m.h: which lengths the segments of a row have, and where a run of
+ * segments of one length begins and ends. Assembly. */
+#ifndef FXL_PLAIN_LENGTHS_ARMV7M_H
+#define FXL_PLAIN_LENGTHS_ARMV7M_H
+
+/* clang-format off */
+
+/* Which segments the columns r2 to r3 have; r0: face, r1: row. r10, r11: the weight at the first 16
+ * columns. */
+    .align  2
+.Lface_weights:
+    ldrd    r1, r0, [sp, #F_ROW]
+    lsr     r4, r2, #4
+    add     r5, r3, #15
+    lsr     r5, r5, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    umull   r12, lr, r6, r5
+    mla     lr, r7, r5, lr
+    adds    r12, r12, r8
+    adc     lr, lr, r9
+    cmp     lr, r11
+    it      gt
+    movgt   lr, r11
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    str     r3, [sp, #F_X_END]
+    cmp     lr, r8
+    blt     .Lmixed
+    movs    r4, #4
+    str     r3, [sp, #F_X]
+
+/* A run of segments of 2^r4 columns: the columns r2 to r3 of the row in r1; r0: face. */
+.Lrun:
+    ldr     r5, [sp, #F_LOG]
+    cmp     r4, r5
+    bne     .Lother_log
+.Lsame_log:
+    rsb     r5, r4, #32
+    lsl     r6, r2, r5
+    lsr     r6, r6, r5                  /* columns that are skipped */
+    ldr     r8, [sp, #F_SHORT]
+    ldr     r7, [r1, #PAINT_ROW_PIXELS]
+    rsb     r8, r8, #16
+    sub     r7, r7, #(1 << WIDE)
+    add     r3, r7, r3, lsl #WIDE
+    sub     r8, r3, r8, lsl #WIDE
+    strd    r8, r3, [sp, #F_LAST]
+    str     r6, [sp, #F_SKIP]
+    sub     r3, r2, r6
+    add     pixels, r7, r3, lsl #WIDE
+    lsr     r12, r2, r4                 /* the first segment's number */
+    cmp     pixels, r8
+    it      ls
+    cmpls   r6, #0
+    ite     eq
+    ldreq   r3, [sp, #F_FULL]
+    adrne   r3, .Lpartial + 1
+    str     r3, [sp, #F_GO]
+    ldr     pc, [sp, #F_BEGIN]
+
+    .align  2
+.Lbegin:
+    ldrd    r2, r3, [sp]
+    umull   w_low, w, r2, r12
+    mla     w, r3, r12, w
+    ldrd    r2, r3, [r1, #PAINT_ROW_WEIGHT]
+    adds    w_low, w_low, r2
+    adc     w, w, r3
+    ldrd    r2, r3, [sp, #8]
+    umull   u_low, u, r2, r12
+    mla     u, r3, r12, u
+    ldrd    r2, r3, [r1, #PAINT_ROW_U]
+    adds    u_low, u_low, r2
+    adc     u, u, r3
+    ldr     r2, [sp, #16]
+    ldr     r3, [sp, #F_V_HIGH]
+    umull   v_low, v, r2, r12
+    mla     v, r3, r12, v
+    ldrd    r2, r3, [r1, #PAINT_ROW_V]
+    adds    v_low, v_low, r2
+    adc     v, v, r3
+    str     w_low, [sp, #F_W_LOW]
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi     .Lfar_start
+    smull   r1, u_0, u, r3
+    asr     u_0, u_0, r4
+    smull   r1, v_0, v, r3
+    asr     v_0, v_0, r5
+    ldr     pc, [sp, #F_RESUME]
+.Lfar_start:
+    smull   r1, r2, u, r3
+    shift_down r2, r1, r4
+    mov     u_0, r2
+    smull   r1, r2, v, r3
+    shift_down r2, r1, r5
+    mov     v_0, r2
+    ldr     pc, [sp, #F_RESUME]
+
+/* A word of 64 bits in high:low is shifted to the right by less than 32. */
+    .macro  shift_step low, high, by
+    .if     \by
+    lsr     \low, \low, #\by
+    orr     \low, \low, \high, lsl #(32 - \by)
+    asr     \high, \high, #\by
+    .endif
+    .endm
+
+/* The frame for segments of 2^log columns: a step is that of 16, shifted. Keeps r0 to r4. */
+    .macro  set_log log, resume
+    ldm     r0, {r6-r11}
+    shift_step r6, r7, (4 - \log)
+    shift_step r8, r9, (4 - \log)
+    shift_step r10, r11, (4 - \log)
+    stm     sp, {r6-r10}
+    str     r11, [sp, #F_V_HIGH]
+    movs    r6, #(16 - (1 << \log))
+    strd    r6, r6, [sp, #F_SHORT]
+    ldrd    r7, r8, [sp, #F_CODE]
+    mla     r7, r6, r8, r7
+    adr     r8, .Lsegment_\log + 1
+    adr     r9, \resume + 1
+    str     r7, [sp, #F_FULL]
+    strd    r8, r9, [sp, #F_NEXT]
+    b       .Lsame_log
+    .endm
+
+/* The frame of another logarithm, r4. */
+.Lother_log:
+    str     r4, [sp, #F_LOG]
+    cmp     r4, #3
+    beq     .Lset_3
+    blo     .Lset_less
+    set_log 4, .Lresume_4
+.Lset_3:
+    set_log 3, .Lresume_3
+.Lset_less:
+    cmp     r4, #0
+    beq     .Lset_0
+    set_log 2, .Lresume_2
+.Lset_0:
+    set_log 0, .Leach
+
+/* Not all are of 16 columns. */
+.Lmixed:
+    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 12]
+    cmp     lr, r12
+    blt     .Lnot_ours
+/* The run of 16 columns that have the same segments, from r2 on, up to r3 at most. r10, r11: the weight
+ * at the first 16 columns; r6, r7: its step; r8, r9: the least weights for 16 and for 8. The weight is
+ * linear, so where it rises segments do not become shorter. */
+.Lfind:
+    bic     r5, r2, #15
+    ldr     r12, [r0, #SEGMENT_FACE_LEAST + 8]
+    cmp     r7, #0
+    blt     .Lfalling
+    cmp     r11, r8
+    bge     .Lall_16
+    movs    r4, #3
+    mov     lr, r8
+    cmp     r11, r9
+    bge     1f
+    movs    r4, #2
+    mov     lr, r9
+    cmp     r11, r12
+    bge     1f
+    movs    r4, #0
+    mov     lr, r12
+1:  adds    r5, #16
+    cmp     r5, r3
+    bge     .Lto_end
+    adds    r10, r10, r6
+    adc     r11, r11, r7
+    cmp     r11, lr
+    blt     1b
+    b       .Lfound
+.Lfalling:
+    adds    r10, r10, r6
+    adc     r11, r11, r7
+    movs    r4, #4
+    mov     lr, r8
+    cmp     r11, r8
+    bge     1f
+    movs    r4, #3
+    mov     lr, r9
+    cmp     r11, r9
+    bge     1f
+    movs    r4, #2
+    mov     lr, r12
+    cmp     r11, r12
+    bge     1f
+    movs    r4, #0
+    b       .Lto_end
+1:  adds    r5, #16
+    cmp     r5, r3
+    bge     .Lto_end
+    adds    r10, r10, r6
+    adc     r11, r11, r7
+    cmp     r11, lr
+    bge     1b
+.Lfound:
+    mov     r3, r5
+    str     r3, [sp, #F_X]
+    b       .Lrun
+.Lall_16:
+    movs    r4, #4
+.Lto_end:
+    str     r3, [sp, #F_X]
+    b       .Lrun
+
+.Lnot_ours:
+    movs    r0, #1
+    b       .Lleave
+
+/* A run has ended. If segments have come to an end of 16 columns, all registers are those at the
+ * beginning of the next run. */
+    .align  2
+.Lrun_end:
+    ldrd    r2, r3, [sp, #F_X]
+    cmp     r2, r3
+    beq     2f
+    ldr     r4, [sp, #F_LOG]
+    ldrd    r1, r0, [sp, #F_ROW]
+    cbz     r4, 1f
+    ldr     w_low, [sp, #F_W_LOW]
+    adr     r4, .Lkept + 1
+    str     r4, [sp, #F_BEGIN]
+    add     r4, sp, #F_SAVED
+    stm     r4, {r6-r12, lr}
+    mov     r10, w_low
+    mov     r11, w
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    b       .Lfind
+1:  lsr     r4, r2, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    ldrd    r8, r9, [r0, #SEGMENT_FACE_LEAST]
+    b       .Lfind
+2:  ldr     pc, [sp, #F_DONE]
+
+    .align  2
+.Lkept:
+    adr     r3, .Lbegin + 1
+    str     r3, [sp, #F_BEGIN]
+    add     r3, sp, #F_SAVED
+    ldm     r3, {r6-r12, lr}
+    ldr     pc, [sp, #F_RESUME]
+
+/* clang-format on */
+
+#endif

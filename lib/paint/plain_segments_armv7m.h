@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: MIT */
+/* Part of plain_rows_armv7m.h: segments, from one end to the next, and the pixels of a part of one.
+ * Assembly. */
+#ifndef FXL_PLAIN_SEGMENTS_ARMV7M_H
+#define FXL_PLAIN_SEGMENTS_ARMV7M_H
+
+/* clang-format off */
+
+/* The position and the step of a segment of 2^log columns. r2: U, r4: V at its end. Goes on to its
+ * pixels. */
+    .macro  paint_between log
+    ubfx    p, v_0, #4, #16
+    lsr     r3, u_0, #4
+    add     p, p, r3, lsl #16
+    sub     r3, r2, u_0
+    sub     r5, r4, v_0
+    mov     u_0, r2
+    mov     v_0, r4
+    adds    r3, #(8 << \log)
+    adds    r5, #(8 << \log)
+    asrs    r3, r3, #(4 + \log)
+    sbfx    r5, r5, #(4 + \log), #16
+    add     step, r5, r3, lsl #16
+    .if     \log < 4
+    subs    pixels, #((16 - (1 << \log)) << WIDE)
+    .endif
+    add     r3, sp, #F_TEXELS
+    ldm     r3, {texels, mask, table, pc}   /* F_GO */
+    .endm
+
+/* What is linear, at the end of the next segment. */
+    .macro  next_values
+    ldm     sp, {r1-r5, w_low}
+    adds    w_low, w_low, r1
+    adc     w, w, r2
+    str     w_low, [sp, #F_W_LOW]
+    adds    u_low, u_low, r3
+    adc     u, u, r4
+    adds    v_low, v_low, r5
+    ldr     r5, [sp, #F_V_HIGH]
+    adc     v, v, r5
+    .endm
+
+    .macro  segments log
+    .align  2
+.Lsegment_\log:
+    ldr     r3, [sp, #F_LAST]
+    cmp     pixels, r3
+    bhi     .Lrest
+    .align  2
+.Lresume_\log:
+    next_values
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi     .Lfar_\log
+    smull   r1, r2, u, r3
+    asrs    r2, r2, r4
+    smull   r1, r4, v, r3
+    asrs    r4, r4, r5
+.Lbetween_\log:
+    paint_between \log
+
+/* Fewer leading zeros in a drop: some bits come from the lower word. */
+.Lfar_\log:
+    smull   r1, r2, u, r3
+    shift_down r2, r1, r4
+    smull   r1, r4, v, r3
+    shift_down r4, r1, r5
+    b       .Lbetween_\log
+    .endm
+
+    segments 4
+    segments 3
+    segments 2
+
+/* Each pixel divided: U and V at a pixel. */
+    .align  2
+.Lsegment_0:
+    ldr     r3, [sp, #F_LAST]
+    cmp     pixels, r3
+    bhi     .Lrun_end
+    next_values
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi     .Lfar_start
+    smull   r1, u_0, u, r3
+    asr     u_0, u_0, r4
+    smull   r1, v_0, v, r3
+    asr     v_0, v_0, r5
+    .align  2
+.Leach:
+    ubfx    p, v_0, #4, #16
+    lsr     r3, u_0, #4
+    add     p, p, r3, lsl #16
+    subs    pixels, #(15 << WIDE)
+    add     r3, sp, #F_TEXELS
+    ldm     r3, {texels, mask, table, pc}   /* F_GO */
+
+/* Less than a segment is left, or nothing. */
+    .align  2
+.Lrest:
+    ldr     r3, [sp, #F_END]
+    cmp     pixels, r3
+    bhs     .Lrun_end
+    adr     r3, .Llast_partial + 1
+    str     r3, [sp, #F_GO]
+    ldr     pc, [sp, #F_RESUME]
+
+/* The same as below where no column is skipped and the run ends in the segment: the code of 16 pixels
+ * ends at its end. */
+    .align  2
+.Llast_partial:
+    ldr     r3, [sp, #F_SHORT]
+    ldr     r5, [sp, #F_END]
+    add     pixels, pixels, r3, lsl #WIDE
+    subs    r3, r5, pixels
+    sub     pixels, r5, #(16 << WIDE)
+    rsb     r3, r3, #(16 << WIDE)
+    .if     WIDE
+    lsrs    r3, r3, #1
+    .endif
+    str     r3, [sp, #F_BEFORE]
+    ldrd    r4, r5, [sp, #F_CODE]
+    mla     r3, r3, r5, r4
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    bx      r3
+
+/* Pixels from F_SKIP on, up to the end of the run or of the segment: the last ones of the code of 16
+ * pixels, whose first pixel is before them by as many as are left out. */
+    .align  2
+.Lpartial:
+    ldr     r5, [sp, #F_SKIP]
+    mla     p, step, r5, p
+    ldr     r3, [sp, #F_SHORT]
+    add     r5, r5, r3
+    add     pixels, pixels, r5, lsl #WIDE
+    ldr     r3, [sp, #F_END]
+    sub     r3, r3, pixels
+    .if     WIDE
+    lsrs    r3, r3, #1
+    .endif
+    rsb     r3, r3, #16
+    cmp     r3, r5
+    it      lt
+    movlt   r3, r5
+    sub     pixels, pixels, r3, lsl #WIDE
+    str     r3, [sp, #F_BEFORE]
+    movs    r4, #0
+    str     r4, [sp, #F_SKIP]
+    ldr     r4, [sp, #F_FULL]
+    str     r4, [sp, #F_GO]
+    ldrd    r4, r5, [sp, #F_CODE]
+    mla     r3, r3, r5, r4
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    bx      r3
+
+/* Any size. */
+    .align  2
+.Lloop:
+    push    {r6-r11}
+    mov     r11, table
+    add     r3, sp, #(F_COLUMN + 24)
+    ldm     r3, {r6, r7}
+    add     r8, pixels, #(16 << WIDE)
+    ldr     r3, [sp, #(F_BEFORE + 24)]
+    add     pixels, pixels, r3, lsl #WIDE
+    ldr     r3, [sp, #(F_SHORT + 24)]
+    str     r3, [sp, #(F_BEFORE + 24)]
+    cmp     r11, #0
+    beq     2f
+    .if     WIDE
+    mov     r10, step
+    ldr     r2, [sp, #(F_FACE + 24)]
+    ldr     r2, [r2, #SEGMENT_FACE_IN_BEAM]
+    .endif
+1:  lsr     r3, p, r7
+    ands    r3, mask
+    lsr     r9, p, r6
+    add     r3, r3, r9
+    ldrb    r3, [texels, r3]
+    .if     WIDE
+    cbz     r2, 4f
+    ldrb    r3, [r2, r3]
+4:  ldrh    r3, [r11, r3, lsl #1]
+    strh    r3, [pixels, #2]!
+    add     p, p, r10
+    .else
+    ldrb    r3, [r11, r3]
+    strb    r3, [pixels, #1]!
+    add     p, step
+    .endif
+    cmp     pixels, r8
+    bne     1b
+    .if     WIDE
+    mov     step, r10
+    .endif
+    b       3f
+2:  lsr     r3, p, r7
+    ands    r3, mask
+    lsr     r9, p, r6
+    add     r3, r3, r9
+    .if     WIDE
+    ldrh    r3, [texels, r3, lsl #1]
+    strh    r3, [pixels, #2]!
+    .else
+    ldrb    r3, [texels, r3]
+    strb    r3, [pixels, #1]!
+    .endif
+    add     p, step
+    cmp     pixels, r8
+    bne     2b
+3:  pop     {r6-r11}
+    ldr     pc, [sp, #F_NEXT]
+
+/* clang-format on */
+
+#endif

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/* The text of fxl_draw_smooth_outline_8 and fxl_draw_smooth_outline_16 for Armv7-M and Armv8-M
+ * Mainline. lib/paint/smooth_outline.h states what they require and do; their pixels are those of
+ * paint_lights in paint_pixels.c and paint_rgb565.c. A file defines PIXEL_BITS, and includes this
+ * one right after the label of its function. A row takes 41 instructions before its pixels, a
+ * visible pixel 15, of 16 bits 22, and a hidden one 9. */
+#include "../math/family.h"
+#include "../math/offsets.h"
+#include "../raster/draw_frame_armv7m.h"
+#include "cell_edges_armv7m.h"
+
+/* At the first row, r6: its words, less the change from row to row. */
+    .macro begin_filling
+    ldm     r3, {r4, r5, r8, r10}
+    mla     r4, r5, r6, r4
+    mla     r10, r8, r6, r10
+    str     r4, [r3, #SMOOTH_OUTLINE_CODE]
+    str     r10, [r3, #SMOOTH_OUTLINE_LIGHT]
+    .endm
+
+    .macro fill_rows
+    b       .Lrow
+    .endm
+
+/* The pixel of r4 is tested: r3: its code. Goes to .Lhidden\text, or keeps the code. */
+    .macro  test_pixel text
+    ldrh    r0, [r4]
+    lsr     r1, r3, #16
+    cmp     r1, r0
+    bls     .Lhidden\text
+    strh    r1, [r4]
+    .endm
+
+/* On to the next pixel; r6, r7: light, along. */
+    .macro  next_pixel text
+.Lhidden\text:
+    add     r3, r3, lr
+    add     r6, r6, r7
+    adds    r4, r4, #2
+#if PIXEL_BITS == 8
+    adds    r5, r5, #1
+#endif
+    cmp     r4, r2
+    blo     .Lpixel\text
+    .endm
+
+#if PIXEL_BITS == 16
+
+/* light: not below 0; r8: the part of a level, r9-r12: the mixture. */
+    .macro  paint_light light
+    lsr     r0, \light, #16
+    mul     r0, r0, r8
+    add     r0, r0, #32768
+    lsr     r0, r0, #16
+    mla     r1, r10, r0, r9
+    mla     r0, r12, r0, r11
+    lsr     r0, r0, #13
+    bfi     r1, r0, #13, #6         /* green above blue */
+    lsr     r0, r1, #27
+    lsr     r1, r1, #8
+    bfi     r1, r0, #11, #5
+    strh    r1, [r4, r5]
+    .endm
+
+#endif
+
+#include "../raster/outline_armv7m.h"
+
+    /* The right edge is not right of the left one. */
+.Lno_pixel:
+    beq     .Lempty
+    mov     r2, r8
+    rsb     r0, r0, #0
+    b       .Lspan
+.Lempty:
+    step_edges
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldrd    r0, r2, [r1, #SMOOTH_OUTLINE_CODE]
+    ldrd    r3, lr, [r1, #SMOOTH_OUTLINE_DOWN]
+    add     r0, r0, r2
+    add     lr, lr, r3
+    str     r0, [r1, #SMOOTH_OUTLINE_CODE]
+    str     lr, [r1, #SMOOTH_OUTLINE_LIGHT]
+    b       .Lnext_row
+
+.Lrow_done:
+    ldm     sp, {r4-r11}
+.Lnext_row:
+    subs    r12, r12, #1
+    bmi     .Lrows_below
+.Lrow:
+    mov     r2, r4
+    subs    r0, r8, r4
+    ble     .Lno_pixel
+.Lspan:                             /* r0: pixels, r2: the first cell */
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    step_edges
+    stm     sp, {r4-r11}
+#if PIXEL_BITS == 16
+    str     r12, [r1, #SMOOTH_OUTLINE_ROWS]
+    ldm     r1, {r3-r12}            /* code, its change, that of light, light, along, by, mixture */
+#else
+    ldm     r1, {r3-r8}
+    ldr     r9, [r1, #SMOOTH_OUTLINE_LAST_LEVEL]
+#endif
+    add     r3, r3, r4
+    add     r6, r6, r5
+    str     r3, [r1, #SMOOTH_OUTLINE_CODE]
+    str     r6, [r1, #SMOOTH_OUTLINE_LIGHT]
+    ldrd    r4, r5, [r1, #SMOOTH_OUTLINE_CELLS]
+    ldrd    lr, r1, [r1, #SMOOTH_OUTLINE_CODE_ALONG]
+    mla     r3, lr, r2, r3
+    add     r4, r4, r2, lsl #1
+    mla     r6, r7, r2, r6
+    add     r2, r4, r0, lsl #1
+#if PIXEL_BITS == 8
+    add     r5, r5, r4, lsr #1
+#endif
+    /* Light is linear: where that of both ends is of the ramp, all is. */
+    subs    r0, r0, #1
+    mla     r0, r7, r0, r6
+    cmp     r6, r1
+    it      ls
+    cmpls   r0, r1
+    bhi     .Lpixel_held
+
+#if PIXEL_BITS == 16
+.Lpixel:
+    test_pixel
+    paint_light r6
+    next_pixel
+.Lpixels_done:
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldr     r12, [r1, #SMOOTH_OUTLINE_ROWS]
+    b       .Lrow_done
+
+.Lpixel_held:
+    test_pixel _held
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldr     r1, [r1, #SMOOTH_OUTLINE_MOST]
+    bic     r0, r6, r6, asr #31
+    cmp     r0, r1
+    it      gt
+    movgt   r0, r1
+    paint_light r0
+    next_pixel _held
+    b       .Lpixels_done
+#else
+.Lpixel:
+    test_pixel
+    lsr     r0, r6, #24
+    add     r0, r8, r0, lsl #8
+    ldrb    r0, [r0]
+    strb    r0, [r5]
+    next_pixel
+    b       .Lrow_done
+
+.Lpixel_held:
+    test_pixel _held
+    asr     r0, r6, #24
+    bic     r0, r0, r0, asr #31
+    cmp     r0, r9
+    it      gt
+    movgt   r0, r9
+    add     r0, r8, r0, lsl #8
+    ldrb    r0, [r0]
+    strb    r0, [r5]
+    next_pixel _held
+    b       .Lrow_done
+#endif
