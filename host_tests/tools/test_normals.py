@@ -100,8 +100,9 @@ def test_a_mirrored_node_has_normals_that_look_outward(tmp_path):
 
 
 def test_normals_that_are_none_and_damaged_ones_are_left_out(tmp_path):
-    made, _ = compiled(roof(tmp_path / "m.obj", [(-1, 1, 0), (0, 0, 0), ("nan", 1, 0)]))
-    assert made.light is None
+    for second in ((0, 0, 0), ("1e-200", 0, 0), ("1e200", 0, 0)):
+        made, _ = compiled(roof(tmp_path / "m.obj", [(-1, 1, 0), second, ("nan", 1, 0)]))
+        assert made.light is None
     (tmp_path / "n.obj").write_text((tmp_path / "m.obj").read_text().replace("//3", "//9"))
     assert compiled(tmp_path / "n.obj")[0].light is None
     file = File({"mesh": 0})

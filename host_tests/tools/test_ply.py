@@ -14,6 +14,9 @@ from fixel.scene import compiler, look
 from model_files import SQUARE, TETRAHEDRON, assert_refused, png
 
 
+RGB = ("red", "green", "blue")
+
+
 def text(points=TETRAHEDRON[0], faces=TETRAHEDRON[1], vertex=(), face=(), comment=""):
     """A text PLY file's bytes. vertex, face: (declarations, rows) of more properties."""
     (vertex_names, vertex_rows), (face_names, face_rows) = vertex or ((), [()] * len(points)), face or ((), [()] * len(faces))
@@ -25,13 +28,14 @@ def text(points=TETRAHEDRON[0], faces=TETRAHEDRON[1], vertex=(), face=(), commen
     return "\n".join(lines).encode()
 
 
-def binary(points=TETRAHEDRON[0], faces=TETRAHEDRON[1], end="<"):
-    """A binary PLY file's bytes."""
+def binary(points=TETRAHEDRON[0], faces=TETRAHEDRON[1], end="<", reds=None):
+    """A binary PLY file's bytes. reds: the colour of each face."""
+    more = "".join(f"property uchar {channel}\n" for channel in RGB) if reds else ""
     order = {"<": "little", ">": "big"}[end]
     head = (f"ply\nformat binary_{order}_endian 1.0\nelement vertex {len(points)}\nproperty float x\nproperty float y\nproperty float z\n"
-            f"element face {len(faces)}\nproperty list uchar int vertex_index\nend_header\n")
+            f"element face {len(faces)}\nproperty list uchar int vertex_index\n{more}end_header\n")
     return head.encode() + b"".join(struct.pack(end + "3f", *point) for point in points) + \
-        b"".join(struct.pack(f"{end}B{len(face)}i", len(face), *face) for face in faces)
+        b"".join(struct.pack(f"{end}B{len(face)}i", len(face), *face) + bytes(red) for face, red in zip(faces, reds or [()] * len(faces)))
 
 
 def read(tmp_path, data):
@@ -57,9 +61,6 @@ def test_colours_as_trimesh_writes_them(tmp_path, encoding, kind):
     wanted = rows if kind == "face" else [rows[list(face)].mean(axis=0) for face in TETRAHEDRON[1]]
     assert numpy.abs(numpy.array(mesh.surfaces.colours()) - wanted).max() <= 0.5
     assert sum("vertices have colours" in note for note in notes) == (kind == "vertex")
-
-
-RGB = ("red", "green", "blue")
 
 
 @pytest.mark.parametrize("kind, row", [("uchar", (51, 102, 255)), ("ushort", (13107, 26214, 65535)), ("float", (0.2, 0.4, 1))])
@@ -92,9 +93,16 @@ def test_an_image_that_is_not_there_is_said(tmp_path):
     assert mesh.surfaces is None and any('no image "C:\\\\skins\\\\skin.png"' in note for note in notes)
 
 
-def test_faces_of_different_numbers_of_corners_in_a_text(tmp_path):
-    points, faces = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1)], [(3, 2, 1, 0), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
-    mesh, _ = read(tmp_path, text(points, faces, face=([f"uchar {c}" for c in RGB], [(10 * i, 0, 0) for i in range(5)])))
+PYRAMID = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, 1)], [(3, 2, 1, 0), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+REDS = [f"uchar {c}" for c in RGB], [(10 * i, 0, 0) for i in range(5)]
+
+
+@pytest.mark.parametrize("data", [text(*PYRAMID, face=REDS), binary(*PYRAMID, reds=REDS[1]), binary(*PYRAMID, end=">", reds=REDS[1]),
+                                  binary(PYRAMID[0], PYRAMID[1][::-1], reds=REDS[1][::-1])])
+def test_faces_of_different_numbers_of_corners(tmp_path, data):
+    mesh, _ = read(tmp_path, data)
+    if len(mesh.faces[0]) == 3:     # the file has them the other way round
+        mesh.faces, mesh.surfaces.tints, mesh.surfaces.of_face = mesh.faces[::-1], mesh.surfaces.tints[::-1], mesh.surfaces.of_face[::-1]
     assert [len(face) for face in mesh.faces] == [4, 3, 3, 3, 3] and mesh.surfaces.colours() == [(10 * i, 0, 0) for i in range(5)]
 
 
@@ -106,7 +114,6 @@ def test_a_ply_file_is_a_scene_by_itself_and_in_a_scene_file(tmp_path):
         assert made.models[0].kind == image.CONVEX and not any("inside out" in note or "turned round" in note for note in notes)
 
 
-MIXED = ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1)], [(0, 1, 4), (3, 2, 1, 0)])
 NAN = text([(0, 0, 0), (1, 0, 0), (0, "nan", 0), (0, 0, 1)])
 BAD = {
     "no PLY": (b"OFF\n3 1 0\n", ["begins with ply"]),
@@ -115,8 +122,12 @@ BAD = {
     "many": (text().replace(b"face 4", b"face 1048577") + b" " * (1 << 21), ["1,048,577 faces", "1,048,576"]),
     "points alone": (text(faces=[]), ["no faces", "MeshLab"]),
     "strips": (text(faces=[]).replace(b"end_header", b"element tristrips 1\nproperty list int int vertex_indices\nend_header"), ["strips"]),
-    "cut": (binary()[:-3], ["cannot be read", "must be whole"]),
-    "mixed": (binary(*MIXED), ["cannot be read", "as many corners", "save it as text"]),
+    "cut": (binary()[:-3], ["cannot be read", "ends within a face", "damaged"]),
+    "cut within vertices": (binary()[:195], ["cannot be read", "ends within 4 rows"]),
+    "uneven and cut": (binary(*PYRAMID)[:-3], ["cannot be read", "ends within a face"]),
+    "kind": (binary().replace(b"float y", b"real y"), ["cannot be read", "no property"]),
+    "element": (binary().replace(b"element vertex 4", b"element vertex -4"), ["cannot be read", "no element"]),
+    "count of a fraction": (binary().replace(b"list uchar", b"list float"), ["cannot be read", "no property"]),
     "NaN": (NAN, ["vertex 2: y is nan"]),
     "huge": (binary([(0, 0, 1e30), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["vertex 0: z is 1e+30"]),
     "index": (text(faces=[(0, 1, 4)]), ["face 0", "does not exist", "there are 4"]),
@@ -132,11 +143,41 @@ def test_what_is_wrong_is_said_in_one_sentence(tmp_path, kind):
     assert_refused(read, tmp_path, *BAD[kind], most=400)
 
 
-def test_counts_of_a_binary_file_are_compared():
-    """Two faces whose bytes make up those of two others."""
-    points = [(0, 0, 0)] * 6
-    data = binary(points, [(0, 1, 2, 3), (0, 1, 2, 3), (0, 1, 2, 3)])
-    changed = bytearray(data)
-    changed[-17] = 3
-    with pytest.raises(ply.ToolError, match="of face 2 has 3 numbers, and that of face 0 4"):
-        ply._lists(ply._tables(bytes(changed), "m")["face"], "vertex_index", "m")
+def test_what_stands_behind_the_end_of_a_binary_file_is_left_out(tmp_path):
+    mesh, notes = read(tmp_path, binary() + b"more")
+    assert len(mesh.faces) == 4 and any("left out what stands behind the end: 4 bytes" in note for note in notes)
+
+
+def test_a_binary_file_with_other_elements_and_kinds(tmp_path):
+    """Lists that are not read, of other lengths, before and behind what is read; lines that end as in Windows."""
+    points, faces = SQUARE
+    head = (f"ply\nformat binary_big_endian 1.0\nelement edge 2\nproperty list uint8 double bends\nproperty short mark\n"
+            f"element vertex {len(points)}\nproperty double x\nproperty int y\nproperty float32 z\nproperty int8 mark\n"
+            f"element face {len(faces)}\nproperty list uint8 uint8 marks\nproperty list int uint16 vertex_indices\n"
+            "element empty 0\nproperty float q\nend_header\n").replace("\n", "\r\n")
+    data = head.encode() + struct.pack(">BdhBddh", 1, 0.5, 3, 2, 0.5, 0.5, 4) + \
+        b"".join(struct.pack(">difb", x, y, z, -1) for x, y, z in points) + \
+        b"".join(struct.pack(f">B{i}Bi{len(face)}H", i, *range(i), len(face), *face) for i, face in enumerate(faces))
+    mesh, notes = read(tmp_path, data)
+    plain, _ = read(tmp_path, text(*SQUARE))
+    assert (mesh.vertices, mesh.faces) == (plain.vertices, plain.faces) and not any("left out" in note for note in notes)
+
+
+NORMALS = [(0, 0, 2), (0, 1, 1), (-3, 0, 0), (0.5, 0.5, 0.5)]
+
+
+@pytest.mark.parametrize("kind", ["float", "double"])
+def test_normals_are_those_of_the_corners(tmp_path, kind):
+    mesh, _ = read(tmp_path, text(vertex=([f"{kind} n{axis}" for axis in "xyz"], NORMALS)))
+    wanted = [[(x, y, -z) for x, y, z in (NORMALS[corner] for corner in face[::-1])] for face in TETRAHEDRON[1]]
+    assert [list(map(tuple, face)) for face in mesh.normals] == wanted
+    compiled, _ = compiler.compile_scene(str(tmp_path / "model.ply"), 4, look=look.Look())
+    assert any(face.mapped for face in compiled.models[0].faces)
+    flat, _ = read(tmp_path, text())
+    assert flat.normals == []
+
+
+def test_a_face_with_a_normal_that_is_no_direction_has_none(tmp_path):
+    for wrong in ((0, 0, 0), ("nan", 0, 0), (1e30, 0, 0), (1e-30, 0, 0)):
+        mesh, _ = read(tmp_path, text(vertex=([f"float n{axis}" for axis in "xyz"], [*NORMALS[:3], wrong])))
+        assert [face is None for face in mesh.normals] == [3 in face for face in TETRAHEDRON[1]]

@@ -31,6 +31,7 @@ _PLAIN = re.compile(r"(-?)([0-9]{1,8})(?:\.([0-9]{1,18}))?")    # a number that 
 GROUPS_MAX = 8              # names of one g
 _PLACES = 18                # of UNIT
 _UV_MAX = 1e6               # images across
+NORMAL_MIN, NORMAL_MAX = 1e-9, 1e9      # the largest component of a direction lies between them
 _LINES_A_WORD = 4096        # lines between two words about the progress
 
 
@@ -108,7 +109,7 @@ def _normal(words):
         x, y, z = map(number_text.decimal, words[:3])
     except ValueError:
         return None
-    return (x, y, -z) if any((x, y, z)) and max(map(abs, (x, y, z))) < 1e9 else None
+    return (x, y, -z) if NORMAL_MIN < max(map(abs, (x, y, z))) < NORMAL_MAX else None
 
 
 def _corner(word, counts, where):

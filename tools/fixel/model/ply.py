@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reading PLY, binary and text, by trimesh. y is upward, as in OBJ, and outlines run counter-clockwise.
+"""Reading PLY. y is upward, as in OBJ, and outlines run counter-clockwise.
 
-trimesh reads the tables of a file. Before it does, the header's counts are checked against the file's size and the limits
-of the other formats; afterwards every number that it answers is. So a refusal names the vertex or the face."""
+trimesh reads the tables of a text, ply_binary those of a binary file. Before that, the header's counts are checked against
+the file's size and the limits of the other formats; afterwards every number of a table is. So a refusal names the vertex or the face."""
 
 import io
 import os
@@ -13,9 +13,9 @@ import numpy as np
 
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
-from fixel.model import named_file
+from fixel.model import named_file, ply_binary
 from fixel.model.mesh import FILE_FACES_MAX, Mesh, without_unused
-from fixel.model.obj import CORNERS_MAX
+from fixel.model.obj import CORNERS_MAX, NORMAL_MAX, NORMAL_MIN
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
 from fixel.model.surface import GREY, WHITE, Material, Surfaces, mean_tint
@@ -53,18 +53,21 @@ def _header(blob, name):
 
 
 def _tables(blob, name):
-    """{element: its table} as trimesh reads it."""
-    from trimesh.exchange import ply       # half a second, which other formats need not take
+    """({element: its table} of a file, notes)."""
     try:
+        if ply_binary.is_binary(blob):
+            found, more = ply_binary.tables(blob)
+            return found, [f"{name}: left out what stands behind the end: {more:,} bytes"] if more else []
+        from trimesh.exchange import ply       # half a second, which other formats need not take
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             made = ply.load_ply(io.BytesIO(blob), skip_materials=True, fix_texture=False)
-        return {element: each.get("data") for element, each in made["metadata"]["_ply_raw"].items()}
+        return {element: each.get("data") for element, each in made["metadata"]["_ply_raw"].items()}, []
     except MemoryError:
         raise
     except Exception as error:      # trimesh raises anything for a damaged file
-        raise ToolError(f"{name}: this PLY file cannot be read ({shortened(str(error)) or type(error).__name__}): a binary file must be "
-                        "whole, and all its faces must have as many corners; save it as text, or as triangles") from None
+        raise ToolError(f"{name}: this PLY file cannot be read ({shortened(str(error)) or type(error).__name__}): it is damaged; save it "
+                        "again, or as text") from None
 
 
 def _names(table):
@@ -90,15 +93,7 @@ def _lists(table, key, name):
     """The list of each row of a property; None where the table has none."""
     if key not in _names(table):
         return None
-    found = table[key]
-    if found.dtype.names:       # of a binary file: the counts, and as many numbers as the first row has
-        counts, found = found["f0"], found["f1"]
-        if (counts != counts[0]).any():
-            row = int(np.argmax(counts != counts[0]))
-            raise ToolError(f"{name}: {quoted(key)} of face {row} has {counts[row]} numbers, and that of face 0 {counts[0]}: in a binary "
-                            "file all must have as many; save it as text, or as triangles")
-        found = found.reshape(len(counts), -1)
-    return [np.atleast_1d(each).tolist() for each in found]
+    return [np.atleast_1d(each).tolist() for each in table[key]]
 
 
 def _vertices(table, count, name):
@@ -155,6 +150,20 @@ def _coordinates(tables, faces, counts, name):
     return [each and [(u, 1 - v) if abs(u) <= _UV_MAX and abs(v) <= _UV_MAX else (0.0, 0.0) for u, v in each] for each in found]
 
 
+def _normals(table, faces, counts, name):
+    """The normals of each face's corners, in the order of its outline, z negated; None for a face with one that is no direction; []
+    where the file has none."""
+    columns = [_column(table, axis, counts["vertex"], name) for axis in ("nx", "ny", "nz")]
+    if any(column is None for column in columns):
+        return []
+    rows = np.column_stack(columns).astype(float) * (1, 1, -1)
+    largest = np.abs(rows).max(axis=1)
+    good = (largest > NORMAL_MIN) & (largest < NORMAL_MAX)      # false for NaN
+    found = [tuple(row) if fits else None for row, fits in zip(rows.tolist(), good.tolist())]
+    of_faces = [[found[corner] for corner in reversed(face)] for face in faces]
+    return [None if None in each else each for each in of_faces] if good.any() else []
+
+
 def _materials(images, folder, name, sources):
     """The Material of each image that a file names, white without one; and notes."""
     materials, notes = [], []
@@ -204,14 +213,16 @@ def read(path, name=None, progress=None, sources=None):
     counts, images = _header(blob, name)
     if progress:
         progress(f"{name}: {counts['face']:,} faces")
-    tables = {"vertex": None, "face": None, **_tables(blob, name)}
+    found, more = _tables(blob, name)
+    tables = {"vertex": None, "face": None, **found}
     vertices = _vertices(tables["vertex"], counts.get("vertex", 0), name)
     faces = _faces(tables["face"], counts, name)
     uvs = _coordinates(tables, faces, counts, name)
     uvs = uvs and [each and each[::-1] for each in uvs]
+    normals = _normals(tables["vertex"], faces, counts, name)
     surfaces, notes = _surfaces(tables, faces, uvs, images, counts, (os.path.dirname(path), name, sources))
     vertices, outlines, unused = without_unused(vertices, [face[::-1] for face in faces])
     if unused:
         notes.append(f"{name}: left out vertices that no face has: {unused:,}")
     places = [f"{name}: face {number}" for number in range(len(faces))]
-    return Mesh(vertices, outlines, places, surfaces, uvs or []), [f"{name}: {_CONVENTION}", *notes]
+    return Mesh(vertices, outlines, places, surfaces, uvs or [], normals=normals), [f"{name}: {_CONVENTION}", *more, *notes]
