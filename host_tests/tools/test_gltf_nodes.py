@@ -106,6 +106,47 @@ def test_what_is_kept_hangs_on_what_is_kept_above_it(tmp_path):
         assert abs(placed(made, number, 7) - placed(plain, by_name(plain)[name], 0)).max() < 1e-4
 
 
+def hinged(count=0, *tracks):
+    """A file of a node without faces, the hinge, with two boxes on it, and count boxes beside it."""
+    made = File({"name": "wall", "mesh": 0}, {"name": "hinge", "translation": [3, 0.5, 0], "children": [2, 3]},
+                {"name": "door", "mesh": 0, "translation": [1, 0, 0]}, {"name": "handle", "mesh": 0, "translation": [1.5, 0, 1], "scale": [0.1, 0.1, 0.1]},
+                *({"name": f"post {i}", "mesh": 0, "translation": [0, 2 * i, 4]} for i in range(count)), roots=[0, 1, *range(4, 4 + count)])
+    made.box(colour=(0.5, 0.5, 0.5, 1))
+    if tracks:
+        made.animate(*tracks)
+    return made
+
+
+@pytest.mark.parametrize("depth", [0, 16])
+def test_a_kept_node_without_faces_has_those_that_hang_on_it(tmp_path, depth):
+    path = hinged().write(tmp_path / "m.glb")
+    made, _ = compiled(path, keep="hinge", depth=depth)
+    plain, _ = compiled(path)
+    assert made.names == ["wall" if depth else None, "hinge"] and len(made.placements) == 1
+    assert {tuple(point) for number in (0, 1) for point in placed(made, number, 0).round(4)} == \
+        {tuple(point) for number in range(3) for point in placed(plain, number, 0).round(4)}
+    named, notes = compiled(path, keep="hinge,door,handle", depth=depth)
+    assert named.names == ["wall" if depth else None, "door", "handle"]
+    assert any('no faces are no objects: 1 (first: hinge' in note for note in notes)
+
+
+@pytest.mark.parametrize("count, depth", [(0, 16), (70, 16), (0, 0)])
+def test_what_hangs_on_an_animated_node_without_faces_moves_with_it(tmp_path, count, depth):
+    turn = (1, "rotation", [0, 1, 2], [[0, 0, 0, 1], about_x(90), about_x(180)])
+    made, _ = compiled(hinged(count, turn).write(tmp_path / "m.glb"), depth=depth)
+    still, _ = compiled(hinged(count).write(tmp_path / "s.glb"), keep="door,handle", depth=depth)
+    assert made.motions and still.placements
+    found, wanted = ([tuple(point) for number in range(len(scene.objects)) for point in placed(scene, number, 0)] for scene in (made, still))
+    assert len(found) == 8 * (3 + count) and scaled(found) == scaled(wanted)
+
+
+def scaled(points):
+    """Points with their middle at the origin and their largest coordinate 1, for files that are framed otherwise."""
+    found = numpy.array(sorted(points))
+    found -= (found.min(axis=0) + found.max(axis=0)) / 2
+    return {tuple(point) for point in (found / abs(found).max()).round(2) + 0.0}
+
+
 def test_an_image_on_several_parts_is_one_texture(tmp_path):
     from model_files import png
     made = car(turns=False)
@@ -230,7 +271,7 @@ def test_what_does_not_go(tmp_path, words, said):
 
 def test_keep_is_refused_without_nodes_and_a_tree_stands_still(tmp_path):
     (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    assert_one_sentence(run_cli("build", tmp_path / "m.obj", "-o", tmp_path / "a.fxls", "--keep", "*"), "m.obj", "--keep is for the nodes of a glTF file")
+    assert_one_sentence(run_cli("build", tmp_path / "m.obj", "-o", tmp_path / "a.fxls", "--keep", "*"), "m.obj", "--keep is for the nodes of a glTF file, and for o and g of an OBJ file")
     made, notes = compiler.compile_scene(str(car().write(tmp_path / "car.glb")), 4, layers="all", look=look.Look(depth=0))
     assert made.tree and not made.motions and any("left out 1 animations" in note for note in notes)
 
@@ -326,3 +367,75 @@ def test_groups_of_a_scene_file_are_nodes(tmp_path):
     (tmp_path / "s.toml").write_text('[[objects]]\nsolid = "box"\nanchor = "node"\n')
     with pytest.raises(ToolError, match='"node" needs a group'):
         toml_scene.compile_file(str(tmp_path / "s.toml"))
+
+
+# --- o and g of an OBJ file -----------------------------------------------------------------------
+
+def house(path, lid=True):
+    """A cube, in the groups box and lid; two tetrahedra beside it, wheel 1 and wheel 2, of which g names one more."""
+    points = [(x, y, z) for y in (0, 1) for x, z in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    lines = [f"v {x} {y} {z}" for x, y, z in points]
+    for x in (3, 5):
+        lines += [f"v {x + a} {b} {c}" for a, b, c in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    lines += ["o box", "f 1 2 3 4", "f 1 5 6 2", "f 2 6 7 3", "f 3 7 8 4", "f 4 8 5 1", *(["g lid", "f 8 7 6 5"] if lid else []), "g rest"]
+    for first, names in ((9, "o wheel 1"), (13, "o wheel 2\ng spare")):
+        a, b, c, d = range(first, first + 4)
+        lines += [names, f"f {a} {c} {b}", f"f {a} {b} {d}", f"f {a} {d} {c}", f"f {b} {c} {d}"]
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def test_groups_that_keep_names_are_objects(tmp_path):
+    path = house(tmp_path / "m.obj")
+    whole, _ = compiled(path)
+    for keep, names in (("wheel*", [None, "wheel 1", "wheel 2"]), ("spare,wheel*", [None, "wheel 1", "wheel 2"]),
+                        ("spare", [None, "spare"]), ("lid", [None, "lid"]), ("box,wheel 1,spare", ["box", "wheel 1", "spare"]),
+                        ("*", ["box", "wheel 1", "wheel 2"])):
+        made, _ = compiled(path, keep=keep)
+        assert made.names == names and len(made.placements) == len(names) - (None in names) and not made.motions
+        assert sum(len(model.faces) for model in (made.models[each.model] for each in made.objects)) == len(whole.models[0].faces)
+        assert {tuple((point * 65536).round()) for number in range(len(made.objects)) for point in placed(made, number, 0)} == \
+            {tuple((point * 65536).round()) for point in placed(whole, 0, 0)}
+    assert run_cli("export", "--c", path, "-o", tmp_path / "m.h", "--keep", "wheel*").returncode == 0
+    assert re.findall(r"M_INSTANCE_(\w+) = \d", (tmp_path / "m.h").read_text()) == ["WHEEL_1", "WHEEL_2"]
+
+
+def test_a_kept_group_turns_about_its_middle(tmp_path):
+    made, _ = compiled(house(tmp_path / "m.obj"), keep="wheel 1")
+    points = placed(made, 1, 0)
+    centre = numpy.array(made.objects[1].centre) / 65536
+    assert abs((points.min(axis=0) + points.max(axis=0)) / 2 - centre).max() < 1e-4
+
+
+def test_a_part_that_is_cut_off_a_closed_model_shows_its_front_alone(tmp_path):
+    made, _ = compiled(house(tmp_path / "m.obj"), keep="lid")
+    assert sorted(len(made.models[each.model].faces) for each in made.objects) == [1, 13]
+    made, _ = compiled(house(tmp_path / "open.obj", lid=False), keep="wheel 1")
+    assert sorted(len(made.models[each.model].faces) for each in made.objects) == [4, 2 * 9]
+
+
+def test_what_keep_does_not_find_in_groups_is_said(tmp_path):
+    with pytest.raises(ToolError, match='--keep: no group has a name like "whel 1"; the nearest is "wheel 1"'):
+        compiled(house(tmp_path / "m.obj"), keep="whel 1")
+
+
+@pytest.mark.parametrize("name, keep", [("m.obj", "lid"), ("m.obj", "spare,wheel*"), ("m.glb", "hinge")])
+def test_a_scene_file_of_what_is_kept_gives_the_same_frames(tmp_path, name, keep):
+    path = house(tmp_path / name) if name == "m.obj" else hinged().write(tmp_path / name)
+    assert run_cli("build", path, "-o", tmp_path / "a.fxls", "--keep", keep, "--write", tmp_path / "s.toml").returncode == 0
+    assert run_cli("build", tmp_path / "s.toml", "-o", tmp_path / "b.fxls").returncode == 0
+    assert (tmp_path / "a.fxls").read_bytes() == (tmp_path / "b.fxls").read_bytes()
+
+
+def test_without_leaves_groups_out(tmp_path):
+    house(tmp_path / "m.obj")
+    text = '[[objects]]\nmodel = "m.obj"\n{}\n'
+    for keys, faces in (('without = "lid"', 13), ('without = ["lid", "box"]', 8), ('group = ["box", "wheel 1"]\nwithout = "lid"', 9)):
+        (tmp_path / "s.toml").write_text(text.format(keys))
+        made, _ = toml_scene.compile_file(str(tmp_path / "s.toml"))
+        assert len(made.models[0].faces) == faces
+    for keys, said in (('without = "lit"', 'no group "lit"; the nearest name is "lid"'), ('group = "lid"\nwithout = "box"', "no face of m.obj is left"),
+                       ("without = 3", "without")):
+        (tmp_path / "s.toml").write_text(text.format(keys))
+        with pytest.raises(ToolError, match=said):
+            toml_scene.compile_file(str(tmp_path / "s.toml"))

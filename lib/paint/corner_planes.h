@@ -87,11 +87,11 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
 
 /* The depth of a triangle of one octave, and its light, in words: fxl_depth_plane that
  * FXL_DEPTH_IS_LINEAR, and gradients of a constant weight with light alone, whose lower words are
- * those of light_row.h: for what fxl_paint.has_light_rows alone. Returns false where the face is not a triangle, or not in one octave, or a
- * constant weight changes its light by more than FXL_AFFINE_ERROR_LIGHT, or light changes by 128
- * levels a pixel or more, or it is thin and its depth changes much; or where the lens has a single
- * octave. light: at the corners, of levels and a half. Error in the triangle, beyond that: as
- * above, and 2048 2^-16 code, 2048 2^-24 level.
+ * those of light_row.h: for what fxl_paint.has_light_rows alone. Returns false where the face is
+ * not a triangle, or not in one octave, or a constant weight changes its light by more than
+ * FXL_AFFINE_ERROR_LIGHT, or light changes by 128 levels a pixel or more, or it is thin and its
+ * depth changes much; or where the lens has a single octave. light: at the corners, of levels and a
+ * half. Error in the triangle, beyond that: as above, and 2048 2^-16 code, 2048 2^-24 level.
  */
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth);

@@ -44,9 +44,20 @@ class Mesh:
         """The length of the longest side of the box about its vertices."""
         return max(max(axis) - min(axis) for axis in zip(*self.vertices))
 
-    def part(self, *groups):
-        """The mesh of the faces of some groups."""
-        numbers = sorted({number for group in groups for first, end in self.groups[group] for number in range(first, end)})
+    @cached_property
+    def middle(self):
+        """The middle of the box about its vertices."""
+        return tuple((min(axis) + max(axis)) // 2 for axis in zip(*self.vertices))
+
+    def numbers_of(self, groups, without=()):
+        """The numbers of the faces of some groups, of all faces where none is named, but for those of other groups."""
+        def of(names):
+            return {number for name in names for first, end in self.groups.get(name, ()) for number in range(first, end)}
+        return sorted((of(groups) if groups else set(range(len(self.faces)))) - of(without))
+
+    def part(self, *groups, without=()):
+        """The mesh of the faces of some groups: see numbers_of."""
+        numbers = self.numbers_of(groups, without)
         vertices, faces, _ = without_unused(self.vertices, [self.faces[number] for number in numbers])
         return Mesh(vertices, faces, [self.places[number] for number in numbers],
                     self.surfaces and self.surfaces.part(numbers, self.scenery is not None),
@@ -223,9 +234,9 @@ def pieces(corners, points):
     return _pieces(corners, points, "", _Counts())
 
 
-def open_edges(faces):
-    """How many edges are not shared by two faces that agree on the front."""
-    balance = collections.Counter([edge for face in faces for edge in zip(face.corners, face.corners[1:] + face.corners[:1])])
+def open_edges(outlines):
+    """How many edges are not shared by two faces that agree on the front. outlines: the corners of each face."""
+    balance = collections.Counter([edge for corners in outlines for edge in zip(corners, corners[1:] + corners[:1])])
     # Of an edge that runs as often one way as the other, none is left. One without a partner stands there once.
     return sum(1 for (a, b), times in balance.items() if times != balance.get((b, a), 0) and (a < b or (b, a) not in balance))
 
@@ -292,7 +303,7 @@ def shape(mesh, matrix, name, inside=False, progress=None, mends=False):
     result = _used(points, faces, sources, counts.notes(name))
     if mends:
         _mend(result, name)
-    result.open_edges = open_edges(result.faces)
+    result.open_edges = open_edges([face.corners for face in result.faces])
     if not result.open_edges and _volume(result.vertices, result.faces) < 0:
         result.faces = [turned(face) for face in result.faces]
         result.notes.append(f"{name}: the model was inside out (every front looked inward): "

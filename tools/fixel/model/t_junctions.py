@@ -81,6 +81,6 @@ def mend(shape, name):
         faces += made
         sources += [source] * len(made)
     shape.faces, shape.sources = faces, sources
-    shape.open_edges = mesh.open_edges(faces)
+    shape.open_edges = mesh.open_edges([face.corners for face in faces])
     shape.notes.append(f"{name}: {splits:,} edges had vertices of other faces on them (T-junctions), and were split there: else the "
                        "background may show between the faces")

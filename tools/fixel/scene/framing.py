@@ -13,7 +13,7 @@ from fixel.image import image
 from fixel.model import model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
-from fixel.model.mesh import UNIT, dot, newell
+from fixel.model.mesh import UNIT, dot, newell, open_edges
 from fixel.base.reading import shortened
 from fixel.scene.look import PLAIN
 from fixel.scene.surfaces import OWN_COSINE
@@ -155,6 +155,18 @@ def _look_of(mesh, look, moves, place, radius):
     return thing, {"levels": RAMP} if thing or moves else _BAKED, notes
 
 
+def _sides(mesh, played):
+    """The value of two_sided. Parts of a closed model may be open where they were cut off: they show their fronts alone."""
+    if mesh.scenery:
+        return "file"
+    if len(played.parts) == 1:
+        return "open"
+    numbers = {}
+    for vertex in mesh.vertices:
+        numbers.setdefault(vertex, len(numbers))
+    return "open" if open_edges([[numbers[mesh.vertices[corner]] for corner in face] for face in mesh.faces]) else False
+
+
 def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, played=None):
     """(the scene as a TOML file would say it, notes). screen: width and height, not the usual ones. look: a look.Look. played:
     a model_parts.Played; None: the whole model in one part."""
@@ -195,7 +207,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
         "view": {**seen, **view},
         "background": "#1b2a38",
         "light": {"direction": list(framing.light), "ambient": AMBIENT, **light},
-        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": "file" if mesh.scenery else "open", **thing, **more,
+        "objects": model_parts.objects(played, mesh, name, scale, {"two_sided": _sides(mesh, played), **thing, **more,
                                                                    **({} if mesh.surfaces else {"colour": "#e8a860"})}),
         "path": path,
     }, [f"{shortened(name)}: {note}" for note in notes]

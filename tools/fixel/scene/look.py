@@ -20,7 +20,7 @@ TEXELS = (256, 128, 64, 32, 16)     # of a texture's side: the most first
 class Look:
     """pixels: "rgb565" or "palette". depth: bits of a depth buffer, 0 without one. texels: the most of a texture's side,
     0 without textures; is_fixed: they have so many even where the path shows fewer. smooth: degrees up to which an edge
-    does not show, 0 for flat faces. keep: patterns of the names of nodes that become objects of their own, with commas between.
+    does not show, 0 for flat faces. keep: patterns of the names of nodes or groups that become objects of their own, with commas between.
     animation: a pattern of the name of the one that is played; "": the first. camera: a pattern of the name of the one that
     makes the path; "": a circle. whole: whether the model is one object, and nothing of it moves. simplify: how many faces it
     has at most, None for its own. baked: whether the tool computes the light. normals: whether those of the file make smooth
@@ -100,7 +100,7 @@ def _add(group):
     group.add_argument("--sorted", action="store_true", help="draw by distance, without a depth buffer")
     group.add_argument("--smooth", type=_degrees, metavar="DEGREES", help="edges that bend less do not show, whatever "
                        f"normals the file has (default: its normals; without them {CREASE})")
-    group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file that stay objects of their own, such as "
+    group.add_argument("--keep", metavar="NAMES", default="", help="nodes of a glTF file, or o and g of an OBJ file, that stay objects of their own, such as "
                        "'wheel*,door'")
     group.add_argument("--animation", metavar="NAME", default="", help="the animation of a glTF file that is played (default: the first)")
     group.add_argument("--camera", metavar="NAME", default="", help="the camera of a glTF file that the path follows (default: a circle)")

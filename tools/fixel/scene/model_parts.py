@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The parts of a model without a scene file: which nodes of a glTF file become objects of their own, where each stands,
-what it hangs on, and how it moves (docs/scenes.md, "Parts of a glTF file")."""
+"""The parts of a model without a scene file: which nodes of a glTF file and which groups of an OBJ file become objects of their own,
+where each stands, what it hangs on, and how it moves (docs/scenes.md, "Parts of a glTF file")."""
 
 from dataclasses import dataclass, field
 import difflib
@@ -13,6 +13,7 @@ from fixel.base.errors import ToolError
 from fixel.base.reading import QUOTE_MAX, quoted, shortened
 from fixel.image.image_placement import DEPTH_MAX
 from fixel.model.mesh import UNIT, Mesh, transform
+from fixel.model.nodes import Node
 from fixel.scene import tracks
 
 NODES_MAX = 64      # of a file whose nodes all become objects
@@ -21,14 +22,16 @@ POSES_MAX = 1 << 21     # of all parts in all frames
 
 @dataclass
 class Part:
-    """name: of its node, or None. groups: the nodes whose faces it has. node: a nodes.Node or None. is_kept: --keep names it.
-    parent: the Part that it hangs on, or None. pose: matrices of 3x4, one a frame, of what moves, as the board plays them."""
+    """name: of its node or group, or None. groups: the nodes or groups whose faces it has, that of its own name first, none: all;
+    without: those whose faces it has not. node: a nodes.Node or None. is_kept: --keep names it. parent: the Part that it hangs on, or None. pose: matrices
+    of 3x4, one a frame, of what moves, as the board plays them."""
     name: str
     groups: list
     node: object = None
     is_kept: bool = False
     parent: object = None
     pose: object = None
+    without: list = field(default_factory=list)
 
     @property
     def is_turned(self):
@@ -51,14 +54,14 @@ class Played:
     poses: dict = field(default_factory=dict)   # of cameras that the animation moves, matrices of 3x4, one a frame
 
 
-def _kept(nodes, patterns, name):
-    """The names of the nodes that patterns name."""
+def _kept(nodes, patterns, name, kind="node"):
+    """The names of the nodes that patterns name; of groups, likewise."""
     found = set()
     for pattern in filter(None, patterns.split(",")):
         fitting = {each for each in nodes if fnmatch.fnmatchcase(each, pattern)}
         if not fitting:
             near = difflib.get_close_matches(pattern[:QUOTE_MAX], list(nodes)[:1000], 1, 0)
-            raise ToolError(f"{name}: --keep: no node has a name like {quoted(pattern)}" +
+            raise ToolError(f"{name}: --keep: no {kind} has a name like {quoted(pattern)}" +
                             (f"; the nearest is {quoted(near[0])}" if near else ""))
         found |= fitting
     return found
@@ -73,9 +76,13 @@ def _carriers(nodes, chosen):
 
 
 def _divided(mesh, nodes, kept, whole):
-    """The Parts of a file, parents first. whole: whether what nothing moves and no pattern names stays in one part."""
+    """The Parts of a file, parents first. whole: whether what nothing moves and no pattern names stays in one part. What hangs on a
+    node without faces that a pattern names is a part of it."""
     is_small = not whole and mesh.scenery.count <= NODES_MAX
-    chosen = {name for name, node in nodes.items() if node.is_animated or name in kept or (is_small and name in mesh.groups)}
+    chosen = {name for name, node in nodes.items() if node.is_animated or name in kept}
+    if is_small:
+        above, bare = _carriers(nodes, chosen), kept - set(mesh.groups)
+        chosen |= {name for name in mesh.groups if above[name] not in bare}
     carriers, found = _carriers(nodes, chosen), {}
     for name in mesh.groups:
         key = carriers[name]
@@ -93,11 +100,27 @@ def _divided(mesh, nodes, kept, whole):
         while above is not None and (above not in parts or not parts[above].is_turned or parts[above].depth >= DEPTH_MAX):
             above = nodes[above].parent
         node = nodes[key]
-        parts[key] = Part(key, sorted(found[key], key=lambda each: each != key), node, key in kept,
+        parts[key] = Part(key, [key, *(each for each in found[key] if each != key)], node, key in kept,
                           parts[above] if above is not None else None)
         if node.poses is not None and parts[key].parent is None:
             parts[key].pose = True          # until it is played
     return list(parts.values())
+
+
+def _kept_groups(mesh, patterns, name):
+    """The Parts of an OBJ file: a part for each group that a pattern names, and one of all other faces. A face of several such groups
+    belongs to that which begins first, and of those to that which ends first."""
+    order = {each: number for number, each in enumerate(mesh.groups)}
+    kept, found, owners = _kept(mesh.groups, patterns, name, "group"), [], {}
+    for group in sorted(kept, key=lambda each: (mesh.groups[each][0], order[each])):
+        numbers = mesh.numbers_of([group])
+        before = list(dict.fromkeys(owners[number] for number in numbers if number in owners))
+        if any(number not in owners for number in numbers):
+            owners |= {number: group for number in numbers if number not in owners}
+            found.append(Part(group, [group], Node(group, pivot=mesh.part(group, without=before).middle), True, without=before))
+    names = [part.name for part in found]
+    rest = mesh.part(without=names)
+    return ([Part(None, [], Node(name, pivot=rest.middle), without=names)] if rest.faces else []) + found
 
 
 def _inverse(pose):
@@ -133,16 +156,25 @@ def _play(parts, frames, name):
 def divide(mesh, name, look):
     """The Played of a file. look: a look.Look."""
     scenery = mesh.scenery
-    if scenery is None or look.whole:
-        for option, value in (("--keep", look.keep), ("--animation", look.animation), ("--camera", look.camera)):
-            if value and scenery is None:
-                raise ToolError(f"{name}: {option} is for the nodes of a glTF file; this file has none")
+    if scenery is None:
+        for option, value in (("--animation", look.animation), ("--camera", look.camera)):
+            if value:
+                raise ToolError(f"{name}: {option} is for a glTF file; this file has none")
+        if look.keep and not mesh.groups:
+            raise ToolError(f"{name}: --keep is for the nodes of a glTF file, and for o and g of an OBJ file; this file has none")
+    if look.whole or (scenery is None and not look.keep):
         return Played([Part(None, [])])
+    if scenery is None:
+        parts = _kept_groups(mesh, look.keep, name)
+        return Played(parts, 0, _play(parts, 1, name))
     nodes, frames, notes = scenery.play(look.animation or None)
     if look.animation and not frames:
         there = shortened(", ".join(scenery.animations)) or "none"
         raise ToolError(f"{name}: --animation: no animation that moves a node has a name like {quoted(look.animation)}; the file's: {there}")
     parts = _divided(mesh, nodes, _kept(nodes, look.keep, name), look.depth == 0)
+    bare = sorted(_kept(nodes, look.keep, name) - {part.name for part in parts})
+    if bare:
+        notes = [*notes, f"{name}: nodes that --keep names and that have no faces are no objects: {len(bare):,} (first: {shortened(bare[0])})"]
     uses = {"animations"} if frames else set()
     if frames * sum(part.is_turned for part in parts) > POSES_MAX:
         raise ToolError(f"{name}: the animation moves {len(parts):,} parts in {frames:,} frames: more than the limit of {POSES_MAX:,} places; "
@@ -185,10 +217,11 @@ def objects(played, mesh, name, scale, thing):
     found = []
     for part in played.parts:
         node = part.node or mesh.scenery.nodes[part.groups[0]]
+        chosen = {key: names if len(names) > 1 else names[0] for key, names in (("group", part.groups), ("without", part.without)) if names}
         own = transform(Mesh([node.pivot], []), rows)[0]
         above = middle if part.parent is None else transform(Mesh([part.parent.node.pivot], []), rows)[0]
-        found.append({"name": part.name or name, "model": name, "group": part.groups if len(part.groups) > 1 else part.groups[0],
-                      "scale": scale, "anchor": "node", "position": [Fraction(a - b, 65536) for a, b in zip(own, above)], **thing,
+        found.append({"name": part.name or name, "model": name, **chosen, "scale": scale, "anchor": "node",
+                      "position": [Fraction(a - b, 65536) for a, b in zip(own, above)], **thing,
                       **(_motion(part, scale) if part.is_turned else {})})
     return found
 
@@ -199,7 +232,7 @@ def moved_points(played, mesh):
     for part in played.parts:
         if part.pose is None:
             continue
-        used = {corner for group in part.groups for first, end in mesh.groups[group] for face in mesh.faces[first:end] for corner in face}
+        used = {corner for number in mesh.numbers_of(part.groups, part.without) for corner in mesh.faces[number]}
         points = np.array([mesh.vertices[corner] for corner in used], dtype=float) / UNIT
         low, high = points.min(axis=0), points.max(axis=0)
         corners = np.array([[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)])

@@ -2,7 +2,7 @@
 """What an object of a scene file says of its model file: which file, how large, what is mended and merged."""
 
 import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 import difflib
 from fractions import Fraction
 import itertools
@@ -15,7 +15,7 @@ from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, rounding_error, shape
 from fixel.base.reading import QUOTE_MAX, Beside, quoted
 from fixel.model.sources import Sources
 
-KEYS = {"obj", "model", "group", "fit", "mend", "merge", "simplify"}
+KEYS = {"obj", "model", "group", "without", "fit", "mend", "merge", "simplify"}
 NEAR_MAX = 1000     # names of groups among which the nearest is looked for
 FIT_MAX = 16382
 
@@ -50,20 +50,25 @@ class Files:
     def __setitem__(self, name, mesh):
         self.meshes[self._key(name)] = mesh
 
-    def part(self, name, groups, where, by_node=False):
-        """The mesh of some groups of a file that was read. by_node: about the origin of the whole file."""
-        key = self._key(name), groups, by_node
+    def part(self, name, chosen, by_node=False):
+        """The mesh of some groups of a file that was read. chosen: a Groups. by_node: about the origin of the whole file."""
+        key = self._key(name), chosen.names, chosen.without, by_node
         if key not in self.parts:
             mesh = self._about_origin(name) if by_node else self[name]
-            for group in groups:
-                _check_group(mesh, key[0], group, where)
-            self.parts[key] = mesh.part(*groups)
+            for group in (*chosen.names, *chosen.without):
+                _check_group(mesh, key[0], group, chosen.where)
+            self.parts[key] = mesh.part(*chosen.names, without=chosen.without)
+            if not self.parts[key].faces:
+                raise ToolError(f"{chosen.where}: no face of {key[0]} is left")
         return self.parts[key]
 
-    def pivot(self, name, groups):
-        """The mesh of one point: that about which the first of some nodes of a file turns; None where it has no such node."""
+    def pivot(self, name, chosen):
+        """The mesh of one point: that about which the first of some nodes of a glTF file turns, None where it has no such node; the
+        middle of the faces of groups of another file."""
         mesh = self._about_origin(name)
-        node = mesh.scenery.nodes.get(groups[0]) if mesh.scenery else None
+        if mesh.scenery is None:
+            return Mesh([self.part(name, chosen, True).middle], [])
+        node = mesh.scenery.nodes.get(chosen.names[0]) if chosen.names else None
         return node and Mesh([node.pivot], [])
 
     def _about_origin(self, name):
@@ -88,10 +93,36 @@ class Files:
         return self.meshes.values()
 
 
+@dataclass(frozen=True)
+class Groups:
+    """Which faces of a file an object has: those of some groups, all where none is named, but for those of others. where: for
+    messages."""
+    names: tuple
+    without: tuple
+    where: str
+
+
+def groups_of(table):
+    """The Groups of an object; None where it says nothing of them."""
+    if "group" not in table and "without" not in table:
+        return None
+    return Groups(_names(table, "group"), _names(table, "without"), table.at("group" if "group" in table else "without"))
+
+
+def _names(table, key):
+    """The names of groups: one, or a list of them."""
+    if key not in table:
+        return ()
+    value = table.need(key)
+    if isinstance(value, list) and value and all(isinstance(each, str) for each in value):
+        return tuple(value)
+    return (table.text(key),)
+
+
 def _check_group(mesh, file, group, where):
     if not mesh.groups:
         raise ToolError(f"{where}: {file} has no groups; o and g of an OBJ file name them, and the nodes of a glTF file")
-    if group not in mesh.groups:
+    if group not in mesh.groups and not (mesh.scenery and group in mesh.scenery.nodes):
         names = list(itertools.islice(mesh.groups, NEAR_MAX))
         near = difflib.get_close_matches(group[:QUOTE_MAX], names, 1, 0) or names
         raise ToolError(f"{where}: {file} has no group {quoted(group)}; the nearest name is {quoted(near[0])}")

@@ -86,14 +86,6 @@ def _solid_options(table):
     return options
 
 
-def _groups(table):
-    """The names of an object's groups: one, or a list of them."""
-    value = table.need("group")
-    if isinstance(value, list) and value and all(isinstance(each, str) for each in value):
-        return tuple(value)
-    return (table.text("group"),)
-
-
 def _parts(table):
     """(across, along) of the parts that an object is divided into; None for one that is not."""
     return table.wholes("parts", 2, parts.MOST) if "parts" in table else None
@@ -133,10 +125,10 @@ class Objects:
         if "simplify" in table:
             self.progress.stage(f"simplifying {name}")
             name = self.files.fewer(name, toml_model.faces_asked(table))
-        if "group" not in table:
+        chosen, by_node = toml_model.groups_of(table), table.data.get("anchor") == "node"
+        if chosen is None:
             return self.files[name], name, (name,)
-        groups, by_node = _groups(table), table.data.get("anchor") == "node"
-        return self.files.part(name, groups, table.at("group"), by_node), name, (name, groups, by_node)
+        return self.files.part(name, chosen, by_node), name, (name, chosen.names, chosen.without, by_node)
 
     def _record(self, table, found):
         """Keeps what there is to say of an object whose model has fewer faces, and of its instances."""
@@ -157,9 +149,10 @@ class Objects:
         """The point about which an object's node turns, in 16.16; None unless the node is its anchor."""
         if table.data.get("anchor") != "node":
             return None
-        pivot = self.files.pivot(name, _groups(table)) if "group" in table and "solid" not in table else None
+        chosen = toml_model.groups_of(table) if "solid" not in table else None
+        pivot = self.files.pivot(name, chosen) if chosen else None
         if pivot is None:
-            raise ToolError(f'{table.at("anchor")}: "node" needs a group that is a node of a glTF file')
+            raise ToolError(f'{table.at("anchor")}: "node" needs a group of an OBJ file, or one that is a node of a glTF file')
         return transform(pivot, rows)[0]
 
     def _look_of(self, table):
