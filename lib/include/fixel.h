@@ -20,5 +20,6 @@
 #include "fixel/render.h"
 #include "fixel/scene.h"
 #include "fixel/types.h"
+#include "fixel/version.h"
 
 #endif
