@@ -81,7 +81,7 @@ static inline void fxl_find_downs(const fxl_gradients *gradients, int64_t downs[
 }
 
 /* The rows of such a face above end_row. */
-static inline __attribute__((always_inline)) void fxl_paint_plain_rows(
+static inline __attribute__((always_inline)) void fxl_paint_plain_trapezoid(
     const fxl_paint *paint, int32_t end_row, fxl_plain_rows *rows,
     bool (*paint_rows)(fxl_plain_rows *rows),
     void (*paint_pixels)(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
@@ -117,7 +117,7 @@ static inline __attribute__((always_inline)) void fxl_paint_plain_polygon(
         }
         rows.edges[0] = trapezoid->edges[0];
         rows.edges[1] = trapezoid->edges[1];
-        fxl_paint_plain_rows(paint, trapezoid->end_row, &rows, paint_rows, paint_pixels);
+        fxl_paint_plain_trapezoid(paint, trapezoid->end_row, &rows, paint_rows, paint_pixels);
     }
 }
 

@@ -57,6 +57,9 @@ ROOMS = {
         "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
     },
+    "Packages": {
+        "one-file": ("fixel.package.one_file", "write the library as fixel.h and fixel.c"),
+    },
     "Shell and Makefile": {
         "completion": ("fixel.base.completion", "print a script that completes commands in bash or zsh"),
         "make": ("fixel.base.make", "a command with the options that variables of make become"),
