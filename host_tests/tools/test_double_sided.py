@@ -62,6 +62,7 @@ def test_a_flag_is_seen_from_behind_and_a_wall_is_not(build, tmp_path):
         assert done.returncode == 0, done.stderr
         summary = json.loads((tmp_path / "run" / "summary.json").read_text())
         assert summary["pixels_unexplained"] == 0 and summary["host_frames_equal"]
+        assert summary["order_wrong_pixels"] == 0 and summary["order_judged_pixels"] > 0      # the back of the wall is not there
         from fixel.board import dump
         shown.append([bool((frame.pixels != frame.pixels[0, 0]).any()) for frame in dump.read_dump(tmp_path / "run" / "board.fxld").frames])
     assert all(shown[0]) and any(shown[1]) and not all(shown[1])

@@ -220,12 +220,13 @@ static bool outline_holds_ray(const search *s, const world_polygon *polygon)
     return winding != 0;
 }
 
-/* Returns the depth of the hit, within near..far, or infinity. */
+/* Returns the depth of the hit, within near..far, or infinity. A polygon is not there for a ray
+ * that meets its back. */
 static double polygon_depth(const search *s, const world_polygon *polygon, double far)
 {
     double slope = vector_dot(polygon->normal, s->ray->direction);
     double z = vector_dot(polygon->normal, vector_minus(polygon->middle, s->ray->eye)) / slope;
-    if (!(z >= s->ray->near && z <= far) || !outline_holds_ray(s, polygon))
+    if (!(slope < 0 && z >= s->ray->near && z <= far) || !outline_holds_ray(s, polygon))
         return INFINITY;
     return z;
 }

@@ -13,7 +13,7 @@ typedef struct {
     uint32_t first, count; /* corners */
     uint8_t colour;
     light_face lit; /* of a scene with light at run time */
-    vector normal;  /* Newell's normal, of any length; its sign has no meaning */
+    vector normal;  /* Newell's normal, of any length: it points to where the front is seen from */
     vector middle;  /* mean of the vertices: a point of the plane */
 } world_polygon;
 
@@ -48,7 +48,7 @@ typedef struct {
 /* Computes planes and boxes. The caller must have filled in polygons and vertices. */
 void world_prepare(world *w);
 
-/* Finds the nearest polygon on the ray, whichever side faces it. guess: a polygon that the ray may
+/* Finds the nearest polygon whose front the ray meets. guess: a polygon that the ray may
  * meet, or null. What lies behind it is not looked at. */
 world_hit world_nearest(const world *w, const world_ray *ray, const world_polygon *guess);
 
