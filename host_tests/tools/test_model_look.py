@@ -255,6 +255,7 @@ def test_of_a_long_path_some_frames_are_judged_for_the_order(build, tmp_path):
     made, _ = compiler.compile_scene(str(CASES / "raised_bars.obj"), 60, look=look.Look("palette", 0))
     (tmp_path / "m.fxls").write_bytes(image.pack(made))
     wrong, judged, frames = order_check.count(build, tmp_path / "m.fxls")
+    assert order_check.text(build, tmp_path / "m.fxls").endswith(f" of {order_check.FRAMES} of the path's 60 frames")
     assert frames == order_check.FRAMES and judged == frames * 320 * 240 and 0 < wrong < judged / 50
     assert order_check.count(tmp_path, tmp_path / "m.fxls") is None and order_check.text(tmp_path, tmp_path / "m.fxls") == ""
     made.depth_bits = 16

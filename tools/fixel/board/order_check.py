@@ -56,9 +56,12 @@ def count(build, file):
 
 def text(build, file):
     """What there is to say of the order of a scene image's frames, or ""."""
-    found = None if is_certain(images.load(file)) else count(build, file)
+    scene = images.load(file)
+    found = None if is_certain(scene) else count(build, file)
     if found is None:
         return ""
     wrong, judged, frames = found
-    return f"the order by distance shows a wrong face at {wrong:,} of {judged:,} pixels ({100 * wrong / judged:.2g} %) of {frames} " \
-        "frames" if wrong else f"the order by distance is right at every pixel of {frames} frames"
+    all_frames = len(scene.path)
+    seen = f"{frames} frames" if frames == all_frames else f"{frames} of the path's {all_frames} frames"
+    return f"the order by distance shows a wrong face at {wrong:,} of {judged:,} pixels ({100 * wrong / judged:.2g} %) of {seen}" if wrong \
+        else f"the order by distance is right at every pixel of {seen}"
