@@ -26,13 +26,23 @@ const fxl_instance *fxl_view_instance(const fxl_traversal *traversal, const fxl_
     return view_instance(traversal, entry, model_view);
 }
 
+#if FXL_IS_COMPACT
+
+bool fxl_submit_sorted_once(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                            const fxl_model *model, fxl_face_orderer *order_faces)
+{
+    return fxl_submit_sorted(traversal, model_view, model, order_faces, ONE_LOOP);
+}
+
+#endif
+
 bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
     FXL_ALIGN_8 fxl_model_view model_view; /* its pairs of words are loaded at once */
     const fxl_instance *instance = view_instance(traversal, entry, &model_view);
     const fxl_model *model = &traversal->renderer->scene->models[instance->model];
     return model->kind == FXL_MODEL_SORTED
-               ? fxl_submit_sorted(traversal, &model_view, model, fxl_list_model, ONE_LOOP)
+               ? fxl_submit_sorted_once(traversal, &model_view, model, fxl_list_model)
                : fxl_submit_convex(traversal, &model_view, model, fxl_model_view_face_is_front);
 }
 

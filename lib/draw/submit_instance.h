@@ -12,6 +12,19 @@
  * of its own, so that a full frame pays nothing for bands. */
 #define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
 
+/* fxl_submit_sorted by ONE_LOOP: a library for size has it once. */
+#if FXL_IS_COMPACT
+bool fxl_submit_sorted_once(const fxl_traversal *traversal, const fxl_model_view *model_view,
+                            const fxl_model *model, fxl_face_orderer *order_faces);
+#else
+static inline bool fxl_submit_sorted_once(const fxl_traversal *traversal,
+                                          const fxl_model_view *model_view, const fxl_model *model,
+                                          fxl_face_orderer *order_faces)
+{
+    return fxl_submit_sorted(traversal, model_view, model, order_faces, ONE_LOOP);
+}
+#endif
+
 /* Whether a face is turned towards the eye. */
 typedef bool fxl_facing_test(const fxl_model_view *model_view, const fxl_face *face);
 

@@ -64,7 +64,7 @@ static inline void fxl_list_found_faces(const fxl_traversal *traversal,
         const fxl_scene *scene = traversal->renderer->scene;
         uint32_t count = find_front(scene, model, model_view, workspace->face_list);
         workspace->front_count = (uint16_t)count;
-        if (fxl_drops_outside(traversal, model_view, model)) {
+        if (!FXL_IS_COMPACT && fxl_drops_outside(traversal, model_view, model)) {
             count = fxl_drop_outside(model_view, &scene->faces[model->first_face],
                                      workspace->face_list, count);
         }

@@ -303,7 +303,7 @@ static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *
         set_shader(traversal, entry, rounded, &view.model_view, &instance);
     }
     if (model->kind == FXL_MODEL_SORTED) {
-        return fxl_submit_sorted(traversal, &view.model_view, model, order_faces, ONE_LOOP);
+        return fxl_submit_sorted_once(traversal, &view.model_view, model, order_faces);
     }
     return !FXL_IS_COMPACT && view.eye_shift == 0
                ? fxl_submit_convex(traversal, &view.model_view, model, face_is_front_to_near)

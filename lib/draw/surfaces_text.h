@@ -94,10 +94,10 @@ static const fxl_segment_face *segments_of(const fxl_paint *paint, fxl_segment_f
 
 #endif
 
-/* Whether a kernel paints its rows one after the other. */
+/* Whether a kernel paints its rows one after the other; compiled for size, none does. */
 static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face *segments)
 {
-    return segments != NULL && paint->ramp == NULL &&
+    return !FXL_IS_COMPACT && segments != NULL && paint->ramp == NULL &&
            (FXL_TARGET_PIXEL_BITS == 16 ? !paint->is_evenly_lit : paint->in_beam == NULL);
 }
 
@@ -107,7 +107,7 @@ static inline bool has_plain_rows(const fxl_paint *paint, const fxl_segment_face
 static inline __attribute__((always_inline)) void
 paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
-    if (FXL_TARGET_PIXEL_BITS == 8) {
+    if (FXL_TARGET_PIXEL_BITS == 8 && !FXL_IS_COMPACT) {
         fxl_paint_simply(with, paint, row, x0, x1);
     } else {
         PAINT_PIXELS(paint, row, x0, x1);
@@ -445,12 +445,21 @@ static __attribute__((noinline)) void find_whole(const void *what, const fxl_mod
          polygon);
 }
 
+/* The polygons of a face, or of a piece of one, by what finds what they have. */
+FXL_ONCE fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_face *face,
+                                     const fxl_traversal *traversal, fxl_polygon_finder *finder,
+                                     const fxl_mapped_surface *of, fxl_surface_polygon *polygon,
+                                     bool found)
+{
+    return fxl_submit_found_polygons(model_view, face, traversal, finder, paint_polygon, of,
+                                     polygon, found);
+}
+
 /* fxl_painter.submit_piece. */
 static fxl_outcome submit_piece(const fxl_mapped_surface *of, const fxl_model_view *model_view,
                                 const fxl_face *piece, const fxl_traversal *traversal)
 {
-    return fxl_submit_found_polygons(model_view, piece, traversal, find_whole, paint_polygon, of,
-                                     of->polygon, of->is_found);
+    return submit_polygons(model_view, piece, traversal, find_whole, of, of->polygon, of->is_found);
 }
 
 /* A mapped face that no beam reaches. Not inline: what its polygons have would stay on the stack
@@ -462,10 +471,8 @@ static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_
 {
     const uint32_t used = traversal->renderer->frame.display_list.used;
     fxl_surface_polygon polygon;
-    return fxl_count_outcome(traversal,
-                             fxl_submit_found_polygons(model_view, face, traversal, find,
-                                                       paint_polygon, of, &polygon, false),
-                             used);
+    return fxl_count_outcome(
+        traversal, submit_polygons(model_view, face, traversal, find, of, &polygon, false), used);
 }
 
 /* fxl_shader_code.face. */

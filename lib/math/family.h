@@ -51,6 +51,9 @@
 /* So compiled, it has the matrix of a turned instance in C, too. */
 #define FXL_PLACEMENTS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
 
+/* So compiled, it paints the texels of segments and divided pixels in C, too. */
+#define FXL_TEXELS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
+
 /* So compiled, it fills rows by a text of a sixth of the bytes. */
 #if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT
 #define FXL_FILLS_COMPACT 1
@@ -64,6 +67,14 @@
 #define FXL_APART static __attribute__((noinline, unused))
 #else
 #define FXL_APART static inline
+#endif
+
+/* Before a function that is in place wherever it is called, but in a library for size, which has it
+ * once. */
+#if FXL_IS_COMPACT
+#define FXL_ONCE static __attribute__((noinline, unused))
+#else
+#define FXL_ONCE static inline __attribute__((always_inline))
 #endif
 
 /* On a host the files in assembly have no code. This section states that they need no

@@ -31,7 +31,7 @@ bool fxl_divided_find(const fxl_paint *paint, fxl_divided_face *face)
     return true;
 }
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_TEXELS_IN_ASSEMBLY
 
 /* A number of 64 bits, shifted to the left by at most 31. Its upper word is what counts. */
 static inline int32_t shifted(int64_t value, int shift)

@@ -5,7 +5,7 @@
 #include "../math/family.h"
 #include "../math/offsets.h"
 
-#if FXL_KERNELS_ARMV7M
+#if FXL_TEXELS_IN_ASSEMBLY
 
 /* The frame: weight, u and v at the end of the segment; their steps; the address of the block; the
  * block; U, V and light at the beginning of the segment; a block for one load; then: */

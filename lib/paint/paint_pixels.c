@@ -87,7 +87,7 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
     uint8_t *pixel = row->pixels + x0;
     const uint8_t *end = row->pixels + x1;
     uint32_t light = run->light;
-    if (fxl_light_run_is_within(run, x1 - x0, 0, (last_level + 1u) << 24)) {
+    if (!FXL_IS_COMPACT && fxl_light_run_is_within(run, x1 - x0, 0, (last_level + 1u) << 24)) {
         for (; pixel != end; light += step) {
             *pixel++ = ramp[256u * (light >> 24)];
         }
@@ -108,7 +108,7 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    if (!FXL_IS_SMALL && paint->opacity == 16 && !paint->is_replaced) {
+    if (!FXL_IS_COMPACT && paint->opacity == 16 && !paint->is_replaced) {
         if (paint->level.texels != NULL && paint->level.colours == NULL &&
             (paint->level.flags & FXL_TEXTURE_CLAMP) == 0) {
             if (paint->ramp != NULL) {

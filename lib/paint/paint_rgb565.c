@@ -122,7 +122,7 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
     const uint32_t half = 1u << 23, most = (uint32_t)paint->levels_less_1 << 24;
     const uint32_t colour = of->palette[paint->colour], light = run->light - half;
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-    if (fxl_light_run_is_within(run, x1 - x0, half, most + 1u)) {
+    if (!FXL_IS_COMPACT && fxl_light_run_is_within(run, x1 - x0, half, most + 1u)) {
         paint_lit_colour(of, colour, most, true, light, run->step, pixels + x0, pixels + x1);
     } else {
         paint_lit_colour(of, colour, most, false, light, run->step, pixels + x0, pixels + x1);
@@ -154,7 +154,7 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
         paint_lights(paint, row, x0, x1, &run);
         return;
     }
-    if (FXL_IS_SMALL || paint->opacity < 16 || of->sixteenths != 0 || of->adds ||
+    if (FXL_IS_COMPACT || paint->opacity < 16 || of->sixteenths != 0 || of->adds ||
         paint->level.flags != FXL_LEVEL_565) {
         paint_each_linear(paint, row, x0, x1, linear);
         return;

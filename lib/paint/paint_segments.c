@@ -3,7 +3,7 @@
 
 #include "../math/family.h"
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_TEXELS_IN_ASSEMBLY
 
 static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
@@ -48,28 +48,23 @@ bool fxl_paint_rows(fxl_plain_rows *rows)
 
 #endif
 
-#if !FXL_KERNELS_ARMV7M && !FXL_KERNELS_ARMV6M
-
-static inline uint8_t texel(const fxl_segment_face *face, uint32_t position)
-{
-    const uint32_t column = position >> (32u - face->log_width);
-    return face->texels[(position >> face->row_drop & face->rows_mask) + column];
-}
+#if !FXL_TEXELS_IN_ASSEMBLY && !FXL_KERNELS_ARMV6M
 
 void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, uint8_t *pixels,
                       uint32_t count)
 {
-    const uint8_t *end = pixels + count;
-    uint32_t position = run->position, light = run->light;
-    if (face->ramp == NULL) {
-        for (; pixels != end; position += run->step) {
-            const uint8_t colour = texel(face, position);
-            *pixels++ = face->table != NULL ? face->table[colour] : colour;
+    const uint8_t *end = pixels + count, *texels = face->texels;
+    const uint8_t *table = face->ramp != NULL ? face->ramp : face->table; /* lit: one for a level */
+    const uint32_t mask = face->rows_mask, row_drop = face->row_drop, step = run->step;
+    const uint32_t column_drop = 32u - face->log_width;
+    const uint32_t light_step = face->ramp != NULL ? run->light_step : 0;
+    uint32_t position = run->position, light = face->ramp != NULL ? run->light : 0;
+    for (; pixels != end; position += step, light += light_step) {
+        uint32_t colour = texels[(position >> row_drop & mask) + (position >> column_drop)];
+        if (table != NULL) {
+            colour = table[(light & ~255u) + colour];
         }
-        return;
-    }
-    for (; pixels != end; position += run->step, light += run->light_step) {
-        *pixels++ = face->ramp[(light & ~255u) + texel(face, position)];
+        *pixels++ = (uint8_t)colour;
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include "../math/family.h"
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_TEXELS_IN_ASSEMBLY
 
 static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
@@ -15,13 +15,15 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
     const uint32_t step = run->step, mask = face->rows_mask, row_drop = face->row_drop;
     const uint32_t column_drop = 32u - face->log_width;
     uint32_t position = run->position;
+    if (palette == NULL) {
+        for (; pixels != end; position += step) {
+            *pixels++ = colours[(position >> row_drop & mask) + (position >> column_drop)];
+        }
+        return;
+    }
     for (; pixels != end; position += step) {
         const uint32_t place = (position >> row_drop & mask) + (position >> column_drop);
-        if (palette == NULL) {
-            *pixels++ = colours[place];
-        } else {
-            *pixels++ = palette[in_beam != NULL ? in_beam[texels[place]] : texels[place]];
-        }
+        *pixels++ = palette[in_beam != NULL ? in_beam[texels[place]] : texels[place]];
     }
 }
 

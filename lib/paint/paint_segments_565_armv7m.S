@@ -4,7 +4,7 @@
 #include "../math/family.h"
 #include "../math/offsets.h"
 
-#if FXL_KERNELS_ARMV7M
+#if FXL_TEXELS_IN_ASSEMBLY
 
 #define ROWS        fxl_paint_rows_565
 #define RUNS        fxl_paint_runs_565

@@ -17,9 +17,9 @@
 #include "../math/family.h"
 #include "plain_run.h"
 
-/* The weight and the attributes at a column, of light the upper word; and their steps. */
+/* The weight, u and v at a column, their steps, and the light's upper word. */
 typedef struct {
-    int64_t weight, u, v;
+    int64_t values[3], steps[3];
     int32_t light;
 } segment_values;
 
@@ -40,9 +40,13 @@ static inline void begin(const fxl_segment_face *face, const fxl_paint_row *row,
                          uint32_t segment, segment_values *at)
 {
     const int64_t *attributes = row->attributes;
-    at->weight = sum(row->weight, face->weight_step >> (4u - log), segment);
-    at->u = sum(attributes[FXL_ATTRIBUTE_U], face->u_step >> (4u - log), segment);
-    at->v = sum(attributes[FXL_ATTRIBUTE_V], face->v_step >> (4u - log), segment);
+    const int64_t first[3] = {row->weight, attributes[FXL_ATTRIBUTE_U],
+                              attributes[FXL_ATTRIBUTE_V]};
+    const int64_t steps[3] = {face->weight_step, face->u_step, face->v_step};
+    for (uint32_t i = 0; i < 3; i++) {
+        at->steps[i] = steps[i] >> (4u - log);
+        at->values[i] = sum(first[i], at->steps[i], segment);
+    }
     at->light = 0;
     if (face->ramp != NULL) {
         at->light = (int32_t)((uint32_t)(attributes[FXL_SEGMENT_LIGHT] >> 32) +
@@ -50,21 +54,26 @@ static inline void begin(const fxl_segment_face *face, const fxl_paint_row *row,
     }
 }
 
-static inline void advance(const fxl_segment_face *face, uint32_t log, segment_values *at)
+static inline uint32_t weight_at(const segment_values *at)
 {
-    at->weight = (int64_t)((uint64_t)at->weight + (uint64_t)(face->weight_step >> (4u - log)));
-    at->u = (int64_t)((uint64_t)at->u + (uint64_t)(face->u_step >> (4u - log)));
-    at->v = (int64_t)((uint64_t)at->v + (uint64_t)(face->v_step >> (4u - log)));
+    return (uint32_t)(at->values[0] >> 32);
+}
+
+static inline void advance(const fxl_segment_face *face, segment_values *at)
+{
+    for (uint32_t i = 0; i < 3; i++) {
+        at->values[i] = (int64_t)((uint64_t)at->values[i] + (uint64_t)at->steps[i]);
+    }
     at->light = (int32_t)((uint32_t)at->light + (uint32_t)face->light_step);
 }
 
-static inline int64_t shifted(int64_t product, int32_t left)
+FXL_ONCE int64_t shifted(int64_t product, int32_t left)
 {
     return product >> (left < 0 ? 0 : left > 63 ? 63 : left);
 }
 
 /* A product, shifted. The weight is large enough that it is not shifted to the left. */
-static inline int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_t drop)
+FXL_ONCE int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_t drop)
 {
     const int64_t product = fxl_multiply_s32(value, reciprocal->value);
     return (int32_t)(uint32_t)shifted(product, 32 + drop - (int32_t)reciprocal->zeros);
@@ -78,8 +87,8 @@ static inline int32_t limited(int32_t light, int32_t most)
 static inline void find_end(const fxl_segment_face *face, const segment_values *at,
                             const fxl_reciprocal *reciprocal, segment_end *end)
 {
-    end->u = divided((int32_t)(at->u >> 32), reciprocal, face->u_drop);
-    end->v = divided((int32_t)(at->v >> 32), reciprocal, face->v_drop);
+    end->u = divided((int32_t)(at->values[1] >> 32), reciprocal, face->u_drop);
+    end->v = divided((int32_t)(at->values[2] >> 32), reciprocal, face->v_drop);
     end->light = 0;
     if (face->ramp != NULL) {
         end->light = limited(divided(at->light, reciprocal, face->light_drop), face->light_max);
@@ -134,12 +143,12 @@ FXL_APART void paint_run(const fxl_segment_face *face, const fxl_paint_row *row,
     segment_end ends[2];
     fxl_texel_run run;
     begin(face, row, log, (uint32_t)x0 >> log, &at);
-    fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(at.weight >> 32));
+    fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(&at));
     find_end(face, &at, &reciprocal, &ends[0]);
     while (x0 < x1) {
-        advance(face, log, &at);
+        advance(face, &at);
         if (!face->is_constant) {
-            reciprocal = fxl_reciprocal_of((uint32_t)(at.weight >> 32));
+            reciprocal = fxl_reciprocal_of(weight_at(&at));
         }
         find_end(face, &at, &reciprocal, &ends[1]);
         find_texels(&ends[0], &ends[1], log, &run);
@@ -157,11 +166,11 @@ FXL_APART void paint_each(const fxl_segment_face *face, const fxl_paint_row *row
     fxl_texel_run run = {0, 0, 0, 0};
     begin(face, row, 0, (uint32_t)x0, &at);
     for (; x0 < x1; x0++) {
-        const fxl_reciprocal reciprocal = fxl_reciprocal_of((uint32_t)(at.weight >> 32));
+        const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(&at));
         find_end(face, &at, &reciprocal, &end);
         run.position = position_of(&end);
         paint_texels(face, row, &run, x0, 1);
-        advance(face, 0, &at);
+        advance(face, &at);
     }
 }
 
@@ -264,7 +273,8 @@ static inline void paint_equal(const fxl_segment_face *face, const fxl_paint_row
     if (FXL_KERNELS_ARMV6M && has_kernel(face)) {
         const fxl_run run = {x0, x1, TEXEL_CODE, log};
         fxl_paint_run(face, row, &run);
-    } else if (FXL_KERNELS_ARMV6M || log != 0) { /* lit faces have segments of 16 alone */
+    } else if (FXL_KERNELS_ARMV6M || FXL_IS_COMPACT ||
+               log != 0) { /* lit faces have segments of 16 alone */
         paint_run(face, row, log, x0, x1);
     } else {
         paint_each(face, row, x0, x1);

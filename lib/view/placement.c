@@ -22,20 +22,26 @@ static int64_t scaled(int64_t value, fxl_q16_16 scale)
     return fxl_multiply_s32((int32_t)(value >> 32), scale) + (int64_t)(low >> 32);
 }
 
+/* The same, rounded, / 2^shift. The 32 bits that `scaled` leaves out are below the half unit that
+ * the rounding adds. */
+FXL_ONCE int32_t scaled_by(int64_t value, fxl_q16_16 scale, unsigned shift)
+{
+    return (int32_t)fxl_round_shift(scaled(value, scale), shift);
+}
+
 /* Column n of the orientation along a row of the view, in units of 2^-60. */
 #define ALONG(row, of, n) \
     (fxl_multiply_s31((row)->x, (of)->x.n) + fxl_multiply_s31((row)->y, (of)->y.n) + \
      fxl_multiply_s31((row)->z, (of)->z.n))
 
-/* A row of the matrix / 2^shift. The 32 bits that `scaled` leaves out are below the half unit that
- * the rounding adds. */
+/* A row of the matrix / 2^shift. */
 static void scale_row(const fxl_direction *row, const fxl_placement *placement, unsigned shift,
                       fxl_direction *to)
 {
     const fxl_orientation *of = &placement->orientation;
-    to->x = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, x), placement->scale), 14 + shift);
-    to->y = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, y), placement->scale), 14 + shift);
-    to->z = (fxl_q2_30)fxl_round_shift(scaled(ALONG(row, of, z), placement->scale), 14 + shift);
+    to->x = (fxl_q2_30)scaled_by(ALONG(row, of, x), placement->scale, 14 + shift);
+    to->y = (fxl_q2_30)scaled_by(ALONG(row, of, y), placement->scale, 14 + shift);
+    to->z = (fxl_q2_30)scaled_by(ALONG(row, of, z), placement->scale, 14 + shift);
 }
 
 unsigned fxl_placement_matrix(const fxl_placement *placement, const fxl_axes *view,
@@ -59,7 +65,7 @@ static int32_t along(const fxl_direction *row, const fxl_point *vertex, fxl_q16_
 {
     const int64_t sum = fxl_multiply_s31(row->x, vertex->x) + fxl_multiply_s31(row->y, vertex->y) +
                         fxl_multiply_s31(row->z, vertex->z);
-    return (int32_t)fxl_round_shift(scaled(sum, scale), 14);
+    return scaled_by(sum, scale, 14);
 }
 
 void fxl_placement_point(const fxl_placement *placement, const fxl_point *centre,
