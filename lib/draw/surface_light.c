@@ -28,13 +28,6 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
     middle->z = 2 * point.z;
 }
 
-/* Below 2^30 * 63. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,
- * which is at most 0.7 of that unit. */
-static int32_t level_of(fxl_q2_30 brightness, uint32_t levels)
-{
-    return (int32_t)fxl_round_shift((int64_t)brightness * (levels - 1), 14) + 32768;
-}
-
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
  * face. */
 static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
@@ -48,10 +41,7 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const bool has_places = settings->point_count != 0 || settings->fog_far != 0;
     if (turned == NULL && !has_places) {
-        for (uint32_t i = 0; i < 3; i++) {
-            values[i] = level_of(fxl_light_brightness_of(settings, &normals[mapped->normals[i]]),
-                                 settings->levels);
-        }
+        fxl_light_corners_of(settings, normals, mapped->normals, values);
         return;
     }
     fxl_lit_place place = {{0, 0, 0}, {0, 0, 0}};
@@ -64,8 +54,9 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
         if (has_places) {
             place_corner(scene, instance, number, turned, mapped->vertices[i], &place.middle);
         }
-        values[i] = level_of(fxl_light_brightness(settings, &renderer->frame.view.camera, &place),
-                             settings->levels);
+        values[i] = fxl_light_corner_level(
+            fxl_light_brightness(settings, &renderer->frame.view.camera, &place),
+            settings->levels - 1u);
     }
 }
 

@@ -163,42 +163,6 @@ static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
-/* The three vertices where the clipper has projected all of them, and they are in the cache:
- * mostly. */
-static inline bool find_projected(const fxl_model_view *model_view, const uint16_t *vertices,
-                                  fxl_screen_corners *corners)
-{
-    const fxl_cached_vertex *entries = model_view->entries;
-    const uint32_t mask = model_view->mask, tag = model_view->tag;
-    for (uint32_t i = 0; i < 3; i++) {
-        const uint32_t number = vertices[i];
-        const fxl_cached_vertex *vertex = &entries[number & mask];
-        if (vertex->tag != tag + number || (vertex->clip_flags & FXL_VERTEX_OUTSIDE) != 0) {
-            return false;
-        }
-        corners->points[i] = vertex->screen;
-        corners->depths[i] = vertex->position.z;
-    }
-    return true;
-}
-
-/* The three vertices, on the screen or beside it. */
-static inline bool find_three(const fxl_model_view *model_view, const uint16_t *vertices,
-                              const fxl_traversal *traversal, fxl_screen_corners *corners)
-{
-    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
-        find_projected(model_view, vertices, corners)) {
-        return true;
-    }
-    for (uint32_t i = 0; i < 3; i++) {
-        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
-                            &corners->depths[i])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 typedef struct {
     int32_t left, right, top, bottom;
 } screen_box;
@@ -217,6 +181,35 @@ static inline bool is_within(const screen_box *box, const fxl_lens *lens)
            box->bottom <= lens->height * 65536;
 }
 
+/* The corners of a triangle whose vertices are the given ones, where the clipper has projected all
+ * of them, and they are in the cache: mostly. */
+static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
+                                  const uint16_t *vertices, fxl_screen_corners *corners)
+{
+    const uint16_t *indices = model_view->indices + face->first_index;
+    const fxl_cached_vertex *entries = model_view->entries;
+    const uint32_t mask = model_view->mask, tag = model_view->tag;
+    const uint32_t a = vertices[0], b = vertices[1], c = vertices[2];
+    if (face->count != 3 || face->whole_count != 0 || indices[0] != a || indices[1] != b ||
+        indices[2] != c) {
+        return false;
+    }
+    const fxl_cached_vertex *first = &entries[a & mask], *second = &entries[b & mask];
+    const fxl_cached_vertex *third = &entries[c & mask];
+    const uint32_t flags = (uint32_t)first->clip_flags | second->clip_flags | third->clip_flags;
+    if (first->tag != tag + a || second->tag != tag + b || third->tag != tag + c ||
+        (flags & FXL_VERTEX_OUTSIDE) != 0) {
+        return false;
+    }
+    corners->depths[0] = first->position.z;
+    corners->depths[1] = second->position.z;
+    corners->depths[2] = third->position.z;
+    corners->points[0] = first->screen;
+    corners->points[1] = second->screen;
+    corners->points[2] = third->screen;
+    return true;
+}
+
 static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -227,12 +220,34 @@ static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
     return false;
 }
 
-bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
-                             const uint16_t *vertices, const fxl_traversal *traversal,
-                             fxl_screen_corners *corners)
+/* What the box of all vertices says of the corners. */
+static inline bool have_box(fxl_screen_corners *corners, const screen_box *box, bool is_triangle)
+{
+    corners->width = box->right - box->left;
+    corners->height = box->bottom - box->top;
+    corners->is_triangle = is_triangle;
+    return true;
+}
+
+static inline void begin_box(screen_box *box, const fxl_lens *lens, fxl_screen_corners *corners)
+{
+    const fxl_screen_point *points = corners->points;
+    box->left = box->right = points[0].x;
+    box->top = box->bottom = points[0].y;
+    add_point(box, &points[1]);
+    add_point(box, &points[2]);
+    corners->is_on_screen = is_within(box, lens);
+}
+
+/* Any face. Not inline: what it has would stay on the stack of triangles. */
+static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_view,
+                                                   const fxl_face *face, const uint16_t *vertices,
+                                                   const fxl_traversal *traversal,
+                                                   fxl_screen_corners *corners)
 {
     const uint16_t *indices = model_view->indices + face->first_index;
     uint32_t count = face->count;
+    screen_box box;
     if (face->whole_count != 0) {
         indices += count;
         count = face->whole_count;
@@ -242,14 +257,13 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
             return false;
         }
     }
-    if (!find_three(model_view, vertices, traversal, corners)) {
-        return false;
+    for (uint32_t i = 0; i < 3; i++) {
+        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
+                            &corners->depths[i])) {
+            return false;
+        }
     }
-    const fxl_screen_point *first = corners->points;
-    screen_box box = {first->x, first->x, first->y, first->y};
-    add_point(&box, &corners->points[1]);
-    add_point(&box, &corners->points[2]);
-    corners->is_on_screen = is_within(&box, &model_view->view->lens);
+    begin_box(&box, &model_view->view->lens, corners);
     for (uint32_t i = 0; count > 3 && i < count; i++) {
         fxl_screen_point point;
         fxl_q18_46 depth;
@@ -262,10 +276,20 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
         }
         add_point(&box, &point);
     }
-    corners->width = box.right - box.left;
-    corners->height = box.bottom - box.top;
-    corners->is_triangle = count == 3;
-    return true;
+    return have_box(corners, &box, count == 3);
+}
+
+bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *face,
+                             const uint16_t *vertices, const fxl_traversal *traversal,
+                             fxl_screen_corners *corners)
+{
+    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
+        find_projected(model_view, face, vertices, corners)) {
+        screen_box box;
+        begin_box(&box, &model_view->view->lens, corners);
+        return have_box(corners, &box, true);
+    }
+    return find_corners(model_view, face, vertices, traversal, corners);
 }
 
 void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygon *polygon,

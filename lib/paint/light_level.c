@@ -22,7 +22,8 @@ static inline uint32_t sum_of(uint32_t a, uint32_t b)
 
 /* The light that travels along the direction. Both vectors are below 1 + 2^-26, so the sum is below
  * 2^61. Errors: the sum's shift 1, the product's 1. */
-static uint32_t from_direction(const fxl_light_settings *settings, const fxl_direction *normal)
+static inline uint32_t from_direction(const fxl_light_settings *settings,
+                                      const fxl_direction *normal)
 {
     const fxl_direction *direction = &settings->direction;
     const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
@@ -147,17 +148,27 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
 /* Errors: of the directional light 2, of four points 4 * 40, of the fog 1, of its product 1. Where
  * the instance has a placement, its normal is rounded by 1 a component, and its middle by 2 units
  * of 2^-17, which fxl_lit_place is; so these are no errors of this function. */
-fxl_q2_30 fxl_light_brightness_of(const fxl_light_settings *settings, const fxl_direction *normal)
+static inline fxl_q2_30 brightness_of(const fxl_light_settings *settings,
+                                      const fxl_direction *normal)
 {
-    const uint32_t ambient = (uint32_t)settings->ambient;
-    return (fxl_q2_30)(settings->strength == 0 ? ambient
-                                               : sum_of(ambient, from_direction(settings, normal)));
+    return (fxl_q2_30)sum_of((uint32_t)settings->ambient, from_direction(settings, normal));
+}
+
+void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
+                          const uint16_t numbers[3], int32_t values[3])
+{
+    const uint32_t levels_less_1 = settings->levels - 1u;
+    for (uint32_t i = 0; i < 3; i++) {
+        values[i] =
+            fxl_light_corner_level(brightness_of(settings, &normals[numbers[i]]), levels_less_1);
+    }
 }
 
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place)
 {
-    uint32_t sum = (uint32_t)fxl_light_brightness_of(settings, &place->normal);
+    uint32_t sum = (uint32_t)(settings->strength == 0 ? settings->ambient
+                                                      : brightness_of(settings, &place->normal));
     const fxl_point_light *point = settings->points;
     for (uint32_t left = settings->point_count; left != 0; left--) {
         const uint32_t part = from_point(point++, place);

@@ -3,6 +3,7 @@
 #ifndef FXL_LIGHT_LEVEL_H
 #define FXL_LIGHT_LEVEL_H
 
+#include "../math/core.h"
 #include "fixel/light.h"
 
 /* A face in the world. */
@@ -16,8 +17,19 @@ typedef struct {
 fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_camera *camera,
                                const fxl_lit_place *place);
 
-/* The same without points and fog, of which `place` would be needed for more than its normal. */
-fxl_q2_30 fxl_light_brightness_of(const fxl_light_settings *settings, const fxl_direction *normal);
+/* The light of three corners, without points and fog, of which `place` would be needed for more
+ * than its normal: fxl_light_corner_level of the numbered normals. */
+void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
+                          const uint16_t numbers[3], int32_t values[3]);
+
+/* A brightness as levels of the ramp in 16.16, and a half. The product is at most 2^30 * 63 * 2^18,
+ * and half a unit. Error: half a unit of 1/65536 level, and FXL_LIGHT_ERROR_MAX of the brightness,
+ * which is at most 0.7 of that unit. */
+static inline int32_t fxl_light_corner_level(fxl_q2_30 brightness, uint32_t levels_less_1)
+{
+    const uint64_t product = fxl_multiply_u32((uint32_t)brightness, levels_less_1 << 18);
+    return (int32_t)(uint32_t)((product + (((uint64_t)32768u << 32) + ((uint64_t)1 << 31))) >> 32);
+}
 
 /* The level of a brightness: the nearest, halves upward. Exact. */
 static inline uint32_t fxl_light_level(fxl_q2_30 brightness, uint32_t levels)
