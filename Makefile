@@ -20,7 +20,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # --- the user's variables ----------------------------------------------------
 
 # The commands, and other targets of the command line that are no files.
-COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test boards bench clippers \
+COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
     predict costs one-file format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
@@ -355,6 +355,11 @@ test: ## run the tests, on the host and on a board for each build of the library
 	@tools/setup.sh test$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) test-programs
 	@FIXEL_BUILT='$(TEST_PROGRAMS)' $(TOOL) test --json $(BUILD)/tests.json $(HOST_UNIT_OPTIONS) $(call UNIT_OPTIONS,$(TEST_BOARDS)) $(TEST_BOARD:%=--board %)
+
+test-anywhere: ## run the tests of packages and of what make test has no tools for; says what was not run, and why [ONLY=]
+	@tools/setup.sh test
+	@$(MAKE) $(HOST_WALK) $(HOST_TOOLS) $(BUILD)/host/libfixel.a
+	@$(TOOL) test-anywhere --json $(BUILD)/anywhere.json
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv|anywhere...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -22,6 +22,7 @@
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
+#   anywhere the same as run and riscv, a C++ compiler, CMake, pkg-config
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
 # requirements/*.txt and go into .venv, meshoptimizer is that of requirements/package-lock.json and goes into .node. Where nothing is missing, set-up says nothing and
@@ -161,7 +162,8 @@ find_missing() {
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
         riscv) need_riscv ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe or riscv" ;;
+        anywhere) need_board; need_riscv; need_compilers; has pkg-config || need pkg-config ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, riscv or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -310,7 +312,7 @@ case "${1-}" in
 --packages-only) packages_only=yes; shift ;;
 --missing) missing_only=yes; shift ;;
 esac
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv|anywhere..."
 if [ -n "$missing_only" ]; then
     find_missing "$@"
     printf '%s\n' "${packages# }"
