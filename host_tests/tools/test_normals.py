@@ -7,7 +7,7 @@ import math
 import numpy
 import pytest
 
-from conftest import run_cli
+from conftest import CHECKOUT, run_cli
 from fixel.base.errors import ToolError
 from fixel.image import image
 from fixel.model import gltf, obj
@@ -166,3 +166,48 @@ def test_obj_normals_run_as_the_corners_do(tmp_path):
     for face, normals in zip(read.faces, read.normals):
         for corner, normal in zip(face, normals):
             assert normal[0] == math.copysign(1, read.vertices[corner][0]) * (read.vertices[corner][0] != 0) and normal[1] == 1
+
+
+# --- by the angle of edges -----------------------------------------------------------------------
+
+def normals_at(made):
+    """{vertex: the normals that faces have there} of a scene's first model, and how many corners its lit faces have."""
+    found, model = {}, made.models[0]
+    for face in model.faces:
+        if face.mapped:
+            for vertex, normal in zip(face.mapped.vertices, face.mapped.normals):
+                found.setdefault(vertex, set()).add(made.surfaces.normals[normal])
+    return found, {len(face.corners) for face in model.faces if face.mapped}
+
+
+def test_an_edge_that_bends_little_does_not_show_where_faces_across_a_vertex_bend_more():
+    """A ball of 12 x 6: its edges bend by at most 30 degrees, two faces that meet at a vertex alone by 42."""
+    made, _ = compiler.compile_scene(str(CHECKOUT / "host_tests" / "tools" / "models" / "ball_textured.obj"), 4, look=look.Look())
+    found, corners = normals_at(made)
+    assert len(found) == len(made.models[0].vertices) and {len(normals) for normals in found.values()} == {1} and corners == {3}
+
+
+def test_a_face_whose_light_is_linear_is_not_cut(tmp_path):
+    """A ring of a cylinder; rings of a cone and of a ball, whose quadrilaterals are no parallelograms."""
+    def ring(name, *circles):
+        rows = [f"v {r * math.cos(math.pi * i / 8)} {y} {r * math.sin(math.pi * i / 8)}" for r, y in circles for i in range(16)]
+        rows += [f"f {16 * k + i + 1} {16 * k + 16 + i + 1} {16 * k + 16 + (i + 1) % 16 + 1} {16 * k + (i + 1) % 16 + 1}" for k in range(len(circles) - 1)
+                 for i in range(16)]
+        (tmp_path / name).write_text("\n".join(rows))
+        return normals_at(compiler.compile_scene(str(tmp_path / name), 4, look=look.Look())[0])
+    assert ring("cylinder.obj", (1, 0), (1, 1))[1] == {4}
+    assert ring("cone.obj", (1, 0), (0.5, 1))[1] == {3}
+    assert ring("ball.obj", (1, 0), (0.87, 0.5), (0.5, 0.87))[1] == {3}
+
+
+def test_edges_that_show_part_the_normals_of_a_vertex(tmp_path):
+    """A roof whose two sides bend by 60 degrees, each of two faces that bend by 10: two normals at each vertex of the ridge."""
+    steep, flat = math.tan(math.radians(35)), math.tan(math.radians(25))
+    profile = [(-2, -steep - flat), (-1, -flat), (0, 0), (1, -flat), (2, -steep - flat)]
+    rows = [f"v {x} {y} {z}" for z in (0, 3) for x, y in profile] + [f"f {i} {i + 5} {i + 6} {i + 1}" for i in range(1, 5)]
+    (tmp_path / "m.obj").write_text("\n".join(rows))
+    made, _ = compiler.compile_scene(str(tmp_path / "m.obj"), 4, look=look.Look())
+    lines = {}      # along the roof: a face has normals at three of its corners
+    for vertex, normals in normals_at(made)[0].items():
+        lines.setdefault(made.models[0].vertices[vertex][:2], set()).update(normal for normal in normals if normal[1] > 0)
+    assert [len(lines[line]) for line in sorted(lines)] == [1, 1, 2, 1, 1]

@@ -12,7 +12,7 @@ from test_surface_frames import built, drawn, judged
 from fixel.board import dump
 from fixel.image import image
 from fixel.model import island, mesh, solids
-from fixel.scene import parts, surfaces, toml_scene
+from fixel.scene import corner_normals, parts, toml_scene
 from fixel.base.errors import ToolError
 from fixel.board.programs import HostPrograms
 from test_scene_mesh import ONE
@@ -250,9 +250,9 @@ def test_a_torus_is_closed_and_has_one_hole():
 def test_fronts_and_backs_are_smooth_each_for_itself():
     one = mesh.shape(solids.make("sphere", {}, "sphere"), ONE, "sphere")
     both = mesh.two_sided(one)
-    normals = surfaces.smooth_normals(both)
+    normals = corner_normals.smooth_normals(both)
     count = len(one.faces)
-    assert normals[:count] == surfaces.smooth_normals(one)
+    assert normals[:count] == corner_normals.smooth_normals(one)
     for front, back in zip(normals[:count], normals[count:]):
         assert [tuple(-c for c in normal) for normal in front[::-1]] == back
 

@@ -16,7 +16,7 @@ from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
 from fixel.base.reading import shortened
 from fixel.scene.look import PLAIN
-from fixel.scene.surfaces import OWN_COSINE
+from fixel.scene.corner_normals import OWN_COSINE
 
 WIDTH, HEIGHT, FOV = 320, 240, 60
 MARGIN = 0.9        # how much of the screen the model may fill

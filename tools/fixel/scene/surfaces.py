@@ -7,17 +7,14 @@ coordinates are not is cut into triangles."""
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 import functools
-import math
 from math import lcm
-
-import numpy as np
 
 from fixel.image import image_surface
 from fixel.scene import light_palette, palette
 from fixel.base.errors import ToolError
 from fixel.image.image import Face
 from fixel.image.image_surface import Mapped, Surface, Surfaces, Texture
-from fixel.model.mesh import UNIT, cross, dot, minus, newell, transform, unit_normal
+from fixel.model.mesh import UNIT, cross, dot, minus, newell, transform
 
 BEND_MAX = Fraction(1, 64)      # texels: what a corner may be off the affine map of three others
 DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_surface.DIVIDE_1,
@@ -105,97 +102,10 @@ def tiled(coordinates, size):
     return [list(zip(*(_tiled_axis(axis, side) for axis, side in zip(zip(*face), size)))) for face in coordinates]
 
 
-def _backs(faces):
-    """For each face whether it is the back of one before it."""
-    seen = set()
-    for face in faces:
-        corners = frozenset(face.corners)
-        yield corners in seen
-        seen.add(corners)
-
-
-FACES_AT_ONCE = 64      # of a vertex, among which those within a crease are looked for; of more the mean is that of all
-
-
-class _Creases:
-    """The normals at the vertices of a shape, where a face takes the mean of those alone that bend from it by at most so
-    many degrees."""
-
-    def __init__(self, made, backs, degrees):
-        self.faces, self.backs, self.at, self.whole = made.faces, backs, {}, {}
-        self.areas = [newell([made.vertices[c] for c in face.corners]) for face in made.faces]
-        self.units = [tuple(c / (1 << 30) for c in face.normal) for face in made.faces]
-        self.least = math.cos(math.radians(degrees)) - 1e-6
-        for number, (face, back) in enumerate(zip(made.faces, backs)):
-            for c in face.corners:
-                self.at.setdefault((c, back), []).append(number)
-
-    def _sum(self, faces):
-        return tuple(map(sum, zip(*[self.areas[number] for number in faces])))
-
-    def of(self, number, corner):
-        """The normal of a face at one of its vertices."""
-        own, place = self.faces[number].normal, (corner, self.backs[number])
-        faces = self.at[place]
-        if len(faces) > FACES_AT_ONCE:
-            if place not in self.whole:
-                self.whole[place] = self._sum(faces)
-            total = self.whole[place]
-        else:
-            p, q, r = self.units[number]
-            near = [each for each in faces for u, v, w in [self.units[each]] if p * u + q * v + r * w >= self.least]
-            if all(self.faces[each].normal == own for each in near):
-                return own
-            total = self._sum(near)
-        return unit_normal(total) if any(total) else own
-
-
-def smooth_normals(made, degrees=None):
-    """For each face of a shape the normals of its corners, in 2.30: at each vertex the mean of those of its faces, by
-    area. Fronts and backs have means of their own. degrees: an edge that bends more shows."""
-    if degrees is not None:
-        creases = _Creases(made, list(_backs(made.faces)), degrees)
-        return [[creases.of(number, c) for c in face.corners] for number, face in enumerate(made.faces)]
-    totals, backs = {}, list(_backs(made.faces))
-    for face, back in zip(made.faces, backs):
-        area = newell([made.vertices[c] for c in face.corners])
-        for c in face.corners:
-            totals[c, back] = tuple(p + q for p, q in zip(totals.get((c, back), (0, 0, 0)), area))
-    normals = {key: unit_normal(total) if any(total) else None for key, total in totals.items()}
-    return [[normals[c, back] or face.normal for c in face.corners] for face, back in zip(made.faces, backs)]
-
-
-OWN_COSINE = math.cos(math.radians(1))      # of normals of a file that are a face's own
-
-
-def file_normals(mesh, rows, made):
-    """For each face of a shape the normals of its corners in 2.30 as the file of the mesh has them, on the side to which the face
-    looks; None where it has none. A face whose normals are all within a degree of its own has its own. rows: the matrix of
-    the shape."""
-    turn = np.linalg.inv(np.array([[float(c) for c in row] for row in rows])).T
-    given = [normals or [(0.0, 0.0, 0.0)] * len(face) for normals, face in zip(mesh.normals, mesh.faces)]
-    return [_turned(found, turn, face.normal) for found, face in zip(_source_coordinates(mesh, rows, made, given), made.faces)]
-
-
-def _turned(normals, turn, own):
-    """The normals of a face's corners after a turn; None if one of them is none."""
-    found = np.array([[float(c) for c in normal] for normal in normals]) @ turn.T
-    lengths = np.linalg.norm(found, axis=1)
-    if not (lengths > 1e-12).all():
-        return None
-    found /= lengths[:, None]
-    towards = found @ [c / (1 << 30) for c in own]
-    if towards.sum() < 0:
-        found, towards = -found, -towards
-    if (towards > OWN_COSINE).all():
-        return [own] * len(normals)
-    return [unit_normal([round(c * (1 << 30)) for c in normal]) for normal in found.tolist()]
-
-
 # --- faces ---------------------------------------------------------------------------------------
 
 @functools.lru_cache(1 << 14)      # a face comes here twice
-def _best_corners(points):
+def best_corners(points):
     """Three corners of an outline, in rising order, whose triangle is the largest; of several the first. points: a
     tuple."""
     if len(points) == 3:
@@ -232,7 +142,7 @@ def _is_affine(points, coordinates, three):
     return True
 
 
-def _source_coordinates(mesh, rows, made, coordinates):
+def source_coordinates(mesh, rows, made, coordinates):
     """For each face of a shape the coordinates of its corners, from those of the mesh's face that it came from."""
     points, result, last = transform(mesh, rows), [], None
     for face, source in zip(made.faces, made.sources):
@@ -257,18 +167,20 @@ def _on_outline(point, outline, known):
     return tuple(a + (b - a) * along for a, b in zip(known[edge[0]], known[edge[1]]))
 
 
+def triangles(outline):
+    """The triangles of a convex outline, by the numbers of its corners, without those that have no area."""
+    pieces = [(0, i, i + 1) for i in range(1, len(outline) - 1)]
+    return [p for p in pieces if any(cross(minus(outline[p[1]], outline[0]), minus(outline[p[2]], outline[0])))]
+
+
 def spread(mesh, rows, made, coordinates):
     """(shape, coordinates of each face's corners): a shape whose coordinates are affine over each face. made: the shape
     of the mesh and of the matrix. coordinates: for each face of the mesh, of each corner; None where it has none."""
     faces, sources, result = [], [], []
-    for face, source, found in zip(made.faces, made.sources, _source_coordinates(mesh, rows, made, coordinates)):
+    for face, source, found in zip(made.faces, made.sources, source_coordinates(mesh, rows, made, coordinates)):
         outline = tuple(made.vertices[c] for c in face.corners)
-        if len(outline) == 3 or _is_affine(outline, found, _best_corners(outline)):
-            pieces = [range(len(outline))]
-        else:
-            pieces = [(0, i, i + 1) for i in range(1, len(outline) - 1)]
-            pieces = [p for p in pieces if any(cross(minus(outline[p[1]], outline[0]), minus(outline[p[2]], outline[0])))]
-        for piece in pieces:
+        is_whole = len(outline) == 3 or _is_affine(outline, found, best_corners(outline))
+        for piece in [range(len(outline))] if is_whole else triangles(outline):
             faces.append(Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
             sources.append(source)
             result.append([found[i] for i in piece])
@@ -283,7 +195,7 @@ def _q16(value):
 def place(points, coordinates, paint, where):
     """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
     least coordinates are small. A paint without a picture has no texels."""
-    three = _best_corners(tuple(points))
+    three = best_corners(tuple(points))
     if paint.picture is None:
         return three, ((0, 0),) * 3
     moved = (0, 0)

@@ -6,7 +6,7 @@ import functools
 
 from fixel.image import image_surface
 from fixel.model import quantity
-from fixel.scene import surfaces, texture, texture_size, toml_images
+from fixel.scene import corner_normals, surfaces, texture, texture_size, toml_images
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted, shortened
 from fixel.scene.look import CREASE
@@ -278,12 +278,15 @@ class Wish:
                           if known else [(Fraction(0),) * 2] * len(corners))
         return result
 
+    def normals(self, made):
+        """For each face of a shape the normals of its corners."""
+        found = corner_normals.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
+        return [given or own for given, own in zip(made.normals, found)] if made.normals else found
+
     def looks(self, made, coordinates, bake, where, bakes_all=False):
         """The look of each face of a shape; bake: what becomes of a colour on a face with this normal. bakes_all: in
         DIRECTIONS_MAX levels where faces look in more directions."""
-        normals = surfaces.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
-        if made.normals:
-            normals = [given or own for given, own in zip(made.normals, normals)]
+        lit = self.normals(made)
         painted = {(paint, face.normal) for face, paint in zip(made.faces, map(self.paint_of, made.sources)) if paint}
         directions, stands_for = {normal for _, normal in painted}, {}
         if bake is not keep and not self.lit and len(directions) > DIRECTIONS_MAX:
@@ -297,7 +300,7 @@ class Wish:
 
         def baked(paint, normal):
             return of_direction(paint, stands_for.get(normal, normal))
-        return tuple(self._look(made, number, coordinates[number], normals[number], bake is not keep and baked, where)
+        return tuple(self._look(made, number, coordinates[number], lit[number], bake is not keep and baked, where)
                      for number in range(len(made.faces)))
 
     def _look(self, made, number, coordinates, normals, baked, where):
@@ -352,7 +355,9 @@ def shape_of(wish, mesh, rows, made, scale, inside):
     """(shape, coordinates) with the wish's surfaces."""
     made, coordinates = surfaces.spread(mesh, rows, made, wish.coordinates(mesh, scale, inside))
     if wish.by_normals and mesh.normals:
-        made.normals = surfaces.file_normals(mesh, rows, made)
+        made.normals = corner_normals.file_normals(mesh, rows, made)
+    if wish.smooth and (wish.crease is not None or made.normals):
+        made, coordinates = corner_normals.cut(made, coordinates, wish.normals(made))
     return made, coordinates
 
 
