@@ -367,7 +367,7 @@ COMPARED_BOARDS = $(if $(filter host,$(TEST_BOARD)),$(error BOARD=host: all boar
 NOT_RUN_OPTIONS = $(if $(TEST_BOARD),,$(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),--not-run $(board) $(LACKS.$(board)))))
 COMPARED_PROGRAMS = $(foreach board,host $(COMPARED_BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [BOARD= of one board, PIXELS= ORDER= DEPTH=]
-	@tools/setup.sh units$(SETUP_OF_BOARD:%= %)
+	@tools/setup.sh units $(foreach board,$(filter $(EXTRA_BOARDS),$(COMPARED_BOARDS)),$(call SETUP_OF,$(board)))
 	@$(MAKE) $(COMPARED_PROGRAMS)
 	@$(TOOL) boards --boards $(COMPARED_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(COMPARED_BOARDS)) $(NOT_RUN_OPTIONS) --build $(BUILD) --out $(BUILD)/boards.json

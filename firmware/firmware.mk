@@ -21,6 +21,7 @@
 #   BOARD_HOSTED            "yes" where the host itself is the board
 #   BOARD_PROGRAM_OMIT      programs of PROGRAM= that do not fit it
 #   BOARD_VISIBILITY_OMIT   values of VISIBILITY= whose programs do not fit it
+#   BOARD_WIRES             what a driver of DRIVER= sends by, without .c, where a display hangs on the board; otherwise the wires are recorded
 #   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without); 0: there is no room for one
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
@@ -51,7 +52,7 @@ DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ
@@ -295,8 +296,8 @@ define CHOICE_RULES
 $(call WALK_OF,$(1)): $(filter-out %/walk/walk.o $(if $(WALK_METHODS),%/game/targets_game.o $(addprefix %/walk/,$(WALK_METHODS_FILES:%=%.o))),$(call PROGRAM_OBJECTS_OF,$(1),$(PROGRAM))) \
     $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o \
     $(if $(WALK_METHODS),$(addprefix $(FIRMWARE_OUT)/$(1)/,$(addsuffix $(WALK_METHODS).o,$(WALK_METHODS_FILES)))) \
-    $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(FIRMWARE_OUT)/$(1)/$(call BOARD_WIRES_OF,$(1)).o) \
-    $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(PROGRAM)) $(WALK_RECORDS) $(if $(DRIVER),boards/parts/driver_panel.c $(call BOARD_WIRES_OF,$(1)).c))
+    $(if $(DRIVER),$(FIRMWARE_OUT)/$(1)/driver_panel-on-$(DRIVER).o $(patsubst %,$(FIRMWARE_OUT)/$(1)/%.o,$(call BOARD_WIRES_OF,$(1)))) \
+    $(call LIB_OBJECTS_OF,$(1),$(PROGRAM_SOURCES.$(PROGRAM)) $(WALK_RECORDS) $(if $(DRIVER),boards/parts/driver_panel.c $(addsuffix .c,$(call BOARD_WIRES_OF,$(1)))))
 $(call WALK_OF,$(1)): LINK_OF_FILE := $(WALK_METHODS_LINK) $(if $(DRIVER),-Wl$(,)--wrap=board_panels)
 
 $(FIRMWARE_OUT)/$(1)/walk$(WALK_CHOICE).o: firmware/walk/walk.c firmware/firmware.mk boards/$(1)/board.mk
@@ -305,7 +306,7 @@ endef
 
 # The driver's panel stands beside those of the board: the linker sends who asks for board_panels to
 # driver_panel.c, which asks the board.
-BOARD_WIRES_OF = $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires)
+BOARD_WIRES_OF = $(or $(BOARD_WIRES.$(1)),boards/parts/recorded_wires $(if $(BOARD_HOSTED.$(1)),boards/host/wires,boards/parts/semihosting_wires))
 DRIVER_DEFINES = -DDRIVER_NAME=$(DRIVER_RECORD) $(if $(filter $(DRIVER),$(DISPLAY_MODULES)),-DDRIVER_IS_MODULE) -DDRIVER_BITS=$(if $(filter $(DRIVERS_OF_PAGES),$(DRIVER)),1,16) $(if $(filter st7796%,$(DRIVER)),-DDRIVER_WIDEST=480)
 
 define DRIVER_RULES

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv|anywhere...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|anywhere...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -21,11 +21,12 @@
 #   predict compiler for the host, Python packages as for run
 #   gdb     the same as run, and a GDB that knows Arm
 #   probe   the same as run, and OpenOCD
+#   pico    the same as run, and node with rp2040js, which emulates the board pico
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
-#   anywhere the same as run and riscv, a C++ compiler, CMake, pkg-config
+#   anywhere the same as run, pico and riscv, a C++ compiler, CMake, pkg-config
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
-# requirements/*.txt and go into .venv, meshoptimizer is that of requirements/package-lock.json and goes into .node. Where nothing is missing, set-up says nothing and
+# requirements/*.txt and go into .venv; meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
 # takes less than a second. --missing installs nothing: it prints the packages that are missing. Exit: 0 all there, 1 something is missing.
 set -eu
 cd "$(dirname "$0")/.."
@@ -96,7 +97,7 @@ need_coverage() {
         clang-19 -x c -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc -o /dev/null - 2>/dev/null ||
         need libclang-rt-19-dev
 }
-# meshoptimizer. Its stamp is a copy of the lock.
+# meshoptimizer and rp2040js. Their stamp is a copy of the lock.
 node_is_ready() { cmp -s requirements/package-lock.json "$node_home/.ready"; }
 need_node() {
     has node || need nodejs
@@ -161,9 +162,10 @@ find_missing() {
         predict) need_host_compiler; need_python run ;;
         gdb) need_board; need_debugger ;;
         probe) need_board; need_openocd ;;
+        pico) need_board; need_node ;;
         riscv) need_riscv ;;
-        anywhere) need_board; need_riscv; need_compilers; has pkg-config || need pkg-config ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, riscv or anywhere" ;;
+        anywhere) need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -291,10 +293,10 @@ install_group() {
     cp "requirements/$1.txt" "$venv/.ready-$1"
 }
 
-# --- meshoptimizer -----------------------------------------------------------
+# --- packages of node --------------------------------------------------------
 
 install_node() {
-    say "fetching meshoptimizer of requirements/package-lock.json into $node_home"
+    say "fetching meshoptimizer and rp2040js of requirements/package-lock.json into $node_home"
     mkdir -p "$node_home"
     rm -f "$node_home/.ready"
     cp requirements/package.json requirements/package-lock.json "$node_home/"
@@ -312,7 +314,7 @@ case "${1-}" in
 --packages-only) packages_only=yes; shift ;;
 --missing) missing_only=yes; shift ;;
 esac
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|riscv|anywhere..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|anywhere..."
 if [ -n "$missing_only" ]; then
     find_missing "$@"
     printf '%s\n' "${packages# }"

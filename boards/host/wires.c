@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The record of a display's wires. */
-#include "parts/wires.h"
+#include "parts/record.h"
 
 #include <stdio.h>
 
@@ -8,7 +8,7 @@ static FILE *file;
 
 bool record_open(void)
 {
-    file = fopen(WIRES_NAME, "wb");
+    file = fopen(RECORD_NAME, "wb");
     return file != NULL;
 }
 

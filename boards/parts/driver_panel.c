@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A panel that sends the frames by a pump through a driver of the library, as a real display would
- * get them, and records its wires (make run DRIVER=ili9341). It stands beside the board's own
+ * get them (make run DRIVER=ili9341). Where no display hangs on the board, its wires are recorded. It stands beside the board's own
  * panels: the linker hands their list to it first (firmware/firmware.mk).
  *
  * DRIVER_NAME: a driver of fixel/display.h, or with DRIVER_IS_MODULE a module of fixel/modules.h.
@@ -33,86 +33,11 @@
 #endif
 #define PANELS_MAX 24u
 
-/* The kinds of docs/formats.md, section 5. */
-enum {
-    COMMAND = 'C',
-    DATA = 'D',
-    PAUSE = 'P',
-    FRAME_END = 'F'
-};
-
 static fxl_display display;
 static fxl_pump pump;
 static uint64_t memory[FXL_PUMP_MEMORY(WIDEST, ROWS, DRIVER_BITS)];
 static uint32_t frames; /* ended */
-static uint16_t frame_height;
 static uint8_t pixel_bytes; /* 1 or 2 */
-static struct {
-    const uint8_t *bytes; /* null: nothing is being sent */
-    size_t size;
-} transfer;
-
-static void put_u32(uint8_t to[4], uint32_t value)
-{
-    to[0] = (uint8_t)value;
-    to[1] = (uint8_t)(value >> 8);
-    to[2] = (uint8_t)(value >> 16);
-    to[3] = (uint8_t)(value >> 24);
-}
-
-static bool put(uint8_t kind, const uint8_t *bytes, size_t size)
-{
-    uint8_t head[5] = {kind, 0, 0, 0, 0};
-
-    put_u32(head + 1, (uint32_t)size);
-    return record_write(head, sizeof head) && record_write(bytes, size);
-}
-
-static bool put_number(uint8_t kind, uint32_t number)
-{
-    uint8_t bytes[4];
-
-    put_u32(bytes, number);
-    return put(kind, bytes, sizeof bytes);
-}
-
-/* --- the wires ----------------------------------------------------------------------------- */
-
-static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
-{
-    (void)user;
-    return transfer.bytes == NULL && put(is_data ? DATA : COMMAND, bytes, size);
-}
-
-/* As unkind as DMA may be: it reads every byte at the last moment, in wait. */
-static bool start(void *user, const uint8_t *bytes, size_t size)
-{
-    const bool is_free = transfer.bytes == NULL;
-
-    (void)user;
-    transfer.bytes = bytes;
-    transfer.size = size;
-    return is_free;
-}
-
-static bool wait(void *user)
-{
-    const uint8_t *bytes = transfer.bytes;
-
-    (void)user;
-    transfer.bytes = NULL;
-    return bytes == NULL || put(DATA, bytes, transfer.size);
-}
-
-static bool pause_is_noted;
-
-static void pause(void *user, uint32_t milliseconds)
-{
-    (void)user;
-    pause_is_noted = put_number(PAUSE, milliseconds) && pause_is_noted;
-}
-
-static const fxl_display_port wires = {NULL, send, start, wait, pause};
 
 /* --- the panel ----------------------------------------------------------------------------- */
 
@@ -123,7 +48,7 @@ static fxl_status open_display(const panel_format *format)
         CONFIG_OF(&DRIVER_NAME, is_upright ? 0u : QUARTER_TURNS);
     const uint16_t rows = format->height < ROWS ? format->height : (uint16_t)ROWS;
     const fxl_pump_config bands = {&display.pixels, format->width, format->height, rows, NULL};
-    fxl_status status = fxl_display_open(&display, &config, &wires, format->palette);
+    fxl_status status = fxl_display_open(&display, &config, &wires_port, format->palette);
 
     if (status == FXL_OK) {
         status = fxl_display_place(&display, format->width, format->height);
@@ -134,16 +59,13 @@ static fxl_status open_display(const panel_format *format)
 
 static panel_answer open(const panel_format *format)
 {
-    if (!record_open()) {
+    if (!wires_open()) {
         return PANEL_FAILED;
     }
     pixel_bytes = format->pixel_bits / 8u;
     frames = 0;
-    frame_height = format->height;
-    transfer.bytes = NULL;
-    pause_is_noted = true;
-    if (open_display(format) != FXL_OK || !pause_is_noted) {
-        (void)record_close();
+    if (open_display(format) != FXL_OK) {
+        (void)wires_close();
         return PANEL_FAILED;
     }
     return PANEL_READY;
@@ -176,14 +98,14 @@ static bool end(const fxl_counters *counters, uint32_t clamped, uint64_t instruc
     (void)counters;
     (void)clamped;
     (void)instructions;
-    return fxl_pump_wait(&pump) == FXL_OK && put_number(FRAME_END, frames++);
+    return fxl_pump_wait(&pump) == FXL_OK && wires_end_frame(frames++);
 }
 
 static bool close(bool whole)
 {
     const bool is_sent = !whole || fxl_pump_wait(&pump) == FXL_OK;
 
-    return record_close() && is_sent;
+    return wires_close() && is_sent;
 }
 
 static const panel driver_panel = {open, NULL, flush, end, close};

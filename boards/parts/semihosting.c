@@ -10,6 +10,7 @@ enum {
     SYS_SEEK = 0x0A,
     SYS_GET_CMDLINE = 0x15,
     SYS_EXIT_EXTENDED = 0x20,
+    SYS_ELAPSED = 0x30,
 
     OPEN_READ_BINARY = 1,      /* as fopen's "rb" */
     OPEN_WRITE_BINARY = 5,     /* as fopen's "wb" */
@@ -95,6 +96,13 @@ _Noreturn void semihosting_exit(int status)
     for (;;) {
         (void)call(SYS_EXIT_EXTENDED, parameters);
     }
+}
+
+uint64_t semihosting_elapsed(void)
+{
+    uint32_t ticks[2] = {0, 0};
+
+    return call(SYS_ELAPSED, ticks) == 0 ? (uint64_t)ticks[1] << 32 | ticks[0] : 0;
 }
 
 const char *semihosting_arguments(char *buffer, size_t size)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The record of a display's wires as a file of the host. */
 #include "parts/semihosting.h"
-#include "parts/wires.h"
+#include "parts/record.h"
 
 static int handle;
 
 bool record_open(void)
 {
-    handle = semihosting_create(WIRES_NAME);
+    handle = semihosting_create(RECORD_NAME);
     return handle >= 0;
 }
 

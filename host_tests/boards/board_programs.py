@@ -64,3 +64,15 @@ def fake_qemu(directory, script):
     path.write_text(f"#!/bin/sh\nREAL={shutil.which('qemu-system-arm')}\n{script}\n", encoding="ascii")
     path.chmod(path.stat().st_mode | stat.S_IXUSR)
     return f"{directory}{os.pathsep}{os.environ['PATH']}"
+
+
+def read_uf2(data):
+    """{address: bytes} by the format's specification, without the tool's own reader."""
+    assert len(data) % 512 == 0
+    pages = {}
+    for number, start in enumerate(range(0, len(data), 512)):
+        words = struct.unpack_from("<8I", data, start)
+        assert words[:3] == (0x0A324655, 0x9E5D5157, 0x2000) and words[4:] == (256, number, len(data) // 512, 0xE48BFF56)
+        assert data[start + 508:start + 512] == bytes.fromhex("306fb10a") and not any(data[start + 288:start + 508])
+        pages[words[3]] = data[start + 32:start + 288]
+    return pages

@@ -74,7 +74,7 @@ def test_names_of_textures_and_fonts(tmp_path):
 def test_names_of_images_and_dumps(tmp_path, monkeypatch, capsys):
     """What boards are flashed with and run from, without a board."""
     result = type("Result", (), {"board": BOARD, "cpu": "m3", "frames": 2, "seconds": 1.0, "parts": (), "verified": 4,
-                                 "sectors_erased": (), "image": tmp_path / ODD})
+                                 "sectors_erased": (), "image": tmp_path / ODD, "uf2": 0})
     monkeypatch.setattr(emulator, "run", lambda *_: result)
     monkeypatch.setattr(flashing, "flash", lambda *_: result)
     monkeypatch.setattr(flashing, "table", lambda *_: "")
@@ -87,7 +87,7 @@ def test_names_of_images_and_dumps(tmp_path, monkeypatch, capsys):
 def test_names_of_a_run(capsys):
     summary = {"board": BOARD, "cpu": "m3", "scene": ODD, "width": 1, "height": 1, "frames": 1, "pixels": 1,
                "pixels_differing": None, "program": "grey", "polygons": {"in": 1}, "driver": None,
-               "instructions_per_frame": {"min": None}, "host_frames_equal": True, "frames_empty": 0,
+               "instructions_per_frame": {"min": None}, "cycles_per_frame": {"min": None}, "host_frames_equal": True, "frames_empty": 0,
                "order_wrong_pixels": None, "pixels_unexplained": None, "wires_frames_equal": None, "kept": [],
                "frame_crc_all": "00000000", "sent_crc_all": None}
     judged_run.print_summary(summary, ODD)

@@ -6,6 +6,7 @@ import dataclasses
 import hashlib
 import json
 import os
+import pathlib
 import struct
 import types
 import zlib
@@ -15,7 +16,7 @@ import pytest
 from conftest import CHECKOUT, assert_one_sentence, dump_bytes, random_frames, run_cli, run_make
 from PIL import Image
 
-from fixel.board import judged_run
+from fixel.board import counted, firmware, judged_run
 from fixel.board import run as run_tool
 from fixel.base import scratch
 from fixel.scene import making
@@ -94,7 +95,7 @@ def test_summary_figures(result):
 def test_a_summary_adds_up_all_frames(tmp_path):
     (tmp_path / "drawn.fxld").write_bytes(dump_bytes(random_frames(5, 3, 4)))
     options = types.SimpleNamespace(board="b", program="walk", scene="s", visibility="v", clipper="c", driver=None)
-    summary = judged_run.summarise(options, "cpu", dump.read_dump(tmp_path / "drawn.fxld"), True)
+    summary = judged_run.summarise(options, firmware.Program(pathlib.Path("e"), "b", "cpu", (), (), ()), dump.read_dump(tmp_path / "drawn.fxld"), True)
     assert (summary["width"], summary["height"], summary["frames"], summary["pixels"]) == (4, 3, 5, 60)
     assert (summary["polygons"]["in"], summary["polygons"]["drawn"], summary["frames_empty"]) == (50, 20, 0)
     assert summary["instructions_per_frame"] == {"min": 1000, "median": 1002, "mean": 1002, "max": 1004}
@@ -157,7 +158,7 @@ def test_host_is_a_board(build, tmp_path, result):
     ([5, 6, 10], (5, 6, 7, 10)),
 ])
 def test_frames_that_were_not_counted(counts, figures):
-    found = judged_run.instruction_figures([types.SimpleNamespace(instructions=count) for count in counts])
+    found = counted.figures([types.SimpleNamespace(instructions=count) for count in counts])
     assert tuple(found.values()) == figures
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Powering on a board: QEMU for an emulated one, the program itself for the host.
+"""Powering on a board: QEMU or rp2040js for an emulated one, the program itself for the host.
 
 A run has succeeded only if it ended as fixel.board.ending demands AND its dump is
 whole.
@@ -12,7 +12,7 @@ import pathlib
 import re
 
 from fixel.base import output, reading, scratch
-from fixel.board import dump_file, firmware, qemu, qmp, wires
+from fixel.board import dump_file, firmware, qemu, qmp, rp2040, wires
 from fixel.board.ending import CONTRACT, Ending, describe, exit_code, exit_meanings, require_done
 from fixel.base.errors import ToolError
 from fixel.board.execute import OUTPUT_MAX, execute
@@ -82,16 +82,28 @@ def work_directory(dump):
         yield folder
 
 
+def emulate_pico(program, image, words, directory, timeout, watch=None, silence=rp2040.SILENCE):
+    """As emulate, by rp2040js, from a flash image. words, silence: as for rp2040.command."""
+    ending = execute(rp2040.command(image, *words, silence=silence), directory, timeout, watch)
+    return dataclasses.replace(ending, output=Symbols(program.path).name_faults(ending.output))
+
+
+def walk_words(frames=None, live=False, extra=()):
+    """The arguments of the walk."""
+    return ["walk", *([f"frames={frames}"] if frames else []), *(["live"] if live else []), *extra]
+
+
 def walk_options(program, image, frames=None, live=False, extra=()):
     """What QEMU is told to walk from a flash image."""
-    words = ["walk"] + ([f"frames={frames}"] if frames else []) + (["live"] if live else [])
-    return ["-icount", "shift=0", *qemu.semihosting([*words, *extra]), *qemu.loader(program, image)]
+    return ["-icount", "shift=0", *qemu.semihosting(walk_words(frames, live, extra)), *qemu.loader(program, image)]
 
 
 def power_on(program, image, frames, timeout, live, extra, directory, watch):
     if program.hosted:
         command = [str(program.path.resolve()), str(image.resolve()), DUMP_NAME, str(frames or 0)]
         return execute(command, directory, timeout, watch)
+    if program.emulator == rp2040.NAME:
+        return emulate_pico(program, image, walk_words(frames, live, extra), directory, timeout, watch)
     return emulate(program, walk_options(program, image, frames, live, extra), directory, timeout, watch)
 
 
@@ -140,7 +152,17 @@ def run(board, image, elf, dump, frames=None, timeout=60.0, progress=None, live=
 def run_text(elf, arguments=(), timeout=60.0, icount=True, scene=None):
     """Runs a program without a flash image, for what it prints; an Ending. scene: a file for the scene partition."""
     program = firmware.load(elf)
+    if program.emulator == rp2040.NAME:
+        return run_pico_text(program, arguments, timeout, scene)
     options = [*(["-icount", "shift=0"] if icount else []), *qemu.semihosting(arguments),
                *(qemu.scene_loader(program, scene) if scene else []), "-kernel", str(program.path.resolve())]
     with scratch.folder("board") as directory:
         return emulate(program, options, directory, timeout)
+
+
+def run_pico_text(program, arguments, timeout, scene):
+    """run_text on the board pico, which boots from a flash image made for it."""
+    with scratch.folder("board") as directory:
+        image = directory / "flash.bin"
+        image.write_bytes(rp2040.image_of(program, pathlib.Path(scene).read_bytes() if scene else None))
+        return emulate_pico(program, image, arguments, directory, timeout, silence=rp2040.SILENCE_OF_TESTS)

@@ -51,6 +51,8 @@ class Program:
     sectors: tuple[int, ...] = ()  # the size of each of the flash, from the lowest on
     window_size: int = 0    # of the memory that QEMU can share with a viewer; 0: none
     emulator: str = "qemu-system-arm"
+    counts: str = "instructions"    # what its clock counts; "cycles" are the emulator's
+    uf2: int = 0            # the family of its UF2 files; 0: it takes none
     keys: dict = dataclasses.field(default_factory=dict)  # of a player: bit -> QEMU's names of what is pressed for it
 
     @property
@@ -167,7 +169,8 @@ def _load(path, board):
         common = dict(path=path, board=note["board"], cpu=note.get("cpu", "unknown"),
                       qemu=tuple(shlex.split(note.get("qemu", ""))),
                       openocd=tuple(shlex.split(note.get("openocd", ""))),
-                      window_size=int(note.get("window", "0")), emulator=note.get("emulator", Program.emulator), keys=read_keys(note.get("keys", "")))
+                      window_size=int(note.get("window", "0")), emulator=note.get("emulator", Program.emulator), counts=note.get("counts", Program.counts), uf2=int(note.get("uf2", "0"), 16),
+                      keys=read_keys(note.get("keys", "")))
         if note["board"] == HOST:
             return Program(segments=(), **common)
         return Program(segments=read_segments(elf, path), **common, **read_map(elf, path))

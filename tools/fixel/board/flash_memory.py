@@ -36,6 +36,7 @@ class FlashResult:
     parts: tuple[Part, ...]
     sectors_erased: tuple[int, ...]  # the size of each
     verified: int  # bytes
+    uf2: int = 0    # as of firmware.Program
 
 
 def read_scene(path):
@@ -159,7 +160,7 @@ def flash(board, elf, scene, image):
         return flash_host(program, scene_bytes, image)
     data, sectors = program_flash(program, scene_bytes, read_old(program, image))
     verified = replace(image, data, lambda path: verify(program, path, data))
-    return FlashResult(board, image, parts_of(program, scene_bytes), sectors, verified)
+    return FlashResult(board, image, parts_of(program, scene_bytes), sectors, verified, program.uf2)
 
 
 def retargeted(board, elf, image, asked, folder):

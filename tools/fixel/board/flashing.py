@@ -5,7 +5,7 @@ import itertools
 import pathlib
 
 from fixel.scene import look, making
-from fixel.board import model_look, probe
+from fixel.board import firmware, model_look, probe, uf2
 from fixel.model import suffixes
 from fixel.base import bounded, output, scratch
 from fixel.base.errors import ToolError, one_line
@@ -46,6 +46,10 @@ def write_image(options, scene):
     if result.sectors_erased:
         print(f"{len(result.sectors_erased)} sectors erased and programmed: {sectors(result.sectors_erased)}")
     print(f"{result.verified} bytes verified: {one_line(result.image)}")
+    if result.uf2:
+        program = firmware.load(options.elf, options.board)
+        file = result.image.with_suffix(".uf2")
+        print(f"{uf2.write(program, result.image.read_bytes(), file)} blocks of UF2: {one_line(file)}")
 
 
 def command(options):

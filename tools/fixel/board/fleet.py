@@ -4,12 +4,11 @@
 import dataclasses
 import pathlib
 import re
-import statistics
 
 from elftools.elf.elffile import ELFFile
 
 from fixel.base import reading
-from fixel.board import dump, emulator, firmware, flash_memory, methods
+from fixel.board import counted, dump, emulator, firmware, flash_memory, methods
 from fixel.base.errors import ToolError
 
 TIMEOUT = 60.0          # seconds of CPU time without a new frame
@@ -93,8 +92,7 @@ def _run(result, board, elf, scene, folder):
     done = emulator.run(board, image, elf, file, timeout=TIMEOUT)
     drawn = dump.read_dump(file)
     result.frames = len(drawn.frames)
-    counts = [frame.instructions for frame in drawn.frames]
-    result.instructions_per_frame = round(statistics.fmean(counts)) if counts and all(counts) else None
+    result.instructions_per_frame = counted.summary(drawn.frames, firmware.load(elf, board))["instructions_per_frame"]["mean"]
     result.first_different = first_difference(drawn, scene.host)
     result.hash_equal = result.first_different is None
     seen = STACK.search(done.output)

@@ -2,13 +2,12 @@
 """A scene's path drawn on a board, and compared with the host and with double."""
 
 import shutil
-import statistics
 import sys
 
 import numpy
 
 from fixel.base import kept, output, picture, scratch, spent
-from fixel.board import drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, wires
+from fixel.board import counted, drawing, dump, emulator, firmware, frame_crc, methods, model_look, order_check, own_run, wires
 from fixel.model import close_faces
 from fixel.image import image as scene_image
 from fixel.base.errors import ToolError, one_line
@@ -29,12 +28,12 @@ tools/scene.py build MODEL -o scene.fxls --tree all; make run SCENE=scene.fxls  
 
 
 def walk(board, options, image, folder, name, record=None, part="board"):
-    """The dump that a board leaves after a program has run, and the board's core. record: where the wires' is to be."""
+    """The dump that a board leaves after a program has run, and the program. record: where the wires' is to be."""
     elf = methods.elf_of(board, options.build, name)
-    cpu = firmware.load(elf, board).cpu
-    with Progress(f"drawing on {board} ({cpu})") as progress:
+    program = firmware.load(elf, board)
+    with Progress(f"drawing on {board} ({program.cpu})") as progress:
         return drawing.draw(options.kept, part, board, elf, image, folder, options.frames, progress=progress,
-                            record=record), cpu
+                            record=record), program
 
 
 def frames_equal(a, b):
@@ -53,15 +52,6 @@ def polygon_totals(frames):
             "culled": total["backfacing"] + total["outside"] + total["degenerate"],
             "clipped": total["clipped"], "refused": total["refused"], "drawn": total["drawn"],
             "spilled": total["spilled"]}
-
-
-def instruction_figures(frames):
-    """Instructions a frame; null where the board cannot count them."""
-    counts = [frame.instructions for frame in frames]
-    if not counts or not all(counts):
-        return {"min": None, "median": None, "mean": None, "max": None}
-    return {"min": min(counts), "median": int(statistics.median(counts)),
-            "mean": round(statistics.fmean(counts)), "max": max(counts)}
 
 
 def check_verdict(verdict, drawn, twin):
@@ -92,15 +82,15 @@ def count_wrong_order(programs, image, folder, frames, names):
     return verdict["pixels_unexplained"], verdict["pixels"]
 
 
-def summarise(options, cpu, drawn, equal):
+def summarise(options, program, drawn, equal):
     """summary.json, but for what is judged."""
-    return {"board": options.board, "cpu": cpu, "program": options.program, "scene": options.scene,
+    return {"board": options.board, "cpu": program.cpu, "program": options.program, "scene": options.scene,
             "visibility": options.visibility, "clipper": options.clipper,
             "width": drawn.width, "height": drawn.height, "frames": len(drawn.frames),
             "pixels": len(drawn.frames) * drawn.width * drawn.height,
             "polygons": polygon_totals(drawn.frames),
             "frames_empty": sum(frame.counters["drawn"] == 0 for frame in drawn.frames),
-            "instructions_per_frame": instruction_figures(drawn.frames),
+            **counted.summary(drawn.frames, program),
             "frame_sha256": [frame.sha256 for frame in drawn.frames],
             "host_frames_equal": equal, "driver": options.driver}
 
@@ -150,14 +140,13 @@ def judged_rows(summary):
 
 def print_summary(summary, out):
     """A short table for people."""
-    polygons, counts = summary["polygons"], summary["instructions_per_frame"]
+    polygons = summary["polygons"]
     rows = [["board", f"{summary['board']} ({summary['cpu']})"],
             ["scene", f"{one_line(summary['scene'])}, {summary['width']}x{summary['height']}, "
                       f"{summary['frames']} frames"],
             *judged_rows(summary),
             ["polygons", ", ".join(f"{polygons[name]:,} {name}" for name in polygons)],
-            ["instructions a frame", "not counted on this board" if counts["min"] is None else
-             f"{counts['min']:,} to {counts['max']:,}, median {counts['median']:,}"],
+            counted.row(summary),
             ["equal to host", summary["host_frames_equal"]],
             ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])],
             *([[f"from the wires of an {summary['driver']}",
@@ -227,12 +216,12 @@ def run(options, folder):
         if options.driver:
             scene = scene_image.load(image)
             wires.check_size(options.driver, scene.width, scene.height)
-        file, cpu = walk(options.board, options, image, work, name, record)
+        file, program = walk(options.board, options, image, work, name, record)
         drawn = dump.read_dump(file)
         if not drawn.frames:
             raise ToolError(f"{options.scene}: the path has no frames")
         hosted, _ = walk(firmware.HOST, options, image, work, name, part="host") \
-            if options.board != firmware.HOST else (file, cpu)
+            if options.board != firmware.HOST else (file, program)
         equal = frames_equal(drawn, dump.read_dump(hosted))
         sent = compare_wires(options, record, drawn)
         verdicts, twin = UNJUDGED, drawn
@@ -241,7 +230,7 @@ def run(options, folder):
             shutil.move(work / "double.fxld", folder / "double.fxld")
         write_pictures(folder, drawn, twin)
         shutil.move(file, folder / "board.fxld")
-    return summarise(options, cpu, drawn, equal) | sent | verdicts | {"kept": options.kept.parts}
+    return summarise(options, program, drawn, equal) | sent | verdicts | {"kept": options.kept.parts}
 
 
 def command(options):

@@ -11,7 +11,7 @@ from fixel.base import output, picture, reading, scratch
 from fixel.base.errors import one_line
 from fixel.base.progress import Progress, steps
 from fixel.base.table import coloured, table
-from fixel.board import dump, emulator, firmware, flash_memory, frame_crc, methods, model_look
+from fixel.board import counted, dump, emulator, firmware, flash_memory, frame_crc, methods, model_look
 
 PREFIX = "own-"     # of the programs' names: firmware/firmware.mk
 FRAMES = 120        # after which a program without an end is ended
@@ -61,23 +61,21 @@ def same(one, other):
         all(numpy.array_equal(a.pixels, b.pixels) for a, b in zip(one.frames, other.frames))
 
 
-def summarise(options, cpu, drawn, equal):
+def summarise(options, program, drawn, equal):
     """summary.json."""
-    counts = [frame.instructions for frame in drawn.frames]
-    return {"board": options.board, "cpu": cpu, "program": options.program, "width": drawn.width, "height": drawn.height,
+    return {"board": options.board, "cpu": program.cpu, "program": options.program, "width": drawn.width, "height": drawn.height,
             "frames": len(drawn.frames),
-            "instructions_per_frame": {"min": min(counts), "max": max(counts)} if all(counts) else None,
+            **counted.summary(drawn.frames, program),
             "host_frames_equal": equal} | frame_crc.summary(frame_crc.drawn(drawn.frames), None)
 
 
 def print_summary(summary, options):
     """A short table for people."""
-    counts = summary["instructions_per_frame"]
     print(table([["board", f"{summary['board']} ({summary['cpu']})"],
                  ["program", summary["program"]],
                  ["pictures", f"{summary['width']}x{summary['height']}, {summary['frames']} frames"
                               + ("" if options.frames or summary["frames"] < FRAMES else f", then it was ended: FRAMES= takes more than {FRAMES}")],
-                 ["instructions a frame", f"{counts['min']:,} to {counts['max']:,}" if counts else "not counted on this board"],
+                 counted.row(summary),
                  ["equal to host", summary["host_frames_equal"]],
                  ["CRC of all frames", frame_crc.both(summary["frame_crc_all"], summary["sent_crc_all"])]]))
     good = summary["host_frames_equal"]
@@ -104,7 +102,7 @@ def run(options, folder):
             picture.palette_image(frame.pixels, palette).save(folder / f"frame_{frame.number:04d}.png")
         (folder / "walk.gif").write_bytes(picture.animation_bytes([frame.pixels for frame in drawn.frames], palette))
         (work / f"{options.board}.fxld").rename(folder / "board.fxld")
-    return summarise(options, program.cpu, drawn, same(drawn, hosted))
+    return summarise(options, program, drawn, same(drawn, hosted))
 
 
 def command(options, patterns):

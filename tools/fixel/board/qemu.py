@@ -7,7 +7,7 @@ import re
 import shutil
 
 from fixel.base import children, scratch
-from fixel.board import execute, qmp
+from fixel.board import execute, qmp, rp2040
 from fixel.base.errors import ToolError
 from fixel.board.symbols import Symbols
 
@@ -18,6 +18,8 @@ ANSWER = 10.0  # seconds of CPU time that a program that hangs may take to answe
 
 def find_qemu(name=QEMU):
     """The path of an emulator. name: a program's emulator."""
+    if name == rp2040.NAME:
+        return rp2040.find()
     path = shutil.which(name)
     if path is None:
         raise ToolError(f"{name} is not installed: run 'sudo apt-get install {PACKAGES.get(name, name)}'")
@@ -26,7 +28,9 @@ def find_qemu(name=QEMU):
 
 @functools.cache
 def version(name=QEMU):
-    """What QEMU says of its version."""
+    """What an emulator says of its version."""
+    if name == rp2040.NAME:
+        return rp2040.version()
     return children.run([find_qemu(name), "--version"], text=True).stdout
 
 
@@ -36,6 +40,9 @@ def escape(value):
 
 
 def command(program, *options):
+    if program.emulator == rp2040.NAME:
+        raise ToolError(f"BOARD={program.board} is emulated by {rp2040.NAME}, which only runs a program to its end: "
+                        "name a board of QEMU")
     return [find_qemu(program.emulator), *program.qemu, "-display", "none", "-monitor", "none", "-serial", "null",
             "-no-reboot", *options]
 
@@ -89,6 +96,8 @@ def start_stopped(program, options, folder, output, timeout=qmp.TIMEOUT, **how):
 def read_memory(program, image, timeout=30.0):
     """The flash as the emulated core sees it, from an image, before its first
     instruction."""
+    if program.emulator == rp2040.NAME:
+        return rp2040.read_memory(program, image)
     with scratch.folder("verify") as folder, \
             (folder / "words.txt").open("w+", encoding="utf-8", errors="replace") as words:
         try:

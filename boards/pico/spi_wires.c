@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT */
+/* wires.h by SPI0 and channel 0 of the DMA, at 62.5 MHz. Wiring: GPIO 18 clock, 19 data, 17 select, 20 data/command, 21
+ * reset. GPIO 22 changes its level at the end of each frame, for a logic analyser; the emulator's runner numbers frames by it.
+ * The module is selected for each command and for each run of data. */
+#include <stddef.h>
+
+#include "parts/wires.h"
+#include "pico/rp2040.h"
+
+#define SPI_CONTROL0 RP2040_REGISTER(RP2040_SPI0)
+#define SPI_CONTROL1 RP2040_REGISTER(RP2040_SPI0 + 4u)
+#define SPI_DATA     RP2040_REGISTER(RP2040_SPI0 + 8u)
+#define SPI_STATUS   RP2040_REGISTER(RP2040_SPI0 + 0xCu)
+#define SPI_PRESCALE RP2040_REGISTER(RP2040_SPI0 + 0x10u)
+#define SPI_DMA      RP2040_REGISTER(RP2040_SPI0 + 0x24u)
+#define SPI_HAS_ROOM (1u << 1)
+#define SPI_IS_BUSY  (1u << 4)
+
+#define DMA_READ     RP2040_REGISTER(RP2040_DMA)
+#define DMA_WRITE    RP2040_REGISTER(RP2040_DMA + 4u)
+#define DMA_COUNT    RP2040_REGISTER(RP2040_DMA + 8u)
+#define DMA_CONTROL  RP2040_REGISTER(RP2040_DMA + 0xCu) /* written: starts */
+#define DMA_IS_BUSY  (1u << 24)
+/* Bytes, from addresses that increase, when SPI0 has room (DREQ 16); on. No channel follows: chained to itself. */
+#define DMA_TO_SPI (16u << 15 | 1u << 4 | 1u)
+
+enum {
+    SELECT = 17,
+    CLOCK = 18,
+    DATA_OUT = 19,
+    DATA_COMMAND = 20,
+    RESET = 21,
+    FRAME = 22
+};
+
+static bool is_sending;
+
+static void finish_spi(void)
+{
+    while ((SPI_STATUS & SPI_IS_BUSY) != 0) {
+    }
+    rp2040_set_pin(SELECT, 1);
+}
+
+static bool wait(void *user)
+{
+    (void)user;
+    if (is_sending) {
+        while ((DMA_CONTROL & DMA_IS_BUSY) != 0) {
+        }
+        finish_spi();
+        is_sending = false;
+    }
+    return true;
+}
+
+static bool send(void *user, bool is_data, const uint8_t *bytes, size_t size)
+{
+    size_t i;
+
+    (void)wait(user);
+    rp2040_set_pin(DATA_COMMAND, is_data);
+    rp2040_set_pin(SELECT, 0);
+    for (i = 0; i < size; i++) {
+        while ((SPI_STATUS & SPI_HAS_ROOM) == 0) {
+        }
+        SPI_DATA = bytes[i];
+    }
+    finish_spi();
+    return true;
+}
+
+static bool start(void *user, const uint8_t *bytes, size_t size)
+{
+    (void)wait(user);
+    rp2040_set_pin(DATA_COMMAND, 1);
+    rp2040_set_pin(SELECT, 0);
+    is_sending = true;
+    DMA_READ = (uint32_t)(uintptr_t)bytes;
+    DMA_WRITE = RP2040_SPI0 + 8u;
+    DMA_COUNT = (uint32_t)size;
+    __asm__ volatile("" : : : "memory"); /* the bytes are written before they are sent */
+    DMA_CONTROL = DMA_TO_SPI;
+    return true;
+}
+
+static void pause(void *user, uint32_t milliseconds)
+{
+    const uint32_t begun = rp2040_microseconds();
+
+    (void)user;
+    while (rp2040_microseconds() - begun < milliseconds * 1000u) {
+    }
+}
+
+const fxl_display_port wires_port = {NULL, send, start, wait, pause};
+
+bool wires_open(void)
+{
+    is_sending = false;
+    rp2040_make_output(SELECT, 1);
+    rp2040_make_output(DATA_COMMAND, 1);
+    rp2040_make_output(FRAME, 0);
+    rp2040_use_pin(CLOCK, RP2040_PIN_SPI);
+    rp2040_use_pin(DATA_OUT, RP2040_PIN_SPI);
+    SPI_CONTROL1 = 0;
+    SPI_PRESCALE = 2u; /* 62.5 MHz */
+    SPI_CONTROL0 = 7u; /* 8 bits, mode 0 */
+    SPI_DMA = 1u << 1; /* for what is sent */
+    SPI_CONTROL1 = 1u << 1;
+    rp2040_make_output(RESET, 0);
+    pause(NULL, 1);
+    rp2040_set_pin(RESET, 1);
+    pause(NULL, 120);
+    return true;
+}
+
+bool wires_end_frame(uint32_t number)
+{
+    rp2040_set_pin(FRAME, (number & 1u) == 0);
+    return true;
+}
+
+bool wires_close(void)
+{
+    return wait(NULL);
+}
