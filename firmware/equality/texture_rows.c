@@ -101,6 +101,18 @@ static void compare_rows(const fxl_segment_face *face, const fxl_paint_row *row,
 
 typedef bool runs_kernel(fxl_plain_runs *runs);
 
+/* Whether the kernel of runs takes a run: that of lit faces takes segments of one length. */
+static bool is_taken(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const uint32_t first = (uint32_t)x0 >> 4, last = ((uint32_t)x1 - 1u) >> 4;
+    return fxl_segments_suffice(face, row, x0, x1) &&
+           (face->ramp == NULL ||
+            fxl_segment_log(face->least, (uint32_t)fxl_segment_weight(face, row, first),
+                            (uint32_t)fxl_segment_weight(face, row, first + 1)) ==
+                fxl_segment_log(face->least, (uint32_t)fxl_segment_weight(face, row, last),
+                                (uint32_t)fxl_segment_weight(face, row, last + 1)));
+}
+
 /* Runs of some rows, up to three in a row, against each of them by itself. */
 static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                          int32_t x1, runs_kernel *core, row_kernel *portable)
@@ -117,6 +129,7 @@ static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row,
         (int64_t)(any_64() >> 10 >> (any_32() >> 7) % 30u) * (any_32() >> 9 & 1u ? 1 : -1);
     runs.downs[1] = any_value() >> 3;
     runs.downs[2] = any_value() >> 3;
+    runs.downs[3] = any_value() >> 3;
     fxl_paint_row by_itself = runs.row;
     bool same = true;
     by_itself.pixels = by_portable[0] + 32;
@@ -130,12 +143,12 @@ static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row,
         if (*run & FXL_RUN_BELOW) {
             by_itself.pixels += sizeof by_portable[0];
             by_itself.weight = (int64_t)((uint64_t)by_itself.weight + (uint64_t)runs.downs[0]);
-            for (uint32_t i = 0; i < 2; i++) {
+            for (uint32_t i = 0; i < FXL_ATTRIBUTES; i++) {
                 by_itself.attributes[i] =
                     (int64_t)((uint64_t)by_itself.attributes[i] + (uint64_t)runs.downs[1 + i]);
             }
         }
-        if (begin < end && !fxl_segments_suffice(face, &by_itself, begin, end)) {
+        if (begin < end && !is_taken(face, &by_itself, begin, end)) {
             same &= core(&runs) && runs.next == run + 1;
         } else if (begin < end) {
             portable(face, &by_itself, begin, end);
@@ -158,6 +171,9 @@ static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int3
     face->table = face->ramp == NULL && any_32() >> 15 & 1u ? ramp : NULL;
     compare_row(face, row, x0, x1, fxl_paint_segments, portable_paint_segments);
     if (face->ramp != NULL) {
+#if FXL_HAS_DEPTH_ROWS
+        compare_runs(face, row, x0, x1, fxl_paint_lit_runs, portable_paint_segments);
+#endif
         return;
     }
     const uint32_t form = face->form;
@@ -183,7 +199,7 @@ static void choose_least(fxl_segment_face *face, const fxl_paint_row *row, uint3
     face->least[3] = least;
     for (uint32_t i = 3; i-- > 0;) {
         const uint32_t more = face->least[i + 1] + (any_32() >> 5) % (weight / 3u + 1u);
-        face->least[i] = face->ramp != NULL ? least : more > INT32_MAX ? INT32_MAX : more;
+        face->least[i] = i == 2 && face->ramp != NULL ? least : more > INT32_MAX ? INT32_MAX : more;
     }
 }
 

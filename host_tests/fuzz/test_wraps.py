@@ -27,4 +27,4 @@ def test_each_file_that_may_wrap_is_there():
 
 def test_what_wraps_on_purpose_is_listed():
     """A sum of light that falls along a row, and the count of cached instances."""
-    assert {"fxl_segment_light_suffices", "next_tag"} <= set(entries("fun"))
+    assert {"fxl_segment_weight", "next_tag"} <= set(entries("fun"))

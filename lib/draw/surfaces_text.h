@@ -219,6 +219,20 @@ static inline run_memory *run_memory_of(fxl_scan *scan)
     return (run_memory *)(((uintptr_t)scan->active_edges.found + 7u) & ~(uintptr_t)7);
 }
 
+/* A kernel of rows: fxl_paint_runs. */
+typedef bool run_kernel(fxl_plain_runs *runs);
+
+/* The kernel for the rows of a face; null: none. */
+static inline run_kernel *run_kernel_of(const fxl_paint *paint, const fxl_segment_face *segments)
+{
+#if FXL_TARGET_PIXEL_BITS == 8
+    if (segments != NULL && paint->ramp != NULL && paint->in_beam == NULL) {
+        return fxl_paint_lit_runs;
+    }
+#endif
+    return has_plain_rows(paint, segments) ? PAINT_RUNS : NULL;
+}
+
 /* Paints runs that no kernel of rows paints, one by one. */
 static inline __attribute__((always_inline)) void paint_each_run(const fxl_paint *paint,
                                                                  fxl_plain_runs *runs)
@@ -236,19 +250,18 @@ static inline __attribute__((always_inline)) void paint_each_run(const fxl_paint
     }
 }
 
-/* Paints what is listed, and empties the list. has_kernel: the pixels are those of a kernel of
- * rows. */
+/* Paints what is listed, and empties the list. kernel: of such rows; null: none. */
 static inline __attribute__((always_inline)) void
-paint_runs(const fxl_paint *paint, bool has_kernel, run_memory *memory, fxl_plain_runs *runs)
+paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_plain_runs *runs)
 {
     runs->next = memory->list;
     runs->end = memory->rows.runs;
     memory->rows.runs = memory->list;
-    if (!has_kernel) {
+    if (kernel == NULL) {
         paint_each_run(paint, runs);
         return;
     }
-    while (PAINT_RUNS(runs)) {
+    while (kernel(runs)) {
         const uint32_t run = runs->next[-1];
         PAINT_PIXELS(paint, &runs->row, (int32_t)(run & 0xFFFFu),
                      (int32_t)((run & ~FXL_RUN_BELOW) >> 16));
@@ -259,19 +272,21 @@ paint_runs(const fxl_paint *paint, bool has_kernel, run_memory *memory, fxl_plai
  * goes on with the same list. Requires a scan by chains. Not inline: its rows would be on the stack
  * of others. */
 static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
-                                                  const fxl_segment_face *segments, bool has_kernel,
+                                                  const fxl_segment_face *segments,
                                                   const fxl_depth_painting *depth,
                                                   const fxl_band *band, fxl_scan *scan)
 {
     const fxl_gradients *gradients = paint->gradients;
     const fxl_trapezoid *trapezoid;
     run_memory *memory = run_memory_of(scan);
+    run_kernel *const kernel = run_kernel_of(paint, segments);
     fxl_depth_rows *rows = &memory->rows;
     fxl_plain_runs runs;
     int32_t y = -1; /* of the row that comes next */
     runs.row.segments = segments;
     runs.stride = band->stride * (FXL_TARGET_PIXEL_BITS / 8);
     fxl_find_downs(gradients, runs.downs);
+    runs.downs[3] = gradients->attributes[FXL_SEGMENT_LIGHT].down;
     fxl_depth_rows_begin(depth, rows);
     rows->runs = memory->list;
     rows->runs_end = memory->list + RUNS;
@@ -281,7 +296,7 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
             rows->rows |= FXL_RUN_BELOW;
         } else {
             if (rows->runs != memory->list) {
-                paint_runs(paint, has_kernel, memory, &runs);
+                paint_runs(paint, kernel, memory, &runs);
             }
             runs.row.pixels =
                 band->pixels + (size_t)(trapezoid->first_row - band->first_row) * runs.stride;
@@ -292,14 +307,14 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
         rows->edges[0] = trapezoid->edges[0];
         rows->edges[1] = trapezoid->edges[1];
         while (fxl_find_depth_runs(rows)) {
-            paint_runs(paint, has_kernel, memory, &runs);
+            paint_runs(paint, kernel, memory, &runs);
         }
         if (rows->runs == rows->runs_end) {
-            paint_runs(paint, has_kernel, memory, &runs);
+            paint_runs(paint, kernel, memory, &runs);
         }
     }
     if (rows->runs != memory->list) {
-        paint_runs(paint, has_kernel, memory, &runs);
+        paint_runs(paint, kernel, memory, &runs);
     }
 }
 
@@ -386,8 +401,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (depth.keeps == FXL_DEPTH_KEEPS_ALL && fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);
         if (workspace->work.scan.by_chains) {
-            paint_plain(&paint, segments, has_plain_rows(&paint, segments), &depth, band,
-                        &workspace->work.scan);
+            paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
             return;
         }
     }

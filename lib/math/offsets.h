@@ -135,9 +135,9 @@
 #define SEGMENT_FACE_ROW_DROP    77
 #define SEGMENT_FACE_IS_CONSTANT 78
 #define SEGMENT_FACE_FORM        79
-#define SEGMENT_FACE_PALETTE     88
-#define SEGMENT_FACE_IN_BEAM     92
-#define SEGMENT_FACE_TABLE       96
+#define SEGMENT_FACE_PALETTE     80
+#define SEGMENT_FACE_IN_BEAM     84
+#define SEGMENT_FACE_TABLE       88
 
 /* fxl_divided_face */
 #define DIVIDED_FACE_WEIGHT_STEP  0
@@ -165,9 +165,9 @@
 #define PLAIN_ROWS_END    104
 #define PLAIN_ROWS_STRIDE 108
 
-/* fxl_plain_runs: the row and the downs as of fxl_plain_rows */
-#define PLAIN_RUNS_NEXT   72 /* then the end */
-#define PLAIN_RUNS_STRIDE 80
+/* fxl_plain_runs: the row and the downs as of fxl_plain_rows, and that of light */
+#define PLAIN_RUNS_NEXT   80 /* then the end */
+#define PLAIN_RUNS_STRIDE 88
 
 /* fxl_texel_run */
 #define TEXEL_RUN_POSITION   0

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* fxl_paint_segments of faces with light, for Armv7-M and Armv8-M Mainline: the other kernel jumps
- * here. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no higher than
- * wide; any other takes 12. A segment takes 47 more. */
+/* Segments of faces with light, for Armv7-M and Armv8-M Mainline: fxl_paint_lit_run and
+ * fxl_paint_lit_runs. A texel takes 8 instructions if the texture is 32 to 256 texels wide and no
+ * higher than wide; any other takes 12. A segment of 16 columns takes 47 more, a shorter one 66, and
+ * a run about 140. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 
@@ -13,17 +14,26 @@
 #define BLOCK        52 /* 2^31 - 1, the least drop, the light's upper word, its step and its drop,
                            those of U and V, its most */
 #define BLOCK_LIGHT  8
+#define BLOCK_STEP   12
+#define BLOCK_MOST   28
 #define BLOCK_BYTES  32
+#define ENDS_LIGHT   92
 #define LOADED       96 /* texels, mask, ramp, FRAME_LAST, the end, FRAME_GO */
 #define FRAME_TEXELS LOADED
-#define FRAME_LAST   108
+#define FRAME_LAST   108 /* 0 if segments have less than 16 columns */
 #define FRAME_GO     116
 #define FRAME_FULL   120
+#define FRAME_SHORT  124 /* columns of 16 that a segment has not */
 #define FRAME_BEFORE 128
 #define FRAME_SKIP   132
 #define FRAME_COLUMN 136
-#define FIRST        144 /* what paints the first segment */
-#define FRAME        148
+#define FRAME_CODE   144 /* of 16 pixels; then its bytes a pixel, 0 for a loop */
+#define FRAME_SHIFT  152 /* 4 + log of the columns of a segment; then 8 times these */
+#define FRAME_LOG    160 /* for which the frame is; above 4: for none */
+#define FRAME_DONE   164 /* what follows a run; then the row */
+#define FRAME_ROW    168
+#define FRAME        172
+#define SAVED        36
 #define WHOLE        420 /* bytes of the code of a whole segment */
 #include "segments_armv7m.h"
 
@@ -55,40 +65,173 @@ other   .req r11    /* of an odd one */
     asr     r7, r7, r9
     .endm
 
-    .section .text.fxl_paint_lit_segments, "ax", %progbits
-    .global fxl_paint_lit_segments
-    .type fxl_paint_lit_segments, %function
+/* What is linear, at the end of the next segment: the block of divide_all; lr: its end. */
+    .macro  next_values
+    ldm     sp, {r1-r12, lr}
+    adds    r1, r1, r7
+    adcs    r2, r2, r8
+    adds    r3, r3, r9
+    adcs    r4, r4, r10
+    adds    r5, r5, r11
+    adc     r6, r6, r12
+    stm     sp, {r1-r6}
+    ldm     lr!, {r3, r5, r7-r12}
+    add     r7, r7, r8
+    str     r7, [lr, #BLOCK_LIGHT - BLOCK_BYTES]
+    .endm
+
+    .section .text.fxl_paint_lit_run, "ax", %progbits
+    .global fxl_paint_lit_run
+    .type fxl_paint_lit_run, %function
     .thumb_func
 
-/* r0: face, r1: row, r2: x0, r3: x1 */
-fxl_paint_lit_segments:
+/* r0: face, r1: row, r2: x0, r3: x1, on the stack: log */
+fxl_paint_lit_run:
     push    {r4-r11, lr}
     sub     sp, #FRAME
-    mov     r12, r2
-    mov     r11, r3
-    ldm     r0, {r2-r7}
-    add     r8, sp, #STEPS
-    stm     r8, {r2-r7}
-    add     lr, sp, #BLOCK
-    str     lr, [sp, #BLOCK - 4]
-    mvn     r2, #0x80000000
-    ldr     r3, [r0, #SEGMENT_FACE_DROP_MIN]
-    ldr     r4, [r1, #PAINT_ROW_LIGHT]
-    ldrd    r5, r6, [r0, #SEGMENT_FACE_LIGHT_STEP]
-    ldrd    r7, r8, [r0, #SEGMENT_FACE_U_DROP]
-    ldr     r9, [r0, #SEGMENT_FACE_LIGHT_MAX]
-    lsr     r10, r12, #4
-    mla     r4, r5, r10, r4
-    stm     lr, {r2-r9}
-    ldrd    r2, r3, [r0, #SEGMENT_FACE_TEXELS]
-    ldr     r4, [r0, #SEGMENT_FACE_RAMP]
-    add     r6, sp, #LOADED
-    stm     r6, {r2-r4}
-    choose_code 26, WHOLE
-    begin_pixels r12, r11
+    adr     r4, .Lreturn + 1
+    strd    r4, r1, [sp, #FRAME_DONE]
+    bl      .Lprepare
+    ldr     r4, [sp, #FRAME + SAVED]
+    b       .Lset_log
+    .align  2
+.Lreturn:
+    movs    r0, #0
+.Lleave:
+    add     sp, #FRAME
+    pop     {r4-r11, pc}
+.Lnot_ours:
+    movs    r0, #1
+    b       .Lleave
 
-    /* The row's values at the first segment: the steps times its number. */
-    lsr     r12, r12, #4
+    .global fxl_paint_lit_runs
+    .type   fxl_paint_lit_runs, %function
+    .thumb_func
+
+/* r0: runs. Returns 0, or 1 after a run that is not the kernel's. */
+fxl_paint_lit_runs:
+    push    {r4-r11, lr}
+    sub     sp, #FRAME
+    adr     r4, .Lnext_run + 1
+    strd    r4, r0, [sp, #FRAME_DONE]
+    ldr     r0, [r0, #PAINT_ROW_SEGMENTS]
+    bl      .Lprepare
+    .align  2
+.Lnext_run:
+    ldr     r1, [sp, #FRAME_ROW]
+    ldrd    r2, r3, [r1, #PLAIN_RUNS_NEXT]
+    cmp     r2, r3
+    beq     .Lreturn
+    ldr     lr, [r2], #4
+    str     r2, [r1, #PLAIN_RUNS_NEXT]
+    cmp     lr, #0
+    bpl     .Lcolumns
+    add     r0, r1, #PLAIN_ROWS_DOWNS
+    ldm     r1, {r2-r5}
+    ldm     r0!, {r6-r9}
+    adds    r2, r2, r6
+    adc     r3, r3, r7
+    adds    r4, r4, r8
+    adc     r5, r5, r9
+    stm     r1!, {r2-r5}
+    ldm     r1, {r2-r6}                 /* v, light and the address */
+    ldm     r0, {r7-r10}
+    ldr     r11, [r0, #PLAIN_RUNS_STRIDE - PLAIN_ROWS_DOWNS - 16]
+    adds    r2, r2, r7
+    adc     r3, r3, r8
+    adds    r4, r4, r9
+    adc     r5, r5, r10
+    add     r6, r6, r11
+    stm     r1, {r2-r6}
+    subs    r1, #16
+.Lcolumns:                              /* lr: the run */
+    uxth    r2, lr
+    ubfx    r3, lr, #16, #15
+    cmp     r2, r3
+    beq     .Lnext_run
+
+/* Which segments its columns have. r10, r11: the weight at the first 16 columns; r12, lr: at the end
+ * of the last. */
+    ldr     r0, [r1, #PAINT_ROW_SEGMENTS]
+    lsr     r4, r2, #4
+    add     r5, r3, #15
+    lsr     r5, r5, #4
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
+    ldrd    r8, r9, [r1, #PAINT_ROW_WEIGHT]
+    umull   r10, r11, r6, r4
+    mla     r11, r7, r4, r11
+    adds    r10, r10, r8
+    adc     r11, r11, r9
+    umull   r12, lr, r6, r5
+    mla     lr, r7, r5, lr
+    adds    r12, r12, r8
+    adc     lr, lr, r9
+    ldr     r9, [r0, #SEGMENT_FACE_LEAST]
+    movs    r4, #4
+    cmp     r11, r9
+    it      ge
+    cmpge   lr, r9
+    bge     .Lrun
+
+/* The 16 columns with the least weight, r11, and those with the largest, r8, have to be of one
+ * length: r9 is the least weight of longer segments. */
+    cmp     r7, #0
+    blt     1f
+    subs    r12, r12, r6
+    sbc     r8, lr, r7
+    b       2f
+1:  adds    r10, r10, r6
+    adc     r8, r11, r7
+    mov     r11, lr
+2:  movs    r4, #3
+    ldr     r5, [r0, #SEGMENT_FACE_LEAST + 4]
+    cmp     r11, r5
+    bge     3f
+    movs    r4, #2
+    mov     r9, r5
+    ldr     r5, [r0, #SEGMENT_FACE_LEAST + 8]
+    cmp     r11, r5
+    blt     .Lnot_ours
+3:  cmp     r8, r9
+    bge     .Lnot_ours
+.Lrun:
+    ldr     r5, [sp, #FRAME_LOG]
+    cmp     r4, r5
+    bne     .Lset_log
+
+/* Segments of 2^r4 columns: the columns r2 to r3 of the row in r1. */
+.Lsame_log:
+    rsb     r5, r4, #32
+    lsl     r6, r2, r5
+    lsr     r6, r6, r5                  /* columns that are skipped */
+    str     r6, [sp, #FRAME_SKIP]
+    ldr     r7, [r1, #PAINT_ROW_PIXELS]
+    ldr     r5, [sp, #FRAME_SHORT]
+    subs    r7, #1
+    add     r3, r3, r7
+    sub     r0, r2, r6
+    add     r0, r0, r7                  /* the address before the segment */
+    rsb     r8, r5, #16
+    sub     r8, r3, r8
+    cmp     r0, r8
+    it      ls
+    cmpls   r6, #0
+    ite     eq
+    ldreq   r9, [sp, #FRAME_FULL]
+    adrne   r9, .Lpartial + 1
+    str     r9, [sp, #FRAME_GO]
+    cmp     r5, #0
+    it      ne
+    movne   r8, #0
+    strd    r8, r3, [sp, #FRAME_LAST]
+    lsr     r12, r2, r4                 /* the first segment's number */
+
+/* The row's values there: the steps times its number. */
+    add     lr, sp, #BLOCK
+    ldr     r5, [r1, #PAINT_ROW_LIGHT]
+    ldr     r6, [lr, #BLOCK_STEP]
+    mla     r5, r6, r12, r5
+    str     r5, [lr, #BLOCK_LIGHT]
     ldm     r1, {r1-r6}
     ldrd    r7, r8, [sp, #STEPS]
     umull   r9, r10, r7, r12
@@ -107,26 +250,21 @@ fxl_paint_lit_segments:
     adc     r6, r6, r10
     stm     sp, {r1-r6}
     ldm     lr!, {r3, r5, r7-r12}
-    divide_all .Lbegin_slowly
-    cmp     r7, r12
-    bhi     .Lbegin_slowly
+    divide_all .Lfar_begin
+.Lbegun:
     stm     lr, {r2, r4, r7}
+    cmp     r7, r12
+    bls     1f
+    adr     r3, .Llimited + 1
+    str     r3, [sp, #FRAME_GO]
+1:  ldr     r3, [sp, #FRAME_SHORT]
+    cmp     r3, #0
+    bne     .Lshort
 
-    /* The end of the next segment. */
+    /* The end of the next segment of 16 columns. */
     .align  2
 .Lsegment:
-    ldm     sp, {r1-r12, lr}
-    adds    r1, r1, r7
-    adcs    r2, r2, r8
-    adds    r3, r3, r9
-    adcs    r4, r4, r10
-    adds    r5, r5, r11
-    adc     r6, r6, r12
-.Lattributes:                           /* r2: weight, r4: u / z, r6: v / z */
-    stm     sp, {r1-r6}
-    ldm     lr!, {r3, r5, r7-r12}
-    add     r7, r7, r8
-    str     r7, [lr, #BLOCK_LIGHT - BLOCK_BYTES]
+    next_values
     divide_all .Lfar
 .Lends:                                 /* r2: U, r4: V, r7: light at the end */
     cmp     r7, r12
@@ -150,14 +288,52 @@ fxl_paint_lit_segments:
 
     /* Light that is not a level. */
 .Lbeyond:
-    cmp     r7, #0
-    ite     lt
-    movlt   r7, #0
-    movge   r7, r12
+    adr     r3, .Llimited + 1
+    str     r3, [sp, #FRAME_GO]
     b       .Lwithin
 
+    /* The end of the next segment of 8 or 4 columns. */
+.Lshort:
+    next_values
+    divide_all .Lfar_short
+.Lends_short:
+    cmp     r7, r12
+    itt     hi
+    adrhi   r3, .Llimited + 1
+    strhi   r3, [sp, #FRAME_GO]
+    ldrd    r11, r12, [sp, #FRAME_SHIFT]
+    ldm     lr, {r8-r10}
+    stm     lr!, {r2, r4, r7}
+    ubfx    p, r9, #4, #16
+    lsr     r3, r8, #4
+    add     p, p, r3, lsl #16
+    sub     r2, r2, r8
+    sub     r4, r4, r9
+    add     r2, r2, r12
+    add     r4, r4, r12
+    asr     r2, r2, r11
+    asr     r4, r4, r11
+    sxth    r4, r4
+    add     step, r4, r2, lsl #16
+    sub     r11, r11, #4
+    asr     r7, r7, r11
+    asr     r3, light, r11
+    sub     change, r7, r3
+    ldr     r3, [sp, #FRAME_SHORT]
+    sub     pixels, pixels, r3
+    ldm     lr, {texels, mask, ramp, last, r8, pc}
+
     /* Fewer leading zeros in a drop: some bits come from the lower word. */
+.Lfar_begin:
+    bl      .Ldivide_far
+    b       .Lbegun
 .Lfar:
+    bl      .Ldivide_far
+    b       .Lends
+.Lfar_short:
+    bl      .Ldivide_far
+    b       .Lends_short
+.Ldivide_far:
     sub     r9, r9, r1
     sub     r10, r10, r1
     sub     r11, r11, r1
@@ -167,47 +343,178 @@ fxl_paint_lit_segments:
     shift_down r4, r1, r11
     smull   r1, r7, r7, r3
     shift_down r7, r1, r9
-    b       .Lends
+    mov     r1, lr
+    add     lr, sp, #(BLOCK + BLOCK_BYTES)
+    bx      r1
 
-    /* The beginning of the first segment is found as an end is: the step back and forth. */
-.Lbegin_slowly:
-    ldr     r3, [sp, #FRAME_GO]
-    str     r3, [sp, #FIRST]
-    adr     r3, .Lstarted + 1
-    str     r3, [sp, #FRAME_GO]
-    ldr     lr, [sp, #BLOCK - 4]
-    ldrd    r7, r8, [lr, #BLOCK_LIGHT]
-    sub     r7, r7, r8
-    str     r7, [lr, #BLOCK_LIGHT]
-    ldm     sp, {r1-r6}
-    b       .Lattributes
-    .align  2
-.Lstarted:
-    ldr     r3, [sp, #FIRST]
-    str     r3, [sp, #FRAME_GO]
-    b       .Lsegment
+/* --- the face ------------------------------------------------------------------------------- */
+
+/* What the frame has of the face in r0. Keeps r0 to r3. */
+.Lprepare:
+    add     r4, sp, #BLOCK
+    str     r4, [sp, #BLOCK - 4]
+    mvn     r5, #0x80000000
+    ldr     r6, [r0, #SEGMENT_FACE_DROP_MIN]
+    strd    r5, r6, [r4]
+    ldr     r5, [r0, #SEGMENT_FACE_LIGHT_DROP]
+    ldrd    r6, r7, [r0, #SEGMENT_FACE_U_DROP]
+    ldr     r8, [r0, #SEGMENT_FACE_LIGHT_MAX]
+    adds    r4, #(BLOCK_STEP + 4)
+    stm     r4, {r5-r8}
+    ldrd    r5, r6, [r0, #SEGMENT_FACE_TEXELS]
+    ldr     r7, [r0, #SEGMENT_FACE_RAMP]
+    add     r4, sp, #LOADED
+    stm     r4, {r5-r7}
+    movs    r4, #255
+    str     r4, [sp, #FRAME_LOG]
+    ldrb    r5, [r0, #SEGMENT_FACE_LOG_WIDTH]
+    ldrb    r6, [r0, #SEGMENT_FACE_ROW_DROP]
+    rsb     r5, r5, #32
+    strd    r5, r6, [sp, #FRAME_COLUMN]
+    ldrb    r5, [r0, #SEGMENT_FACE_FORM]
+    movs    r6, #26
+    cbz     r5, 1f
+    movw    r7, #WHOLE
+    mul     r5, r5, r7
+    adr     r7, .Lpixels_5 - WHOLE + 1  /* Thumb code */
+    add     r5, r5, r7
+    strd    r5, r6, [sp, #FRAME_CODE]
+    bx      lr
+1:  adr     r5, .Lloop + 1
+    movs    r6, #0
+    strd    r5, r6, [sp, #FRAME_CODE]
+    bx      lr
+
+/* A word of 64 bits is shifted to the right by r5, from 0 to 2. r6: 32 - r5. */
+    .macro  shift_step low, high
+    lsl     lr, \high, r6
+    lsr     \low, \low, r5
+    orr     \low, \low, lr
+    asr     \high, \high, r5
+    .endm
+
+/* The frame for segments of 2^r4 columns: a step is that of 16, shifted. r0: face. Keeps r1 to r4. */
+.Lset_log:
+    str     r4, [sp, #FRAME_LOG]
+    movs    r5, #1
+    lsl     r5, r5, r4
+    rsb     r6, r5, #16
+    strd    r6, r6, [sp, #FRAME_SHORT]  /* FRAME_BEFORE too */
+    ldrd    r7, r8, [sp, #FRAME_CODE]
+    mla     r7, r6, r8, r7
+    str     r7, [sp, #FRAME_FULL]
+    adds    r7, r4, #4
+    lsl     r8, r5, #3
+    strd    r7, r8, [sp, #FRAME_SHIFT]
+    rsb     r5, r4, #4
+    rsb     r6, r5, #32
+    ldm     r0, {r7-r12}
+    shift_step r7, r8
+    shift_step r9, r10
+    shift_step r11, r12
+    add     lr, sp, #STEPS
+    stm     lr, {r7-r12}
+    ldr     r7, [r0, #SEGMENT_FACE_LIGHT_STEP]
+    asr     r7, r7, r5
+    str     r7, [sp, #BLOCK + BLOCK_STEP]
+    b       .Lsame_log
+
+/* --- pixels --------------------------------------------------------------------------------- */
+
+/* Pixels from FRAME_SKIP on, up to the end of the run or of the segment: the last ones of the code of
+ * 16 pixels, whose first pixel is before them by as many as are left out, r3. Overwrites r8, r12. */
+    .macro  find_part
+    ldr     r8, [sp, #FRAME_SKIP]
+    ldr     r12, [sp, #FRAME_SHORT]
+    mla     p, step, r8, p
+    mla     light, change, r8, light
+    add     r12, r12, r8
+    add     pixels, pixels, r12
+    ldr     r3, [sp, #FRAME_LAST + 4]
+    sub     r3, r3, pixels
+    rsb     r3, r3, #16
+    cmp     r3, r12
+    it      lt
+    movlt   r3, r12
+    sub     pixels, pixels, r3
+    str     r3, [sp, #FRAME_BEFORE]
+    movs    r8, #0
+    str     r8, [sp, #FRAME_SKIP]
+    .endm
 
     .align  2
 .Lpartial:
-    find_partial r12, r8
-    mla     light, change, r12, light
+    ldr     r3, [sp, #BLOCK + BLOCK_MOST]
+    cmp     light, r3
+    bhi     .Llimited
+    find_part
+    ldr     r8, [sp, #FRAME_FULL]
+    str     r8, [sp, #FRAME_GO]
+    ldrd    r8, r12, [sp, #FRAME_CODE]
+    mla     r3, r3, r12, r8
     mov     other, light                /* the code may begin at an odd pixel */
-    go_partial r8
+    bx      r3
 
+/* Less than 16 columns are left; or segments are shorter. */
     .align  2
 .Lrest:
-    begin_rest
+    ldr     r3, [sp, #FRAME_LAST + 4]
+    cmp     pixels, r3
+    it      hs
+    ldrhs   pc, [sp, #FRAME_DONE]
+    ldr     r4, [sp, #FRAME_SHORT]
+    cbnz    r4, 1f
+    adr     r3, .Lpartial + 1
+    str     r3, [sp, #FRAME_GO]
     b       .Lsegment
-.Lend:
-    add     sp, #FRAME
-    pop     {r4-r11, pc}
-
+1:  rsb     r4, r4, #16
+    subs    r3, r3, r4
+    cmp     pixels, r3
+    bls     .Lshort
+    adr     r3, .Lpartial + 1
+    str     r3, [sp, #FRAME_GO]
+    b       .Lshort
 
     .macro  go_on
     cmp     pixels, last
     bls     .Lsegment
     b       .Lrest
     .endm
+
+/* Light at an end is not a level: it is limited at each pixel. */
+    .align  2
+.Llimited:
+    find_part
+    ldrd    r7, r8, [sp, #FRAME_COLUMN]
+    add     r12, pixels, #16
+    add     pixels, r3
+    ldr     r3, [sp, #FRAME_SHORT]
+    str     r3, [sp, #FRAME_BEFORE]
+    ldr     lr, [sp, #BLOCK + BLOCK_MOST]
+1:  lsr     r3, p, r8
+    ands    r3, mask
+    lsr     r11, p, r7
+    add     r3, texels
+    ldrb    r3, [r3, r11]
+    bic     r11, light, light, asr #31
+    cmp     r11, lr
+    it      gt
+    movgt   r11, lr
+    bfi     r11, r3, #0, #8
+    ldrb    r3, [ramp, r11]
+    strb    r3, [pixels, #1]!
+    add     p, step
+    add     light, change
+    cmp     pixels, r12
+    bne     1b
+    ldr     r3, [sp, #ENDS_LIGHT]
+    cmp     r3, lr
+    ite     hi
+    adrhi   r3, .Llimited + 1
+    ldrls   r3, [sp, #FRAME_FULL]
+    str     r3, [sp, #FRAME_GO]
+    ldr     last, [sp, #FRAME_LAST]
+    go_on
 
     /* Any size. */
     .align  2
@@ -216,7 +523,7 @@ fxl_paint_lit_segments:
     add     r12, pixels, #16
     ldr     r3, [sp, #FRAME_BEFORE]
     add     pixels, r3
-    movs    r3, #0
+    ldr     r3, [sp, #FRAME_SHORT]
     str     r3, [sp, #FRAME_BEFORE]
 .Lpixel:
     lsr     r3, p, r8
@@ -262,6 +569,6 @@ fxl_paint_lit_segments:
     .endm
     whole_of_each_size
 
-    .size fxl_paint_lit_segments, . - fxl_paint_lit_segments
+    .size fxl_paint_lit_run, . - fxl_paint_lit_run
 
 #endif

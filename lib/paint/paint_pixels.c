@@ -124,41 +124,6 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 
 /* --- the kernel ----------------------------------------------------------------------------- */
 
-/* Whether the light at the end of a segment is a level of the ramp. Only close to the ramp's ends
- * this takes a division. */
-static inline bool level_is_in_ramp(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
-{
-    const fxl_gradients *gradients = paint->gradients;
-    if (fxl_segment_light_suffices(row->segments, row, (uint32_t)x >> 4)) {
-        return true;
-    }
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(paint, row, x));
-    const int32_t light = fxl_attribute_of(
-        value_at(row->attributes[FXL_SEGMENT_LIGHT], &gradients->attributes[FXL_SEGMENT_LIGHT], x),
-        &reciprocal, gradients->shifts[FXL_SEGMENT_LIGHT]);
-    return light >= 0 && light >> 16 <= paint->levels_less_1;
-}
-
-/* The same for light. The kernel holds the light at both ends of a segment within the ramp. An end
- * may lie outside of the face, where light is beyond the ramp: then the light between the ends
- * would be wrong, and the segment is not for the kernel. Along a row light rises or falls, so
- * between two ends where it is within the ramp it is so at all ends. */
-static int32_t kernel_end_of_light(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
-                                   int32_t end)
-{
-    int32_t segment_end = (x0 & ~15) + 16;
-    if (!level_is_in_ramp(paint, row, x0 & ~15)) {
-        return x0;
-    }
-    if (level_is_in_ramp(paint, row, (end + 15) & ~15)) {
-        return end;
-    }
-    while (level_is_in_ramp(paint, row, segment_end)) {
-        segment_end += 16; /* less than end + 15, where it is beyond */
-    }
-    return segment_end - 16 > x0 ? segment_end - 16 : x0;
-}
-
 /* Pixels that the kernel has painted, in a beam. */
 static void put_in_beam(const uint8_t *in_beam, uint8_t *pixel, const uint8_t *end)
 {
@@ -224,9 +189,6 @@ void fxl_paint_pixels(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     fxl_find_least_weights(paint->gradients, paint->division, least);
     while (x0 < x1) {
         int32_t end = fxl_segments_end(row, x0, x1);
-        if (end > x0 && paint->ramp != NULL) {
-            end = kernel_end_of_light(paint, row, x0, end);
-        }
         if (end > x0) {
             fxl_paint_segments(row->segments, row, x0, end);
             if (paint->in_beam != NULL) {

@@ -129,7 +129,7 @@ static inline __attribute__((always_inline)) void fxl_paint_simply(void *with,
 {
     (void)with;
     if (row->segments != NULL && paint->in_beam == NULL &&
-        fxl_segments_take(row->segments, row, x0, x1)) {
+        fxl_segments_suffice(row->segments, row, x0, x1)) {
         fxl_paint_segments(row->segments, row, x0, x1);
     } else {
         fxl_paint_pixels(paint, row, x0, x1);

@@ -1,14 +1,48 @@
 /* SPDX-License-Identifier: MIT */
 #include "plain_run.h"
+#include "segment_lengths.h"
 
 #include "../math/family.h"
 
-#if !FXL_TEXELS_IN_ASSEMBLY
+#if FXL_TEXELS_IN_ASSEMBLY
 
+void fxl_paint_lit_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                            int32_t x1)
+{
+    uint64_t weight = (uint64_t)sum(row->weight, face->weight_step, (uint32_t)x0 >> 4);
+    while (x0 < x1) {
+        uint32_t log;
+        const int32_t end = next_length(face, x0, x1, &weight, &log);
+        fxl_paint_lit_run(face, row, x0, end, log);
+        x0 = end;
+    }
+}
+
+#else
+
+static inline uint32_t limited(uint32_t light, int32_t most)
+{
+    return (int32_t)light < 0 ? 0 : (int32_t)light > most ? (uint32_t)most : light;
+}
+
+/* All pixels' light is a level if that of the first and of the last is: a step of a segment of n
+ * columns is at most 2^32 / n, so its sums do not come round. */
 static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
 {
-    fxl_paint_texels(face, run, row->pixels + x, count);
+    const uint32_t most = (uint32_t)face->light_max;
+    if (face->ramp == NULL ||
+        (run->light <= most && run->light + (count - 1u) * run->light_step <= most)) {
+        fxl_paint_texels(face, run, row->pixels + x, count);
+        return;
+    }
+    fxl_texel_run pixel = *run;
+    for (uint32_t light = run->light; count > 0; count--, x++) {
+        pixel.light = limited(light, face->light_max);
+        fxl_paint_texels(face, &pixel, row->pixels + x, 1);
+        pixel.position += run->step;
+        light += run->light_step;
+    }
 }
 
 #define TEXEL_CODE (&fxl_texel_code_8)

@@ -31,7 +31,7 @@ bool fxl_paint_rows_565(fxl_plain_rows *rows);
  * them, where its code is not compiled for size. */
 typedef struct {
     fxl_paint_row row; /* y is not kept */
-    int64_t downs[3];  /* as above */
+    int64_t downs[4];  /* as above; and light, of a lit face */
     const uint32_t *next, *end;
     uint32_t stride; /* bytes */
 } fxl_plain_runs;
@@ -41,6 +41,10 @@ typedef struct {
  * nothing of it is painted. Requires a face without a ramp. Pixels have 8 bits, or 16. */
 bool fxl_paint_runs(fxl_plain_runs *runs);
 bool fxl_paint_runs_565(fxl_plain_runs *runs);
+
+/* The same of a face with a ramp. It does not take a run that has segments of several lengths
+ * either, or pixels that are each divided. Pixels have 8 bits. */
+bool fxl_paint_lit_runs(fxl_plain_runs *runs);
 
 /* A sum below the last row may be beyond what is bounded: then it wraps. */
 static inline void fxl_plain_rows_next(fxl_plain_rows *rows)

@@ -16,23 +16,18 @@
 
 #include "../math/family.h"
 #include "plain_run.h"
+#include "segment_lengths.h"
 
-/* The weight, u and v at a column, their steps, and the light's upper word. */
+/* The weight, u and v at a column, their steps, and the light's upper word, and its step. */
 typedef struct {
     int64_t values[3], steps[3];
-    int32_t light;
+    int32_t light, light_step;
 } segment_values;
 
 /* What a segment has at one end. */
 typedef struct {
     int32_t u, v, light;
 } segment_end;
-
-/* Segments may end beyond what the gradients are bounded for: then their sums wrap. */
-static inline int64_t sum(int64_t value, int64_t step, uint32_t times)
-{
-    return (int64_t)((uint64_t)value + (uint64_t)fxl_multiply_s64_u16(step, times));
-}
 
 /* The values at column number `segment` of those that are multiples of 2^log. Steps are multiples
  * of 16: exact. */
@@ -47,10 +42,11 @@ static inline void begin(const fxl_segment_face *face, const fxl_paint_row *row,
         at->steps[i] = steps[i] >> (4u - log);
         at->values[i] = sum(first[i], at->steps[i], segment);
     }
-    at->light = 0;
+    at->light = at->light_step = 0;
     if (face->ramp != NULL) {
+        at->light_step = face->light_step >> (4u - log);
         at->light = (int32_t)((uint32_t)(attributes[FXL_SEGMENT_LIGHT] >> 32) +
-                              segment * (uint32_t)face->light_step);
+                              segment * (uint32_t)at->light_step);
     }
 }
 
@@ -59,12 +55,12 @@ static inline uint32_t weight_at(const segment_values *at)
     return (uint32_t)(at->values[0] >> 32);
 }
 
-static inline void advance(const fxl_segment_face *face, segment_values *at)
+static inline void advance(segment_values *at)
 {
     for (uint32_t i = 0; i < 3; i++) {
         at->values[i] = (int64_t)((uint64_t)at->values[i] + (uint64_t)at->steps[i]);
     }
-    at->light = (int32_t)((uint32_t)at->light + (uint32_t)face->light_step);
+    at->light = (int32_t)((uint32_t)at->light + (uint32_t)at->light_step);
 }
 
 FXL_ONCE int64_t shifted(int64_t product, int32_t left)
@@ -79,11 +75,6 @@ FXL_ONCE int32_t divided(int32_t value, const fxl_reciprocal *reciprocal, int32_
     return (int32_t)(uint32_t)shifted(product, 32 + drop - (int32_t)reciprocal->zeros);
 }
 
-static inline int32_t limited(int32_t light, int32_t most)
-{
-    return light < 0 ? 0 : light > most ? most : light;
-}
-
 static inline void find_end(const fxl_segment_face *face, const segment_values *at,
                             const fxl_reciprocal *reciprocal, segment_end *end)
 {
@@ -91,7 +82,7 @@ static inline void find_end(const fxl_segment_face *face, const segment_values *
     end->v = divided((int32_t)(at->values[2] >> 32), reciprocal, face->v_drop);
     end->light = 0;
     if (face->ramp != NULL) {
-        end->light = limited(divided(at->light, reciprocal, face->light_drop), face->light_max);
+        end->light = divided(at->light, reciprocal, face->light_drop);
     }
 }
 
@@ -118,7 +109,7 @@ static inline void find_texels(const segment_end *from, const segment_end *to, u
     run->step = ((uint32_t)step_of(from->u, to->u, log) << 16) +
                 (uint32_t)(int32_t)(int16_t)(uint16_t)step_of(from->v, to->v, log);
     run->light = (uint32_t)from->light;
-    run->light_step = (uint32_t)((to->light >> 4) - (from->light >> 4));
+    run->light_step = (uint32_t)(to->light >> log) - (uint32_t)(from->light >> log);
 }
 
 /* The pixels of a segment of 2^log columns from x0 on, before x1; returns how many they are. */
@@ -146,7 +137,7 @@ FXL_APART void paint_run(const fxl_segment_face *face, const fxl_paint_row *row,
     fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(&at));
     find_end(face, &at, &reciprocal, &ends[0]);
     while (x0 < x1) {
-        advance(face, &at);
+        advance(&at);
         if (!face->is_constant) {
             reciprocal = fxl_reciprocal_of(weight_at(&at));
         }
@@ -170,7 +161,7 @@ FXL_APART void paint_each(const fxl_segment_face *face, const fxl_paint_row *row
         find_end(face, &at, &reciprocal, &end);
         run.position = position_of(&end);
         paint_texels(face, row, &run, x0, 1);
-        advance(face, &at);
+        advance(&at);
     }
 }
 
@@ -230,42 +221,6 @@ FXL_APART void paint_line(const fxl_segment_face *face, const fxl_paint_row *row
 
 /* --- a row ---------------------------------------------------------------------------------- */
 
-/* Where the segments of a row have another length than those of 2^log columns. Weights are linear:
- * the least one of 16 columns is that at their left end if it rises, and that at their right end if
- * it falls. */
-static inline int32_t length_bound(const fxl_segment_face *face, uint32_t log, bool rises)
-{
-    const uint32_t *least = face->least;
-    if (rises) {
-        return log == 4 ? INT32_MAX : (int32_t)least[log == 3 ? 0 : log == 2 ? 1 : 2];
-    }
-    return log == 0 ? INT32_MIN : (int32_t)least[log == 4 ? 0 : log == 3 ? 1 : 2];
-}
-
-/* The end of the columns from x0 on, before x1, that have segments of 2^log. weight: at the left
- * end of the first 16; becomes that at the left end of those that follow. */
-static inline int32_t length_end(const fxl_segment_face *face, uint32_t log, int32_t x0, int32_t x1,
-                                 uint64_t *weight)
-{
-    const uint64_t step = (uint64_t)face->weight_step;
-    const bool rises = face->weight_step >= 0;
-    const int32_t bound = length_bound(face, log, rises);
-    uint64_t at = *weight + step; /* beyond the row it may wrap */
-    int32_t end = (x0 & ~15) + 16;
-    if (rises) {
-        for (; end < x1 && (int32_t)(at >> 32) < bound; end += 16) {
-            at += step;
-        }
-        *weight = at;
-    } else {
-        for (at += step; end < x1 && (int32_t)(at >> 32) >= bound; end += 16) {
-            at += step;
-        }
-        *weight = at - step;
-    }
-    return end < x1 ? end : x1;
-}
-
 /* Segments of 2^log columns, or pixels that are each divided. */
 static inline void paint_equal(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
                                int32_t x0, int32_t x1)
@@ -274,7 +229,7 @@ static inline void paint_equal(const fxl_segment_face *face, const fxl_paint_row
         const fxl_run run = {x0, x1, TEXEL_CODE, log};
         fxl_paint_run(face, row, &run);
     } else if (FXL_KERNELS_ARMV6M || FXL_IS_COMPACT ||
-               log != 0) { /* lit faces have segments of 16 alone */
+               log != 0) { /* no pixel of a lit face is divided here */
         paint_run(face, row, log, x0, x1);
     } else {
         paint_each(face, row, x0, x1);
@@ -290,10 +245,8 @@ static inline void paint_row_segments(const fxl_segment_face *face, const fxl_pa
     }
     uint64_t weight = (uint64_t)sum(row->weight, face->weight_step, (uint32_t)x0 >> 4);
     while (x0 < x1) {
-        const uint64_t next = weight + (uint64_t)face->weight_step;
-        const uint32_t log =
-            fxl_segment_log(face->least, (uint32_t)(weight >> 32), (uint32_t)(next >> 32));
-        const int32_t end = length_end(face, log, x0, x1, &weight);
+        uint32_t log;
+        const int32_t end = next_length(face, x0, x1, &weight, &log);
         paint_equal(face, row, log, x0, end);
         x0 = end;
     }

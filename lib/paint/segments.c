@@ -31,9 +31,6 @@ static bool is_common(const fxl_paint *paint)
            level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16;
 }
 
-/* A light's value is upper word * 2^shift / weight. It is found by a reciprocal whose error is
- * below 2^-29 of it, and a limit is less than 2^25: one unit below the end of the ramp is enough.
- */
 static void find_light(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
@@ -42,14 +39,6 @@ static void find_light(const fxl_paint *paint, fxl_segment_face *face)
     face->light_drop = drop_of(gradients->shifts[FXL_SEGMENT_LIGHT], 8);
     face->light_max = 256 * paint->levels_less_1 + 255;
     face->drop_min = smaller(face->drop_min, face->light_drop);
-    const int shift = gradients->shifts[FXL_SEGMENT_LIGHT];
-    if (shift >= 0 && shift <= 30) {
-        face->light_scale = (uint32_t)1 << shift;
-        face->light_limit = 65536u * (paint->levels_less_1 + 1u) - 1u;
-    }
-    if (paint->in_beam != NULL) {
-        face->light_scale = face->light_limit = 0; /* fxl_paint_pixels takes every row */
-    }
 }
 
 /* The least weights: those of the rule, and from which on no product is shifted to the left.
@@ -69,7 +58,7 @@ static bool find_least(const fxl_paint *paint, fxl_segment_face *face)
         face->least[i] = least > INT32_MAX ? INT32_MAX : least;
     }
     if (paint->ramp != NULL) {
-        face->least[1] = face->least[2] = face->least[3] = face->least[0];
+        face->least[3] = face->least[2];
     }
     return face->least[3] < INT32_MAX;
 }
@@ -94,7 +83,6 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
     face->form = (uint8_t)(log_width == log ? log_width - FXL_SEGMENT_LOG_MIN : 0);
     face->ramp = paint->ramp;
     face->light_step = face->light_drop = face->light_max = 0;
-    face->light_scale = face->light_limit = 0;
     if (paint->ramp != NULL) {
         find_light(paint, face);
     }

@@ -3,8 +3,8 @@
  * bits, and fxl_paint_segments_565, for pixels of 16 bits: opaque texels that repeat. Internal.
  *
  * A segment is n = 16, 8 or 4 columns of the screen, from a multiple of n on; gradients.h says
- * which n, or that each pixel is divided: then the kernel shows what fxl_paint_pixels would. A lit
- * face has segments of 16 alone. The coordinates of a segment are found at both ends, at its first
+ * which n, or that each pixel is divided: then the kernel shows what fxl_paint_pixels would, and
+ * leaves a lit face to that. The coordinates of a segment are found at both ends, at its first
  * column and n columns on:
  *
  *   U = u 2^(20 - log_width),  V = v 2^(20 - log),  log = the larger of log_width and log_height.
@@ -26,10 +26,12 @@
  * of p, are added to the coordinates, so that the middle of 16 columns is right. So p begins anew
  * every 16 columns.
  *
- * Light is in 1/256 level. At both ends, L0 and L1, it is limited to the levels, and a step is
- * floor(L1 / 16) - floor(L0 / 16). So the last pixel has floor(L0 / 16) + L0 % 16 +
- * 15 floor(L1 / 16): a level again, and less than 1/16 level off. What is divided at the end of
- * segment k is light's upper word in column 0, and k times the upper word of the step. */
+ * Light is in 1/256 level. With L0 and L1 at both ends, a step is floor(L1 / n) - floor(L0 / n). So
+ * the last pixel has floor(L0 / n) + L0 % n + (n - 1) floor(L1 / n): a level again if L0 and L1
+ * are, and less than 1/16 level off. Where they are not, outside of the face, each pixel's light is
+ * limited to the levels. What is divided at the end of segment k is light's upper word in column 0,
+ * and k times the upper word of the step, which for less than 16 columns is shifted to the right.
+ */
 #ifndef FXL_SEGMENTS_H
 #define FXL_SEGMENTS_H
 
@@ -66,11 +68,9 @@ struct fxl_segment_face {
     uint32_t least[4];   /* weights at both ends of 16 columns: for segments of 16, 8 and 4, and for
                             pixels that are divided; from 2 on; INT32_MAX: none */
     uint8_t log_width;
-    uint8_t row_drop;    /* 16 - log_width - log: how far p is shifted to the mask */
-    uint8_t is_constant; /* the weight is the same in all columns of a row */
-    uint8_t form;        /* log_width - 4 if it is above 0 and log_width = log; else 0 */
-    uint32_t light_scale, light_limit; /* a light is surely a level of the ramp where its upper word
-                                        * light_scale < weight * light_limit; 0, 0: nowhere */
+    uint8_t row_drop;        /* 16 - log_width - log: how far p is shifted to the mask */
+    uint8_t is_constant;     /* the weight is the same in all columns of a row */
+    uint8_t form;            /* log_width - 4 if it is above 0 and log_width = log; else 0 */
     const uint16_t *palette; /* fxl_paint_segments_565: of the texels' colours; null: the texels are
                               * colours themselves */
     const uint8_t *in_beam;  /* the same: what a beam makes of a texel before that; null: no beam */
@@ -126,31 +126,6 @@ FXL_APART int32_t fxl_segments_end(const fxl_paint_row *row, int32_t x0, int32_t
     return (int32_t)(16u * segment) > x0 ? (int32_t)(16u * segment) : x0;
 }
 
-/* Whether the light at the beginning of a segment is surely a level of the ramp. Requires a weight
- * there of at least the face's least. The sum of upper words is at most segment + 1 less than the
- * light's own upper word. The light is below 2^31 and light_scale at most 2^30; the weight is below
- * 2^31 and light_limit at most 2^24: no product exceeds 64 bits. */
-static inline bool fxl_segment_light_suffices(const fxl_segment_face *face,
-                                              const fxl_paint_row *row, uint32_t segment)
-{
-    const uint32_t light =
-        (uint32_t)(row->attributes[FXL_SEGMENT_LIGHT] >> 32) + segment * (uint32_t)face->light_step;
-    const uint32_t weight = (uint32_t)fxl_segment_weight(face, row, segment);
-    return (int32_t)light >= 0 && fxl_multiply_u32(light + segment + 1u, face->light_scale) <
-                                      fxl_multiply_u32(weight, face->light_limit);
-}
-
-/* Whether the kernel surely takes a part of a row: the weights suffice, and light is within the
- * ramp at both ends, so between them, too. False says nothing of light. */
-static inline bool fxl_segments_take(const fxl_segment_face *face, const fxl_paint_row *row,
-                                     int32_t x0, int32_t x1)
-{
-    return fxl_segments_suffice(face, row, x0, x1) &&
-           (face->ramp == NULL ||
-            (fxl_segment_light_suffices(face, row, (uint32_t)x0 >> 4) &&
-             fxl_segment_light_suffices(face, row, ((uint32_t)x1 + 15u) >> 4)));
-}
-
 /* Paints the pixels x0 <= x < x1 of a row. Requires 0 <= x0 < x1, and weights of at least
  * fxl_segments_least at both ends of each 16 columns. Safe for any other number: no texel or entry
  * of the ramp is read that is not of the table. */
@@ -158,6 +133,13 @@ void fxl_paint_segments(const fxl_segment_face *face, const fxl_paint_row *row, 
                         int32_t x1);
 void fxl_paint_segments_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                             int32_t x1);
+
+/* The same of a lit face with least weights of its own, and in segments of 2^log columns, log from
+ * 2 on, whatever its weights: Armv7-M. */
+void fxl_paint_lit_segments(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                            int32_t x1);
+void fxl_paint_lit_run(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                       int32_t x1, uint32_t log);
 
 /* --- the texels of a part of a segment: what fxl_paint_segments calls, where it is in C ---------
  */
@@ -168,7 +150,7 @@ typedef struct {
     uint32_t light, light_step; /* 1/256 level */
 } fxl_texel_run;
 
-/* Paints count pixels. Requires 1 <= count <= 16. */
+/* Paints count pixels. Requires 1 <= count <= 16, and light that is a level. */
 void fxl_paint_texels(const fxl_segment_face *face, const fxl_texel_run *run, uint8_t *pixels,
                       uint32_t count);
 

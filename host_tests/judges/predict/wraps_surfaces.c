@@ -130,8 +130,8 @@ WRAPPED(void, fxl_surface_paint_of,
 /* Whether a run of a listed polygon is painted by the kernel of runs. */
 static bool is_run_of_kernel(const fxl_paint *paint, const fxl_paint_row *row)
 {
-    return draws_listed && row->segments != NULL && paint->ramp == NULL &&
-           (is_wide ? !paint->is_evenly_lit : paint->in_beam == NULL);
+    return draws_listed && row->segments != NULL &&
+           (is_wide ? paint->ramp == NULL && !paint->is_evenly_lit : paint->in_beam == NULL);
 }
 
 static double sixteens(int32_t x0, int32_t x1)
@@ -230,12 +230,14 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
 static int32_t counted_to;
 static const fxl_paint *slow_paint;
 
-/* A part of a row without light: segments of 16, 8 or 4 columns, and pixels that are divided; in a
+/* A part of a row: segments of 16, 8 or 4 columns, and pixels that are divided; without light in a
  * row of constant weight 16 columns are a part of a line. */
 static void count_kernel_segments(const fxl_segment_face *face, const fxl_paint_row *row,
                                   int32_t x0, int32_t x1)
 {
-    double *segments = is_wide ? &counted.wide_kernel_segments : &counted.segments;
+    double *segments = face->ramp != NULL ? &counted.lit_segments
+                       : is_wide          ? &counted.wide_kernel_segments
+                                          : &counted.segments;
     double *divided = is_wide ? &counted.wide_kernel_divided : &counted.segment_divided;
     for (int32_t x = x0; x < x1; x = (x & ~15) + 16) {
         const uint32_t first = (uint32_t)x >> 4;
@@ -276,8 +278,8 @@ WRAPPED(void, fxl_paint_segments,
 {
     count_before_kernel(row, x0, x1);
     if (face->ramp != NULL) {
-        counted.segment_rows += 1;
-        counted.lit_segments += sixteens(x0, x1);
+        *(draws_listed ? &counted.listed_kernel_runs : &counted.segment_rows) += 1;
+        count_kernel_segments(face, row, x0, x1);
         counted.lit_segment_pixels += x1 - x0;
     } else {
         count_kernel(face, row, x0, x1);

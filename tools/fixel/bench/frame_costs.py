@@ -49,7 +49,7 @@ NAMES = {
     "segments": "16, 8 or 4 columns of a texture", "segment_divided": "a pixel between them that is divided",
     "segment_pixels": "a pixel of a texture",
     "line_segments": "16 columns of a texture where the weight is constant",
-    "lit_segments": "16 columns of a lit texture", "lit_segment_pixels": "a pixel of a lit texture",
+    "lit_segments": "16, 8 or 4 columns of a lit texture", "lit_segment_pixels": "a pixel of a lit texture",
     "slow_rows": "a row of a surface not all by the kernel", "slow_segments": "16, 8 or 4 columns of a surface beside the kernel",
     "slow_attributes": "an attribute at the end of such columns", "slow_pixels": "a pixel of a surface beside kernel and loops",
     "loop_pixels": "a pixel of a texture by a loop of C", "level_pixels": "a pixel of a lit colour by a loop of C",
