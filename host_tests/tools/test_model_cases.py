@@ -2,6 +2,7 @@
 """Models as other programs write them, in the folder models: what each must look like, and what must be said of it."""
 
 import pathlib
+import shutil
 
 import numpy
 import pytest
@@ -28,6 +29,23 @@ def compiled(name):
 def colours(made):
     """The colours of all faces."""
     return {made.palette[face.colour] for model in made.models for face in model.faces}
+
+
+def as_made(name):
+    """The scene of a model as its author made it, and the notes."""
+    made, notes = compiler.compile_scene(str(MODELS / name), 4, look=look.Look())
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
+
+
+def in_a_scene(folder, text, *files):
+    """The scene of a scene file beside files of the folder of models, and the notes."""
+    for file in files:
+        shutil.copy(MODELS / file, folder)
+    (folder / "s.toml").write_text(text)
+    made, notes = compiler.compile_scene(str(folder / "s.toml"), 4)
+    assert image.unpack(image.pack(made)) == made
+    return made, notes
 
 
 def said(notes, *words):
@@ -73,6 +91,20 @@ def test_a_ball_with_an_image_is_lit_from_one_side():
     assert min(towards) > max(away) - 120 and sum(towards) / len(towards) > 1.3 * sum(away) / len(away)
 
 
+QUARTERS = {(True, True): (220, 40, 40), (True, False): (40, 180, 60), (False, True): (50, 80, 220), (False, False): (230, 210, 60)}
+
+
+@pytest.mark.parametrize("scene", [None, '[light]\nlevels = 16\n[[objects]]\nmodel = "ball_textured.obj"\nimages = true\n'])
+def test_a_ball_shows_the_quarters_of_its_image_and_is_lit(tmp_path, scene):
+    """Each face lies in one quarter, so it has its colour and needs no texture."""
+    made, _ = as_made("ball_textured.obj") if scene is None else in_a_scene(tmp_path, scene, "ball_textured.obj", "ball.mtl", "quarters.png")
+    model = made.models[0]
+    for face in model.faces:
+        _, y, z = (sum(model.vertices[corner][axis] for corner in face.corners) for axis in range(3))
+        assert made.palette[face.colour] == QUARTERS[y > 0, z > 0]
+    assert made.light and len(made.light.ramp) >= 16 and len(model.faces) >= 72
+
+
 def test_textures_that_no_light_can_be_baked_into_are_lit_at_run_time(tmp_path):
     image_of = png([[(4 * x, 4 * y, 40) for x in range(64)] for y in range(64)])
     points, triangles = grid(8, lambda x, y: x * y / 9)
@@ -116,13 +148,6 @@ def test_no_background_shows_at_a_t_junction(build, tmp_path, monkeypatch):
 
 # --- glTF -----------------------------------------------------------------------------------
 
-def as_made(name):
-    """The scene of a model as its author made it, and the notes."""
-    made, notes = compiler.compile_scene(str(MODELS / name), 4, look=look.Look())
-    assert image.unpack(image.pack(made)) == made
-    return made, notes
-
-
 def texels(made):
     """The texels of the only texture's largest level, None where it is clear."""
     one, = made.surfaces.textures
@@ -147,6 +172,21 @@ def test_alpha_of_a_mask_makes_holes():
     found = texels(made)
     side = 1 << made.surfaces.textures[0].log_width
     assert all((found[row * side + column] is None) == (2 * column >= side) for row in range(side) for column in range(side))
+
+
+IMAGES = '[view]\npixels = "rgb565"\n[light]\nlevels = 16\n[[objects]]\nmodel = "{}"\nimages = {{ size = 64, bits = 16 }}\n'
+
+
+@pytest.mark.parametrize("name, clear", [("plain_texture.glb", 0), ("opaque_with_alpha.glb", 0), ("mask_with_alpha.glb", 64 * 32)])
+def test_images_of_a_scene_file_show_the_same(tmp_path, name, clear):
+    made, _ = in_a_scene(tmp_path, IMAGES.format(name), name)
+    assert len(made.models[0].faces) == 12 and all(face.mapped for face in made.models[0].faces)
+    assert texels(made).count(None) == clear
+
+
+def test_a_texture_transform_of_a_scene_file_shows_one_quarter(tmp_path):
+    made, notes = in_a_scene(tmp_path, IMAGES.format("texture_transform.glb"), "texture_transform.glb")
+    assert colours(made) == {QUARTERS[True, True]} and made.surfaces is None and not said(notes, "KHR_texture_transform")
 
 
 def test_a_texture_transform_moves_the_coordinates():
@@ -190,3 +230,9 @@ def test_formats_that_are_not_read_are_refused_by_name_with_the_way_to_go(tmp_pa
         with pytest.raises(ToolError) as caught:
             compiler.compile_scene(str(tmp_path / name))
         assert all(word in str(caught.value) for word in (f"model.{suffix}", *words)) and "\n" not in str(caught.value)
+
+
+def test_every_model_of_the_folder_has_a_test():
+    tests = "".join((pathlib.Path(__file__).parent / name).read_text() for name in ("test_model_cases.py", "test_model_look.py"))
+    files = {file.name for file in MODELS.iterdir() if file.suffix not in (".png", ".mtl")}
+    assert len(files) >= 20 and [name for name in sorted(files) if f'"{name}"' not in tests and f"{name}: " not in tests] == []
