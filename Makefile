@@ -289,9 +289,9 @@ pictures: ## renew the pictures of the documents (needs make report) [BOARD=]
 	@$(FIXEL) record --board $(BOARD_CHOSEN) --scene scenes/plaza.toml --build $(BUILD) --out docs/window.gif
 
 # lib/lib.mk has the recipe. Each of its objects depends on the file of the flags, and so on set-up.
-lib: ## build the library and its headers for your firmware [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
+lib: ## build the library and its headers for your firmware: for a core, or a chip such as rp2040 [CORE=cortex-m3 SIZE=1 LIB_FLAGS=]
 set-up-lib:
-	@tools/setup.sh lib
+	@tools/setup.sh $(LIB_SETUP)
 
 one-file: ## write the library as fixel.h and fixel.c into build/one-file [OUT=]
 	@tools/setup.sh tools

@@ -71,16 +71,27 @@ $(HOST_LIBRARIES):
 
 # --- make lib CORE=: build/lib/CORE/{libfixel.a,libfixel_study.a,include/} -------
 
-# CORE is one of LIB_CORES; "cortex-" may be left out. LIB_FLAGS adds to the flags,
+# CORE is one of LIB_CORES; "cortex-" may be left out. It may also be a chip, whose flags are those with which its
+# maker's libraries are compiled. LIB_FLAGS adds to the flags,
 # for firmware with an ABI of its own (say -mfloat-abi=hard -mfpu=fpv4-sp-d16).
 # SIZE=1 asks for few bytes instead of few instructions.
-LIB_CORES := cortex-m0 cortex-m0plus cortex-m1 cortex-m23 cortex-m3 $(LIB_TUNED) host
+LIB_FLAGS_OF.rp2040    := -mcpu=cortex-m0plus -mthumb
+LIB_FLAGS_OF.rp2350    := -mcpu=cortex-m33 -mthumb -mfloat-abi=softfp -mfpu=fpv5-sp-d16
+LIB_FLAGS_OF.stm32f103 := -mcpu=cortex-m3 -mthumb
+LIB_FLAGS_OF.stm32f4   := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
+LIB_FLAGS_OF.nrf52840  := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
+LIB_FLAGS_OF.esp32c3   := -march=rv32imc -mabi=ilp32
+LIB_CHIPS := rp2040 rp2350 stm32f103 stm32f4 nrf52840 esp32c3
+LIB_CORES := cortex-m0 cortex-m0plus cortex-m1 cortex-m23 cortex-m3 $(LIB_TUNED) host $(LIB_CHIPS)
 LIB_CORE := $(or $(call ONE_OF,$(CORE),$(LIB_CORES)),$(call ONE_OF,cortex-$(CORE),$(LIB_CORES)),unknown)
 LIB_OUT := $(BUILD)/lib/$(LIB_CORE)
 LIB_FLAGS ?=
-LIB_CORE_FLAGS := $(if $(filter host,$(LIB_CORE)),,-mcpu=$(LIB_CORE) -mthumb)
-LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(CROSS)gcc)
-LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(CROSS)ar)
+LIB_CORE_FLAGS := $(if $(filter host,$(LIB_CORE)),,$(or $(LIB_FLAGS_OF.$(LIB_CORE)),-mcpu=$(LIB_CORE) -mthumb))
+# The set-up of its compiler; CROSS names another one.
+LIB_SETUP := $(if $(filter -march=rv%,$(LIB_CORE_FLAGS)),lib-riscv,lib)
+LIB_CROSS := $(if $(and $(filter lib-riscv,$(LIB_SETUP)),$(if $(filter CROSS,$(GIVEN)),,yes)),riscv64-unknown-elf-,$(CROSS))
+LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(LIB_CROSS)gcc)
+LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(LIB_CROSS)ar)
 LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)
 LIB_OBJECTS := $(patsubst %,$(LIB_OUT)/objects/%.o,$(call LIB_NAMES_FOR,$(LIB_CORE_FLAGS)))
 
@@ -89,6 +100,7 @@ ifneq ($(and $(filter unknown,$(LIB_CORE)),$(filter lib,$(MAKECMDGOALS))),)
 $(error CORE=$(CORE) is unknown; the cores are: $(LIB_CORES))
 endif
 lib: $(LIB_OUT)/libfixel.a $(LIB_OUT)/libfixel_study.a $(LIB_HEADERS:lib/include/%=$(LIB_OUT)/include/%)
+	@printf '  %s\n' '$(LIB_CORE) means $(strip $(LIB_CC) $(LIB_CORE_FLAGS) $(LIB_OPTIMISE) $(LIB_FLAGS))'
 	@printf '  %s and %s\n' '$(LIB_OUT)/libfixel.a' '$(LIB_OUT)/include/fixel.h'
 
 # Flags are part of what was built: another choice builds anew.

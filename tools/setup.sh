@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|anywhere...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|anywhere...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -12,6 +12,7 @@
 #           compilers that the library is tried with: g++, Clang, GCC for RISC-V (64 MB to
 #           fetch, 380 MB on disk), CMake
 #   lib     cross compiler
+#   lib-riscv GCC for RISC-V
 #   format  clang-format
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
 #   coverage Clang 19, which counts conditions, with its tools; the same as units
@@ -153,6 +154,7 @@ find_missing() {
             need_compilers; need_node_where_it_is
             need_python view report test completion ;;
         lib) need_cross_compiler ;;
+        lib-riscv) has riscv64-unknown-elf-gcc || need gcc-riscv64-unknown-elf ;;
         fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
         coverage) need_board; need_cmock; need_coverage ;;
@@ -165,7 +167,7 @@ find_missing() {
         pico) need_board; need_node ;;
         riscv) need_riscv ;;
         anywhere) need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv or anywhere" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -314,7 +316,7 @@ case "${1-}" in
 --packages-only) packages_only=yes; shift ;;
 --missing) missing_only=yes; shift ;;
 esac
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|anywhere..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|anywhere..."
 if [ -n "$missing_only" ]; then
     find_missing "$@"
     printf '%s\n' "${packages# }"
@@ -324,7 +326,7 @@ fi
 # make test has set up all of this, and then its tests call hundreds of commands of make.
 is_of_test() {
     for what in "$@"; do
-        case $what in run | view | report | units | test | lib | tools | simplify | completion | predict | gdb | probe) ;; *) return 1 ;; esac
+        case $what in run | view | report | units | test | lib | lib-riscv | tools | simplify | completion | predict | gdb | probe) ;; *) return 1 ;; esac
     done
 }
 if [ "${FIXEL_SET_UP-}" = "$PWD" ] && is_of_test "$@"; then exit 0; fi

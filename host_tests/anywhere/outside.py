@@ -11,11 +11,12 @@ import pytest
 from conftest import CHECKOUT, environment
 
 FOLDER = CHECKOUT / "host_tests" / "anywhere"
-# Addresses of the machine on which a core's program runs: QEMU's mps2-an385, whose core also executes the instructions of a
-# Cortex-M0+, and its virt machine of RISC-V.
-LINKED = {"arm": "-Wl,-u,vectors,-e,start,--section-start=.vectors=0,-Ttext=0x100,-Tdata=0x20000000", 
-          "riscv": "-Wl,--section-start=.vectors=0x80000000,-Ttext=0x80000100,-e,begin"}
-EMULATOR = {"arm": ["qemu-system-arm", "-M", "mps2-an385"], "riscv": ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]}
+# Machines of QEMU that run a program, and how it is linked for them. mps2-an385 has a Cortex-M3, which executes the instructions of
+# a Cortex-M0+ too; mps2-an386 has a Cortex-M4.
+ARM = "-Wl,-u,vectors,-e,start,--section-start=.vectors=0,-Ttext=0x100,-Tdata=0x20000000"
+LINKED = {"arm": ARM, "arm-m4": ARM, "riscv": "-Wl,--section-start=.vectors=0x80000000,-Ttext=0x80000100,-e,begin"}
+EMULATOR = {"arm": ["qemu-system-arm", "-M", "mps2-an385"], "arm-m4": ["qemu-system-arm", "-M", "mps2-an386"],
+            "riscv": ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]}
 
 
 def need(*programs):
@@ -56,5 +57,6 @@ def expected():
 
 def emulated(machine, elf):
     """What a program prints on an emulated machine."""
+    need(EMULATOR[machine][0])
     return run(*EMULATOR[machine], "-kernel", elf, "-display", "none", "-monitor", "none", "-serial", "none", "-semihosting-config",
                "enable=on,target=native")
