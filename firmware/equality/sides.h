@@ -6,6 +6,7 @@
 #define SIDES_H
 
 #include "draw/depth_plane.h"
+#include "paint/corner_planes.h"
 #include "draw/stages.h"
 #include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
@@ -75,6 +76,10 @@ void portable_placement_rows(const fxl_axes *view, const fxl_orientation *of, fx
 void portable_find_depth_plane(const fxl_direction *normal, const fxl_axes *axes,
                                const fxl_view_point *point, const fxl_view *view,
                                fxl_depth_plane *plane);
+
+bool portable_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                                 const int32_t light[3], fxl_gradients *gradients,
+                                 fxl_depth_plane *depth);
 
 void portable_projection_from_lens(const fxl_lens *lens, fxl_projection *projection);
 

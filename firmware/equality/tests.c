@@ -16,6 +16,7 @@
 #include "products.h"
 #include "project.h"
 #include "rows.h"
+#include "smooth_planes.h"
 #include "texture_rows.h"
 #include "placement_rows.h"
 
@@ -52,6 +53,7 @@ const equality_test equality_tests[] = {
 #if FXL_DRAWS_DEPTH_OUTLINES
     {"depth-outlines", test_depth_outlines},
     {"smooth-outlines", test_smooth_outlines},
+    {"smooth-planes", test_smooth_planes},
     {"depth-runs", test_depth_runs},
 #endif
     {NULL, NULL},

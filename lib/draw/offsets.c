@@ -5,6 +5,7 @@
 #include "../view/outcode.h"
 
 #include "../math/family.h"
+#include "../paint/corner_planes.h"
 #include "../paint/depth_rows.h"
 #include "../paint/paint_divided.h"
 #include "../paint/plain_rows.h"
@@ -171,6 +172,25 @@ AT(fxl_texel_run, position, TEXEL_RUN_POSITION);
 AT(fxl_texel_run, step, TEXEL_RUN_STEP);
 AT(fxl_texel_run, light, TEXEL_RUN_LIGHT);
 AT(fxl_texel_run, light_step, TEXEL_RUN_LIGHT_STEP);
+
+AT(fxl_screen_corners, points, 0);
+AT(fxl_screen_corners, depths, SCREEN_CORNERS_DEPTHS);
+AT(fxl_screen_corners, width, SCREEN_CORNERS_WIDTH);
+AT(fxl_screen_corners, height, SCREEN_CORNERS_WIDTH + 4);
+AT(fxl_screen_corners, is_triangle, SCREEN_CORNERS_IS_TRIANGLE);
+
+AT(fxl_lens, near_z, LENS_NEAR_Z);
+AT(fxl_lens, far_z, LENS_NEAR_Z + 4);
+
+AT(fxl_gradient, at, GRADIENT_AT);
+AT(fxl_gradient, along, GRADIENT_ALONG);
+AT(fxl_gradient, down, GRADIENT_DOWN);
+
+AT(fxl_gradients, weight, 0);
+AT(fxl_gradients, attributes, GRADIENTS_ATTRIBUTES);
+AT(fxl_gradients, shifts, GRADIENTS_SHIFTS);
+AT(fxl_gradients, count, GRADIENTS_COUNT);
+AT(fxl_gradients, weight_min, GRADIENTS_WEIGHT_MIN);
 
 AT(fxl_depth_plane, one, DEPTH_PLANE_ONE);
 

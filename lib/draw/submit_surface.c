@@ -123,9 +123,8 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     fxl_screen_corners on_screen;
     fxl_corner_planes planes;
     fxl_gradient_corners corners;
-    bool is_small =
-        fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen) &&
-        fxl_corner_planes_begin(&on_screen, &view->lens, &planes);
+    const bool is_projected =
+        fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &on_screen);
     corners.count = find_values(surfaces, model_view, mapped, traversal, corners.values);
     find_even_light(corners.values[FXL_SEGMENT_LIGHT], &corners.count, polygon);
     polygon->surface = mapped->surface;
@@ -133,13 +132,16 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     polygon->shade = 0;
     polygon->is_in_beam = false;
     polygon->has_depth = find_depth != NULL;
-    if (is_small && find_linear != NULL && corners.count == 1 &&
+    if (is_projected && find_linear != NULL && corners.count == 1 &&
         has_light_alone(surfaces, surface) &&
-        find_linear(&planes, corners.values[0], &polygon->gradients, &polygon->depth)) {
+        find_linear(&on_screen, &view->lens, corners.values[0], &polygon->gradients,
+                    &polygon->depth)) {
         polygon->level = 0;
         return;
     }
-    is_small = is_small && !planes.is_thin;
+    const bool is_small = is_projected &&
+                          fxl_corner_planes_begin(&on_screen, &view->lens, &planes) &&
+                          !planes.is_thin;
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));

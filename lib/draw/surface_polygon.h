@@ -145,9 +145,10 @@ typedef void fxl_depth_finder(const fxl_model_view *model_view, const fxl_face *
                               const fxl_traversal *traversal, fxl_corner_planes *planes,
                               fxl_depth_plane *plane);
 
-/* fxl_corner_planes_linear: what a painter with a depth buffer of 16 bits links. */
-typedef bool fxl_linear_finder(const fxl_corner_planes *planes, const int32_t light[3],
-                               fxl_gradients *gradients, fxl_depth_plane *depth);
+/* fxl_find_smooth_planes: what a painter with a depth buffer of 16 bits links. */
+typedef bool fxl_linear_finder(const fxl_screen_corners *corners, const fxl_lens *lens,
+                               const int32_t light[3], fxl_gradients *gradients,
+                               fxl_depth_plane *depth);
 
 /* What a face with a surface has beside its outlines. find_depth: null: it has no depth.
  * find_linear: null: planes are never found as words. */

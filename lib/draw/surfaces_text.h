@@ -415,7 +415,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 #define FIND_LINEAR NULL
 #else
 #define FIND_DEPTH  fxl_find_depth
-#define FIND_LINEAR fxl_corner_planes_linear
+#define FIND_LINEAR fxl_find_smooth_planes
 #endif
 
 #endif

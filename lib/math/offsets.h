@@ -175,6 +175,25 @@
 #define TEXEL_RUN_LIGHT      8
 #define TEXEL_RUN_LIGHT_STEP 12
 
+/* fxl_screen_corners: points, depths, width, height */
+#define SCREEN_CORNERS_DEPTHS      24
+#define SCREEN_CORNERS_WIDTH       48
+#define SCREEN_CORNERS_IS_TRIANGLE 56
+
+/* fxl_lens */
+#define LENS_NEAR_Z 8 /* then far_z */
+
+/* fxl_gradient */
+#define GRADIENT_AT    0
+#define GRADIENT_ALONG 8
+#define GRADIENT_DOWN  16
+
+/* fxl_gradients: first the weight */
+#define GRADIENTS_ATTRIBUTES 24
+#define GRADIENTS_SHIFTS     96
+#define GRADIENTS_COUNT      99
+#define GRADIENTS_WEIGHT_MIN 120
+
 /* fxl_depth_plane */
 #define DEPTH_PLANE_ONE 24
 

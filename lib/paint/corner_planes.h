@@ -96,6 +96,12 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth);
 
+/* Both at once: fxl_corner_planes_begin, then fxl_corner_planes_linear. It is a kernel: Armv7-M has
+ * its own. */
+bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *lens,
+                            const int32_t light[3], fxl_gradients *gradients,
+                            fxl_depth_plane *depth);
+
 /* The weight and the attributes of values, which it changes. Where is_affine, the weight is
  * constant. It is constant too where that changes no attribute by more than FXL_AFFINE_ERROR_TEXEL
  * or FXL_AFFINE_ERROR_LIGHT: with attributes that differ by D over the corners, and weights by E

@@ -1,0 +1,97 @@
+/* SPDX-License-Identifier: MIT */
+/* Compares the planes of depth and light that a small face has in words: which faces have them, and
+ * the words. */
+#include "smooth_planes.h"
+
+#include "equality.h"
+#include "paint/corner_planes.h"
+#include "sides.h"
+
+/* From 0 to below `end`. */
+static uint32_t any_below(uint32_t end)
+{
+    return (any_32() >> 4) % end;
+}
+
+/* Below 2^bits, and shifted to the right by any number of bits, in one of two cases. */
+static uint32_t any_size(uint32_t bits)
+{
+    const uint32_t value = any_32() >> (32u - bits);
+    return any_below(2) != 0 ? value : value >> any_below(bits);
+}
+
+static void any_lens(fxl_lens *lens)
+{
+    const uint32_t octaves = any_below(20);
+    lens->near_z = (int32_t)(1u + any_size(18) + (1u << any_below(10)));
+    const uint64_t far_z = ((uint64_t)(uint32_t)lens->near_z << octaves) + any_size(18);
+    lens->far_z = far_z > INT32_MAX ? INT32_MAX : (int32_t)far_z + 1;
+}
+
+/* Three points in a box of some pixels, at depths near one another, from a quarter of the near
+ * plane to beyond the far plane. */
+static void any_corners(const fxl_lens *lens, fxl_screen_corners *corners)
+{
+    const uint32_t wide = any_size(23) + 1u, high = any_below(4) != 0 ? wide : any_size(23) + 1u;
+    const int32_t left = (int32_t)any_below(2048u << 16), top = (int32_t)any_below(2048u << 16);
+    const uint64_t depth = (uint64_t)(uint32_t)lens->near_z << (28u + any_below(14));
+    const uint64_t first = depth + (depth >> 16) * any_below(65536);
+    const uint32_t drop = 16u + any_below(12);
+    int32_t least_x = INT32_MAX, most_x = 0, least_y = INT32_MAX, most_y = 0;
+    for (uint32_t i = 0; i < 3; i++) {
+        const int32_t x = left + (int32_t)any_below(wide), y = top + (int32_t)any_below(high);
+        corners->points[i].x = x;
+        corners->points[i].y = y;
+        corners->depths[i] = (fxl_q18_46)(first + (first >> drop) * any_below(65536));
+        least_x = x < least_x ? x : least_x;
+        most_x = x > most_x ? x : most_x;
+        least_y = y < least_y ? y : least_y;
+        most_y = y > most_y ? y : most_y;
+    }
+    corners->width = most_x - least_x + (int32_t)(any_below(16) == 0 ? any_size(20) : 0);
+    corners->height = most_y - least_y + (int32_t)(any_below(16) == 0 ? any_size(20) : 0);
+    corners->is_triangle = any_below(64) != 0;
+    corners->is_on_screen = true;
+}
+
+static void any_light(int32_t light[3])
+{
+    const uint32_t range = any_below(2) != 0 ? 63u << 16 : 4u << 16;
+    const uint32_t first = 32768u + any_below((63u << 16) - range + 1u);
+    for (uint32_t i = 0; i < 3; i++) {
+        light[i] = (int32_t)(first + any_below(range));
+    }
+}
+
+static bool is_gradient(const fxl_gradient *a, const fxl_gradient *b)
+{
+    return a->at == b->at && a->along == b->along && a->down == b->down;
+}
+
+static bool is_same(const fxl_gradients *a, const fxl_gradients *b)
+{
+    return is_gradient(&a->weight, &b->weight) &&
+           is_gradient(&a->attributes[0], &b->attributes[0]) && a->shifts[0] == b->shifts[0] &&
+           a->count == b->count && a->weight_min[0] == b->weight_min[0] &&
+           a->weight_min[1] == b->weight_min[1];
+}
+
+void test_smooth_planes(uint32_t rounds)
+{
+    static fxl_lens lens;
+    fxl_screen_corners corners;
+    fxl_gradients by_core, by_portable;
+    fxl_depth_plane core, portable;
+    int32_t light[3];
+    for (uint32_t i = 0; i < rounds; i++) {
+        any_lens(&lens);
+        any_corners(&lens, &corners);
+        any_light(light);
+        const bool found = fxl_find_smooth_planes(&corners, &lens, light, &by_core, &core);
+        const bool expected =
+            portable_find_smooth_planes(&corners, &lens, light, &by_portable, &portable);
+        equality_case(found == expected &&
+                      (!found || (is_gradient(&core.gradient, &portable.gradient) &&
+                                  core.one == portable.one && is_same(&by_core, &by_portable))));
+    }
+}

@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: MIT */
+/* fxl_find_smooth_planes for Armv7-M and Armv8-M Mainline. lib/paint/corner_planes.h states what it
+ * requires and returns; it gives the same bits as fxl_corner_planes_begin and
+ * fxl_corner_planes_linear in lib/paint/corner_planes.c, which derive the bounds. */
+#include "../math/family.h"
+#include "../math/offsets.h"
+
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+
+    .syntax unified
+    .thumb
+
+#define X         0 /* on the stack; then y */
+#define LEAST     8 /* weight; then the range of the weights */
+#define EXPONENT  16
+#define OWN_SIZE  20
+#define CORNERS   (OWN_SIZE + 0)
+#define LENS      (OWN_SIZE + 4)
+#define LIGHT     (OWN_SIZE + 8)
+#define GRADIENTS (OWN_SIZE + 12)
+#define DEPTH     (OWN_SIZE + 52)
+
+/* \value, whose highest bit is set, becomes the value of its reciprocal as of fxl_reciprocal_of.
+ * Overwrites \spare and \other. */
+    .macro reciprocal value, spare, other
+    mvn     \spare, #0x80000000
+    lsr     \other, \value, #16
+    udiv    \spare, \spare, \other
+    mul     \other, \spare, \spare
+    umull   \other, \value, \other, \value
+    rsb     \value, \value, \spare, lsl #16
+    sub     \value, \value, \value, lsr #31
+    .endm
+
+/* The upper word of \value * \factor, in \value. */
+    .macro upper_product value, factor, spare
+    umull   \spare, \value, \value, \factor
+    .endm
+
+/* \edge becomes a coefficient; r2: the shift, r6: the reciprocal of the area. */
+    .macro coefficient edge
+    lsl     \edge, \edge, r2
+    smull   r7, \edge, \edge, r6
+    .endm
+
+/* \most and \least become those of three words. */
+    .macro extremes most, least, a, b, c
+    mov     \most, \a
+    cmp     \b, \a
+    it      hi
+    movhi   \most, \b
+    cmp     \c, \most
+    it      hi
+    movhi   \most, \c
+    mov     \least, \a
+    cmp     \b, \a
+    it      lo
+    movlo   \least, \b
+    cmp     \c, \least
+    it      lo
+    movlo   \least, \c
+    .endm
+
+/* The lower word of \high:\low / 2^\drop, in \low; \up: 32 - \drop. 0 < \drop < 32. */
+    .macro lower_of_shifted low, high, drop, up
+    lsr     \low, \low, \drop
+    lsl     \high, \high, \up
+    orr     \low, \low, \high
+    .endm
+
+    .section .text.fxl_find_smooth_planes, "ax", %progbits
+    .global fxl_find_smooth_planes
+    .type fxl_find_smooth_planes, %function
+    .thumb_func
+
+/* r0: corners, r1: lens, r2: light, r3: gradients; on the stack: depth */
+fxl_find_smooth_planes:
+    push    {r0-r11, lr}
+    sub     sp, sp, #OWN_SIZE
+    ldrb    r6, [r0, #SCREEN_CORNERS_IS_TRIANGLE]
+    ldrd    r4, r5, [r0, #SCREEN_CORNERS_WIDTH]
+    cmp     r6, #0
+    beq     .Lrefused
+    sub     r6, r4, #1 << 14
+    sub     r7, r5, #1 << 14
+    cmp     r6, #(64 << 16) - (1 << 14)
+    it      ls
+    cmpls   r7, #(64 << 16) - (1 << 14)
+    bhi     .Lrefused
+
+    /* The edges: r8: x1, r9: y1, r10: x2, r11: y2; the area. */
+    ldm     r0, {r6-r11}
+    sub     r8, r8, r6
+    sub     r9, r7, r9
+    sub     r10, r6, r10
+    sub     r11, r11, r7
+    sub     r6, r6, #32768
+    sub     r7, r7, #32768
+    strd    r6, r7, [sp, #X]
+    smull   r12, lr, r8, r11
+    smull   r1, r2, r10, r9
+    subs    r12, r12, r1
+    sbc     lr, lr, r2
+    asr     r3, lr, #31             /* its sign */
+    eor     r12, r12, r3
+    eor     lr, lr, r3
+    subs    r12, r12, r3
+    sbc     lr, lr, r3
+    umull   r1, r2, r4, r5          /* the box */
+    lsl     r6, lr, #3
+    orr     r6, r6, r12, lsr #29
+    lsl     r7, r12, #3
+    cmp     r7, r1
+    sbcs    r6, r6, r2
+    sbc     r0, r0, r0              /* all ones: it is thin */
+    bcc     .Lthin_area
+.Lfilled:
+
+    /* r1: the exponent, r6: the reciprocal of the area, r8-r11: the coefficients. */
+    cmp     lr, #0
+    beq     .Lsmall_area
+    clz     r1, lr
+    rsb     r2, r1, #32
+    lsl     lr, lr, r1
+    lsr     r12, r12, r2
+    orr     r12, r12, lr
+    rsb     r1, r1, #46
+.Lmantissa:
+    bic     r6, r12, #1
+    orr     r6, r6, #2
+    reciprocal r6, r2, r7
+    eor     r6, r6, r3
+    sub     r6, r6, r3
+    orr     r2, r4, r5
+    clz     r2, r2
+    sub     r2, r2, #1
+    add     r1, r1, r2
+    coefficient r8                  /* down[1] */
+    coefficient r9                  /* along[1] */
+    coefficient r10                 /* down[0] */
+    coefficient r11                 /* along[0] */
+    str     r1, [sp, #EXPONENT]
+    cmp     r4, r5
+    it      hi
+    movhi   r4, r5
+    orr     r4, r4, r0              /* the shorter side, or all ones */
+
+    /* The weights, r3, r6, r12; r0: 32 less their exponent, negated. */
+    ldr     r0, [sp, #CORNERS]
+    add     r0, r0, #SCREEN_CORNERS_DEPTHS
+    ldm     r0, {r2, r3, r5, r6, r7, r12}
+    orr     r0, r3, r6
+    orrs    r0, r0, r12
+    beq     .Lrefused
+    clz     r0, r0
+    rsb     lr, r0, #32
+    lower_of_shifted r2, r3, lr, r0
+    lower_of_shifted r5, r6, lr, r0
+    lower_of_shifted r7, r12, lr, r0
+    cmp     r2, #1 << 30
+    itt     hs
+    cmphs   r5, #1 << 30
+    cmphs   r7, #1 << 30
+    blo     .Lrefused
+    umull   lr, r3, r5, r7
+    umull   lr, r6, r2, r7
+    umull   lr, r12, r2, r5
+    orr     r5, r3, r6
+    orr     r5, r5, r12
+    clz     r5, r5
+    lsl     r3, r3, r5
+    lsl     r6, r6, r5
+    lsl     r12, r12, r5
+    lsr     r3, r3, #1
+    lsr     r6, r6, #1
+    lsr     r12, r12, #1
+    ldr     r7, [sp, #LENS]
+    ldr     r7, [r7, #LENS_NEAR_Z]
+    clz     lr, r7
+    lsl     r7, r7, lr
+    sub     r0, lr, r0
+    upper_product r2, r3, lr
+    clz     r5, r2
+    orr     r2, r2, #1
+    lsl     r2, r2, r5
+    sub     r0, r0, r5
+    reciprocal r2, r5, lr
+    upper_product r7, r2, lr        /* the factor */
+    upper_product r3, r7, lr
+    upper_product r6, r7, lr
+    upper_product r12, r7, lr
+    extremes r5, r2, r3, r6, r12
+    sub     r1, r5, r2
+    strd    r2, r1, [sp, #LEAST]
+    umull   lr, r7, r5, r4
+    subs    lr, lr, r1, lsl #20
+    sbcs    r7, r7, r1, lsr #12
+    blo     .Lrefused               /* they differ too much for the shorter side */
+
+    /* One octave, r0, of the lens's, r1; r2: bits of a code, lr: zeros of the weights. */
+    clz     lr, r5
+    clz     r7, r2
+    add     r0, r0, lr
+    cmp     r7, lr
+    bne     .Lrefused
+    ldr     r7, [sp, #LENS]
+    ldrd    r5, r7, [r7, #LENS_NEAR_Z]
+    add     r7, r7, r7, lsr #8
+    add     r7, r7, #1
+    clz     r1, r5
+    clz     r2, r7
+    subs    r1, r1, r2
+    beq     .Lrefused               /* a single octave: codes of 15 bits */
+    lsl     r5, r5, r1
+    cmp     r5, r7
+    it      lo
+    addlo   r1, r1, #1
+    cmp     r1, #1
+    beq     .Lrefused
+    cmp     r0, r1
+    bhs     .Lrefused
+    clz     r2, r1
+    add     r2, r2, #1
+    sub     r1, r1, r0
+    sub     r1, r1, #2
+    sub     r5, r2, #1
+    lsl     r1, r1, r5              /* the bias */
+    rsb     r7, lr, #32
+    sub     r7, r7, r2              /* bits of a weight below a code's */
+    rsb     r5, r7, #0
+    lsr     r0, r3, r7
+    lsl     r5, r3, r5              /* one of the two is 0, or both are equal */
+    orr     r0, r0, r5
+    add     r0, r0, r1
+    add     r0, r0, #65536          /* the code of corner 0 */
+
+    /* The plane of depth: r3:r2 and r6:r5 become along and down. */
+    sub     r6, r6, r3
+    sub     r12, r12, r3
+    smull   r2, r3, r6, r11
+    smlal   r2, r3, r12, r9
+    smull   r5, r6, r6, r10
+    smlal   r5, r6, r12, r8
+    ldr     r1, [sp, #EXPONENT]
+    add     r7, r7, r1
+    cmp     r4, #0
+    bmi     .Lthin_depth
+.Lnot_steep:
+    rsbs    r12, r7, #32
+    ble     .Lupper_words
+    lower_of_shifted r2, r3, r7, r12
+    lower_of_shifted r5, r6, r7, r12
+.Lsteps:
+    ldrd    r3, r6, [sp, #X]
+    smull   r7, r12, r2, r3
+    smlal   r7, r12, r5, r6
+    lsr     r7, r7, #16
+    orr     r7, r7, r12, lsl #16
+    sub     r0, r0, r7
+    ldr     r7, [sp, #DEPTH]
+    asr     lr, r0, #31
+    strd    r0, lr, [r7, #GRADIENT_AT]
+    asr     lr, r2, #31
+    strd    r2, lr, [r7, #GRADIENT_ALONG]
+    asr     lr, r5, #31
+    strd    r5, lr, [r7, #GRADIENT_DOWN]
+    mov     r0, #1 << 31            /* FXL_DEPTH_IS_LINEAR */
+    str     r0, [r7, #DEPTH_PLANE_ONE]
+
+    /* Light, if it is nearly affine: r7:r4 and lr:r12 become along and down. */
+    ldr     r7, [sp, #LIGHT]
+    ldm     r7, {r0, r2, r5}
+    extremes r7, r12, r0, r2, r5
+    sub     r7, r7, r12
+    ldrd    r4, r12, [sp, #LEAST]
+    umull   r7, r12, r7, r12
+    lsl     lr, r4, #15             /* 4 FXL_AFFINE_ERROR_LIGHT */
+    subs    lr, lr, r7
+    lsr     r4, r4, #17
+    sbcs    r4, r4, r12
+    blo     .Lrefused
+    sub     r2, r2, r0
+    sub     r5, r5, r0
+    smull   r4, r7, r2, r11
+    smlal   r4, r7, r5, r9
+    smull   r12, lr, r2, r10
+    smlal   r12, lr, r5, r8
+    eor     r2, r7, r7, asr #31
+    eor     r5, lr, lr, asr #31
+    orr     r2, r2, r5
+    sub     r5, r1, #9
+    lsrs    r2, r2, r5
+    bne     .Lrefused
+    sub     r1, r1, #8
+    rsb     r2, r1, #32
+    lower_of_shifted r4, r7, r1, r2
+    lower_of_shifted r12, lr, r1, r2
+    smull   r5, r7, r4, r3
+    smlal   r5, r7, r12, r6
+    lsr     r5, r5, #16
+    orr     r5, r5, r7, lsl #16
+    rsb     r0, r5, r0, lsl #8
+    ldr     r5, [sp, #GRADIENTS]
+    asr     r1, r0, #31
+    strd    r0, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_AT]
+    asr     r1, r4, #31
+    strd    r4, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_ALONG]
+    asr     r1, r12, #31
+    strd    r12, r1, [r5, #GRADIENTS_ATTRIBUTES + GRADIENT_DOWN]
+    movs    r0, #0
+    mov     r1, #1 << 29            /* FXL_CONSTANT_WEIGHT */
+    strd    r0, r1, [r5, #GRADIENT_AT]
+    strd    r0, r0, [r5, #GRADIENT_ALONG]
+    strd    r0, r0, [r5, #GRADIENT_DOWN]
+    movs    r0, #53
+    strb    r0, [r5, #GRADIENTS_SHIFTS]
+    movs    r0, #1
+    strb    r0, [r5, #GRADIENTS_COUNT]
+    strd    r0, r0, [r5, #GRADIENTS_WEIGHT_MIN]
+.Lreturn:
+    add     sp, sp, #OWN_SIZE + 16
+    pop     {r4-r11, pc}
+
+.Lrefused:
+    movs    r0, #0
+    b       .Lreturn
+
+    /* The triangle fills less than 1/16 of the box. It has to fill 1/128. */
+.Lthin_area:
+    lsl     r6, lr, #6
+    orr     r6, r6, r12, lsr #26
+    lsl     r7, r12, #6
+    cmp     r7, r1
+    sbcs    r6, r6, r2
+    blo     .Lrefused
+    b       .Lfilled
+
+.Lsmall_area:
+    clz     r1, r12
+    lsl     r12, r12, r1
+    rsb     r1, r1, #14
+    b       .Lmantissa
+
+    /* Of a thin face the depth may change by a quarter of the largest weight a pixel. */
+.Lthin_depth:
+    rsb     lr, lr, #32
+    add     lr, lr, r1
+    sub     lr, lr, #35
+    eor     r12, r3, r3, asr #31
+    lsrs    r12, r12, lr
+    bne     .Lrefused
+    eor     r12, r6, r6, asr #31
+    lsrs    r12, r12, lr
+    bne     .Lrefused
+    b       .Lnot_steep
+
+.Lupper_words:
+    sub     r7, r7, #32
+    asr     r2, r3, r7
+    asr     r5, r6, r7
+    b       .Lsteps
+
+    .size fxl_find_smooth_planes, . - fxl_find_smooth_planes
+
+#endif
