@@ -367,8 +367,8 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
                        uint32_t weight_min[2])
 {
     /* 3/4 2^((i - 4)/3), in 1/65536, and k (16/9) / 64, in 2^-32. */
-    static const uint32_t parts[13] = {19506, 24576,  30964,  39012,  49152,  61928, 78024,
-                                       98304, 123856, 156048, 196608, 247711, 312096};
+    static const uint32_t parts[12] = {19506, 24576, 30964,  39012,  49152,  61928,
+                                       78024, 98304, 123856, 156048, 196608, 247711};
     static const uint32_t growths[2][3] = {{149130809u, 238609295u, 835132530u},
                                            {238609295u, 596523236u, 2982616178u}};
     const int32_t *along = planes->along;
@@ -394,7 +394,7 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
     bits += product << zeros > unit << unit_zeros;
     bits = bits < -4 ? -4 : bits;
     weight_min[0] = weight_min[1] = (uint32_t)1 << 31;
-    if (step <= 21 && bits <= 8) {
+    if (step <= 21 && bits <= 7) { /* the unit is below 2^30: both are below 2^32 */
         weight_min[0] = (uint32_t)(fxl_product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
         weight_min[1] =
             (uint32_t)(fxl_product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
