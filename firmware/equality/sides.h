@@ -8,6 +8,7 @@
 #include "draw/depth_plane.h"
 #include "paint/corner_planes.h"
 #include "draw/stages.h"
+#include "paint/colour_run.h"
 #include "paint/paint_divided.h"
 #include "paint/plain_rows.h"
 #include "raster/draw_outline.h"
@@ -61,6 +62,7 @@ bool portable_paint_rows(fxl_plain_rows *rows);
 bool portable_paint_rows_565(fxl_plain_rows *rows);
 int32_t portable_paint_divided(const fxl_divided_face *face, const fxl_paint_row *row, int32_t x0,
                                int32_t x1);
+void portable_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);
 uint32_t portable_depth_keep_visible(uint16_t *cells, uint32_t count, uint32_t code, uint32_t step);
 uint32_t portable_depth_skip_hidden(const uint16_t *cells, uint32_t count, uint32_t code,
                                     uint32_t step);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "chain_walks.h"
+#include "colour_runs.h"
 #include "depth_outlines.h"
 #include "depth_planes.h"
 #include "depth_rows.h"
@@ -48,6 +49,7 @@ const equality_test equality_tests[] = {
     {"row-to-16", test_row_to_16},
     {"texture-rows", test_texture_rows},
     {"divided-rows", test_divided_rows},
+    {"colour-runs", test_colour_runs},
     {"depth-planes", test_depth_planes},
     {"depth-rows", test_depth_rows},
 #if FXL_DRAWS_DEPTH_OUTLINES

@@ -313,3 +313,20 @@ void test_texels_of_16_bits_are_refused(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
     }
 }
+
+/* Nor has a colour between those of corners. */
+void test_colours_at_corners_are_refused(void)
+{
+    const char *names[2] = {NULL, NULL};
+    walls.surface[0] = (fxl_surface){.flags = FXL_SURFACE_COLOURS, .opacity = 16};
+    memset(walls.mapped[0].texels, 0, sizeof walls.mapped[0].texels);
+    for (uint32_t i = 3; i < TARGETS; i++) {
+        start(&ways[i], true, true);
+        TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
+        TEST_ASSERT_TRUE(fxl_renderer_conflict(&walls.renderer, names));
+        TEST_ASSERT_EQUAL_STRING("colours at corners", names[0]);
+        TEST_ASSERT_EQUAL_STRING("beams", names[1]);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(&walls.renderer, NULL, NULL, 0));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
+    }
+}

@@ -38,6 +38,7 @@ static const fxl_conflict conflicts[] = {
     {FXL_HAS_OUTLINES, FXL_HAS_BEAMS},
     {FXL_HAS_OUTLINES, FXL_HAS_MOVERS},
     {FXL_HAS_TEXELS_565, FXL_HAS_BEAMS},
+    {FXL_HAS_COLOURS, FXL_HAS_BEAMS},
     {FXL_HAS_OTHER_PAINTER, FXL_HAS_TARGET},
 };
 
@@ -65,6 +66,17 @@ static bool has_texels_565(const fxl_surfaces *surfaces)
     return false;
 }
 
+/* Whether a surface has one of some flags. */
+static bool have_flag(const fxl_surfaces *surfaces, uint32_t flags)
+{
+    for (uint32_t i = 0; surfaces != NULL && i < surfaces->set->surface_count; i++) {
+        if (surfaces->set->surfaces[i].flags & flags) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static uint32_t bit_if(bool has, uint32_t number)
 {
     return (uint32_t)has << number;
@@ -82,6 +94,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(target->pixel_bits == 8 && target->depth_bits == 0 && !target->draws_over, FXL_HAS_STUDY) |
            bit_if(surfaces != NULL, FXL_HAS_SURFACES) |
            bit_if(has_texels_565(surfaces), FXL_HAS_TEXELS_565) |
+           bit_if(have_flag(surfaces, FXL_SURFACE_COLOURS), FXL_HAS_COLOURS) |
            bit_if(billboards != NULL, FXL_HAS_BILLBOARDS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_BEAMS) != NULL, FXL_HAS_BEAMS) |
            bit_if(fxl_renderer_shader(renderer, FXL_SHADER_OUTLINES) != NULL, FXL_HAS_OUTLINES) |
@@ -104,16 +117,6 @@ const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 
 /* --- what goes together --------------------------------------------------------------------- */
 
-static bool are_blended(const fxl_surfaces *surfaces)
-{
-    for (uint32_t i = 0; surfaces != NULL && i < surfaces->set->surface_count; i++) {
-        if (surfaces->set->surfaces[i].flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 fxl_status fxl_check_combination(fxl_renderer *renderer)
 {
     fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);
@@ -131,7 +134,8 @@ fxl_status fxl_check_combination(fxl_renderer *renderer)
     }
     renderer->dark = light != NULL ? ((const fxl_light *)(const void *)light)->settings.dark : 0;
     renderer->near_first =
-        renderer->target->near_first && !(renderer->target->depth_bits != 0 && are_blended(surfaces));
+        renderer->target->near_first && !(renderer->target->depth_bits != 0 &&
+                                 have_flag(surfaces, FXL_SURFACE_BLEND | FXL_SURFACE_ADD));
     renderer->check = NULL;
     return FXL_OK;
 }

@@ -13,6 +13,7 @@ bool fxl_renderer_conflict(const fxl_renderer *renderer, const char *names[2])
         "a target of the study", /* FXL_HAS_STUDY */
         "surfaces", /* FXL_HAS_SURFACES */
         "textures of RGB565", /* FXL_HAS_TEXELS_565 */
+        "colours at corners", /* FXL_HAS_COLOURS */
         "billboards", /* FXL_HAS_BILLBOARDS */
         "beams", /* FXL_HAS_BEAMS */
         "outlines", /* FXL_HAS_OUTLINES */

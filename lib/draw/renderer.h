@@ -58,6 +58,7 @@ enum {
     FXL_HAS_STUDY,      /* the target is a span buffer, or scans bounding boxes */
     FXL_HAS_SURFACES,   /* these and what follows are attached */
     FXL_HAS_TEXELS_565, /* surfaces with textures of RGB565 */
+    FXL_HAS_COLOURS,    /* surfaces with colours at corners */
     FXL_HAS_BILLBOARDS,
     FXL_HAS_BEAMS,
     FXL_HAS_OUTLINES,

@@ -142,13 +142,22 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     const bool is_small = is_projected &&
                           fxl_corner_planes_begin(&on_screen, &view->lens, &planes) &&
                           !planes.is_thin;
+    bool is_found = false;
+    if (surface->flags & FXL_SURFACE_COLOURS) {
+        const bool has_planes = is_small && surface->division != FXL_DIVIDE_1;
+        const bool is_affine =
+            has_planes && surface->division == FXL_AFFINE && on_screen.is_on_screen;
+        is_found = surfaces->painter->find_colours(surfaces, mapped, has_planes ? &planes : NULL,
+                                                   is_affine, &corners, &polygon->gradients);
+    }
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
-    polygon->level = has_small_planes ? find_small(surface, texture, &planes, &corners,
-                                                   on_screen.is_on_screen, &polygon->gradients)
-                                      : find_large(surface, texture, model_view, mapped, traversal,
-                                                   &corners, &polygon->gradients);
+    polygon->level = is_found           ? 0
+                     : has_small_planes ? find_small(surface, texture, &planes, &corners,
+                                                     on_screen.is_on_screen, &polygon->gradients)
+                                        : find_large(surface, texture, model_view, mapped,
+                                                     traversal, &corners, &polygon->gradients);
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
     }

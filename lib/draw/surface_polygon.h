@@ -70,6 +70,16 @@ typedef struct {
     bool is_found;                /* what that is */
 } fxl_mapped_surface;
 
+/* fxl_find_colours: what a painter of RGB565 links. */
+typedef bool fxl_colours_finder(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                                const fxl_corner_planes *planes, bool is_affine,
+                                fxl_gradient_corners *corners, fxl_gradients *gradients);
+
+/* The attributes of a face with colours at its corners. On entry the first one of corners->values
+ * is light, if their count is not 0. planes: of the face, where it is small and not divided at each
+ * pixel; else null. Returns true if *gradients are found, as fxl_corner_colours_linear has them. */
+fxl_colours_finder fxl_find_colours;
+
 /* What draws the faces that have surfaces into a target: a constant record for each target. */
 struct fxl_painter {
     const fxl_target *target;
@@ -84,6 +94,7 @@ struct fxl_painter {
     /* fxl_polygon_finder of pieces: finds what all pieces of a face have. */
     void (*find)(const void *what, const fxl_model_view *model_view, const fxl_face *face,
                  const fxl_traversal *traversal, fxl_surface_polygon *polygon);
+    fxl_colours_finder *find_colours; /* null where no surface has colours at corners */
 };
 
 /* fxl_target_extras.draw_display_list. */

@@ -20,10 +20,12 @@
 #define PAINT_PIXELS fxl_paint_pixels
 #define PAINT_ROWS   fxl_paint_rows
 #define PAINT_RUNS   fxl_paint_runs
+#define FIND_COLOURS NULL
 #else
 #define PAINT_PIXELS fxl_paint_pixels_565
 #define PAINT_ROWS   fxl_paint_rows_565
 #define PAINT_RUNS   fxl_paint_runs_565
+#define FIND_COLOURS fxl_find_colours
 #endif
 
 /* --- a polygon ------------------------------------------------------------------------------ */
@@ -511,6 +513,7 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
 
 static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, false};
 
-const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET, &code, draw, submit_piece, find_whole};
+const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      draw,
+                                         submit_piece, find_whole, FIND_COLOURS};
 
 #endif

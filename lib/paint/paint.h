@@ -51,7 +51,8 @@ typedef struct {
     bool is_evenly_lit;    /* light is no attribute: it is the same everywhere */
     bool is_replaced;      /* in_beam or blend is not null */
     bool has_light_rows;   /* opaque pixels of one colour, lit, in no beam: light_row.h */
-    bool is_light_linear;  /* and the weight is constant */
+    bool is_light_linear;  /* and the weight is constant; also where has_colours */
+    bool has_colours;      /* at its corners: corner_colours.h */
     fxl_paint_565 of_565;  /* where pixels have 16 bits; `blend` is not used there */
 } fxl_paint;
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "corner_colours.h"
 #include "light_row.h"
 #include "texel_place.h"
 #include "texture_level.h"
@@ -174,6 +175,10 @@ void fxl_paint_pixels_565(const fxl_paint *paint, const fxl_paint_row *row, int3
     least[0] = 0; /* not found yet */
     at.column = -1;
     if (paint->is_light_linear) {
+        if (paint->has_colours) {
+            fxl_paint_colours_565(paint, row, x0, x1);
+            return;
+        }
         const fxl_light_run run = fxl_light_run_of(paint, row->y, x0);
         paint_lights(paint, row, x0, x1, &run);
         return;

@@ -111,8 +111,9 @@ typedef struct {
 } frame_kind;
 
 static const frame_kind of_palette = {FXL_TEXTURE_4, FXL_SURFACE_LIT | FXL_SURFACE_BLEND, false};
-static const frame_kind of_565 = {FXL_TEXTURE_565,
-                                  FXL_SURFACE_LIT | FXL_SURFACE_BLEND | FXL_SURFACE_ADD, true};
+static const frame_kind of_565 = {
+    FXL_TEXTURE_565, FXL_SURFACE_LIT | FXL_SURFACE_BLEND | FXL_SURFACE_ADD | FXL_SURFACE_COLOURS,
+    true};
 
 static fxl_status check_texture(const fxl_texture *texture, const frame_kind *kind)
 {
@@ -152,6 +153,7 @@ static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *s
     const bool plain = surface->division <= FXL_AFFINE &&
                        (surface->flags & ~(uint32_t)kind->surface_flags) == 0 &&
                        (surface->flags & both) != both &&
+                       (surface->texture == 0 || (surface->flags & FXL_SURFACE_COLOURS) == 0) &&
                        ((surface->flags & FXL_SURFACE_BLEND) || surface->sixteenths == 0) &&
                        (surface->reserved[0] | surface->reserved[1]) == 0;
     return plain ? FXL_OK : FXL_E_RESERVED;
@@ -167,12 +169,16 @@ static bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point 
     return y1 * z2 == z1 * y2 && z1 * x2 == x1 * z2 && x1 * y2 == y1 * x2;
 }
 
-static fxl_status check_texels(const fxl_mapped_face *mapped)
+static fxl_status check_texels(const fxl_mapped_face *mapped, bool are_colours)
 {
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_texel *texel = &mapped->texels[i];
-        if (texel->u < -FXL_TEXEL_MAX || texel->u > FXL_TEXEL_MAX || texel->v < -FXL_TEXEL_MAX ||
-            texel->v > FXL_TEXEL_MAX) {
+        if (are_colours) {
+            if (((uint32_t)texel->u >> 24 | (uint32_t)texel->v) != 0) {
+                return FXL_E_RANGE;
+            }
+        } else if (texel->u < -FXL_TEXEL_MAX || texel->u > FXL_TEXEL_MAX ||
+                   texel->v < -FXL_TEXEL_MAX || texel->v > FXL_TEXEL_MAX) {
             return FXL_E_RANGE;
         }
     }
@@ -201,7 +207,7 @@ static fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
     if (on_one_line(&vertices[numbers[0]], &vertices[numbers[1]], &vertices[numbers[2]])) {
         return FXL_E_DEGENERATE;
     }
-    return check_texels(mapped);
+    return check_texels(mapped, (set->surfaces[mapped->surface].flags & FXL_SURFACE_COLOURS) != 0);
 }
 
 static fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene,

@@ -17,7 +17,7 @@ static void give_up(const char *why)
 
 void judge_showing_begin(judge_showing *found)
 {
-    found->clear = false;
+    found->clear = found->is_range = false;
     found->part[0] = found->part[1] = 1;
     found->count = 0;
 }
@@ -50,6 +50,9 @@ static judge_range range_of_colour(uint16_t colour)
 static judge_range range_shown(const judge_beneath *of, const judge_showing *found, uint16_t colour)
 {
     judge_range range = {.cost = 0};
+    if (found->is_range) {
+        return found->range;
+    }
     for (int i = 0; i < REF_CHANNELS; i++) {
         const double one = ref_rgb565_lit(of->rgb565, colour, i, found->part[0]);
         const double other = ref_rgb565_lit(of->rgb565, colour, i, found->part[1]);

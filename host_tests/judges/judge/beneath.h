@@ -12,11 +12,18 @@ enum {
     JUDGE_COLOURS_MAX = 256 /* that one polygon may show at a pixel */
 };
 
+/* Colours from low to high in each channel. */
+typedef struct {
+    int low[REF_CHANNELS], high[REF_CHANNELS];
+    double cost;
+} judge_range;
+
 /* The colours that a polygon may show at a pixel that it covers, and whether it may be clear there.
  * In a palette they are entries, and lit; in RGB565 they are those of texels, and light leaves a
- * part of them from part[0] to part[1]. */
+ * part of them from part[0] to part[1], or, with is_range, they are all of a range. */
 typedef struct {
-    bool clear;
+    bool clear, is_range;
+    judge_range range;
     double part[2];
     int count;
     uint16_t colours[JUDGE_COLOURS_MAX];
@@ -32,12 +39,6 @@ void judge_showing_add(judge_showing *found, uint16_t colour);
 typedef struct {
     double in, out;
 } judge_choice;
-
-/* Colours from low to high in each channel. */
-typedef struct {
-    int low[REF_CHANNELS], high[REF_CHANNELS];
-    double cost;
-} judge_range;
 
 typedef struct {
     const ref_rgb565 *rgb565; /* null: frames of a palette */

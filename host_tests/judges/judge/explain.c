@@ -111,6 +111,21 @@ static void find_parts(const ref_surface_view *look, const ref_place *place, dou
     found->part[1] = fmin(ref_rgb565_part(look->light, level + slack) + bound, 1);
 }
 
+/* The colours between those of corners that a pixel may have. */
+static void find_colours(const ref_place *place, double part, judge_showing *found)
+{
+    double low[REF_CHANNELS], high[REF_CHANNELS];
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        low[i] = place->values[i] - part * place->slack[i];
+        high[i] = place->values[i] + part * place->slack[i];
+    }
+    found->is_range = true;
+    found->range.cost = 0;
+    ref_surface_channels(low, found->range.low);
+    ref_surface_channels(high, found->range.high);
+    judge_showing_add(found, 0); /* stands for all of them */
+}
+
 static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
                          const judge_question *question, judge_showing *found)
 {
@@ -126,6 +141,8 @@ static void find_showing(const ref_lens *lens, const ref_drawn *drawn,
     } else if (!ref_stipple_draws(look->surface->opacity, question->x, question->y) ||
                !ref_surface_place(look, lens, question->x + 0.5, question->y + 0.5, &place)) {
         found->clear = true;
+    } else if (look->surface->has_colours) {
+        find_colours(&place, question->texels ? 1 : 0, found);
     } else {
         add_texels(look, &place, question->texels ? 1 : 0, found);
         if (look->rgb565 && look->light) {

@@ -156,9 +156,8 @@ static bool submit_polygon(ref_renderer *renderer, const ref_polygon *whole, uin
     if (!shows_surface(renderer, of, face)) {
         drawn.shade = shade_of(renderer, of, shown);
     } else {
-        ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens, of, face,
-                         &drawn.look);
-        drawn.look.rgb565 = renderer->rgb565;
+        ref_surface_look(renderer->scene, &renderer->camera, &renderer->lens, renderer->rgb565, of,
+                         face, &drawn.look);
         drawn.look.in_beam = is_in_beam ? renderer->scene->lit : NULL;
     }
     if (renderer->depth_bits != 0) {

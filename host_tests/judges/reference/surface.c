@@ -117,6 +117,27 @@ static void spread_values(ref_surface_view *view, double at[3][REF_VALUES])
     }
 }
 
+/* A channel of a corner's colour, of 8 bits and a half, of which light leaves a part; the rest is the
+ * middle of what is dark. */
+static void find_colours(const ref_surface_view *view, const ref_mapped_face *mapped, int corner,
+                         double values[REF_VALUES])
+{
+    const double part = view->light ? ref_rgb565_part(view->light, values[REF_BRIGHTNESS]) : 1;
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        const double full =
+            (mapped->colours[corner][i] + 0.5) * (ref_channel_most(i) + 1) / 256;
+        const double dark = view->rgb565 ? ref_channel(view->rgb565->dark, i) + 0.5 : 0;
+        values[i] = dark + (full - dark) * part;
+    }
+}
+
+void ref_surface_channels(const double values[REF_CHANNELS], int channels[REF_CHANNELS])
+{
+    for (int i = 0; i < REF_CHANNELS; i++) {
+        channels[i] = (int)fmin(fmax(floor(values[i]), 0), ref_channel_most(i));
+    }
+}
+
 static void find_values(const ref_scene *scene, const ref_camera *camera,
                         const ref_instance *instance, const ref_mapped_face *mapped,
                         ref_surface_view *view)
@@ -129,16 +150,23 @@ static void find_values(const ref_scene *scene, const ref_camera *camera,
             at[i][REF_BRIGHTNESS] = light_at(scene, camera, instance, (uint32_t)mapped->vertices[i],
                                              scene->surfaces->normals[mapped->normals[i]]);
         }
+        if (view->surface->has_colours) {
+            find_colours(view, mapped, i, at[i]);
+        }
+    }
+    if (view->surface->has_colours) {
+        view->light = NULL; /* it is in the colours */
     }
     spread_values(view, at);
 }
 
 void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const ref_lens *lens,
-                      const ref_instance *instance, uint32_t number, ref_surface_view *view)
+                      const ref_rgb565 *rgb565, const ref_instance *instance, uint32_t number,
+                      ref_surface_view *view)
 {
     const ref_surfaces *surfaces = scene->surfaces;
     number += scene->models[instance->model].first_face;
-    *view = (ref_surface_view){.surface = NULL};
+    *view = (ref_surface_view){.surface = NULL, .rgb565 = rgb565};
     if (!surfaces || surfaces->face_map[number] == 0) {
         return;
     }
@@ -338,7 +366,12 @@ static uint16_t colour_565(const ref_surface_view *view, const ref_place *place,
 {
     const double part =
         view->light ? ref_rgb565_part(view->light, place->values[REF_BRIGHTNESS]) : 1;
-    const uint16_t lit = ref_rgb565_shown(view->rgb565, ref_surface_full(view, texel), part);
+    uint16_t lit = ref_rgb565_shown(view->rgb565, ref_surface_full(view, texel), part);
+    if (view->surface->has_colours) {
+        int shown[REF_CHANNELS];
+        ref_surface_channels(place->values, shown);
+        lit = ref_colour_of(shown);
+    }
     const int own = view->surface->blends ? view->surface->sixteenths : 16;
     int channels[REF_CHANNELS];
     for (int i = 0; i < REF_CHANNELS; i++) {

@@ -18,7 +18,8 @@ enum {
     REF_CLEAR = -1 /* the colour of what is not drawn */
 };
 
-/* What varies over a face. */
+/* What varies over a face. With colours at its corners: red, green and blue in levels of RGB565, of
+ * which a pixel shows the one below. */
 enum {
     REF_U,
     REF_V,
@@ -42,12 +43,13 @@ typedef struct {
     int texture; /* its number, counted from 1; 0: the face's own colour */
     int division, opacity;
     int sixteenths; /* that a blended colour shows of itself in RGB565 */
-    bool is_lit, blends, adds;
+    bool is_lit, blends, adds, has_colours;
 } ref_surface;
 
 typedef struct {
     int surface, vertices[3], normals[3]; /* numbers; of vertices within the model */
     double texels[3][2];                  /* u, v */
+    int colours[3][REF_CHANNELS];         /* red, green, blue of 8 bits, where the surface has them */
 } ref_mapped_face;
 
 struct ref_surfaces {
@@ -87,9 +89,11 @@ typedef struct {
     double values[REF_VALUES], slack[REF_VALUES];
 } ref_place;
 
-/* Finds the look of a face of an instance; its number is counted in the model. */
+/* Finds the look of a face of an instance; its number is counted in the model. rgb565: of frames of
+ * 16 bits a pixel; or null. */
 void ref_surface_look(const ref_scene *scene, const ref_camera *camera, const ref_lens *lens,
-                      const ref_instance *instance, uint32_t face, ref_surface_view *view);
+                      const ref_rgb565 *rgb565, const ref_instance *instance, uint32_t face,
+                      ref_surface_view *view);
 
 /* Returns false where the face's plane is not in front of the eye, or where a value is above 2^40.
  */
@@ -108,6 +112,9 @@ bool ref_surface_texel_at(const ref_surface_view *view, const ref_lens *lens, do
 /* A colour at a level of light, counted from 0 and limited to those that there are, and then in a beam, if the
  * view is that of a lit piece. */
 uint8_t ref_surface_lit(const ref_surface_view *view, int64_t level, uint8_t colour);
+
+/* The channels of a pixel of colours at corners, for these values of red, green and blue. */
+void ref_surface_channels(const double values[REF_CHANNELS], int channels[REF_CHANNELS]);
 
 /* A texel, or the face's own colour, in RGB565, before light: of a lit piece, in a beam. */
 uint16_t ref_surface_full(const ref_surface_view *view, int texel);

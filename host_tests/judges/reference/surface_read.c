@@ -100,7 +100,8 @@ static bool read_surfaces(const uint8_t *bytes, ref_surfaces *surfaces)
                                               .sixteenths = p[5] != 0 ? p[5] : 8,
                                               .is_lit = p[3] & 1,
                                               .blends = p[3] >> 1 & 1,
-                                              .adds = p[3] >> 2 & 1};
+                                              .adds = p[3] >> 2 & 1,
+                                              .has_colours = p[3] >> 3 & 1};
         if (ref_u16(p) > surfaces->texture_count || p[4] < 1 || p[4] > REF_OPAQUE ||
             p[5] > REF_OPAQUE) {
             return false;
@@ -124,6 +125,9 @@ static bool read_faces(const uint8_t *bytes, ref_surfaces *surfaces)
             face->normals[k] = ref_u16(p + 8 + 2 * k);
             face->texels[k][0] = ref_i32(p + 16 + 8 * k) / REF_ONE;
             face->texels[k][1] = ref_i32(p + 20 + 8 * k) / REF_ONE;
+            for (int channel = 0; channel < REF_CHANNELS; channel++) {
+                face->colours[k][channel] = ref_u32(p + 16 + 8 * k) >> (16 - 8 * channel) & 255;
+            }
         }
         if ((uint32_t)face->surface >= surfaces->surface_count) {
             return false;

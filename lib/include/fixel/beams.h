@@ -31,7 +31,8 @@ typedef struct {
  * set is null, detaches them: then memory and size are ignored. memory has at least
  * fxl_beam_light_workspace_size bytes, aligned to 8. The renderer keeps pointers to memory and to
  * the set's tables. The caller must begin a frame anew: fxl_frame_begin refuses beams beside
- * textures of the format FXL_TEXTURE_565, whose texels `lit` does not know.
+ * textures of the format FXL_TEXTURE_565 and surfaces FXL_SURFACE_COLOURS, whose colours `lit` does
+ * not know.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: memory is not aligned to 8 bytes.
  * FXL_E_ORDER: the renderer was never initialised.

@@ -68,15 +68,17 @@ enum {
                                   fxl_attach_lit */
     FXL_SURFACE_BLEND = 1u << 1, /* colours are blended with those beneath: by the set's table, in a
                                     frame of 16 bits a pixel by `sixteenths` */
-    FXL_SURFACE_ADD = 1u << 2 /* colours are added to those beneath: in such a frame alone, and not
-                                 together with FXL_SURFACE_BLEND */
+    FXL_SURFACE_ADD = 1u << 2, /* colours are added to those beneath: in such a frame alone, and not
+                                  together with FXL_SURFACE_BLEND */
+    FXL_SURFACE_COLOURS = 1u << 3 /* each of the three vertices has a colour, and the face what is
+                                     between them: in such a frame alone, and without a texture */
 };
 
 /* What faces look like. */
 struct fxl_surface {
     uint16_t texture;    /* its number, counted from 1; 0: the face's own colour */
     uint8_t division;    /* FXL_DIVIDE_16 and so on */
-    uint8_t flags;       /* FXL_SURFACE_LIT, FXL_SURFACE_BLEND, FXL_SURFACE_ADD */
+    uint8_t flags;       /* FXL_SURFACE_LIT and so on */
     uint8_t opacity;     /* 16: opaque; 1..15: so many of 16 pixels are drawn, in a fixed pattern */
     uint8_t sixteenths;  /* FXL_SURFACE_BLEND: what a frame of 16 bits a pixel shows of the colour
                             itself, 1..16; 0: 8. Else 0 */
@@ -91,8 +93,13 @@ struct fxl_mapped_face {
     uint16_t vertices[3]; /* numbers within the model */
     uint16_t normals[3];  /* at these vertices, numbers; FXL_SURFACE_LIT only, else 0 */
     uint16_t reserved;    /* 0 */
-    fxl_texel texels[3];  /* at these vertices; each coordinate within FXL_TEXEL_MAX */
+    fxl_texel texels[3];  /* at these vertices; each coordinate within FXL_TEXEL_MAX.
+                             FXL_SURFACE_COLOURS: u is the colour at the vertex, FXL_CORNER_COLOUR,
+                             and v is 0 */
 };
+
+/* A colour at a vertex: red, green and blue from 0 to 255. */
+#define FXL_CORNER_COLOUR(red, green, blue) FXL_CAST(fxl_q16_16, (red)*65536 + (green)*256 + (blue))
 
 /* The surfaces of a scene: tables that the caller owns and that must outlive it. */
 typedef struct {
@@ -134,7 +141,8 @@ typedef struct {
 /* Checks the surfaces of a scene: every count, number, range and reserved field; that the three
  * vertices of a face are not on one line; that normals have unit length; that a set with a surface
  * that is FXL_SURFACE_BLEND has a table. pixel_bits: of the frames that they are for, 8 or 16. With
- * 16, textures may be FXL_TEXTURE_565, surfaces may be FXL_SURFACE_ADD, and FXL_SURFACE_BLEND needs
+ * 16, textures may be FXL_TEXTURE_565, surfaces may be FXL_SURFACE_ADD and FXL_SURFACE_COLOURS, and
+ * FXL_SURFACE_BLEND needs
  * no table. Requires a checked scene and tables as long as their counts; fault may be null.
  * FXL_E_ARGUMENT: a null pointer.
  * FXL_E_ALIGNMENT: a table is not aligned, or the texels of a texture FXL_TEXTURE_565 to 2 bytes.
@@ -143,8 +151,8 @@ typedef struct {
  * FXL_E_RANGE: a number is out of its range.
  * FXL_E_NORMAL: a normal is not of unit length.
  * FXL_E_DEGENERATE: vertices on one line.
- * FXL_E_RESERVED: an unknown value; with 8 bits also a texture FXL_TEXTURE_565 and a surface
- * FXL_SURFACE_ADD.
+ * FXL_E_RESERVED: an unknown value; a texture of a surface FXL_SURFACE_COLOURS; with 8 bits also a
+ * texture FXL_TEXTURE_565 and a surface FXL_SURFACE_ADD or FXL_SURFACE_COLOURS.
  * With each of these statuses: *fault written.
  * On FXL_OK *fault is untouched. */
 fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,

@@ -182,14 +182,14 @@ SECTIONS = (
     Section("surfaces", "surface table", (
         Field("H", "texture", "texture, counted from 1 (0: the face's own colour)"),
         Field("B", "division", "division (0 every 16 columns, 1 every 8, 2 each, 3 affine)"),
-        Field("B", "flags", "flags (1 lit, 2 blended, 4 added; not both of the last two)"), Field("B", "opacity", "opacity (1..16)"),
+        Field("B", "flags", "flags (1 lit, 2 blended, 4 added; not both of these two; 8 colours at corners)"), Field("B", "opacity", "opacity (1..16)"),
         Field("B", "sixteenths", "what a blended colour shows of itself in RGB565, in sixteenths (1..16; 0: 8)"),
         Field("2B", "reserved", "reserved")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_surface", room="paint"),
     Section("mapped faces", "mapped face table", (
         Field("H", "surface", "surface"), Field("3H", "vertices", "numbers of three vertices within the model"),
         Field("3H", "normals", "normals at these"), Field("H", "reserved", "reserved"),
-        Field("6i", "texels", "u, v (16.16) at these")),
+        Field("6i", "texels", "u, v (16.16) at these; of colours at corners 65536 red + 256 green + blue, and 0")),
             65_535, limit="FXL_SCENE_TABLE_MAX", record="fxl_mapped_face", room="paint"),
     Section("face map", "face map", (Field("H", "", "mapped face, counted from 1; 0: the face has no surface"),),
             1_000_000, limit="FXL_SCENE_FACES_MAX"),

@@ -15,7 +15,7 @@ TEXEL_MAX = 16383 << 16         # of a texture coordinate, in 16.16
 BITS_8, BITS_4, RGB565 = 0, 1, 2    # formats
 CLAMP, KEYED = 1, 2             # flags of a texture
 DIVIDE_16, DIVIDE_8, DIVIDE_1, AFFINE = range(4)
-LIT, BLENDED, ADDED = 1, 2, 4   # flags of a surface
+LIT, BLENDED, ADDED, COLOURS = 1, 2, 4, 8   # flags of a surface
 OPAQUE = 16
 
 TEXTURE, SURFACE, MAPPED, MAP, NORMAL = map(entry, ("textures", "surfaces", "mapped faces", "face map",
@@ -53,7 +53,7 @@ class Mapped:
     """How a surface lies on a face."""
     surface: int
     vertices: tuple             # numbers of three of the model's
-    texels: tuple               # (u, v) at these, in 16.16
+    texels: tuple               # (u, v) at these, in 16.16; of COLOURS (red * 65536 + green * 256 + blue, 0)
     normals: tuple = (0, 0, 0)  # numbers of normals at these
 
 
@@ -162,7 +162,11 @@ def _read_surface(fields, number, textures, blend, pixel_bits):
         fail("argument", f"surface {number} is blended, and there is no blend table")
     if flags & ADDED and pixel_bits == 8:
         fail("reserved", f"surface {number} is added to what is beneath, and the image asks for frames of a palette")
-    if division > AFFINE or flags > LIT | BLENDED | ADDED or flags & BLENDED and flags & ADDED or any(reserved) or \
+    if flags & COLOURS and pixel_bits == 8:
+        fail("reserved", f"surface {number} has colours at corners, and the image asks for frames of a palette")
+    if flags & COLOURS and texture:
+        fail("reserved", f"surface {number} has colours at corners, and a texture")
+    if division > AFFINE or flags > LIT | BLENDED | ADDED | COLOURS or flags & BLENDED and flags & ADDED or any(reserved) or \
             sixteenths and not flags & BLENDED:
         fail("reserved", f"surface {number}: a flag or a reserved field is not what it may be")
     return Surface(texture, division, flags, opacity, sixteenths)
@@ -186,7 +190,10 @@ def _read_mapped(fields, number, surfaces, model):
         fail("index", f"{what}: a normal does not exist")
     if _on_one_line(*map(model.vertices.__getitem__, vertices)):
         fail("degenerate", f"{what}: its vertices are on one line")
-    if any(abs(c) > TEXEL_MAX for c in coordinates):
+    if surfaces.surfaces[surface].flags & COLOURS:
+        if any(not 0 <= u < 1 << 24 for u in coordinates[::2]) or any(coordinates[1::2]):
+            fail("range", f"{what}: a colour at a corner is not one of 24 bits")
+    elif any(abs(c) > TEXEL_MAX for c in coordinates):
         fail("range", f"{what}: a texture coordinate leaves -16383..16383")
     return Mapped(surface, vertices, tuple(zip(coordinates[::2], coordinates[1::2])), normals)
 

@@ -17,7 +17,7 @@ from fixel.model.gltf_nodes import Nodes
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import WHITE, Surfaces
+from fixel.model.surface import MEAN_NOTE, WHITE, Surfaces
 
 _CONVENTION = ("right-handed and counter-clockwise, as glTF is: z was negated and every outline reversed")
 # Of a place, a coordinate or a colour: the whole ones normalised, or as they are (KHR_mesh_quantization).
@@ -93,7 +93,7 @@ class _Reader:
     def __init__(self, checked, progress):
         self.checked, self.progress = checked, progress
         self.materials, self.numbers = Materials(checked), {}
-        self.vertices, self.faces, self.places, self.surfaces, self.normals = [], [], [], Surfaces(), []
+        self.vertices, self.faces, self.places, self.surfaces, self.normals, self.corners = [], [], [], Surfaces(), [], []
         self.left_out = self.parts = self.read = 0  # parts; values of vertices and indices, each time that they are used
 
     def _add_material(self, material):
@@ -215,7 +215,11 @@ class _Reader:
         number = self._add_material(material)
         if self.progress:
             self.progress(f"{self.checked.name}: {where}")
-        around = None if uvs is None else uvs[triangles[:, ::1 if mirrored else -1]].tolist()
+        order = slice(None, None, 1 if mirrored else -1)
+        around = None if uvs is None else uvs[triangles[:, order]].tolist()
+        if tints is not None:
+            self.corners += [None] * (len(self.faces) - len(self.corners))
+            self.corners += [[tuple(map(srgb, tints[corner, :3])) for corner in three[order]] for three in triangles.tolist()]
         for face, (three, outline) in enumerate(zip(triangles.tolist(), corners)):
             self.faces.append(outline)
             self.places.append(f"{self.checked.name}: {where}, triangle {face}")
@@ -254,6 +258,9 @@ def read(path, name=None, progress=None, sources=None):
     if not reader.faces:
         raise ToolError(f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
     notes = [f"{name}: {_CONVENTION}"]
+    reader.surfaces.give_corners(reader.corners + [None] * (len(reader.faces) - len(reader.corners)))
+    if reader.surfaces.have_corners():
+        notes.append(f"{name}: {MEAN_NOTE}")
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
     left_out, more = gltf_left_out.notes(checked)

@@ -19,7 +19,7 @@ from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
-from fixel.model.surface import GREY, WHITE, Material, Surfaces, mean_tint
+from fixel.model.surface import GREY, MEAN_NOTE, WHITE, Material, Surfaces, mean_tint
 
 FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
@@ -78,13 +78,16 @@ def _colour(words, where):
         raise ToolError(f"{where}: {quoted(' '.join(words[-3:]))} is no colour of a vertex") from None
 
 
-def _tint(colours, corners, most):
-    """What a face's colour is multiplied by: the mean of its vertices' colours; None where one has none, or it is white.
-    most: what stands for full brightness in the file."""
-    found = [colours[corner] for corner in corners]
+def _scaled(colour, most):
+    """A vertex's colour, 0..255. most: what stands for full brightness in the file."""
+    return tuple(round(255 * min(max(part / most, 0), 1)) for part in colour)
+
+
+def _tint(found):
+    """What a face's colour is multiplied by: the mean of its vertices' colours; None where one has none, or it is white."""
     if None in found:
         return None
-    mean = mean_tint([tuple(round(255 * min(max(part / most, 0), 1)) for part in colour) for colour in found])
+    mean = mean_tint(found)
     return None if mean == WHITE else mean
 
 
@@ -205,14 +208,16 @@ class _Materials:
         if not parts:
             return []
         most = 255 if max(parts) > 1 else 1
-        self.surfaces.tints = [_tint(colours, face, most) for face in faces]
+        scaled = [colour and _scaled(colour, most) for colour in colours]
+        self.surfaces.tints = [_tint([scaled[corner] for corner in face]) for face in faces]
+        self.surfaces.give_corners([[scaled[corner] for corner in face] for face in faces])
         if not self.reader.materials:   # the vertices' colours are the faces'
             self.surfaces.materials = [Material(each.name, WHITE) for each in self.surfaces.materials]
             grey = {number for number, tint in enumerate(self.surfaces.tints)
                     if tint is None and None in [colours[c] for c in faces[number]]}
             self.surfaces.tints = [GREY if number in grey else tint for number, tint in enumerate(self.surfaces.tints)]
         self.is_coloured = True
-        return [f"{self.name}: the vertices have colours: each face has the mean of its corners' colours"]
+        return [f"{self.name}: {MEAN_NOTE}"]
 
     def result(self):
         """The surfaces, None where the file has no material; and notes."""

@@ -18,7 +18,7 @@ from fixel.model.mesh import FILE_FACES_MAX, Mesh, without_unused
 from fixel.model.obj import CORNERS_MAX, NORMAL_MAX, NORMAL_MIN
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import GREY, WHITE, Material, Surfaces, mean_tint
+from fixel.model.surface import GREY, MEAN_NOTE, WHITE, Material, Surfaces, mean_tint
 
 FILE_MAX = 64 << 20         # bytes
 HEADER_MAX = 1 << 16        # bytes
@@ -195,7 +195,7 @@ def _surfaces(tables, faces, uvs, images, counts, where):
     if not is_coloured and not any(material.image for material in materials):
         return None, notes
     if of_vertices and not of_faces:
-        notes.append(f"{name}: the vertices have colours: each face has the mean of its corners' colours")
+        notes.append(f"{name}: {MEAN_NOTE}")
     if is_clear or more:
         notes.append(f"{name}: left out alpha of the colours: every face is opaque")
     numbers = _column(tables["face"], "texnumber", len(faces), name)
@@ -203,7 +203,10 @@ def _surfaces(tables, faces, uvs, images, counts, where):
     if not is_coloured:     # where an image is missing
         materials = [each if each.image else Material(each.name, GREY) for each in materials]
     tints = _tints(of_vertices, of_faces, faces) if is_coloured else [None] * len(faces)
-    return Surfaces(materials, numbers, uvs or [None] * len(faces), tints), notes
+    made = Surfaces(materials, numbers, uvs or [None] * len(faces), tints)
+    if of_vertices and not of_faces:    # outlines are turned round once they are read
+        made.give_corners([[of_vertices[corner] for corner in reversed(face)] for face in faces])
+    return made, notes
 
 
 def read(path, name=None, progress=None, sources=None):

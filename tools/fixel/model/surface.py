@@ -30,6 +30,15 @@ def mean_tint(colours):
     return tuple((2 * sum(parts) + len(colours)) // (2 * len(colours)) for parts in zip(*colours))
 
 
+MEAN_NOTE = "the vertices have colours: each face has the mean of its corners' colours"
+APART_MIN = 4       # of 255: corners whose colours differ by no more have one colour
+
+
+def are_apart(corners):
+    """Whether the colours of a face's corners differ by more than APART_MIN in a channel."""
+    return any(max(parts) - min(parts) > APART_MIN for parts in zip(*corners))
+
+
 def product(one, other):
     """A colour times another one."""
     return tuple(round(a * b / 255) for a, b in zip(one, other))
@@ -39,12 +48,14 @@ def product(one, other):
 class Surfaces:
     """The materials of a model, and those of its faces. of_face: a material's number for each face. uvs: for each
     face (u, v) of each corner, u to the right and v downward, 1 across the image; None where there are none. tints: for
-    each face what its material's colour is multiplied by: the mean colour of its vertices; None where they have none."""
+    each face what its material's colour is multiplied by: the mean colour of its vertices; None where they have none.
+    corners: for each face the colours of its vertices, where they are apart, else None; [] where no face has such."""
     materials: list = field(default_factory=list)
     of_face: list = field(default_factory=list)
     uvs: list = field(default_factory=list)
     tints: list = field(default_factory=list)
     whole: object = None        # (Surfaces, numbers of faces) that these are a part of, and share images with
+    corners: list = field(default_factory=list)
     _colours: list = field(default_factory=list)
 
     def add(self, material, uvs=None, tint=None):
@@ -56,7 +67,23 @@ class Surfaces:
     def part(self, faces, shares):
         """The surfaces of some faces. shares: whether their images are those of all faces."""
         return Surfaces(self.materials, [self.of_face[face] for face in faces], [self.uvs[face] for face in faces],
-                        [self.tints[face] for face in faces], (self, faces) if shares else None)
+                        [self.tints[face] for face in faces], (self, faces) if shares else None,
+                        [self.corners[face] for face in faces] if self.corners else [])
+
+    def give_corners(self, colours):
+        """Gives the faces the colours of their vertices. colours: those of each face in turn, or None."""
+        found = [each if each and None not in each and are_apart(each) else None for each in colours]
+        self.corners = found if any(found) else []
+
+    def colours_at(self, face):
+        """The colours at a face's corners, without an image; None where it has one colour."""
+        own = self.corners[face] if self.corners else None
+        return own and [product(self.materials[self.of_face[face]].colour, each) for each in own]
+
+    def have_corners(self):
+        """Whether a face that shows no image has colours at its corners."""
+        return any(own and (self.uvs[face] is None or self.materials[self.of_face[face]].image is None)
+                   for face, own in enumerate(self.corners))
 
     def own_colour(self, face):
         """The colour of a face without its image."""

@@ -14,6 +14,7 @@ from fixel.model import model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
+from fixel.model.surface import MEAN_NOTE
 from fixel.base.reading import shortened
 from fixel.scene.look import PLAIN
 from fixel.scene.corner_normals import OWN_COSINE
@@ -139,6 +140,7 @@ def _look_of(mesh, look, moves, place, radius):
     smooth = not unlit and _smoothness(mesh, look)
     thing = {"images": {"size": look.texels, "bits": look.bits, "levels": LEVELS}} if images else {}
     thing |= {"smooth": smooth} if smooth else {}
+    thing |= {"vertex_colours": True} if look.pixels == "rgb565" and mesh.surfaces and mesh.surfaces.have_corners() else {}
     if unlit:
         return {**thing, "shade": False}, _BAKED, []
     some = [f"{mesh.surfaces.materials[number].name}" for number in sorted(set(mesh.surfaces.of_face))
@@ -243,6 +245,8 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
             thing["images"] = {**thing["images"], "size": side}
         scene, notes = toml_scene.compile_data(data, str(file), folder, frames, progress, files=files)
     told = {mesh.scenery.left_out.get(kind) for kind in played.uses}
+    if any("vertex_colours" in thing for thing in data["objects"]):
+        read_notes = [note for note in read_notes if not note.endswith(MEAN_NOTE)]
     read_notes, more, notes = [note for note in read_notes if note not in told], played.notes + more, _first_of_a_kind(notes)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0

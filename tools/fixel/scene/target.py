@@ -71,7 +71,15 @@ def _of_rgb565(scene):
             return f"texels of RGB565 (texture {quoted(name)})", "bits = 8 in the texture"
     if any(one.flags & image_surface.ADDED for one in (surfaces.surfaces if surfaces else ())):
         return 'faces with blend = "add"', "blend = true in the object"
+    if has_colours(scene):
+        return "colours at corners", "vertex_colours = false in the object"
     return None
+
+
+def has_colours(scene):
+    """Whether a SceneImage has a surface with colours at its corners."""
+    from fixel.image import image_surface       # as in rewritten
+    return any(one.flags & image_surface.COLOURS for one in (scene.surfaces.surfaces if scene.surfaces else ()))
 
 
 def check(scene, asked, name):
@@ -85,6 +93,8 @@ def check(scene, asked, name):
         raise ToolError(f'{name}: frames of a palette cannot show {what}: give pixels = "rgb565" under [view], or {instead}')
     if found and scene.beams and found[0].startswith("texels"):
         raise ToolError(f"{name}: beams cannot light {found[0]}: leave the beams out, or give {found[1]}")
+    if scene.beams and has_colours(scene):
+        raise ToolError(f"{name}: beams cannot light colours at corners: leave the beams out, or give vertex_colours = false in the object")
 
 
 def rewritten(blob, asked, name):

@@ -8,7 +8,8 @@ import os
 
 from fixel.image import image, image_beam, image_header, image_lens
 from fixel.model import clusters, quantity
-from fixel.scene import (default_path, light_palette, palette, simplified, texture, toml_billboard, toml_light, toml_model,
+from fixel.model.surface import MEAN_NOTE
+from fixel.scene import (default_path, light_palette, palette, simplified, target, texture, toml_billboard, toml_light, toml_model,
                          toml_motion, toml_table, toml_texture)
 from fixel.scene import path as walk
 from fixel.base.job import Quiet
@@ -428,6 +429,8 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     notes += [simplified.note(scene, record) for record in objects.simplified.values()]
     scene.names = [item.name for item in instances]
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
+    if target.has_colours(scene):   # the reader of the file spoke of means
+        notes = [note for note in notes if not note.endswith(MEAN_NOTE)]
     return scene, list(dict.fromkeys(notes))
 
 

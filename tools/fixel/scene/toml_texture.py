@@ -14,7 +14,7 @@ from fixel.scene.surfaces import Look, Paint
 from fixel.scene.toml_table import Table
 
 KEYS = {"texture", "textures", "mapping", "texels_per_unit", "tiles", "texel_offset", "division", "opacity", "blend", "lit",
-        "smooth", *toml_images.KEYS}
+        "smooth", "vertex_colours", *toml_images.KEYS}
 _ROW_KEYS = {"name", "file", "pattern", "size", "colours", "most_colours", "bits", "wrap", "levels"}
 BY_PATH = "path"        # a size
 TEXTURES_MAX = 256      # of a scene file
@@ -143,10 +143,12 @@ class Wish:
         self.mixes = self._mixing(table)
         self.smooth, self.crease = self._smoothness(table)
         self.by_normals = table.data.get("smooth") == "file"
-        self.lit = table.switch("lit", not baked and table.switch("shade", True) and (self.smooth or self.paints != (None,)))
+        self.lit = table.switch("lit", not baked and table.switch("shade", True) and 
+                               (self.smooth or self.paints != (None,) or table.data.get("vertex_colours") is True))
         self._check_light(table, baked)
         self.per_unit, self.tiles = self._scale(table)
         self.own = {}
+        self.corner_colours = self._corner_colours(table, mesh_of)
         self.by_file = images is not None or self._goes_by_file(table)
         offset = table.data.get("texel_offset", [0, 0])
         if not isinstance(offset, list) or len(offset) != 2:
@@ -164,6 +166,19 @@ class Wish:
             raise ToolError(f"{table.at('smooth')}: means nothing for what is not lit")
         if not table.switch("shade", True) and self.lit:
             raise ToolError(f"{table.at('lit')}: shade = false says that light changes no colour")
+
+    @staticmethod
+    def _corner_colours(table, mesh_of):
+        """The surface.Surfaces whose faces have colours at their corners; None unless the object asks for them."""
+        if not table.switch("vertex_colours", False):
+            return None
+        for key in ("solid", "colour", "colours", "colour_index", "texture", "textures"):
+            if key in table:
+                raise ToolError(f"{table.at('vertex_colours')}: the colours are those of the model's file; leave {key} out")
+        surfaces = mesh_of().surfaces
+        if not surfaces or not surfaces.corners:
+            raise ToolError(f"{table.at('vertex_colours')}: the model has no face whose corners have colours of their own")
+        return surfaces
 
     @staticmethod
     def _smoothness(table):
@@ -230,7 +245,7 @@ class Wish:
     def key(self):
         """Equal for wishes that give a shape the same surfaces."""
         return _Key(self.images or (self.paints, self.opacities), self.division, self.per_unit, self.tiles, self.offset,
-                    self.mixes, self.lit, self.smooth, self.crease, self.by_normals, self.by_file)
+                    self.mixes, self.lit, self.smooth, self.crease, self.by_normals, self.by_file, id(self.corner_colours))
 
     def wanted(self):
         """Whether any face has a surface."""
@@ -239,7 +254,11 @@ class Wish:
     def _has_plain_look(self):
         """Whether a face without a texture has a surface."""
         is_opaque = self.images.is_opaque if self.images else self.opacities == (image_surface.OPAQUE,)
-        return not is_opaque or bool(self.mixes) or self.lit
+        return not is_opaque or bool(self.mixes) or self.lit or self.corner_colours is not None
+
+    def colours_at(self, source):
+        """The colours at the corners of a face of the mesh; None where it has one colour, or an image."""
+        return None if self.corner_colours is None or self.paint_of(source) else self.corner_colours.colours_at(source)
 
     def _flags(self):
         return (image_surface.LIT if self.lit else 0) | self.mixes
@@ -249,7 +268,15 @@ class Wish:
         return self.paints[source % len(self.paints)]
 
     def coordinates(self, mesh, scale, inside):
-        """For each face of a mesh the coordinates of its corners in texels."""
+        """For each face of a mesh the coordinates of its corners in texels; of one with colours at its corners these, as parts
+        of 256."""
+        found = self._coordinates(mesh, scale, inside)
+        if self.corner_colours is None:
+            return found
+        return [[tuple(Fraction(part, 256) for part in colour) for colour in own] if own else each
+                for own, each in zip(map(self.colours_at, range(len(mesh.faces))), found)]
+
+    def _coordinates(self, mesh, scale, inside):
         if self.by_file:
             return self._of_file(mesh)
         found = surfaces.box_coordinates(mesh, scale, inside, self.per_unit or Fraction(1), self.offset)
@@ -300,8 +327,20 @@ class Wish:
 
         def baked(paint, normal):
             return of_direction(paint, stands_for.get(normal, normal))
-        return tuple(self._look(made, number, coordinates[number], lit[number], bake is not keep and baked, where)
+        return tuple(self._colours_look(made, number, coordinates[number], lit[number], keep if self.lit else bake)
+                     if self.colours_at(made.sources[number]) else
+                     self._look(made, number, coordinates[number], lit[number], bake is not keep and baked, where)
                      for number in range(len(made.faces)))
+
+    def _colours_look(self, made, number, coordinates, normals, bake):
+        """The look of a face with colours at its corners. coordinates: these, as parts of 256."""
+        face = made.faces[number]
+        opacity = self.opacities[made.sources[number] % len(self.opacities)]
+        corners, _ = surfaces.place([made.vertices[c] for c in face.corners], coordinates, _NO_PAINT, "")
+        colours = [bake(tuple(min(max(round(256 * part), 0), 255) for part in coordinates[i]), face.normal) for i in corners]
+        return Look(None, (), self.division, self._flags() | image_surface.COLOURS, opacity, corners,
+                    tuple((red << 16 | green << 8 | blue, 0) for red, green, blue in (colour[:3] for colour in colours)),
+                    tuple(normals[i] for i in corners) if self.lit else ())
 
     def _look(self, made, number, coordinates, normals, baked, where):
         face, paint = made.faces[number], self.paint_of(made.sources[number])

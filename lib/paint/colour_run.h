@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* Opaque pixels of RGB565 whose channels are linear. A kernel of Armv7-M. Internal. */
+#ifndef FXL_COLOUR_RUN_H
+#define FXL_COLOUR_RUN_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The first pixel, and what a pixel adds, in the order in which the kernel loads them. `both` has
+ * red in its upper half and blue in its lower one, each with 11 bits after the point; green has 26.
+ * A channel's level is what stands in the uppermost bits. */
+typedef struct {
+    uint32_t both, green, step, green_step;
+} fxl_colour_words;
+
+/* Writes count pixels. Sums are modulo 2^32; red and blue of all pixels are from 0 to below 32, or
+ * the two mix. Requires count > 0. */
+void fxl_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* Colours at the corners of a face: FXL_SURFACE_COLOURS. Red, green and blue take the places of the
+ * attributes u, v and light.
+ *
+ * A channel of a pixel of 16 bits is the upper 5 or 6 bits of one of 8 bits, as in a palette of
+ * RGB565. So an attribute is a channel of 8 bits and a half, in levels of the pixel's channel:
+ * 16.16. A pixel shows the level below. Internal. */
+#ifndef FXL_CORNER_COLOURS_H
+#define FXL_CORNER_COLOURS_H
+
+#include "corner_planes.h"
+#include "paint.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The attributes of a mapped face, whose surface is FXL_SURFACE_COLOURS: from 1/16 to 31 15/16, and
+ * green from 1/8 to 63 7/8. */
+void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3]);
+
+/* What light leaves of them. light: at the corners, in 16.16 levels of the settings, and a half.
+ * With part = (light - 1/2) / (levels - 1) and the middle of the level that `dark` has, a value
+ * becomes middle + (value - middle) part. Error: 2^-14. */
+void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t light[3],
+                              int32_t (*values)[3]);
+
+/* The gradients of a small triangle with a constant weight. Where is_affine, that is asked for;
+ * false otherwise if it changes a channel by more than FXL_AFFINE_ERROR_LIGHT. Also false where the
+ * face is no triangle, or a channel changes by 128 levels a pixel or more: *gradients is then
+ * undefined. Lower words are channels in 8.24, modulo 2^32. Error in the triangle, beyond that,
+ * given the corners: 2^-25 (1 + b) of a channel (corner_planes.h), and 2048 2^-24 level. */
+bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
+                               bool is_affine, fxl_gradients *gradients);
+
+/* What `shifts` are in such gradients. */
+#define FXL_SHIFT_OF_WORDS 53
+
+/* fxl_paint_pixels_565 of a face with colours at its corners. */
+void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,
+                           int32_t x1);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

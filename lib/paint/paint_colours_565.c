@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+/* The pixels of a face with colours at its corners. A run of them is linear. Its channels have 11
+ * bits after the point, rounded down at a column that is the same for all runs of a row: so a pixel
+ * depends on the face and its place alone. In a run of at most 64 columns a channel is too small by
+ * less than 65/2048 level. */
+#include "colour_run.h"
+#include "corner_colours.h"
+#include "light_row.h"
+#include "rgb565_colour.h"
+#include "texel_place.h"
+
+#define FRACTION 11u
+#define COLUMNS  64 /* of a run where the weight is constant */
+#define SEGMENT  16 /* of any other */
+
+/* The channels of the first pixel, and what a pixel adds. */
+typedef struct {
+    int32_t channels[3], steps[3];
+} colour_run;
+
+/* A channel of the run from `skipped` columns after one whose word is given. Words have drop bits
+ * more after the point than channels; sums are modulo 2^32, and of a pixel of the face the result
+ * is within its bits. */
+static inline void begin_channel(colour_run *run, uint32_t k, uint32_t word, uint32_t step,
+                                 uint32_t drop, uint32_t skipped)
+{
+    const uint32_t of_step = (uint32_t)((int32_t)step >> drop);
+    const uint32_t channel = (word >> drop) + skipped * of_step;
+    run->channels[k] = (int32_t)(channel << drop) >> drop;
+    run->steps[k] = (int32_t)of_step;
+}
+
+/* Whether the first and the last pixel are within what a pixel shows; then all are. Steps are below
+ * 2^27, and a run of such steps has one pixel. */
+static inline bool is_within(const colour_run *run, int32_t count)
+{
+    uint32_t ends[3];
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t first = (uint32_t)run->channels[k];
+        ends[k] = first | (first + (uint32_t)(count - 1) * (uint32_t)run->steps[k]);
+    }
+    return ((ends[0] | ends[2] | ends[1] >> 1) >> (FRACTION + 5)) == 0;
+}
+
+static inline uint32_t hold(int32_t channel, int32_t most)
+{
+    return (uint32_t)(channel < 0 ? 0 : channel > most ? most : channel) >> FRACTION;
+}
+
+/* The colour of any channels with FRACTION bits, over the one beneath. Not inline: few faces have
+ * such pixels, and it takes many bytes. */
+static __attribute__((noinline)) void show(const fxl_paint *paint, const fxl_paint_row *row,
+                                           int32_t x, const int32_t channels[3])
+{
+    const fxl_paint_565 *of = &paint->of_565;
+    uint16_t *pixel = (uint16_t *)(void *)row->pixels + x;
+    if (fxl_is_stippled_away(paint->opacity, x, row->y)) {
+        return;
+    }
+    uint16_t colour = (uint16_t)(hold(channels[0], (32 << FRACTION) - 1) << 11 |
+                                 hold(channels[1], (64 << FRACTION) - 1) << 5 |
+                                 hold(channels[2], (32 << FRACTION) - 1));
+    if (of->sixteenths != 0) {
+        colour = fxl_blend_565(colour, *pixel, of->sixteenths);
+    } else if (of->adds) {
+        colour = fxl_add_565(colour, *pixel);
+    }
+    *pixel = colour;
+}
+
+/* A pixel that is divided by itself: its channels in 16.16. */
+static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+                               const int32_t values[FXL_ATTRIBUTES])
+{
+    const int32_t channels[3] = {values[0] >> (16u - FRACTION), values[1] >> (16u - FRACTION),
+                                 values[2] >> (16u - FRACTION)};
+    show(paint, row, x, channels);
+}
+
+#include "paint_row.h"
+
+static inline fxl_colour_words words_of(const colour_run *run)
+{
+    const unsigned up = 32u - FRACTION - 6u;
+    const fxl_colour_words words = {((uint32_t)run->channels[0] << 16) + (uint32_t)run->channels[2],
+                                    (uint32_t)run->channels[1] << up,
+                                    ((uint32_t)run->steps[0] << 16) + (uint32_t)run->steps[2],
+                                    (uint32_t)run->steps[1] << up};
+    return words;
+}
+
+static void paint_run(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                      const colour_run *run)
+{
+    uint16_t *pixels = (uint16_t *)(void *)row->pixels;
+    if (paint->opacity == 16 && (paint->of_565.sixteenths | paint->of_565.adds) == 0 &&
+        is_within(run, x1 - x0)) {
+        const fxl_colour_words words = words_of(run);
+        fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(x1 - x0));
+        return;
+    }
+    colour_run next = *run;
+    for (int32_t x = x0; x < x1; x++) {
+        show(paint, row, x, next.channels);
+        for (uint32_t k = 0; k < 3; k++) {
+            next.channels[k] = (int32_t)((uint32_t)next.channels[k] + (uint32_t)next.steps[k]);
+        }
+    }
+}
+
+/* Segments begin at columns that are multiples of 4, 8 or 16. */
+static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                         const linear_pixels *of)
+{
+    const uint32_t skipped = (uint32_t)x0 & (SEGMENT - 1u);
+    colour_run run;
+    for (uint32_t k = 0; k < 3; k++) {
+        begin_channel(&run, k, of->values[k] - skipped * of->steps[k], of->steps[k], 16u - FRACTION,
+                      skipped);
+    }
+    paint_run(paint, row, x0, x1, &run);
+}
+
+/* A row of a face with a constant weight, whose lower words are channels in 8.24. */
+static void paint_words(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const fxl_gradient *attributes = paint->gradients->attributes;
+    while (x0 < x1) {
+        const int32_t begin = x0 & -COLUMNS;
+        const int32_t end = begin + COLUMNS < x1 ? begin + COLUMNS : x1;
+        colour_run run;
+        for (uint32_t k = 0; k < 3; k++) {
+            const fxl_gradient *words = &attributes[k];
+            const uint32_t word = (uint32_t)words->at + (uint32_t)row->y * (uint32_t)words->down +
+                                  (uint32_t)begin * (uint32_t)words->along;
+            begin_channel(&run, k, word, (uint32_t)words->along, 24u - FRACTION,
+                          (uint32_t)(x0 - begin));
+        }
+        paint_run(paint, row, x0, end, &run);
+        x0 = end;
+    }
+}
+
+void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
+{
+    const fxl_gradients *gradients = paint->gradients;
+    divided_column at;
+    uint32_t least[3];
+    if (gradients->shifts[0] == FXL_SHIFT_OF_WORDS && gradients->shifts[1] == FXL_SHIFT_OF_WORDS &&
+        gradients->shifts[2] == FXL_SHIFT_OF_WORDS && fxl_weight_is_constant(gradients)) {
+        paint_words(paint, row, x0, x1);
+        return;
+    }
+    at.column = -1;
+    fxl_find_least_weights(gradients, paint->division, least);
+    while (x0 < x1) {
+        const int32_t end = smaller((x0 & ~15) + 16, x1);
+        paint_sixteen(paint, row, least, x0, end, &at);
+        x0 = end;
+    }
+}
