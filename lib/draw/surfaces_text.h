@@ -116,7 +116,8 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
     }
 }
 
-static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+/* Returns true if it is known that the polygon reaches a row of the band. */
+static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                           const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                           uint32_t count, const fxl_band *band)
 {
@@ -131,6 +132,7 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
         fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                           &workspace->work.scan, paint_row, NULL);
     }
+    return false;
 }
 
 #define FIND_DEPTH  NULL
@@ -327,17 +329,16 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
 /* Draws a polygon by the kernel of smooth outlines, where it can: an opaque one that is in no beam,
  * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay
  * on the stack of others. */
-static __attribute__((noinline)) bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
-                                                  const fxl_surface_polygon *polygon,
-                                                  const fxl_screen_point *points, uint32_t count,
-                                                  const fxl_band *band)
+static __attribute__((noinline)) fxl_depth_drawn
+draw_smooth(const fxl_surfaces *surfaces, const void *memory, const fxl_surface_polygon *polygon,
+            const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_smooth_outline smooth;
     fxl_paint paint;
     if (surface->opacity != 16 || (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ||
         polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
-        return false;
+        return FXL_DEPTH_NOT_DRAWN;
     }
     fxl_surface_light_of(surfaces, &paint);
     paint.gradients = &polygon->gradients;
@@ -348,20 +349,21 @@ static __attribute__((noinline)) bool draw_smooth(const fxl_surfaces *surfaces, 
 #endif
     if (!fxl_smooth_outline_begin(memory, &polygon->depth, &paint, band, FXL_TARGET_PIXEL_BITS / 8,
                                   &smooth)) {
-        return false;
+        return FXL_DEPTH_NOT_DRAWN;
     }
 #if FXL_TARGET_PIXEL_BITS == 16
-    return fxl_draw_smooth_outline_16(points, count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+    return fxl_draw_smooth_outline_16(points, count, band, &smooth);
 #else
-    return fxl_draw_smooth_outline_8(points, count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+    return fxl_draw_smooth_outline_8(points, count, band, &smooth);
 #endif
 }
 
 #else
 
-static inline bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
-                               const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                               uint32_t count, const fxl_band *band)
+static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, const void *memory,
+                                          const fxl_surface_polygon *polygon,
+                                          const fxl_screen_point *points, uint32_t count,
+                                          const fxl_band *band)
 {
     (void)surfaces;
     (void)memory;
@@ -369,12 +371,13 @@ static inline bool draw_smooth(const fxl_surfaces *surfaces, const void *memory,
     (void)points;
     (void)count;
     (void)band;
-    return false;
+    return FXL_DEPTH_NOT_DRAWN;
 }
 
 #endif
 
-static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+/* Returns true if it is known that the polygon reaches a row of the band. */
+static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                           const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                           uint32_t count, const fxl_band *band)
 {
@@ -383,13 +386,16 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_depth_painting depth;
     fxl_paint paint;
     fxl_segment_face face;
-    if (polygon->depth.one == FXL_DEPTH_IS_LINEAR &&
-        draw_smooth(surfaces, workspace->target_memory, polygon, points, count, band)) {
-        return;
+    if (polygon->depth.one == FXL_DEPTH_IS_LINEAR) {
+        const fxl_depth_drawn drawn =
+            draw_smooth(surfaces, workspace->target_memory, polygon, points, count, band);
+        if (drawn != FXL_DEPTH_NOT_DRAWN) {
+            return drawn == FXL_DEPTH_DRAWN;
+        }
     }
     if (((const fxl_depth_head *)workspace->target_memory)->pass ==
         (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
-        return;
+        return false;
     }
     paint_of(surfaces, polygon, band, &paint);
     fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
@@ -404,12 +410,13 @@ static void paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
         fxl_scan_outline(points, count, band, &workspace->work.scan);
         if (workspace->work.scan.by_chains) {
             paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
-            return;
+            return false;
         }
     }
 #endif
     fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                       &workspace->work.scan, paint_row, &depth);
+    return false;
 }
 
 #if FXL_TARGET_DEPTH_BITS == 32
@@ -441,9 +448,8 @@ paint_polygon(const void *what, fxl_workspace *workspace, const fxl_surface_poly
               const fxl_band *band)
 {
     (void)tiny;
-    paint_surface(((const fxl_mapped_surface *)what)->surfaces, workspace, polygon, points, count,
-                  band);
-    return false;
+    return paint_surface(((const fxl_mapped_surface *)what)->surfaces, workspace, polygon, points,
+                         count, band);
 }
 
 /* The same for a piece of a face: its texels, light and depth are those of the whole face. Not
@@ -508,7 +514,7 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
 {
     fxl_surface_polygon polygon;
     const uint32_t count = fxl_surface_polygon_read(record, &polygon);
-    paint_surface(surfaces, workspace, &polygon, record->points, count, band);
+    (void)paint_surface(surfaces, workspace, &polygon, record->points, count, band);
 }
 
 static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, false};

@@ -28,7 +28,7 @@ typedef struct {
     } by;
     fxl_mixture_565 mixture; /* of 16 bits */
     uint16_t *cells;         /* of the band */
-    uintptr_t pixels;        /* as of fxl_depth_outline */
+    uintptr_t pixels; /* as of fxl_depth_outline; of 16 bits: of the cell after the pixel's */
     uint32_t code_along;
     uint32_t most;       /* light above this is not of the ramp */
     uint32_t last_level; /* pixels of 8 bits */
@@ -76,6 +76,7 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
     } else {
         const fxl_paint_565 *of = &paint->of_565;
         smooth->light -= 1u << 23;
+        smooth->pixels -= pixel_bytes;
         smooth->by.part_of_level = of->part_of_level;
         smooth->mixture = fxl_mixture_of_565(of->palette[paint->colour], of->dark);
     }

@@ -3,7 +3,7 @@
  * Mainline. lib/paint/smooth_outline.h states what they require and do; their pixels are those of
  * paint_lights in paint_pixels.c and paint_rgb565.c. A file defines PIXEL_BITS, and includes this
  * one right after the label of its function. A row takes 41 instructions before its pixels, a
- * visible pixel 15, of 16 bits 22, and a hidden one 9. */
+ * visible pixel 14, of 16 bits 21, and a hidden one 8. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 #include "../raster/draw_frame_armv7m.h"
@@ -24,19 +24,18 @@
 
 /* The pixel of r4 is tested: r3: its code. Goes to .Lhidden\text, or keeps the code. */
     .macro  test_pixel text
-    ldrh    r0, [r4]
+    ldrh    r0, [r4], #2
     lsr     r1, r3, #16
     cmp     r1, r0
     bls     .Lhidden\text
-    strh    r1, [r4]
+    strh    r1, [r4, #-2]
     .endm
 
-/* On to the next pixel; r6, r7: light, along. */
+/* On to the next pixel, whose cell is that of r4; r6, r7: light, along. */
     .macro  next_pixel text
 .Lhidden\text:
     add     r3, r3, lr
     add     r6, r6, r7
-    adds    r4, r4, #2
 #if PIXEL_BITS == 8
     adds    r5, r5, #1
 #endif

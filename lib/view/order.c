@@ -133,13 +133,22 @@ uint32_t fxl_list_front_faces(const fxl_scene *scene, const fxl_model *model, co
 uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
                           fxl_draw_entry *entries, uint32_t count)
 {
+    fxl_cached_vertex *cached = model_view->entries;
+    const uint32_t mask = model_view->mask, tag = model_view->tag;
+    const uint16_t *indices = model_view->indices;
+    const fxl_draw_entry *end = entries + count;
     fxl_draw_entry *to = entries;
-    for (const fxl_draw_entry *from = entries; from < entries + count; from++) {
+    for (const fxl_draw_entry *from = entries; from != end; from++) {
         const fxl_face *face = &faces[from->index];
-        const uint16_t *number = model_view->indices + face->first_index;
+        const uint16_t *next = indices + face->first_index;
         uint32_t left = face->count, of_all = FXL_PLANES_ALL;
-        do {
-            of_all &= fxl_fetch_vertex(model_view, *number++)->clip_flags;
+        do { /* fxl_fetch_vertex, of a view whose members are read once */
+            const uint32_t number = *next++;
+            fxl_cached_vertex *vertex = &cached[number & mask];
+            if (vertex->tag != tag + number) {
+                fxl_transform_vertex(model_view, number, vertex);
+            }
+            of_all &= vertex->clip_flags;
         } while (of_all != 0 && --left != 0);
         if (of_all == 0) {
             *to++ = *from;
