@@ -20,7 +20,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # --- the user's variables ----------------------------------------------------
 
 # The commands, and other targets of the command line that are no files.
-COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards bench clippers \
+COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
     predict costs one-file format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
@@ -371,6 +371,14 @@ boards: ## compare all boards: memory, stack, speed, frames equal to the host's,
 	@$(MAKE) $(COMPARED_PROGRAMS)
 	@$(TOOL) boards --boards $(COMPARED_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
 	    $(call UNIT_OPTIONS,$(COMPARED_BOARDS)) $(NOT_RUN_OPTIONS) --build $(BUILD) --out $(BUILD)/boards.json
+
+# Boards with a main of their own in firmware/benchmark.
+BENCHMARK_BOARD := $(call ONE_OF,$(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN),host),$(BENCHMARK_BOARDS))
+benchmark: ## run the benchmark for real boards, on the host or emulated, and write its UF2 file (docs/results.md) [BOARD=host]
+	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
+	$(if $(BENCHMARK_BOARD),,$(error BOARD=$(BOARD): firmware/benchmark has a main for these boards: $(BENCHMARK_MAINS)))
+	@$(MAKE) $(call BENCHMARK_OF,$(BENCHMARK_BOARD))
+	@$(FIXEL) benchmark --board $(BENCHMARK_BOARD) --elf $(call BENCHMARK_OF,$(BENCHMARK_BOARD)) --uf2 $(BUILD)/flash/benchmark-$(BENCHMARK_BOARD).uf2
 
 # CORE here is one of the bench's; the default of the other commands is none.
 BENCH_CORES_ASKED = $(if $(filter CORE,$(GIVEN)),$(or $(call ONE_OF,$(CORE),$(BENCH_CORES_HERE)),\

@@ -349,6 +349,7 @@ $(if $(and $(BUILT_GOALS),$(WALK_METHODS)),$(foreach board,$(BOARDS),$(eval $(ca
 $(if $(and $(BUILT_GOALS),$(DRIVER)),$(foreach board,$(BOARDS),$(eval $(call DRIVER_RULES,$(board)))))
 
 include firmware/unittest/unittest.mk
+include firmware/benchmark/benchmark.mk
 
 .PHONY: all-boards
 all-boards: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_FAULTS.$(board)) $(BOARD_UNITS.$(board)))

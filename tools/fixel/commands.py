@@ -25,6 +25,7 @@ ROOMS = {
         "boot": ("fixel.board.boot", "boot a board from its flash image"),
         "gdb": ("fixel.board.gdb", "open a debugger on a board"),
         "boards": ("fixel.board.boards", "compare all boards"),
+        "benchmark": ("fixel.board.benchmark", "run the benchmark for real boards, and write its UF2 file"),
         "crc": ("fixel.board.crc", "print the CRC-32 of each frame of a frame dump"),
         "view": ("fixel.view.view", "show a board live on a web page"),
         "record": ("fixel.view.record", "record the live window"),

@@ -8,7 +8,7 @@ import subprocess
 import pytest
 from board_programs import ROOT, built, read_uf2
 from conftest import run_cli, run_make
-from fixel.board import dump, emulator, firmware, rp2040, unit_tests
+from fixel.board import benchmarking, dump, emulator, firmware, rp2040, unit_tests
 
 NEEDED = subprocess.run([ROOT / "tools/setup.sh", "--missing", "pico"], capture_output=True, text=True, check=True).stdout.split()
 READY = not NEEDED and (rp2040.PACKAGE / "package.json").is_file()
@@ -134,3 +134,17 @@ def test_flash_writes_uf2_blocks(tmp_path):
     (tmp_path / "again.bin").write_bytes(flash)
     emulator.run("pico", tmp_path / "again.bin", program.path, tmp_path / "dump.fxld", frames=2)
     assert len(dump.read_dump(tmp_path / "dump.fxld").frames) == 2
+
+
+@here
+def test_the_benchmark_draws_the_frames_of_the_host(tmp_path):
+    """It has no semihosting: a real Pico runs it from the UF2 file."""
+    elf = built("pico/benchmark.elf")
+    lines = [match.groupdict() for match in benchmarking.LINE.finditer(benchmarking.run(elf, "pico"))]
+    hosted = [match.groupdict() for match in benchmarking.LINE.finditer(benchmarking.run(built("host/benchmark"), "host"))]
+    assert [(line["scene"], line["crc"]) for line in lines] == [(line["scene"], line["crc"]) for line in hosted]
+    assert all(line["clock"] == "125000000" and int(line["microseconds"]) > 100 for line in lines)
+    program = firmware.load(elf)
+    pages = read_uf2((tmp_path / "b.uf2").read_bytes()) if benchmarking.write_uf2(elf, tmp_path / "b.uf2") else {}
+    assert rp2040.boot_crc(pages[0x10000000][:STAGE]) == int.from_bytes(pages[0x10000000][STAGE:], "little")
+    assert len(pages) * 256 >= sum(len(content) for _, content in program.segments)

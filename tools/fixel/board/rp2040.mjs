@@ -10,8 +10,8 @@ import { Semihosting } from './rp2040_semihosting.mjs';
 import { Wires } from './rp2040_wires.mjs';
 
 const FLASH = 0x10000000, RAM = 0x20000000, STAGE = 0x20041f00, STAGE_BYTES = 256; // where the boot ROM copies it to
-const WARNINGS = 100;
-const BOARD = 22, UNALIGNED = 42, BUS = 46, USAGE = 47, HANG = 50; // boards/contract/system.h
+const WARNINGS = 100, END = 'FIXEL,end';
+const BOARD = 22, UNALIGNED = 42, BUS = 46, USAGE = 47, HANG = 50, DONE = 93; // boards/contract/system.h
 
 const [folder, silence, image, ...words] = process.argv.slice(2);
 const { RP2040 } = createRequire(import.meta.url)(folder);
@@ -75,7 +75,13 @@ mcu.onBreak = (number) => {
   else fail(USAGE, `breakpoint ${number}`);
 };
 const wires = new Wires(mcu);
-mcu.uart[0].onByte = (byte) => say(Buffer.from([byte]));
+// What is printed on the serial port. A line END ends a program that goes on for ever on a real board.
+let line = '';
+mcu.uart[0].onByte = (byte) => {
+  say(Buffer.from([byte]));
+  if (byte === 10 && line === END) status = DONE;
+  line = byte === 10 ? '' : line + String.fromCharCode(byte);
+};
 
 boot();
 const began = process.cpuUsage();
