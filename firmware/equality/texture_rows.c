@@ -13,12 +13,16 @@
 
 #define ROWS 6u
 
+#define FEW 4096u /* texels */
+
 typedef void row_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                         int32_t x1);
 typedef bool rows_kernel(fxl_plain_rows *rows);
 
 /* Texels of 8 or of 16 bits. */
 static FXL_ALIGN_8 uint8_t texels[2u * 65536u];
+static FXL_ALIGN_8 uint8_t
+    few_texels[2u * FEW]; /* half of the bytes and of the pairs are below 8 */
 static uint8_t ramp[256u * LEVELS];
 static uint16_t palette[256];
 static FXL_ALIGN_8 uint8_t by_core[ROWS][2u * (COLUMNS + 32u)];
@@ -160,6 +164,40 @@ static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row,
 
 #endif
 
+/* The same texels, keyed, stippled or of 4 bits: the kernels are the same, the code of pixels is
+ * not. */
+static void compare_special(const fxl_segment_face *plain, fxl_paint_row *row, int32_t x0,
+                            int32_t x1)
+{
+    fxl_segment_face face = *plain;
+    if (face.rows_mask + (1u << face.log_width) > FEW) {
+        return;
+    }
+    face.kind = (uint8_t)(FXL_TEXELS_KEYED + (any_32() >> 7) % 3u);
+    face.form = 0;
+    face.table = NULL;
+    face.palette = face.kind == FXL_TEXELS_4 ? palette : NULL;
+    row->y = (int32_t)(any_32() >> 25);
+    if (face.kind == FXL_TEXELS_KEYED) {
+        face.key = (any_32() >> 9) % 8u; /* texels are few */
+    } else if (face.kind == FXL_TEXELS_STIPPLED) {
+        face.stipple = any_32() >> 16;
+    } else {
+        face.colours = ramp;
+    }
+    face.texels = few_texels;
+    compare_row(&face, row, x0, x1, fxl_paint_segments, portable_paint_segments);
+    compare_rows(&face, row, x0, x1, fxl_paint_rows, portable_paint_rows);
+    compare_row(&face, row, x0, x1, fxl_paint_segments_565, portable_paint_segments_565);
+    compare_rows(&face, row, x0, x1, fxl_paint_rows_565, portable_paint_rows_565);
+#if FXL_HAS_DEPTH_ROWS
+    if (face.kind == FXL_TEXELS_4) {
+        compare_runs(&face, row, x0, x1, fxl_paint_runs_565, portable_paint_segments_565);
+        compare_runs(&face, row, x0, x1, fxl_paint_runs, portable_paint_segments);
+    }
+#endif
+}
+
 /* A line has more bits than a segment's coordinates; so its least weight is larger, or its drops.
  */
 static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1)
@@ -176,6 +214,7 @@ static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int3
 #endif
         return;
     }
+    compare_special(face, row, x0, x1);
     const uint32_t form = face->form;
     face->palette = any_32() >> 13 & 1u ? palette : NULL;
     face->in_beam = any_32() >> 19 & 1u && face->palette != NULL ? ramp : NULL;
@@ -207,6 +246,7 @@ static void choose_least(fxl_segment_face *face, const fxl_paint_row *row, uint3
 static void choose_texture(fxl_segment_face *face, uint32_t log_width, uint32_t log_height)
 {
     const uint32_t log = log_width > log_height ? log_width : log_height;
+    face->kind = FXL_TEXELS_PLAIN;
     face->texels = texels;
     face->rows_mask = ((1u << log_height) - 1u) << log_width;
     face->log_width = (uint8_t)log_width;
@@ -303,6 +343,9 @@ void test_texture_rows(uint32_t rounds)
 {
     for (uint32_t i = 0; i < sizeof texels; i++) {
         texels[i] = (uint8_t)(any_32() >> 11);
+    }
+    for (uint32_t i = 0; i < sizeof few_texels; i++) {
+        few_texels[i] = (uint8_t)(i % 2u == 0 ? (any_32() >> 11) % 8u : any_32() >> 31);
     }
     for (uint32_t i = 0; i < sizeof ramp; i++) {
         ramp[i] = (uint8_t)(any_32() >> 11);

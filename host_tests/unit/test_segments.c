@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "paint/plain_rows.h"
+#include "paint/texel_place.h"
 #include "unity.h"
 
 enum {
@@ -354,6 +355,58 @@ void test_each_16_columns_have_segments_of_their_own(void)
     TEST_ASSERT_TRUE(times[0] > 50 && times[2] > 50 && times[3] > 50 && times[4] > 50);
 }
 
+/* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits. */
+static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
+{
+    TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+    TEST_ASSERT_NOT_EQUAL(FXL_TEXELS_PLAIN, face.kind);
+    paint_row(row_pixels, x0, COLUMNS);
+    for (int32_t x = 0; x < COLUMNS; x++) {
+        const bool is_drawn =
+            x >= x0 && (face.kind != FXL_TEXELS_KEYED || plain[x] != paint.level.key) &&
+            (face.kind != FXL_TEXELS_STIPPLED || !fxl_is_stippled_away(paint.opacity, x, row.y));
+        TEST_ASSERT_EQUAL(!is_drawn         ? UNTOUCHED
+                          : colours != NULL ? colours[plain[x]]
+                                            : plain[x],
+                          row_pixels[x]);
+    }
+}
+
+/* Texels that are keyed, stippled or of 4 bits are those that are plain, at every pixel. */
+void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
+{
+    static uint8_t packed[TEXELS / 2];
+    uint8_t plain[COLUMNS], colours[16];
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(any() % 16u);
+        packed[i / 2] = (uint8_t)(packed[i / 2] >> 4 | texels[i] << 4);
+    }
+    for (uint32_t i = 0; i < 16; i++) {
+        colours[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 100; n++) {
+        const int32_t x0 = (int32_t)(any() % 20u);
+        choose_face();
+        choose_size(4 + n % 2, 5);
+        row.y = (int32_t)(n % 7);
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        TEST_ASSERT_EQUAL(FXL_TEXELS_PLAIN, face.kind);
+        paint_row(plain, x0, COLUMNS);
+        paint.level.flags = FXL_TEXTURE_KEYED;
+        paint.level.key = (uint8_t)(any() % 16u);
+        check_kind(plain, x0, NULL);
+        paint.level.flags = 0;
+        paint.opacity = (uint8_t)(1u + n % 15u);
+        check_kind(plain, x0, NULL);
+        paint.opacity = 16;
+        paint.level.texels = packed;
+        paint.level.colours = colours;
+        check_kind(plain, x0, colours);
+        paint.level.texels = texels;
+        paint.level.colours = NULL;
+    }
+}
+
 /* Where no segment suffices, pixels are divided: those of fxl_paint_pixels without a kernel. */
 void test_divided_pixels_are_as_without_a_kernel(void)
 {
@@ -582,12 +635,24 @@ void test_other_faces_are_not_the_kernels(void)
     paint.level.texels = NULL;
     check_refused(true);
     paint.level.colours = colours;
-    check_refused(true);
+    check_refused(false);
     paint.level.flags = FXL_TEXTURE_CLAMP;
     check_refused(true);
     paint.level.flags = FXL_TEXTURE_KEYED;
+    check_refused(false);
+    paint.opacity = 15;
+    check_refused(false);
+    paint.opacity = 15;
+    paint.level.flags = FXL_TEXTURE_KEYED;
+    check_refused(true);
+    paint.level.colours = colours;
+    paint.level.flags = FXL_TEXTURE_KEYED;
     check_refused(true);
     paint.opacity = 15;
+    paint.table = colours;
+    check_refused(true);
+    paint.level.flags = FXL_TEXTURE_KEYED;
+    paint.in_beam = colours;
     check_refused(true);
     paint.blend = colours;
     check_refused(true);

@@ -135,6 +135,7 @@ AT(fxl_segment_face, form, SEGMENT_FACE_FORM);
 AT(fxl_segment_face, palette, SEGMENT_FACE_PALETTE);
 AT(fxl_segment_face, in_beam, SEGMENT_FACE_IN_BEAM);
 AT(fxl_segment_face, table, SEGMENT_FACE_TABLE);
+AT(fxl_segment_face, kind, SEGMENT_FACE_KIND);
 
 AT(fxl_divided_face, weight_step, DIVIDED_FACE_WEIGHT_STEP);
 AT(fxl_divided_face, u_step, DIVIDED_FACE_U_STEP);

@@ -138,6 +138,7 @@
 #define SEGMENT_FACE_PALETTE     80
 #define SEGMENT_FACE_IN_BEAM     84
 #define SEGMENT_FACE_TABLE       88
+#define SEGMENT_FACE_KIND        92
 
 /* fxl_divided_face */
 #define DIVIDED_FACE_WEIGHT_STEP  0

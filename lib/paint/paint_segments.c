@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "plain_run.h"
 #include "segment_lengths.h"
+#include "special_texels.h"
 
 #include "../math/family.h"
 
@@ -20,6 +21,18 @@ void fxl_paint_lit_segments(const fxl_segment_face *face, const fxl_paint_row *r
 
 #else
 
+/* Texels that are not plain. */
+FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *row,
+                             const fxl_texel_run *run, uint32_t x, uint32_t count)
+{
+    uint32_t position = run->position, texel;
+    for (const uint32_t end = x + count; x != end; x++, position += run->step) {
+        if (fxl_special_texel(face, row, x, fxl_segment_place(face, position), false, &texel)) {
+            row->pixels[x] = (uint8_t)texel;
+        }
+    }
+}
+
 static inline uint32_t limited(uint32_t light, int32_t most)
 {
     return (int32_t)light < 0 ? 0 : (int32_t)light > most ? (uint32_t)most : light;
@@ -31,6 +44,10 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
 {
     const uint32_t most = (uint32_t)face->light_max;
+    if (face->kind != FXL_TEXELS_PLAIN) {
+        paint_special(face, row, run, (uint32_t)x, count);
+        return;
+    }
     if (face->ramp == NULL ||
         (run->light <= most && run->light + (count - 1u) * run->light_step <= most)) {
         fxl_paint_texels(face, run, row->pixels + x, count);
@@ -49,7 +66,7 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
 
 static inline bool has_kernel(const fxl_segment_face *face)
 {
-    return face->ramp == NULL;
+    return face->ramp == NULL && face->kind == FXL_TEXELS_PLAIN;
 }
 
 #include "segment_runs.h"

@@ -1,13 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "plain_run.h"
+#include "special_texels.h"
 
 #include "../math/family.h"
 
 #if !FXL_TEXELS_IN_ASSEMBLY
 
+/* Texels that are not plain. */
+FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *row,
+                             const fxl_texel_run *run, uint32_t x, uint32_t count)
+{
+    uint16_t *pixels = (uint16_t *)(void *)row->pixels;
+    uint32_t position = run->position, texel;
+    for (const uint32_t end = x + count; x != end; x++, position += run->step) {
+        const uint32_t place = fxl_segment_place(face, position);
+        if (fxl_special_texel(face, row, x, place, face->palette == NULL, &texel)) {
+            pixels[x] = (uint16_t)(face->palette != NULL ? face->palette[texel] : texel);
+        }
+    }
+}
+
 static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
 {
+    if (face->kind != FXL_TEXELS_PLAIN) {
+        paint_special(face, row, run, (uint32_t)x, count);
+        return;
+    }
     uint16_t *pixels = (uint16_t *)(void *)row->pixels + x;
     const uint16_t *end = pixels + count;
     const uint8_t *texels = face->texels, *in_beam = face->in_beam;
@@ -31,8 +50,7 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
 
 static inline bool has_kernel(const fxl_segment_face *face)
 {
-    (void)face;
-    return true;
+    return face->kind == FXL_TEXELS_PLAIN;
 }
 
 #include "segment_runs.h"

@@ -159,6 +159,8 @@ RUNS:
 
 #endif
 
+#include "special_texels_armv7m.h"
+
 /* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
     .align  2
 .Lprepare:
@@ -190,6 +192,8 @@ RUNS:
     strd    r4, r5, [sp, #F_COLUMN]
     adr     r4, .Lloop + 1
     movs    r5, #0
+    ldrb    r6, [r0, #SEGMENT_FACE_KIND]
+    cbnz    r6, .Lprepare_special
 3:  strd    r4, r5, [sp, #F_CODE]
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
@@ -210,6 +214,20 @@ RUNS:
     adr     r4, .Lline + 1
     str     r4, [sp, #F_KIND]
 4:  bx      lr
+
+/* Texels of another kind, r6: code that takes any size. */
+.Lprepare_special:
+    cmp     r6, #2
+    beq     1f
+    bhi     2f
+    ldr     r6, [r0, #SEGMENT_FACE_LIGHT_MAX] /* the key */
+    str     r6, [sp, #F_TABLE]
+    adr     r4, .Lkeyed + 1
+    b       3b
+1:  adr     r4, .Lstippled + 1
+    b       3b
+2:  adr     r4, .Lfour_bits + 1
+    b       3b
 
 /* --- rows ----------------------------------------------------------------------------------- */
 
@@ -270,6 +288,7 @@ RUNS:
     .endr
     ldr     pc, [sp, #F_NEXT]
     .endm
+
 /* clang-format on */
 
 #endif

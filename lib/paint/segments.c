@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "segments.h"
+#include "texel_place.h"
 #include "texture_level.h"
 
 #include "../math/arith.h"
@@ -23,12 +24,52 @@ static int32_t smaller(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-/* A texture's columns wrap in 2^log_width; an opaque pixel needs no look at what it covers. */
+/* A texture's columns wrap in 2^log_width. */
 static bool is_common(const fxl_paint *paint)
 {
     const fxl_texture_level *level = &paint->level;
-    return level->texels != NULL && level->colours == NULL &&
-           level->log_width >= FXL_SEGMENT_LOG_MIN && paint->opacity == 16;
+    return level->texels != NULL && level->log_width >= FXL_SEGMENT_LOG_MIN;
+}
+
+/* The pixels that an opacity draws, as bits. */
+static uint32_t stipple_of(uint32_t opacity)
+{
+    uint32_t pattern = 0;
+    for (int32_t i = 0; i < 16; i++) {
+        pattern |= (uint32_t)!fxl_is_stippled_away(opacity, i & 3, i >> 2) << i;
+    }
+    return pattern;
+}
+
+static inline bool is_plain(const fxl_paint *paint, uint32_t flags)
+{
+    return flags == 0 && paint->level.colours == NULL && paint->opacity == 16;
+}
+
+/* Has the kernel paint texels that are keyed, stippled or of 4 bits, one of these. key: of such
+ * texels; leaves_out: pixels may be left out, as nothing follows the kernel that changes its
+ * pixels. Returns false if the kernel cannot. Requires a face that is not plain. */
+FXL_APART bool find_kind(const fxl_paint *paint, uint32_t flags, uint32_t key, bool leaves_out,
+                         fxl_segment_face *face)
+{
+    const bool is_keyed = flags == FXL_TEXTURE_KEYED, is_stippled = paint->opacity < 16;
+    const bool has_4_bits = paint->level.colours != NULL;
+    if ((flags != 0 && !is_keyed) || is_keyed + is_stippled + has_4_bits != 1 ||
+        paint->ramp != NULL || (!leaves_out && !has_4_bits)) {
+        return false;
+    }
+    face->form = 0;
+    if (has_4_bits) {
+        face->kind = FXL_TEXELS_4;
+        face->colours = paint->level.colours;
+    } else if (is_keyed) {
+        face->kind = FXL_TEXELS_KEYED;
+        face->key = key;
+    } else {
+        face->kind = FXL_TEXELS_STIPPLED;
+        face->stipple = stipple_of(paint->opacity);
+    }
+    return true;
 }
 
 static void find_light(const fxl_paint *paint, fxl_segment_face *face)
@@ -89,13 +130,18 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
     face->palette = NULL;
     face->in_beam = NULL;
     face->table = paint->table;
+    face->kind = FXL_TEXELS_PLAIN;
     return find_least(paint, face);
 }
 
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
 {
-    return is_common(paint) && paint->level.flags == 0 && paint->blend == NULL &&
-           paint->division != FXL_DIVIDE_1 && find(paint, face); /* paint_divided.h */
+    const uint32_t flags = paint->level.flags;
+    return is_common(paint) && paint->blend == NULL && paint->division != FXL_DIVIDE_1 &&
+           find(paint, face) && /* paint_divided.h */
+           (is_plain(paint, flags) ||
+            (paint->table == NULL &&
+             find_kind(paint, flags, paint->level.key, paint->in_beam == NULL, face)));
 }
 
 bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
@@ -103,12 +149,16 @@ bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
     const fxl_paint_565 *of = &paint->of_565;
     const bool is_565 = (paint->level.flags & FXL_LEVEL_565) != 0;
     const uint32_t flags = paint->level.flags & ~(FXL_LEVEL_565 | FXL_LEVEL_IN_BEAM);
-    if (!is_common(paint) || flags != 0 || paint->ramp != NULL || of->sixteenths != 0 || of->adds ||
-        !find(paint, face)) {
+    const bool is_in_beam = !is_565 && (paint->level.flags & FXL_LEVEL_IN_BEAM) != 0;
+    if (!is_common(paint) || paint->ramp != NULL || of->sixteenths != 0 || of->adds ||
+        !find(paint, face) ||
+        (!is_plain(paint, flags) &&
+         (is_in_beam ||
+          !find_kind(paint, flags, of->key, is_565 && !paint->is_evenly_lit, face)))) {
         return false;
     }
     face->palette = is_565 ? NULL : of->palette;
-    if (!is_565 && (paint->level.flags & FXL_LEVEL_IN_BEAM)) {
+    if (is_in_beam) {
         face->in_beam = paint->in_beam;
         face->form = 0;
     }

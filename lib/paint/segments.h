@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The pixels of most textured faces, painted by the kernels fxl_paint_segments, for pixels of 8
- * bits, and fxl_paint_segments_565, for pixels of 16 bits: opaque texels that repeat. Internal.
+ * bits, and fxl_paint_segments_565, for pixels of 16 bits: texels that repeat, none of them
+ * blended. Internal.
  *
  * A segment is n = 16, 8 or 4 columns of the screen, from a multiple of n on; gradients.h says
  * which n, or that each pixel is divided: then the kernel shows what fxl_paint_pixels would, and
@@ -53,6 +54,15 @@ extern "C" {
  * of its coordinates beyond those of U and V. */
 #define FXL_ROW_BITS 12
 
+/* What a pixel does with its texel. All but plain ones have neither a ramp nor a table; keyed and
+ * stippled ones of 16 bits have texels of RGB565. */
+enum {
+    FXL_TEXELS_PLAIN = 0,
+    FXL_TEXELS_KEYED = 1,    /* one texel is not drawn */
+    FXL_TEXELS_STIPPLED = 2, /* an opacity below 16 */
+    FXL_TEXELS_4 = 3         /* texels of 4 bits */
+};
+
 /* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
  * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,
  * shifted to the right by the drop less the leading zeros of the weight, is U, V or the light. */
@@ -63,18 +73,26 @@ struct fxl_segment_face {
     uint32_t rows_mask; /* (2^log_height - 1) 2^log_width */
     int32_t light_step, light_drop;
     const uint8_t *ramp; /* null: unlit */
-    int32_t light_max;   /* of the ramp, in 1/256 level */
-    int32_t drop_min;    /* of light, U and V */
-    uint32_t least[4];   /* weights at both ends of 16 columns: for segments of 16, 8 and 4, and for
-                            pixels that are divided; from 2 on; INT32_MAX: none */
+    union {
+        int32_t light_max; /* of the ramp, in 1/256 level */
+        uint32_t key;      /* FXL_TEXELS_KEYED: the texel that is not drawn */
+        uint32_t stipple;  /* FXL_TEXELS_STIPPLED: bit 4 (y mod 4) + x mod 4: a pixel is drawn */
+    };
+    int32_t drop_min;  /* of light, U and V */
+    uint32_t least[4]; /* weights at both ends of 16 columns: for segments of 16, 8 and 4, and for
+                          pixels that are divided; from 2 on; INT32_MAX: none */
     uint8_t log_width;
     uint8_t row_drop;        /* 16 - log_width - log: how far p is shifted to the mask */
     uint8_t is_constant;     /* the weight is the same in all columns of a row */
     uint8_t form;            /* log_width - 4 if it is above 0 and log_width = log; else 0 */
     const uint16_t *palette; /* fxl_paint_segments_565: of the texels' colours; null: the texels are
                               * colours themselves */
-    const uint8_t *in_beam;  /* the same: what a beam makes of a texel before that; null: no beam */
-    const uint8_t *table;    /* fxl_paint_segments: as of fxl_paint */
+    union {
+        const uint8_t *in_beam; /* the same: what a beam makes of a texel before that; null: none */
+        const uint8_t *colours; /* FXL_TEXELS_4: of the level */
+    };
+    const uint8_t *table; /* fxl_paint_segments: as of fxl_paint */
+    uint8_t kind;         /* FXL_TEXELS_PLAIN and so on; others than that have form 0 */
 };
 
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */

@@ -249,6 +249,12 @@ static void count_kernel_segments(const fxl_segment_face *face, const fxl_paint_
     }
 }
 
+/* Plain pixels that take as long as one of a kind of texels. */
+static double weight_of_kind(const fxl_segment_face *face)
+{
+    return face->kind == FXL_TEXELS_PLAIN ? 1 : face->kind == FXL_TEXELS_4 ? 2.75 : 2.25;
+}
+
 /* A row, or a part of one, that the kernel of plain rows paints. */
 static void count_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                          int32_t x1)
@@ -257,7 +263,8 @@ static void count_kernel(const fxl_segment_face *face, const fxl_paint_row *row,
     *(draws_listed ? &counted.listed_kernel_runs
       : is_wide    ? &counted.wide_kernel_rows
                    : &counted.segment_rows) += 1;
-    *(is_wide ? &counted.wide_kernel_pixels : &counted.segment_pixels) += x1 - x0;
+    *(is_wide ? &counted.wide_kernel_pixels : &counted.segment_pixels) +=
+        (x1 - x0) * weight_of_kind(face);
     if (face->is_constant) {
         *lines += sixteens(x0, x1);
     } else {
