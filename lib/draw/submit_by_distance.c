@@ -34,6 +34,11 @@ bool fxl_submit_sorted_once(const fxl_traversal *traversal, const fxl_model_view
     return fxl_submit_sorted(traversal, model_view, model, order_faces, ONE_LOOP);
 }
 
+bool fxl_submit_all(const fxl_traversal *traversal, fxl_instance_submit *submit)
+{
+    return fxl_submit_all_by(traversal, submit);
+}
+
 #endif
 
 bool fxl_submit_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)

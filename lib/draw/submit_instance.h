@@ -12,7 +12,9 @@
  * of its own, so that a full frame pays nothing for bands. */
 #define ONE_LOOP (FXL_IS_COMPACT && !FXL_IS_SMALL)
 
-/* fxl_submit_sorted by ONE_LOOP: a library for size has it once. */
+/* A library for size has what follows, and fxl_submit_all, once: in submit_by_distance.c. */
+
+/* fxl_submit_sorted by ONE_LOOP. */
 #if FXL_IS_COMPACT
 bool fxl_submit_sorted_once(const fxl_traversal *traversal, const fxl_model_view *model_view,
                             const fxl_model *model, fxl_face_orderer *order_faces);
@@ -57,8 +59,8 @@ static inline bool fxl_submit_convex(const fxl_traversal *traversal,
     return number == model->face_count;
 }
 
-/* All instances in sight that are left, in the order of drawing. */
-static inline bool fxl_submit_all(const fxl_traversal *traversal, fxl_instance_submit *submit)
+/* fxl_submit_all. */
+static inline bool fxl_submit_all_by(const fxl_traversal *traversal, fxl_instance_submit *submit)
 {
     const fxl_frame *frame = &traversal->renderer->frame;
     const uint32_t count = frame->visible_count;
@@ -82,5 +84,15 @@ static inline bool fxl_submit_all(const fxl_traversal *traversal, fxl_instance_s
     }
     return true;
 }
+
+/* All instances in sight that are left, in the order of drawing. */
+#if FXL_IS_COMPACT
+bool fxl_submit_all(const fxl_traversal *traversal, fxl_instance_submit *submit);
+#else
+static inline bool fxl_submit_all(const fxl_traversal *traversal, fxl_instance_submit *submit)
+{
+    return fxl_submit_all_by(traversal, submit);
+}
+#endif
 
 #endif

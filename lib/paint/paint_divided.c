@@ -34,7 +34,7 @@ bool fxl_divided_find(const fxl_paint *paint, fxl_divided_face *face)
 #if !FXL_TEXELS_IN_ASSEMBLY
 
 /* A number of 64 bits, shifted to the left by at most 31. Its upper word is what counts. */
-static inline int32_t shifted(int64_t value, int shift)
+FXL_ONCE int32_t shifted(int64_t value, int shift)
 {
     return shift >= 0 ? (int32_t)(uint32_t)((uint64_t)value << shift >> 32)
                       : (int32_t)(value >> 32) >> (shift < -31 ? 31 : -shift);
