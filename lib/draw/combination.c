@@ -104,7 +104,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(true, FXL_HAS_TARGET);
 }
 
-const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
+FXL_COLD const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 {
     const uint32_t parts = parts_of(renderer);
     for (uint32_t i = 0; i < sizeof conflicts / sizeof *conflicts; i++) {

@@ -75,8 +75,9 @@ static const char *explain_order(const fxl_config *config, const fxl_scene *scen
                : NULL;
 }
 
-const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *scene,
-                                 const fxl_config *config, const void *memory, size_t memory_size)
+FXL_COLD const char *fxl_renderer_explain(const fxl_renderer *renderer, const fxl_scene *scene,
+                                          const fxl_config *config, const void *memory,
+                                          size_t memory_size)
 {
     fxl_lens lens;
     if (renderer == NULL) {
@@ -194,8 +195,8 @@ static const char *explain_begin(const fxl_renderer *renderer, const fxl_pose *p
     return explain_orientation(renderer, pose, number);
 }
 
-const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye,
-                               const void *pixels, uint16_t stride, uint32_t *number)
+FXL_COLD const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye,
+                                        const void *pixels, uint16_t stride, uint32_t *number)
 {
     uint32_t found;
     if (renderer == NULL) {
@@ -216,7 +217,7 @@ const char *fxl_render_explain(const fxl_renderer *renderer, const fxl_pose *eye
     return explain_begin(renderer, eye, number != NULL ? number : &found);
 }
 
-const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band)
+FXL_COLD const char *fxl_frame_explain(const fxl_renderer *renderer, const fxl_band *band)
 {
     if (renderer == NULL) {
         return NULL_RENDERER;

@@ -6,7 +6,7 @@
 #include "renderer.h"
 #include "submit.h"
 
-fxl_config fxl_config_for(uint16_t width, uint16_t height, const fxl_target *target)
+FXL_COLD fxl_config fxl_config_for(uint16_t width, uint16_t height, const fxl_target *target)
 {
     fxl_config config;
     config.width = width;
@@ -56,8 +56,8 @@ static fxl_status choose(fxl_renderer *renderer, const fxl_config *config)
     return FXL_OK;
 }
 
-fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
-                             const fxl_config *config, void *memory, size_t memory_size)
+FXL_COLD fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *scene,
+                                      const fxl_config *config, void *memory, size_t memory_size)
 {
     fxl_lens lens;
     if (renderer == NULL || scene == NULL || config == NULL || memory == NULL ||

@@ -30,8 +30,8 @@ static bool is_aligned(const fxl_memory *memory)
     return (words & (sizeof(uint32_t) - 1)) == 0 && ((uintptr_t)memory->cache & 7u) == 0;
 }
 
-fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
-                                  const fxl_lens *lens, const fxl_memory *memory)
+FXL_COLD fxl_status fxl_renderer_init_bare(fxl_renderer *renderer, const fxl_scene *scene,
+                                           const fxl_lens *lens, const fxl_memory *memory)
 {
     if (renderer == NULL || scene == NULL || lens == NULL || memory == NULL ||
         memory->draw_list == NULL ||
@@ -95,8 +95,8 @@ static void settings_changed(fxl_renderer *renderer)
     renderer->workspace.settings_version += 1;
 }
 
-fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
-                                    void *workspace, uint32_t workspace_size)
+FXL_COLD fxl_status fxl_renderer_set_clipper(fxl_renderer *renderer, const fxl_clipper *clipper,
+                                             void *workspace, uint32_t workspace_size)
 {
     if (renderer == NULL) {
         return FXL_E_ARGUMENT;
@@ -164,7 +164,7 @@ static fxl_status check_palette(const fxl_config *config)
     return ((uintptr_t)config->palette & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
 }
 
-fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config)
+FXL_COLD fxl_status fxl_choose_with_memory(fxl_renderer *renderer, const fxl_config *config)
 {
     const fxl_target *target = config->target;
     const fxl_order *order = fxl_order_of(config);

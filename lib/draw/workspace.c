@@ -57,8 +57,8 @@ size_t fxl_workspace_size(const fxl_renderer *renderer)
     return of.scratch + of.face_list + of.clipper + of.raster;
 }
 
-fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer, void *memory,
-                              size_t memory_size)
+FXL_COLD fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer,
+                                       void *memory, size_t memory_size)
 {
     if (workspace == NULL || renderer == NULL || workspace == &renderer->workspace ||
         (memory == NULL && memory_size > 0)) {

@@ -37,9 +37,9 @@ static fxl_status make_sprite(const fxl_scene_billboard *from, const fxl_scene_b
     return FXL_OK;
 }
 
-fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
-                               fxl_billboard *boards, uint32_t capacity, fxl_billboard_set *set,
-                               fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
+                                        fxl_billboard *boards, uint32_t capacity,
+                                        fxl_billboard_set *set, fxl_scene_fault *fault)
 {
     if (image == NULL || sprites == NULL || boards == NULL || set == NULL ||
         image->billboards.model_map == NULL) {
@@ -86,7 +86,7 @@ static bool is_side(fxl_q16_16 side, fxl_q16_16 anchor)
     return side >= 1 && side <= FXL_BILLBOARD_SIDE_MAX && anchor >= 0 && anchor <= side;
 }
 
-static fxl_status check_billboard(const fxl_billboard *billboard)
+static FXL_COLD fxl_status check_billboard(const fxl_billboard *billboard)
 {
     const fxl_sprite *sprite = billboard->sprite;
     if (sprite == NULL) {
@@ -114,7 +114,7 @@ static uint64_t square_beyond(fxl_q16_16 side, fxl_q16_16 anchor)
 }
 
 /* The radius is below 2^31, so its square is below 2^62. */
-static fxl_status check_model(const fxl_model *model, const fxl_billboard *billboard)
+static FXL_COLD fxl_status check_model(const fxl_model *model, const fxl_billboard *billboard)
 {
     const uint32_t radius = (uint32_t)model->radius;
     if (model->kind != FXL_MODEL_CONVEX || model->face_count != 1) {
@@ -127,8 +127,8 @@ static fxl_status check_model(const fxl_model *model, const fxl_billboard *billb
                : FXL_E_RADIUS;
 }
 
-fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
-                                fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_billboards_check(const fxl_billboard_set *set, const fxl_scene *scene,
+                                         fxl_scene_fault *fault)
 {
     if (set == NULL || scene == NULL || set->model_map == NULL ||
         (set->count > 0 && set->billboards == NULL)) {

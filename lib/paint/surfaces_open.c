@@ -33,7 +33,7 @@ static bool lies_in(uint32_t place, uint32_t bytes, uint32_t size)
 }
 
 /* Whether a texture lies within the texels of the image. */
-static fxl_status check_place(const fxl_scene_texture *texture, uint32_t size)
+static FXL_COLD fxl_status check_place(const fxl_scene_texture *texture, uint32_t size)
 {
     if (texture->log_width > FXL_TEXTURE_LOG_MAX || texture->log_height > FXL_TEXTURE_LOG_MAX ||
         texture->levels < 1 || texture->levels > FXL_TEXTURE_LOG_MAX + 1u) {
@@ -62,8 +62,9 @@ static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, f
     to->key_565 = from->key_565;
 }
 
-fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures, uint32_t capacity,
-                             fxl_surface_set *set, fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures,
+                                      uint32_t capacity, fxl_surface_set *set,
+                                      fxl_scene_fault *fault)
 {
     if (image == NULL || set == NULL || image->surfaces.face_map == NULL ||
         (textures == NULL && image->surfaces.texture_count != 0)) {
@@ -115,7 +116,7 @@ static const frame_kind of_565 = {
     FXL_TEXTURE_565, FXL_SURFACE_LIT | FXL_SURFACE_BLEND | FXL_SURFACE_ADD | FXL_SURFACE_COLOURS,
     true};
 
-static fxl_status check_texture(const fxl_texture *texture, const frame_kind *kind)
+static FXL_COLD fxl_status check_texture(const fxl_texture *texture, const frame_kind *kind)
 {
     const bool is_565 = texture->format == FXL_TEXTURE_565;
     const uint32_t smallest = texture->format == FXL_TEXTURE_4 ? 1 : 0;
@@ -137,8 +138,8 @@ static fxl_status check_texture(const fxl_texture *texture, const frame_kind *ki
     return is_565 && ((uintptr_t)texture->texels & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
 }
 
-static fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface,
-                                const frame_kind *kind)
+static FXL_COLD fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface,
+                                         const frame_kind *kind)
 {
     if (surface->texture > set->texture_count) {
         return FXL_E_INDEX;
@@ -169,7 +170,7 @@ static bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point 
     return y1 * z2 == z1 * y2 && z1 * x2 == x1 * z2 && x1 * y2 == y1 * x2;
 }
 
-static fxl_status check_texels(const fxl_mapped_face *mapped, bool are_colours)
+static FXL_COLD fxl_status check_texels(const fxl_mapped_face *mapped, bool are_colours)
 {
     for (uint32_t i = 0; i < 3; i++) {
         const fxl_texel *texel = &mapped->texels[i];
@@ -185,8 +186,8 @@ static fxl_status check_texels(const fxl_mapped_face *mapped, bool are_colours)
     return FXL_OK;
 }
 
-static fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
-                             const fxl_model *model, const fxl_mapped_face *mapped)
+static FXL_COLD fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
+                                      const fxl_model *model, const fxl_mapped_face *mapped)
 {
     if (mapped->reserved != 0) {
         return FXL_E_RESERVED;
@@ -210,8 +211,8 @@ static fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
     return check_texels(mapped, (set->surfaces[mapped->surface].flags & FXL_SURFACE_COLOURS) != 0);
 }
 
-static fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene,
-                              fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_faces(const fxl_surface_set *set, const fxl_scene *scene,
+                                       fxl_scene_fault *fault)
 {
     for (uint32_t m = 0; m < scene->model_count; m++) {
         const fxl_model *model = &scene->models[m];
@@ -240,8 +241,8 @@ static bool is_aligned(const fxl_surface_set *set)
            fxl_is_aligned(set->textures, FXL_POINTER);
 }
 
-fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
-                              uint32_t pixel_bits, fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_surfaces_check(const fxl_surface_set *set, const fxl_scene *scene,
+                                       uint32_t pixel_bits, fxl_scene_fault *fault)
 {
     const frame_kind *kind = pixel_bits == 16 ? &of_565 : &of_palette;
     if (set == NULL || scene == NULL || set->face_map == NULL ||

@@ -62,7 +62,7 @@ static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam
 /* Each corner of a piece is a corner of the face, or lies where a plane's line meets the border
  * of a convex part; it meets that twice. Each plane of the first beam cuts the part that the
  * plane before left, and gives each part one corner more than it takes. */
-bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
+FXL_COLD bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
 {
     return face_vertices + planes_from(beams, 0, beam_count) + planes_from(beams, 1, beam_count) <=
            FXL_FACE_VERTICES_MAX;
@@ -76,7 +76,7 @@ static bool is_unused(const fxl_beam_plane *plane)
            plane->distance_low == 0 && plane->distance_high == 0;
 }
 
-fxl_status fxl_beam_check(const fxl_beam *beam)
+FXL_COLD fxl_status fxl_beam_check(const fxl_beam *beam)
 {
     if (beam == NULL) {
         return FXL_E_ARGUMENT;
@@ -223,8 +223,8 @@ static fxl_status through_window(uint8_t kind, int32_t x, int32_t y, int32_t z,
     return FXL_OK;
 }
 
-fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, uint32_t count,
-                               fxl_beam *beam)
+FXL_COLD fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window,
+                                        uint32_t count, fxl_beam *beam)
 {
     if (light == NULL) {
         return FXL_E_ARGUMENT;
@@ -235,8 +235,8 @@ fxl_status fxl_beam_from_point(const fxl_point *light, const fxl_point *window, 
     return through_window(FXL_BEAM_POINT, light->x, light->y, light->z, window, count, beam);
 }
 
-fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
-                                   uint32_t count, fxl_beam *beam)
+FXL_COLD fxl_status fxl_beam_from_direction(const fxl_direction *travel, const fxl_point *window,
+                                            uint32_t count, fxl_beam *beam)
 {
     if (travel == NULL) {
         return FXL_E_ARGUMENT;

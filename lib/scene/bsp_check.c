@@ -10,7 +10,7 @@
  * other object's, so that nothing else is to be clipped to the tree with it. It has no
  * clusters, because the nodes take its faces in turn. What is
  * clipped to it, the other objects of its layer, is convex. */
-static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_instance >= scene->instance_count) {
         return fxl_fault_at(fault, "BSP tree", 0, FXL_E_INDEX);
@@ -38,7 +38,7 @@ static fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-static fxl_status check_plane(const fxl_bsp_node *node)
+static FXL_COLD fxl_status check_plane(const fxl_bsp_node *node)
 {
     if (node->reserved != 0) {
         return FXL_E_RESERVED;
@@ -116,7 +116,7 @@ static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_
 }
 
 /* Checks planes, spheres and faces. The nodes take the model's faces in turn. */
-static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const fxl_model *model = &scene->models[scene->instances[scene->bsp_instance].model];
     uint32_t first = 0;
@@ -150,7 +150,7 @@ static fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
 /* Traverses the tree in pre-order, without a stack. Each step down must be to the next number, so
  * the traversal ends. Each step up is to the parent, from which a step down was made. At the end
  * every node must have been visited. */
-static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const fxl_bsp_node *nodes = scene->bsp_nodes;
     uint32_t at = 0, next = 1, depth = 0;
@@ -188,7 +188,7 @@ static fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
                                          : fxl_fault_at(fault, "BSP node", next, FXL_E_BSP);
 }
 
-fxl_status fxl_bsp_check(const fxl_scene *scene, fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_bsp_check(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes == NULL) {
         return scene->bsp_node_count == 0 && scene->bsp_instance == 0

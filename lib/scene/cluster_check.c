@@ -14,7 +14,7 @@ typedef struct {
 } cluster_faces;
 
 /* Whether a model may say that it has clusters. */
-static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const fxl_model *model = &scene->models[i];
@@ -97,7 +97,7 @@ static bool faces_away(const cluster_faces *in, const fxl_face *face)
            along >= 0 && along * along >= across + (across >> 28) + 1;
 }
 
-static fxl_status check_sphere(const cluster_faces *in)
+static FXL_COLD fxl_status check_sphere(const cluster_faces *in)
 {
     if (in->cluster->radius < 0 || in->cluster->radius > FXL_RADIUS_MAX || !centre_is_among(in)) {
         return FXL_E_RANGE;
@@ -105,7 +105,7 @@ static fxl_status check_sphere(const cluster_faces *in)
     return sphere_holds(in) ? FXL_OK : FXL_E_RADIUS;
 }
 
-static fxl_status check_cone(const cluster_faces *in)
+static FXL_COLD fxl_status check_cone(const cluster_faces *in)
 {
     const fxl_cluster *cluster = in->cluster;
     const fxl_point *apex = &cluster->apex;
@@ -129,8 +129,8 @@ static fxl_status check_cone(const cluster_faces *in)
 }
 
 /* Checks the cluster whose first face within the model is the stated one. */
-static fxl_status check_cluster(const fxl_scene *scene, const fxl_model *model, uint32_t first,
-                                const fxl_cluster *cluster)
+static FXL_COLD fxl_status check_cluster(const fxl_scene *scene, const fxl_model *model,
+                                         uint32_t first, const fxl_cluster *cluster)
 {
     const cluster_faces in = {cluster, &scene->faces[model->first_face + first],
                               &scene->vertices[model->first_vertex], scene->indices};
@@ -146,8 +146,8 @@ static fxl_status check_cluster(const fxl_scene *scene, const fxl_model *model, 
 
 /* Checks the clusters of a model. *next is the number of the first, and becomes that of the next
  * model's first. */
-static fxl_status check_clusters(const fxl_scene *scene, uint32_t number, uint32_t *next,
-                                 fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_clusters(const fxl_scene *scene, uint32_t number, uint32_t *next,
+                                          fxl_scene_fault *fault)
 {
     const fxl_model *model = &scene->models[number];
     uint32_t first = 0;
@@ -168,7 +168,7 @@ static fxl_status check_clusters(const fxl_scene *scene, uint32_t number, uint32
     return FXL_OK;
 }
 
-fxl_status fxl_cluster_check(const fxl_scene *scene, fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_cluster_check(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if ((scene->clusters == NULL) != (scene->cluster_count == 0) ||
         scene->cluster_count > FXL_SCENE_CLUSTERS_MAX) {

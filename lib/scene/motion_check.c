@@ -47,8 +47,8 @@ static bool key_in_range(const fxl_motion *motion, const fxl_motion_key *key)
            key->scale <= motion->scale_high;
 }
 
-static fxl_status check_keys(const fxl_motion_set *set, const fxl_motion *motion,
-                             fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_keys(const fxl_motion_set *set, const fxl_motion *motion,
+                                      fxl_scene_fault *fault)
 {
     const fxl_motion_key *keys = &set->keys[motion->first_key];
     for (uint32_t i = 0; i < motion->key_count; i++) {
@@ -119,8 +119,8 @@ static bool chain_in_world(const fxl_motion *const *chain, uint32_t count, fxl_q
            root[2] + reach <= FXL_COORDINATE_MAX;
 }
 
-static fxl_status check_motion(const fxl_motion_set *set, uint32_t number, fxl_q16_16 radius,
-                               fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_motion(const fxl_motion_set *set, uint32_t number,
+                                        fxl_q16_16 radius, fxl_scene_fault *fault)
 {
     const fxl_motion *motion = &set->motions[number];
     const fxl_motion *chain[FXL_MOTION_DEPTH_MAX + 1];
@@ -140,8 +140,8 @@ static fxl_status check_motion(const fxl_motion_set *set, uint32_t number, fxl_q
                : fxl_fault_at(fault, "motion", number, FXL_E_RANGE);
 }
 
-fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
-                            fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_motion_check(const fxl_motion_set *set, const fxl_scene *scene,
+                                     fxl_scene_fault *fault)
 {
     if (set == NULL || scene == NULL || (set->motion_count > 0 && set->motions == NULL) ||
         (set->key_count > 0 && set->keys == NULL)) {

@@ -92,8 +92,8 @@ static inline fxl_status check(const fxl_placement *placement, const fxl_point *
     return fxl_is_rotation(&placement->orientation) ? FXL_OK : FXL_E_PLACEMENT;
 }
 
-fxl_status fxl_placement_check(const fxl_placement *placement, const fxl_point *centre,
-                               fxl_q16_16 radius)
+FXL_COLD fxl_status fxl_placement_check(const fxl_placement *placement, const fxl_point *centre,
+                                        fxl_q16_16 radius)
 {
     return placement == NULL || centre == NULL ? FXL_E_ARGUMENT : check(placement, centre, radius);
 }
@@ -113,7 +113,7 @@ bool fxl_placement_places_are_in_range(const fxl_scene *scene)
     return true;
 }
 
-fxl_status fxl_placement_check_all(const fxl_scene *scene, uint32_t *number)
+FXL_COLD fxl_status fxl_placement_check_all(const fxl_scene *scene, uint32_t *number)
 {
     const fxl_placement *placement = scene->placements;
     for (uint32_t i = scene->first_turned; i < scene->instance_count; i++, placement++) {

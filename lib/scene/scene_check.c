@@ -16,7 +16,7 @@ static bool count_in(uint32_t count, uint32_t low, uint32_t high)
     return count >= low && count <= high;
 }
 
-static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
         return fxl_fault_at(fault, "vertex table", 0, FXL_E_COUNT);
@@ -36,7 +36,7 @@ static fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->face_count; i++) {
         const fxl_face *face = &scene->faces[i];
@@ -56,8 +56,8 @@ static fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
     return FXL_OK;
 }
 
-static fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
-                                fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
+                                         fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < model->face_count; i++) {
         const fxl_face *face = &scene->faces[model->first_face + i];
@@ -73,7 +73,7 @@ static fxl_status check_indices(const fxl_scene *scene, const fxl_model *model,
 
 /* Models take the vertices and the faces in turn, without gap or overlap. So all models
  * together are as long as the tables, and no longer. */
-static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t vertex = 0, face = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -106,7 +106,7 @@ static fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
     return face == scene->face_count ? FXL_OK : fxl_fault_at(fault, "face table", 0, FXL_E_COUNT);
 }
 
-static fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_instances(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint64_t placed_vertices = 0; /* below 2^16 * 2^16 */
     for (uint32_t i = 0; i < scene->instance_count; i++) {
@@ -134,7 +134,7 @@ static bool sum_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
     return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
 }
 
-static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const uint32_t end = fxl_first_turned(scene);
     for (uint32_t i = 0; i < end; i++) {
@@ -153,7 +153,7 @@ static fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault 
 }
 
 /* Turned instances. Their vertices lie in their spheres, because check_radii checks the models. */
-static fxl_status check_placements(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_placements(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t number = 0;
     if (scene->placements == NULL) {
@@ -170,7 +170,7 @@ static fxl_status check_placements(const fxl_scene *scene, fxl_scene_fault *faul
 }
 
 /* A model may have no instance, so its vertices are checked too: against twice the range. */
-static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const int64_t limit = 2 * (int64_t)FXL_COORDINATE_MAX;
     for (uint32_t i = 0; i < scene->vertex_count; i++) {
@@ -185,7 +185,7 @@ static fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 
 /* Vertices lie within twice the range, so each square is below 2^60 and the sum is below
  * 2^62. A radius is below 2^31, so its square is below 2^62. Exact. */
-static fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const fxl_model *model = &scene->models[i];
@@ -221,7 +221,7 @@ static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_fa
     return true;
 }
 
-static fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
         const fxl_model *model = &scene->models[i];
@@ -249,7 +249,7 @@ static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, co
 }
 
 /* Sorted models take the face bounds in turn. */
-static fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t first = 0;
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -301,7 +301,8 @@ static bool is_aligned(const fxl_scene *scene)
     return (words & (FXL_WORD - 1)) == 0 && fxl_is_aligned(scene->indices, sizeof(uint16_t));
 }
 
-fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_scene_checker *more)
+FXL_COLD fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault,
+                                         fxl_scene_checker *more)
 {
     static fxl_scene_checker *const checks[] = {
         check_counts,   check_faces, check_models,  check_instances,   check_placed_vertices,
@@ -328,7 +329,7 @@ fxl_status fxl_scene_check_with(fxl_scene *scene, fxl_scene_fault *fault, fxl_sc
 }
 
 /* A scene without a table of clusters has no model with clusters. */
-static fxl_status check_no_clusters(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_no_clusters(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->clusters != NULL || scene->cluster_count != 0) {
         return fxl_fault_at(fault, "cluster table", 0, FXL_E_ARGUMENT);
@@ -341,7 +342,7 @@ static fxl_status check_no_clusters(const fxl_scene *scene, fxl_scene_fault *fau
     return FXL_OK;
 }
 
-static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_nodes != NULL || scene->bsp_node_count != 0 || scene->bsp_instance != 0) {
         return fxl_fault_at(fault, "BSP node table", 0, FXL_E_ARGUMENT);
@@ -352,7 +353,7 @@ static fxl_status check_bare(const fxl_scene *scene, fxl_scene_fault *fault)
     return check_no_clusters(scene, fault);
 }
 
-fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_scene_check(fxl_scene *scene, fxl_scene_fault *fault)
 {
     return fxl_scene_check_with(scene, fault, check_bare);
 }

@@ -38,7 +38,7 @@ static fxl_status check_more(const fxl_scene *scene, fxl_scene_fault *fault)
     return status == FXL_OK ? check_beams(scene, fault) : status;
 }
 
-fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_scene_check_all(fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene == NULL) {
         return fxl_scene_check_with(scene, fault, check_more);

@@ -21,7 +21,7 @@ static __attribute__((noinline)) uint32_t count_of(const fxl_image_header *head,
 }
 
 /* An image says where the centre is only if that is not the middle, so a scene has one image. */
-static fxl_status check_lens(const fxl_image_header *head, fxl_lens *lens)
+static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_lens *lens)
 {
     const fxl_image_centre *centre = (const fxl_image_centre *)first_of(head, SECTION_LENS_CENTRE);
     fxl_status status = fxl_lens_from_fov(head->width, head->height, head->fov, head->near_z,
@@ -34,8 +34,8 @@ static fxl_status check_lens(const fxl_image_header *head, fxl_lens *lens)
 }
 
 /* Lens, start pose and motion limits. */
-static fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *opened,
-                                 fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *opened,
+                                          fxl_scene_fault *fault)
 {
     fxl_status status = check_lens(head, &opened->lens);
     if (status != FXL_OK) {
@@ -61,7 +61,7 @@ static fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *
     return FXL_OK;
 }
 
-static fxl_status check_light(const fxl_scene_light *light, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_light(const fxl_scene_light *light, fxl_scene_fault *fault)
 {
     fxl_light_settings settings;
     if (light->base == NULL) {
@@ -71,7 +71,7 @@ static fxl_status check_light(const fxl_scene_light *light, fxl_scene_fault *fau
     return fxl_light_check(&settings, fault);
 }
 
-static fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_path(const fxl_scene_image *opened, fxl_scene_fault *fault)
 {
     uint64_t frames = 0; /* at most 10^6 entries of 16 bits */
     for (uint32_t i = 0; i < opened->path_count; i++) {
@@ -170,8 +170,8 @@ static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
     opened->billboards.pixel_bytes = count_of(head, SECTION_SPRITE_PIXELS);
 }
 
-fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
-                          fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
+                                   fxl_scene_fault *fault)
 {
     if (image == NULL || opened == NULL) {
         return fxl_fault_at(fault, "image", 0, FXL_E_ARGUMENT);

@@ -10,7 +10,7 @@
 
 #define MAGIC 0x534C5846u /* "FXLS" */
 
-static fxl_status check_envelope(const fxl_image_header *head, size_t size)
+static FXL_COLD fxl_status check_envelope(const fxl_image_header *head, size_t size)
 {
     if (size < sizeof *head) {
         return FXL_E_SIZE;
@@ -51,7 +51,7 @@ typedef struct {
     bool is_exact;
 } place;
 
-static fxl_status check_entry(const fxl_image_section *one, const place *next)
+static FXL_COLD fxl_status check_entry(const fxl_image_section *one, const place *next)
 {
     if (one->kind <= next->kind) {
         return FXL_E_OFFSET;
@@ -78,8 +78,8 @@ static bool is_padded(const fxl_image_header *head, uint32_t end, uint32_t round
 /* The section's place and length, after which *next is that of the one behind it. A count of at
  * most 2^24 times the size of an entry, at most 256 bytes, is below 2^33. The image's size and each
  * place are multiples of four, so that an end that lies within the image also does so rounded. */
-static fxl_status check_place(const fxl_image_header *head, const fxl_image_section *one,
-                              place *next)
+static FXL_COLD fxl_status check_place(const fxl_image_header *head, const fxl_image_section *one,
+                                       place *next)
 {
     const bool is_known = one->kind < SECTION_KINDS;
     uint64_t bytes = 0;
@@ -141,7 +141,7 @@ FXL_STATIC_ASSERT(SECTION_KINDS <= 32, "a bit a kind");
 #define BIT(kind) ((uint32_t)1 << (kind))
 
 /* Which sections there must be, and which go together. */
-static fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     static const struct {
         uint8_t some, last;
@@ -180,7 +180,7 @@ static fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *
 }
 
 /* Counts that go with others, and numbers of the header that go with a section. */
-static fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     if (count_of(head, SECTION_PALETTE) != 256) {
         return missing(SECTION_PALETTE, fault);
@@ -207,7 +207,7 @@ static fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fa
                : fxl_fault_at(fault, "blend table", 0, FXL_E_RESERVED);
 }
 
-static fxl_status check_list(const fxl_image_header *head, fxl_scene_fault *fault)
+static FXL_COLD fxl_status check_list(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     const fxl_image_section *list = (const fxl_image_section *)(const void *)(head + 1);
     place next = {(uint32_t)(sizeof *head + head->section_count * sizeof *list), 0, true};
@@ -225,8 +225,8 @@ static fxl_status check_list(const fxl_image_header *head, fxl_scene_fault *faul
                : FXL_OK;
 }
 
-fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
-                                    fxl_scene_fault *fault)
+FXL_COLD fxl_status fxl_scene_sections_check(const fxl_image_header *head, size_t size,
+                                             fxl_scene_fault *fault)
 {
     fxl_status status = check_envelope(head, size);
     if (status != FXL_OK) {

@@ -49,6 +49,14 @@ extern "C" {
 #define FXL_SHARED
 #endif
 
+/* Stands before the definition of a function that no frame calls, such as a check of a scene: the
+ * compiler makes it, and what it alone calls, for few bytes. */
+#ifdef __GNUC__
+#define FXL_COLD __attribute__((cold))
+#else
+#define FXL_COLD
+#endif
+
 typedef int32_t fxl_q16_16; /* world units, pixels, texels; unit 1/65536 */
 typedef int32_t fxl_q2_30;  /* components of unit vectors, sines; unit 2^-30 */
 typedef uint32_t fxl_q1_31; /* fractions 0..1 inclusive; unit 2^-31 */
@@ -312,8 +320,8 @@ typedef struct {
 typedef struct {
     uint8_t colour;
     uint8_t count;
-    uint8_t kind;     /* how it is filled: FXL_POLYGON_FLAT and so on */
-    uint8_t shade;    /* RGB565: 256ths that light takes of the colour; else 0 */
+    uint8_t kind;  /* how it is filled: FXL_POLYGON_FLAT and so on */
+    uint8_t shade; /* RGB565: 256ths that light takes of the colour; else 0 */
     fxl_screen_point points[FXL_POLYGON_CAPACITY];
 } fxl_screen_polygon;
 
