@@ -59,6 +59,14 @@ static fxl_direction normal_of(const fxl_scene *scene, uint32_t number, const fx
     return normal;
 }
 
+#if FXL_IS_COMPACT
+
+#define LIST_INSTANCES fxl_list_still_instances
+
+#else
+
+#define LIST_INSTANCES list_instances
+
 /* Where the entries of an order go. */
 typedef struct {
     const fxl_camera *camera;
@@ -99,6 +107,8 @@ static uint32_t list_instances(const fxl_scene *scene, const fxl_camera *camera,
     fxl_sort_instances(entries, count);
     return count;
 }
+
+#endif
 
 /* Whether the orientations of all instances in sight are rotations. */
 static bool are_rotations(const fxl_scene *scene, const fxl_draw_entry *entries, uint32_t count)
@@ -141,7 +151,7 @@ static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uin
         fxl_extents_take_back(renderer, &renderer->workspace);
     }
     const uint32_t count =
-        list_instances(scene, &view->camera, &view->view_frustum, frame->draw_list, culled);
+        LIST_INSTANCES(scene, &view->camera, &view->view_frustum, frame->draw_list, culled);
     if (are_rotations(scene, frame->draw_list, count)) {
         frame->visible_count = (uint16_t)count;
         return FXL_OK;
@@ -330,7 +340,7 @@ const fxl_placement_code fxl_turned_instances = {.check = fxl_placement_check_al
                                                  .place_vertex = place_vertex,
                                                  .place_face = place_face,
                                                  .normal = normal_of,
-                                                 .list_instances = list_instances,
+                                                 .list_instances = LIST_INSTANCES,
                                                  .submit = submit,
                                                  .submit_instance = submit_turned,
                                                  .count_rounded = count_rounded,

@@ -283,7 +283,7 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
                              const uint16_t *vertices, const fxl_traversal *traversal,
                              fxl_screen_corners *corners)
 {
-    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags &&
+    if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
         find_projected(model_view, face, vertices, corners)) {
         screen_box box;
         begin_box(&box, &model_view->view->lens, corners);

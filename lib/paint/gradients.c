@@ -9,6 +9,7 @@
  *
  * and n . D is h focal / z, where h = n . P0. */
 #include "../math/arith.h"
+#include "../math/family.h"
 #include "../view/project.h"
 #include "../view/view.h"
 #include "fixel/surfaces.h"
@@ -38,7 +39,7 @@ fxl_block_vector fxl_block(int64_t x, int64_t y, int64_t z, int exponent)
     return result;
 }
 
-static fxl_block_vector difference(const fxl_view_point *a, const fxl_view_point *b)
+FXL_ONCE fxl_block_vector difference(const fxl_view_point *a, const fxl_view_point *b)
 {
     return fxl_block(a->x - b->x, a->y - b->y, a->z - b->z, 0);
 }
@@ -56,6 +57,12 @@ static void negate(fxl_block_vector *vector)
     vector->x = -vector->x;
     vector->y = -vector->y;
     vector->z = -vector->z;
+}
+
+/* value / 2^drop, rounded down. */
+FXL_ONCE int64_t shifted_down(int64_t value, unsigned drop)
+{
+    return value >> drop;
 }
 
 /* factors[0] vectors[0] + factors[1] vectors[1] + factors[2] vectors[2]. The first factor is below
@@ -76,9 +83,9 @@ static fxl_block_vector combine(const fxl_block_vector vectors[3], const int32_t
             continue;
         }
         const unsigned drop = (unsigned)(exponent - vector->exponent) + 1;
-        x += (int64_t)factors[i] * vector->x >> drop;
-        y += (int64_t)factors[i] * vector->y >> drop;
-        z += (int64_t)factors[i] * vector->z >> drop;
+        x += shifted_down((int64_t)factors[i] * vector->x, drop);
+        y += shifted_down((int64_t)factors[i] * vector->y, drop);
+        z += shifted_down((int64_t)factors[i] * vector->z, drop);
     }
     return fxl_block(x, y, z, exponent == INT32_MIN ? 0 : exponent + 1);
 }
@@ -128,7 +135,7 @@ int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gra
 static fxl_real bound_of(uint64_t number, int exponent)
 {
     const int drop = (int)fxl_bit_length(number) - 32;
-    const uint64_t mantissa = drop <= 0 ? number << -drop : (number >> drop) + 1;
+    const uint64_t mantissa = (number << (32 - drop) >> 32) + (drop > 0 ? 1 : 0);
     const int carry = (int)(mantissa >> 32);
     const fxl_real bound = {(uint32_t)(mantissa >> carry), exponent + drop + carry};
     return bound;
@@ -139,6 +146,12 @@ static bool is_above(const fxl_real *a, const fxl_real *b)
     return a->exponent != b->exponent ? a->exponent > b->exponent : a->mantissa > b->mantissa;
 }
 
+/* The upper word at the beginning of a row. */
+FXL_ONCE int32_t upper_at(const fxl_gradient *gradient, int32_t row)
+{
+    return (int32_t)((gradient->at + row * gradient->down) >> 32);
+}
+
 /* Of an attribute u, |u' w - w' u| 2^shift, where ' is the change a pixel along the row: it is
  * linear in the row and the same along it. The slopes are cut to 31 bits; so products are below
  * 2^61. What is cut off the four factors changes the difference by less than 2^33. */
@@ -147,13 +160,12 @@ static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w
 {
     const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
     const unsigned drop = bits > 31 ? bits - 31 : 0;
-    const int32_t u_slope = (int32_t)(u->along >> drop), w_slope = (int32_t)(w->along >> drop);
-    const int64_t u_begin = u->at + first_row * u->down, w_begin = w->at + first_row * w->down;
-    const int64_t top = fxl_multiply_s32(u_slope, (int32_t)(w_begin >> 32)) -
-                        fxl_multiply_s32(w_slope, (int32_t)(u_begin >> 32));
-    const int64_t u_end = u->at + last_row * u->down, w_end = w->at + last_row * w->down;
-    const int64_t bottom = fxl_multiply_s32(u_slope, (int32_t)(w_end >> 32)) -
-                           fxl_multiply_s32(w_slope, (int32_t)(u_end >> 32));
+    const int32_t u_slope = (int32_t)shifted_down(u->along, drop);
+    const int32_t w_slope = (int32_t)shifted_down(w->along, drop);
+    const int64_t top = fxl_multiply_s32(u_slope, upper_at(w, first_row)) -
+                        fxl_multiply_s32(w_slope, upper_at(u, first_row));
+    const int64_t bottom = fxl_multiply_s32(u_slope, upper_at(w, last_row)) -
+                           fxl_multiply_s32(w_slope, upper_at(u, last_row));
     const uint64_t larger =
         fxl_magnitude(top) > fxl_magnitude(bottom) ? fxl_magnitude(top) : fxl_magnitude(bottom);
     return bound_of(larger + ((uint64_t)1 << 33), (int)drop - 32 + shift);
@@ -251,7 +263,7 @@ void fxl_find_least_weights(const fxl_gradients *gradients, uint32_t division, u
 
 /* --- a face --------------------------------------------------------------------------------- */
 
-static bool is_zero(const fxl_gradient *gradient)
+FXL_ONCE bool is_zero(const fxl_gradient *gradient)
 {
     return (gradient->at | gradient->along | gradient->down) == 0;
 }

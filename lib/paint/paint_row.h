@@ -41,28 +41,28 @@ static inline int32_t value_at(int64_t first, const fxl_gradient *gradient, int3
     return (int32_t)((first + gradient->along * x) >> 32);
 }
 
-static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x, uint32_t weight,
-                      int32_t values[FXL_ATTRIBUTES])
-{
-    const fxl_gradients *gradients = paint->gradients;
-    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight);
-    for (uint32_t i = 0; i < gradients->count; i++) {
-        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
-                                     &reciprocal, gradients->shifts[i]);
-    }
-}
-
 static uint32_t weight_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
 {
     const int32_t weight = value_at(row->weight, &paint->gradients->weight, x);
     return weight < 1 ? 1 : (uint32_t)weight;
 }
 
+static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
+                      int32_t values[FXL_ATTRIBUTES])
+{
+    const fxl_gradients *gradients = paint->gradients;
+    const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(paint, row, x));
+    for (uint32_t i = 0; i < gradients->count; i++) {
+        values[i] = fxl_attribute_of(value_at(row->attributes[i], &gradients->attributes[i], x),
+                                     &reciprocal, gradients->shifts[i]);
+    }
+}
+
 static void divide_each(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     int32_t values[FXL_ATTRIBUTES];
     for (int32_t x = x0; x < x1; x++) {
-        divide_at(paint, row, x, weight_at(paint, row, x), values);
+        divide_at(paint, row, x, values);
         paint_pixel(paint, row, x, values);
     }
 }
@@ -86,9 +86,9 @@ static void paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int3
     int32_t ends[FXL_ATTRIBUTES];
     linear_pixels linear = {{0}, {0}};
     if (at->column != first) {
-        divide_at(paint, row, first, weight_at(paint, row, first), at->values);
+        divide_at(paint, row, first, at->values);
     }
-    divide_at(paint, row, last, weight_at(paint, row, last), ends);
+    divide_at(paint, row, last, ends);
     at->column = last;
     for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
         const int32_t change = (int32_t)((uint32_t)ends[i] - (uint32_t)at->values[i]);

@@ -164,3 +164,12 @@ bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
     }
     return true;
 }
+
+#if FXL_IS_COMPACT
+
+fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
+{
+    return fxl_reciprocal_in_place(weight);
+}
+
+#endif

@@ -184,7 +184,7 @@ typedef struct {
  * weight from 2 on is 2^31. The first estimate divides by the 16 upper bits: it is within 2^-15,
  * relatively. Newton's step squares that: at most 2^-30 too small. Its product is rounded down:
  * less than a unit too large. So the error is below 2^-29. */
-static inline fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
+static inline fxl_reciprocal fxl_reciprocal_in_place(uint32_t weight)
 {
     fxl_reciprocal reciprocal;
     reciprocal.zeros = fxl_leading_zeros(weight);
@@ -195,6 +195,16 @@ static inline fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
     reciprocal.value = (int32_t)(value - (value >> 31));
     return reciprocal;
 }
+
+/* The same; a library for size has it once. */
+#if FXL_IS_COMPACT
+fxl_reciprocal fxl_reciprocal_of(uint32_t weight);
+#else
+static inline fxl_reciprocal fxl_reciprocal_of(uint32_t weight)
+{
+    return fxl_reciprocal_in_place(weight);
+}
+#endif
 
 /* value * 2^shift / weight, modulo 2^32, rounded down. Requires |value| < 2^31. */
 static inline int32_t fxl_attribute_of(int32_t value, const fxl_reciprocal *reciprocal, int shift)

@@ -68,7 +68,11 @@ uint32_t fxl_list_still_instances(const fxl_scene *scene, const fxl_camera *came
     for (uint32_t i = 0; i < scene->instance_count; i++) {
         const fxl_instance *instance = &scene->instances[i];
         const fxl_model *model = &scene->models[instance->model];
-        uint32_t planes = fxl_sphere_planes(camera, frustum, &instance->centre, model->radius);
+        fxl_q16_16 radius = model->radius;
+        if (FXL_IS_COMPACT && i >= fxl_first_turned(scene)) {
+            radius = fxl_scaled_radius(fxl_placement_of(scene, i)->scale, radius);
+        }
+        uint32_t planes = fxl_sphere_planes(camera, frustum, &instance->centre, radius);
         if (planes == FXL_SPHERE_OUTSIDE) {
             *left_out += model->face_count; /* below 2^16 * 2^16 */
             continue;

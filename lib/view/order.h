@@ -73,7 +73,8 @@ uint32_t fxl_list_front_faces(const fxl_scene *scene, const fxl_model *model, co
 uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
                           fxl_draw_entry *entries, uint32_t count);
 
-/* fxl_list_instances of a scene of which no instance is turned. */
+/* fxl_list_instances of a scene of which no instance is turned; a library for size lists all by it.
+ */
 uint32_t fxl_list_still_instances(const fxl_scene *scene, const fxl_camera *camera,
                                   const fxl_view_frustum *frustum, fxl_draw_entry *entries,
                                   uint32_t *left_out);

@@ -166,7 +166,7 @@ unsigned fxl_placement_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, f
 
 /* Moves the vertex to translation + 2^shift (matrix . vertex). Exact: the difference is matrix .
  * vertex, and the instance lies within FXL_COORDINATE_MAX, so the product is below 2^60. */
-static fxl_q18_46 scaled_from(fxl_q18_46 translation, fxl_q18_46 position, unsigned shift)
+FXL_ONCE fxl_q18_46 scaled_from(fxl_q18_46 translation, fxl_q18_46 position, unsigned shift)
 {
     return translation + (fxl_q18_46)((uint64_t)(position - translation) << shift);
 }

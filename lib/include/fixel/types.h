@@ -51,7 +51,7 @@ extern "C" {
 
 /* Stands before the definition of a function that no frame calls, such as a check of a scene: the
  * compiler makes it, and what it alone calls, for few bytes. */
-#ifdef __GNUC__
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__
 #define FXL_COLD __attribute__((cold))
 #else
 #define FXL_COLD
