@@ -86,7 +86,7 @@ class Shape:
     middle: tuple = (0, 0, 0)
     half_height: int = 0
     open_edges: int = 0
-    normals: list = None    # for each face those of its corners in 2.30, or None; None without those of a file
+    normals: list = None    # for each face those of its corners in 2.30, or None; None: they are not known
 
 
 def minus(a, b):

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from fixel.image.image import Face
-from fixel.model.mesh import FACES_MAX, cross, dot, minus, newell, unit_normal
+from fixel.model.mesh import FACES_MAX, newell, unit_normal
 from fixel.scene import surfaces
 
 
@@ -118,46 +118,39 @@ def _turned(normals, turn, own):
 
 # --- faces whose light is not linear ---------------------------------------------------------------
 
-SAME_COSINE = 1 - 1e-6      # of normals that are one
-SHARE_MAX = 1 / 256         # what a corner's light may be off
+SAME_SQUARE = 2e-6 * (1 << 60)      # of the difference of normals that are one
+SIDE_SHARE = 256                    # opposite sides of a parallelogram are one, but for a share of the longest
+
+
+def _are_one(one, other):
+    """Whether two normals are one, but for their rounding."""
+    return one == other or sum((a - b) ** 2 for a, b in zip(one, other)) < SAME_SQUARE
 
 
 def _is_linear(points, normals):
-    """Whether the light of three corners gives that of every other one, whatever the light is: so on a cylinder's side, not on a
-    ball's. Light ends at 0 and at 1, so it is not linear where normals are."""
-    units = np.array(normals, dtype=float) / (1 << 30)
-    same = units @ units.T > SAME_COSINE
-    if same.all():
-        return True
-    three = surfaces.best_corners(tuple(points))
-    first, one, two = (points[i] for i in three)
-    e, f = minus(one, first), minus(two, first)
-    ee, ef, ff = dot(e, e), dot(e, f), dot(f, f)
-    whole = ee * ff - ef * ef
-    for number, point in enumerate(points):
-        pe, pf = dot(minus(point, first), e), dot(minus(point, first), f)
-        s, t = (pe * ff - pf * ef) / whole, (pf * ee - pe * ef) / whole
-        shares = np.array([1 - s - t, s, t])
-        if any(abs(shares[same[three[i], three]].sum() - same[three[i], number]) > SHARE_MAX for i in range(3)) or \
-                not same[number, three].any():
-            return False
-    return True
+    """Whether the light of three corners gives that of every other one, whatever the light is: where all normals are one, and on a
+    parallelogram with one normal along each of two sides, as of a cylinder. Light ends at 0 and at 1, so it is not linear where
+    normals are."""
+    a, b, c, d = normals[:4]
+    if len(points) == 4 and (_are_one(a, b) and _are_one(c, d) or _are_one(b, c) and _are_one(a, d)):
+        largest = max(abs(one[axis] - other[axis]) for axis in range(3) for one, other in zip(points, points[1:]))
+        off = max(abs(p - q + r - s) for p, q, r, s in zip(*points))
+        return off * SIDE_SHARE <= largest or _are_one(a, c)
+    return all(_are_one(a, each) for each in normals[1:])
 
 
 def cut(made, coordinates, normals):
-    """(shape, coordinates): faces whose light is not linear are triangles. normals: of each face's corners; coordinates: likewise,
-    on a texture."""
+    """(shape, coordinates): faces whose light is not linear are triangles. normals: of each face's corners, which the shape then
+    has; coordinates: likewise, on a texture."""
     faces, sources, more, given = [], [], [], []
     for number, (face, found) in enumerate(zip(made.faces, normals)):
         points = [made.vertices[c] for c in face.corners]
         is_whole = len(points) == 3 or _is_linear(points, found)
         for piece in [range(len(points))] if is_whole else surfaces.triangles(points):
-            faces.append(Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
+            faces.append(face if is_whole else Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
             sources.append(made.sources[number])
             more.append([coordinates[number][i] for i in piece])
-            if made.normals:
-                own = made.normals[number]
-                given.append(own and [own[i] for i in piece])
+            given.append([found[i] for i in piece])
     if len(faces) > FACES_MAX:
-        return made, coordinates
-    return replace(made, faces=faces, sources=sources, normals=given or None), more
+        return replace(made, normals=normals), coordinates
+    return replace(made, faces=faces, sources=sources, normals=given), more

@@ -105,7 +105,7 @@ def tiled(coordinates, size):
 # --- faces ---------------------------------------------------------------------------------------
 
 @functools.lru_cache(1 << 14)      # a face comes here twice
-def best_corners(points):
+def _best_corners(points):
     """Three corners of an outline, in rising order, whose triangle is the largest; of several the first. points: a
     tuple."""
     if len(points) == 3:
@@ -179,7 +179,7 @@ def spread(mesh, rows, made, coordinates):
     faces, sources, result = [], [], []
     for face, source, found in zip(made.faces, made.sources, source_coordinates(mesh, rows, made, coordinates)):
         outline = tuple(made.vertices[c] for c in face.corners)
-        is_whole = len(outline) == 3 or _is_affine(outline, found, best_corners(outline))
+        is_whole = len(outline) == 3 or _is_affine(outline, found, _best_corners(outline))
         for piece in [range(len(outline))] if is_whole else triangles(outline):
             faces.append(Face(face.normal, tuple(face.corners[i] for i in piece), face.colour))
             sources.append(source)
@@ -195,7 +195,7 @@ def _q16(value):
 def place(points, coordinates, paint, where):
     """(corners, texels in 16.16) of a face. A texture that repeats is moved by whole widths and heights to where its
     least coordinates are small. A paint without a picture has no texels."""
-    three = best_corners(tuple(points))
+    three = _best_corners(tuple(points))
     if paint.picture is None:
         return three, ((0, 0),) * 3
     moved = (0, 0)

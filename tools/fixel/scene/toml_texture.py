@@ -307,6 +307,8 @@ class Wish:
 
     def normals(self, made):
         """For each face of a shape the normals of its corners."""
+        if made.normals and None not in made.normals:
+            return made.normals
         found = corner_normals.smooth_normals(made, self.crease) if self.smooth else [[face.normal] * len(face.corners) for face in made.faces]
         return [given or own for given, own in zip(made.normals, found)] if made.normals else found
 
