@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/* What ports/arduino calls, as a diary, and a core's main. */
+#include <stdio.h>
+#include <string.h>
+
+#include "Arduino.h"
+#include "SPI.h"
+#include "diary.h"
+
+SPIClass SPI;
+static bool is_begun, is_in_transaction;
+static uint8_t message[2 * 320 * 240];
+static size_t length;
+
+static void require(bool holds, const char *sentence)
+{
+    if (!holds) {
+        printf("fault %s\n", sentence);
+    }
+}
+
+void pinMode(uint8_t pin, uint8_t mode)
+{
+    (void)pin;
+    require(mode == OUTPUT, "a pin is no output");
+}
+
+/* What was sent since the last change of a pin is a message. */
+void digitalWrite(uint8_t pin, uint8_t level)
+{
+    if (length > 0) {
+        diary_bytes(message, length);
+        length = 0;
+    }
+    diary_pin(pin, level == HIGH);
+}
+
+void delay(unsigned long milliseconds)
+{
+    diary_sleep((unsigned)milliseconds);
+}
+
+void SPIClass::begin()
+{
+    is_begun = true;
+    diary_setup("spi");
+}
+
+void SPIClass::beginTransaction(SPISettings settings)
+{
+    require(is_begun && !is_in_transaction, "a transaction in another one");
+    require(settings.clock == 40000000 && settings.bit_order == MSBFIRST && settings.mode == SPI_MODE0, "the settings");
+    is_in_transaction = true;
+}
+
+/* The library's own buffers must not be given: what came back stands in the place of what was sent. */
+void SPIClass::transfer(void *bytes, size_t size)
+{
+    require(is_in_transaction, "bytes without a transaction");
+    memcpy(message + length, bytes, size);
+    length += size;
+    memset(bytes, 0xEE, size);
+}
+
+void SPIClass::endTransaction()
+{
+    require(is_in_transaction, "no transaction");
+    is_in_transaction = false;
+}
+
+int main()
+{
+    setup();
+    for (;;) {
+        loop();
+    }
+}

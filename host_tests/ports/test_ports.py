@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""The ports to SDKs: each example compiles against declarations of the functions that it calls, and runs on doubles of them. The
+order of its calls must be right, no byte may change while it is sent, and the display shows the frames as the library draws them."""
+
+import re
+import subprocess
+
+import numpy
+import pytest
+
+from conftest import CHECKOUT
+from fixel.board import controllers, wires
+from fixel.scene import making
+
+PORTS, TESTS = CHECKOUT / "ports", CHECKOUT / "host_tests" / "ports"
+FRAMES, WIDTH, HEIGHT = 3, 320, 240
+CC = ["-O1", "-g", "-fsanitize=undefined", "-fno-sanitize-recover", "-Wall", "-Wextra", "-Werror"]
+# The folder of an example: its sources, the controller, pins of select, data/command and reset.
+EXAMPLES = {"pico_sdk": (["main.c", "fixel_pico.c"], "st7789", (17, 20, 21)),
+            "stm32_hal": (["cube.c", "fixel_stm32.c"], "ili9341", (4, 3, 2)),
+            "arduino/cube": (["cube.ino", "fixel_arduino.cpp"], "ili9341", (10, 9, 8))}
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory):
+    """A folder with cube_scene.h, with a path of frames."""
+    folder = tmp_path_factory.mktemp("scene")
+    making.export(str(CHECKOUT / "examples/cube/cube.obj"), str(folder / "cube_scene.h"), frames=96)
+    return folder
+
+
+def built(folder, name, scene, sources, includes):
+    """A program of the sources, C or C++, with the host's library."""
+    objects = []
+    for number, source in enumerate(sources):
+        is_c = source.suffix == ".c"
+        compiler = ["gcc", "-std=c11", "-Wconversion"] if is_c else ["g++", "-std=c++11", "-x", "c++"]
+        objects.append(folder / f"{name}-{number}.o")
+        # A sketch's functions and an exported object need no declaration of their own.
+        before = ["-include", "Arduino.h"] if source.suffix == ".ino" else []
+        subprocess.run([*compiler, *CC, *before, *(f"-I{each}" for each in (*includes, scene, TESTS, CHECKOUT / "lib/include")),
+                        "-c", source, "-o", objects[-1]], check=True)
+    program = folder / name
+    subprocess.run(["g++", "-fsanitize=undefined", *objects, CHECKOUT / "build/host/libfixel.a", "-o", program], check=True)
+    return program
+
+
+def diary_of(example, folder, scene):
+    """(word, argument) of each line that the example's doubles wrote."""
+    sources, _, _ = EXAMPLES[example]
+    declarations = TESTS / example.split("/")[0]
+    double = next(declarations.glob("double.*"))
+    program = built(folder, "example", scene, [*(PORTS / example / name for name in sources), double, TESTS / "diary.c"],
+                    [declarations, PORTS / example])
+    done = subprocess.run([program], stdout=subprocess.PIPE, text=True, timeout=60, check=False)
+    faults = re.findall("^fault (.*)$", done.stdout, re.MULTILINE)
+    assert not faults and done.returncode == 0, faults
+    return [line.split(" ", 1) for line in done.stdout.splitlines()]
+
+
+class Module:
+    """A display at the wires: what the lines of a diary do to it."""
+
+    def __init__(self, controller, pins):
+        self.model, self.pins = controllers.start(controller), pins
+        self.level, self.is_sending, self.resets, self.pictures, self.sent = {}, False, 0, [], 0
+
+    def pin(self, number, level):
+        assert not self.is_sending, "a pin changes while a transfer is under way"
+        select, _, reset = self.pins
+        assert number in self.pins
+        if number == reset:
+            assert self.level.get(select, True), "reset while selected"
+            self.resets += self.level.get(reset) is False and level
+        self.level[number] = level
+
+    def take(self, data):
+        select, is_data, reset = self.pins
+        assert self.level[select] is False and self.level[reset] is True and self.resets == 1
+        if self.level[is_data]:
+            self.model.take_data(data)
+            self.sent += len(data) if self.model.takes_pixels else 0
+        else:
+            assert len(data) == 1
+            self.model.take_command(data)
+
+    def play(self, diary):
+        for word, rest in diary:
+            if word == "pin":
+                number, level = rest.split()
+                self.pin(int(number), level == "1")
+            elif word == "start":
+                assert self.level[self.pins[0]] is False and self.level[self.pins[1]] is True
+                self.is_sending = True
+            elif word in ("bytes", "done"):
+                assert self.is_sending == (word == "done")
+                self.take(bytes.fromhex(rest))
+                self.is_sending = False
+                self.keep()
+            elif word == "sleep":
+                self.model.pause(int(rest))
+
+    def keep(self):
+        """A picture after each frame. Before the first one as many bytes of black come, while the glass is off."""
+        frames, rest = divmod(self.sent, 2 * WIDTH * HEIGHT)
+        if rest == 0 and frames - 1 > len(self.pictures):
+            self.model.finish()
+            self.pictures.append(self.model.picture(1))
+
+
+def expected(folder, scene):
+    """The glass after each of the first frames, in 16 bits a pixel."""
+    program = built(folder, "expected", scene, [TESTS / "expected.c"], [])
+    data = subprocess.run([program], stdout=subprocess.PIPE, check=True).stdout
+    palette = numpy.frombuffer(data[:768], numpy.uint8).reshape(256, 3)
+    frames = numpy.frombuffer(data[768:], numpy.uint8).reshape(FRAMES, HEIGHT, WIDTH)
+    return [wires.rgb565(palette)[frame] for frame in frames]
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_a_display_shows_the_frames_of_the_library(example, scene, tmp_path):
+    _, controller, pins = EXAMPLES[example]
+    module = Module(controller, pins)
+    module.play(diary_of(example, tmp_path, scene))
+    wanted = expected(tmp_path, scene)
+    assert len({frame.tobytes() for frame in wanted}) == FRAMES, "it turns"
+    assert len(module.pictures) == FRAMES
+    for shown, frame in zip(module.pictures, wanted):
+        assert (shown == frame).all(), f"{(shown != frame).sum()} pixels differ"
+
+
+@pytest.mark.parametrize("example, seeks_dma", [("pico_sdk", True), ("stm32_hal", True), ("arduino/cube", False)])
+def test_pixels_go_by_dma_where_there_is_some(example, seeks_dma, scene, tmp_path):
+    starts = [int(rest) for word, rest in diary_of(example, tmp_path, scene) if word == "start"]
+    assert (starts.count(2 * WIDTH * 20) >= FRAMES * HEIGHT // 20 - 1) == seeks_dma and bool(starts) == seeks_dma
+
+
+@pytest.mark.parametrize("example, broken, found", [
+    ("pico_sdk", ("        dma_channel_wait_for_finish_blocking(channel);\n", ""), "before the transfer's end"),
+    ("pico_sdk", ("        while (spi_is_busy(spi0)) { /* the last bytes leave the queue */\n        }\n", ""), "while bytes leave"),
+    ("stm32_hal", ("HAL_SPI_GetState(&FIXEL_STM32_SPI) != HAL_SPI_STATE_READY", "0"), "while bytes leave"),
+    ("arduino/cube", ("SPI.transfer(piece, count)", "SPI.transfer((void *)(uintptr_t)bytes, count)"), "")])
+def test_a_broken_port_is_found(example, broken, found, scene, tmp_path, monkeypatch):
+    """The test can fail: without a wait, or with the library's own buffer given away."""
+    copy = tmp_path / "ports"
+    sources, controller, pins = EXAMPLES[example]
+    (copy / example).mkdir(parents=True)
+    for file in (PORTS / example).iterdir():
+        text = file.read_text(encoding="utf-8")
+        (copy / example / file.name).write_text(text.replace(*broken) if file.name == sources[1] else text, encoding="utf-8")
+    assert (copy / example / sources[1]).read_text() != (PORTS / example / sources[1]).read_text()
+    monkeypatch.setattr(f"{__name__}.PORTS", copy)
+    with pytest.raises((AssertionError, controllers.ToolError)) as error:
+        module = Module(controller, pins)
+        module.play(diary_of(example, tmp_path, scene))
+        wanted = expected(tmp_path, scene)
+        assert all((shown == frame).all() for shown, frame in zip(module.pictures, wanted)), "pixels differ"
+    assert found in str(error.value)
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_the_wiring_of_the_page_is_that_of_the_port(example):
+    """Each pin of the port stands in the table of the README beside it."""
+    text = (PORTS / example.split("/")[0] / "README.md").read_text(encoding="utf-8")
+    select, is_data, reset = EXAMPLES[example][2]
+    rows = dict(re.findall(r"^\| (CS|D/C|RESET) \| [^|\d]*(\d+)\b", text, re.MULTILINE))
+    assert rows == {"CS": str(select), "D/C": str(is_data), "RESET": str(reset)}
