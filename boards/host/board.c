@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The host as a board: walk SCENE.fxls OUT.fxld [FRAMES].
+/* The host as a board: walk SCENE.fxls OUT.fxld [FRAMES [KEYS]].
  *
  * Like every program of the host it exits with 0 where it is done; its other
- * exit codes are those of system.h. OUT.fxld appears only when it is whole. */
+ * exit codes are those of system.h. OUT.fxld appears only when it is whole.
+ *
+ * With KEYS a player walks: OUT.fxld is a FIFO, into which frames go as somebody reads them, and
+ * KEYS a file of one byte, the keys that are held. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,11 +20,12 @@
 #include "parts/sink.h"
 
 #define FRAMES_MAX      1000000ul
+#define LIVE_FRAMES_MAX 0xFFFFFFFFul         /* a live run has no end */
 #define SCENE_BYTES_MAX (256l * 1024 * 1024) /* far above what the loader takes */
 #define PART_SUFFIX     ".part"
 
 static struct {
-    const char *scene, *dump;
+    const char *scene, *dump, *keys; /* keys: null, or a player walks */
     uint32_t frames;
 } arguments;
 
@@ -37,18 +41,20 @@ static void fail(int status, const char *what, const char *name)
 
 void system_start(int argc, char **argv)
 {
-    if (argc == 4) {
+    if (argc == 4 || argc == 5) {
+        const unsigned long most = argc == 5 ? LIVE_FRAMES_MAX : FRAMES_MAX;
         char *end = NULL;
         const unsigned long frames = strtoul(argv[3], &end, 10);
 
-        if (argv[3][0] < '0' || argv[3][0] > '9' || *end != '\0' || frames > FRAMES_MAX) {
-            fprintf(stderr, "FRAMES is a number from 0 (the whole path) to %lu, not \"%s\"\n",
-                    FRAMES_MAX, argv[3]);
+        if (argv[3][0] < '0' || argv[3][0] > '9' || *end != '\0' || frames > most) {
+            fprintf(stderr, "FRAMES is a number from 0 (the whole path) to %lu, not \"%s\"\n", most,
+                    argv[3]);
             system_exit(SYSTEM_EXIT_ARGUMENT);
         }
         arguments.frames = (uint32_t)frames;
+        arguments.keys = argv[4]; /* null after the last one */
     } else if (argc != 3) {
-        fputs("usage: walk SCENE.fxls OUT.fxld [FRAMES]\n", stderr);
+        fputs("usage: walk SCENE.fxls OUT.fxld [FRAMES [KEYS]]\n", stderr);
         system_exit(SYSTEM_EXIT_ARGUMENT);
     }
     arguments.scene = argv[1];
@@ -62,7 +68,7 @@ uint32_t system_frames(void)
 
 bool system_live(void)
 {
-    return false;
+    return arguments.keys != NULL;
 }
 
 void system_alive(void)
@@ -110,8 +116,22 @@ const void *store_scene(size_t *size)
     return scene_bytes;
 }
 
+/* A FIFO: who reads it gets each byte at once, and may end before the walk does. */
+static bool open_live(void)
+{
+    part = fopen(arguments.dump, "wb");
+    if (part == NULL) {
+        fail(SYSTEM_EXIT_DISPLAY, "cannot write", arguments.dump);
+    }
+    return setvbuf(part, NULL, _IONBF, 0) == 0;
+}
+
 bool sink_open(void)
 {
+    if (system_live()) {
+        return open_live();
+    }
+
     const size_t size = strlen(arguments.dump) + sizeof PART_SUFFIX;
     char *name = malloc(size);
 
@@ -130,7 +150,7 @@ bool sink_open(void)
 bool sink_write(const void *bytes, size_t size)
 {
     if (fwrite(bytes, 1, size, part) != size) {
-        fail(SYSTEM_EXIT_DISPLAY, "cannot write", part_name);
+        fail(SYSTEM_EXIT_DISPLAY, "cannot write", arguments.dump);
     }
     return true;
 }
@@ -141,9 +161,9 @@ bool sink_close(bool whole)
 
     part = NULL;
     if (closed != 0) {
-        fail(SYSTEM_EXIT_DISPLAY, "cannot write", part_name);
+        fail(SYSTEM_EXIT_DISPLAY, "cannot write", arguments.dump);
     }
-    if (!whole) {
+    if (!whole || system_live()) {
         return true;
     }
     if (rename(part_name, arguments.dump) != 0) {
@@ -168,5 +188,12 @@ uint64_t clock_instructions(void)
 
 uint32_t input_keys(void)
 {
-    return 0;
+    FILE *file = arguments.keys != NULL ? fopen(arguments.keys, "rb") : NULL;
+    int keys = EOF;
+
+    if (file != NULL) {
+        keys = fgetc(file);
+        (void)fclose(file);
+    }
+    return keys == EOF ? 0 : (uint32_t)keys;
 }

@@ -108,7 +108,7 @@ def test_frames_and_figures(page, board):
     wait_for_frames(page, 5)
     assert page.inner_text("#board") == board and "plaza.fxls, 160 × 120" in page.inner_text("#scene")
     assert figure(page, "board-rate") > 0 and figure(page, "page-rate") > 0
-    assert 1e5 < figure(page, "instructions") < 1e8
+    assert board == "host" or 1e5 < figure(page, "instructions") < 1e8      # the host counts none
     assert stand_still(page)["z"] == -32
     (frame,) = canvases(page, "fixed")
     assert frame.shape == (*reversed(SCREEN), 3) and len(numpy.unique(frame.reshape(-1, 3), axis=0)) > 30

@@ -11,14 +11,14 @@ import pytest
 from fixel.scene import making
 from board_programs import ROOT, built
 
-BOARDS = ("mps2-an385", "lm3s6965evb")
+BOARDS = ("mps2-an385", "lm3s6965evb", "host")
 WIDTH, HEIGHT = 1280, 800   # of the browser's window
 SCREEN = (160, 120)         # of the plaza: a browser's driver copies each frame, so they are small
 
 
 def ready(board, build):
     """Sees to it that what a viewer of a board starts is built; the board."""
-    built(f"{board}/walk.elf")
+    built(f"{board}/walk" if board == "host" else f"{board}/walk.elf")
     assert (build / "host" / "live").exists(), "make all builds it"
     return board
 
@@ -97,8 +97,8 @@ def assert_gone(numbers):
 
 
 def assert_started(found):
-    for name in ("qemu-system-arm", "host/live"):
-        assert any(name in command for command in found.values()), found
+    for names in (("qemu-system-arm", "host/walk"), ("host/live",)):    # the host is no emulated board
+        assert any(name in command for command in found.values() for name in names), found
 
 
 def own_port():

@@ -98,6 +98,11 @@ def walk_options(program, image, frames=None, live=False, extra=()):
     return ["-icount", "shift=0", *qemu.semihosting(walk_words(frames, live, extra)), *qemu.loader(program, image)]
 
 
+def live_command(program, image, frames, keys):
+    """The host's walk while a player walks, in the folder of its FIFO and of the file of keys."""
+    return [str(program.path.resolve()), str(pathlib.Path(image).resolve()), DUMP_NAME, str(frames), keys]
+
+
 def power_on(program, image, frames, timeout, live, extra, directory, watch):
     if program.hosted:
         command = [str(program.path.resolve()), str(image.resolve()), DUMP_NAME, str(frames or 0)]

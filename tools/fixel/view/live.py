@@ -59,8 +59,6 @@ async def serve(board, reference_program, scene_image, options):
 def view(options):
     elf = methods.elf_of(options.board, options.build, methods.program(options))
     program = firmware.load(elf, options.board)
-    if program.hosted:
-        raise ToolError(f"board {program.board} has no live window: choose an emulated one with BOARD=")
     output.make_folder(options.build)
     with scratch.folder("view", options.build) as folder:
         scene_image = model_look.scene_image(options, elf, folder)

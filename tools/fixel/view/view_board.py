@@ -14,7 +14,7 @@ import threading
 import time
 
 from fixel.base import limits
-from fixel.board import emulator, qemu
+from fixel.board import emulator, execute, qemu
 from fixel.board.ending import Ending, describe, exit_status, last_lines
 from fixel.base.errors import ToolError
 from fixel.board.execute import OUTPUT_MAX, kill
@@ -27,6 +27,10 @@ HANG = 20.0             # seconds of CPU time, or of sleep, for a frame
 PRESSED_MIN = 0.35      # seconds: a tap that a board at 30 frames a second does not take for a bounce
 SETTLING = 20           # frames until a board has seen that its buttons are up, and that it is no bounce
 OUTPUT = "output.txt"
+
+
+def _nothing():
+    """What is to be done for a program that was not started stopped."""
 
 
 class Buttons:
@@ -92,7 +96,7 @@ class Board:
     def _power_on(self):
         self._folder = next(self._folders)
         self._folder.mkdir()
-        options = emulator.walk_options(self.program, self._image, ENDLESS, live=True)
+        options = [] if self.program.hosted else emulator.walk_options(self.program, self._image, ENDLESS, live=True)
         if self.program.window_size:
             self._link = keys = Window(self._folder / "window", self.program.window_size)
             options += self._link.options
@@ -124,12 +128,17 @@ class Board:
         """In a session of its own, so that Ctrl-C reaches this tool alone."""
         try:
             with (self._folder / OUTPUT).open("wb") as output:
-                process, self._machine = qemu.start_stopped(self.program, options, self._folder, output,
-                                                            start_new_session=True)
+                if self.program.hosted:
+                    command = emulator.live_command(self.program, self._image, ENDLESS, KEYS_NAME)
+                    process = execute.start(command, self._folder, output, (), start_new_session=True)
+                else:
+                    process, self._machine = qemu.start_stopped(self.program, options, self._folder, output,
+                                                                start_new_session=True)
             with self._hand:
                 self._process = process
             self._limit = limits.Watch(process.pid, HANG, HANG)
-            self._resumed = self._machine.resume()  # nobody reads its stream yet
+            # Nobody reads its stream yet.
+            self._resumed = self._machine.resume() if self._machine is not None else _nothing
         except ToolError as error:
             raise error.with_words(last_lines(self.text())) from error
 
