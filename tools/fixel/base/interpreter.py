@@ -9,6 +9,7 @@ import sys
 TOOLS = pathlib.Path(__file__).resolve().parents[2]
 LAUNCHER = TOOLS / "fixel" / "launcher.py"
 VENV = TOOLS.parent / ".venv"
+INSTALLED = TOOLS.parent / "installed"      # a wheel has this file: the Python that runs has the packages (tools/wheel)
 
 
 def choose():
@@ -20,6 +21,8 @@ def choose():
     # Until fixel.base.errors takes over there is nothing to tidy up: Ctrl-C ends the tool without a traceback.
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
+    if INSTALLED.exists():
+        return
     if pathlib.Path(sys.prefix).resolve() == VENV.resolve():
         sys.excepthook = explain
         return
