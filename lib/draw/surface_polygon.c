@@ -163,6 +163,23 @@ static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
            fxl_project_visible(&model_view->view->projection, &vertex->position, point) == FXL_OK;
 }
 
+/* The same, at once if the clipper has projected it, and it is in the cache. */
+static inline bool find_vertex(const fxl_model_view *model_view, uint32_t number,
+                               const fxl_traversal *traversal, fxl_screen_point *point,
+                               fxl_q18_46 *depth)
+{
+    if (!FXL_IS_SMALL && traversal->clipper->by_clip_flags) {
+        const fxl_cached_vertex *vertex = &model_view->entries[number & model_view->mask];
+        if (vertex->tag == model_view->tag + number &&
+            (vertex->clip_flags & FXL_VERTEX_OUTSIDE) == 0) {
+            *point = vertex->screen;
+            *depth = vertex->position.z;
+            return true;
+        }
+    }
+    return find_on_screen(model_view, number, traversal, point, depth);
+}
+
 typedef struct {
     int32_t left, right, top, bottom;
 } screen_box;
@@ -258,8 +275,8 @@ static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_v
         }
     }
     for (uint32_t i = 0; i < 3; i++) {
-        if (!find_on_screen(model_view, vertices[i], traversal, &corners->points[i],
-                            &corners->depths[i])) {
+        if (!find_vertex(model_view, vertices[i], traversal, &corners->points[i],
+                         &corners->depths[i])) {
             return false;
         }
     }
@@ -271,7 +288,7 @@ static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_v
         if (number == vertices[0] || number == vertices[1] || number == vertices[2]) {
             continue;
         }
-        if (!find_on_screen(model_view, number, traversal, &point, &depth)) {
+        if (!find_vertex(model_view, number, traversal, &point, &depth)) {
             return false;
         }
         add_point(&box, &point);

@@ -272,10 +272,10 @@ paint_runs(const fxl_paint *paint, run_kernel *kernel, run_memory *memory, fxl_p
     }
 }
 
-/* The trapezoids of a polygon whose depths are all kept. A trapezoid right below the one before
- * goes on with the same list. Requires a scan by chains. Not inline: its rows would be on the stack
- * of others. */
-static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
+/* The trapezoids of a polygon whose depths are all kept. Returns whether it has one, so reaches a
+ * row of the band. A trapezoid right below the one before goes on with the same list. Requires a
+ * scan by chains. Not inline: its rows would be on the stack of others. */
+static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
                                                   const fxl_segment_face *segments,
                                                   const fxl_depth_painting *depth,
                                                   const fxl_band *band, fxl_scan *scan)
@@ -320,6 +320,7 @@ static __attribute__((noinline)) void paint_plain(const fxl_paint *paint,
     if (rows->runs != memory->list) {
         paint_runs(paint, kernel, memory, &runs);
     }
+    return y >= 0;
 }
 
 #endif
@@ -409,8 +410,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (depth.keeps == FXL_DEPTH_KEEPS_ALL && fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);
         if (workspace->work.scan.by_chains) {
-            paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
-            return false;
+            return paint_plain(&paint, segments, &depth, band, &workspace->work.scan);
         }
     }
 #endif
