@@ -83,23 +83,6 @@ static inline uint32_t farthest(int32_t pixel, int32_t end)
     return (uint32_t)(2 * pixel > end ? pixel : end - pixel) + 1u;
 }
 
-/* The box has at most its height above the lowest of the three corners, and below the highest. */
-static inline void find_rows(fxl_corner_planes *planes)
-{
-    const fxl_screen_corners *corners = planes->corners;
-    const fxl_lens *lens = planes->lens;
-    int32_t top = corners->points[0].y, bottom = top;
-    for (uint32_t i = 1; i < 3; i++) {
-        const int32_t y = corners->points[i].y;
-        top = y < top ? y : top;
-        bottom = y > bottom ? y : bottom;
-    }
-    const int32_t first = (bottom - corners->height) >> 16;
-    const int32_t last = (top + corners->height + 65535) >> 16;
-    planes->first_row = first < 0 ? 0 : first;
-    planes->last_row = last > lens->height ? lens->height : last;
-}
-
 /* Where the face is on the screen. */
 static inline void locate(fxl_corner_planes *planes)
 {
@@ -107,7 +90,6 @@ static inline void locate(fxl_corner_planes *planes)
         const fxl_screen_point *p = planes->corners->points;
         planes->columns = farthest(p[0].x >> 16, (planes->lens->width + 15) & ~15);
         planes->rows = farthest(p[0].y >> 16, planes->lens->height);
-        find_rows(planes);
         planes->is_located = true;
     }
 }
@@ -165,7 +147,6 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->lens = lens;
     planes->is_located = false;
     planes->is_triangle = corners->is_triangle;
-    planes->is_sparse = planes->area << 1 < box;
     return true;
 }
 
@@ -178,9 +159,10 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
  * `largest` is above the largest value on the screen in units of 2^(32 - planes->exponent): the
  * upper words are below 2^30 and sides at most 2^11, so it is below 2^43. It is at least 2^29, so
  * that no bits are added. What is cut off a step is less than 1/65536 of a unit of 2^-32, and less
- * than 2^26 of these in a column. */
+ * than 2^26 of these in a column. *slope becomes the change a pixel along, in units of 2^(32 -
+ * planes->exponent), rounded down: from -2^30 to 2^30. */
 static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
-                    fxl_gradient *gradient)
+                    fxl_gradient *gradient, int32_t *slope)
 {
     const int32_t d1 = values[1] - values[0], d2 = values[2] - values[0];
     const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
@@ -196,6 +178,7 @@ static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
         1u << 29;
     const unsigned drop = fxl_bit_length(largest) - 30u;
     const int exponent = planes->exponent - (int)drop;
+    *slope = along_high;
     gradient->along = shifted(along, drop);
     gradient->down = shifted(down, drop);
     gradient->at = (int64_t)((uint64_t)(int64_t)values[0] << exponent) -
@@ -209,7 +192,8 @@ static void find_weight(fxl_corner_planes *planes)
 {
     if (!planes->has_weight) {
         locate(planes);
-        planes->gradient_exponent = plane_of(planes, planes->weights, &planes->weight);
+        planes->gradient_exponent =
+            plane_of(planes, planes->weights, &planes->weight, &planes->weight_slope);
         planes->has_weight = true;
     }
 }
@@ -345,59 +329,134 @@ static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
     gradients->weight_min[0] = gradients->weight_min[1] = 1;
     for (uint32_t i = 0; i < gradients->count; i++) {
         const unsigned shift = room_of(values[i]) - 2u;
+        int32_t slope;
         scale(values[i], shift);
         gradients->shifts[i] =
-            (int8_t)(61 - (int)shift - plane_of(planes, values[i], &gradients->attributes[i]));
+            (int8_t)(61 - (int)shift -
+                     plane_of(planes, values[i], &gradients->attributes[i], &slope));
     }
 }
 
-/* weight_min: the rule of gradients.h for the rows of the face's box, by powers of 2. Where that is
- * not enough for segments of 16 pixels all over the face, fxl_gradients_find_least takes its place,
- * which takes longer.
+/* The weights that suffice for segments (gradients.h). Of an attribute u and the weight w, each at
+ * most 2^30 at the corners, the twist u' w - w' u, where ' is the change a pixel along the row, is
+ * the same along a row and linear down the rows: its largest value is at a corner. What is cut off
+ * the slopes changes a twist by less than 2^31 of its units.
  *
- * Let A be the sum of the coefficients along a row, D the range of an attribute, w and q w the
- * largest weight and the range of the weights, and ' the change a pixel. In the rows of the box |u'
- * w - w' u| <= D A w^2 k, k = 1 + 2 b q: b, the sum of the coefficients down times the rows of the
- * box, is at most 4, or 16 of a face that fills less than a quarter of it. So with weights of at
- * least 3/4 w at both ends of 16 pixels, attributes are off by at most r / 4 of their unit, r =
- * 2^-8 (64/27) k D A |w'| / w. If r <= 2^bits, weights 2^(bits/3) as large suffice for 16 pixels,
- * and 2^((bits - 4)/3) as large for 4. Of what changes by 2^21 a pixel or more no weight suffices:
- * the ends might overflow. */
-static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uint32_t weights,
+ * The rows of other vertices may be beyond those of the three corners, by at most as many as all
+ * rows of the box are more: so the twist grows by its range over the corners, times that part. As
+ * the triangle fills 1/16 of the box, the three corners have at least 1/8 of its rows, 2^11 units:
+ * the part is at most 7. An eighth of a twist is at most 2^59. */
+typedef struct {
+    uint32_t growth; /* that part, in 1/16, rounded up; at most 127 */
+    fxl_real most;   /* of all attributes; times 2^(64 - planes->exponent) */
+} twists;
+
+static inline void begin_twists(const fxl_corner_planes *planes, twists *of)
+{
+    of->growth = 0;
+    of->most.mantissa = 0;
+    of->most.exponent = INT16_MIN;
+    if (!planes->is_triangle) {
+        const fxl_screen_point *p = planes->corners->points;
+        int32_t top = p[0].y, bottom = top;
+        for (uint32_t i = 1; i < 3; i++) {
+            top = p[i].y < top ? p[i].y : top;
+            bottom = p[i].y > bottom ? p[i].y : bottom;
+        }
+        const int32_t rows = bottom - top, more = planes->corners->height - rows;
+        if (more > 0) {
+            const unsigned zeros = fxl_leading_zeros((uint32_t)rows); /* 9..20 */
+            const uint32_t part =
+                fxl_divide_half((uint32_t)more << 9, (uint32_t)rows << zeros >> 16);
+            of->growth = (part >> (21u - zeros)) + 1u;
+        }
+    }
+}
+
+/* values: u times the weight, times 2^shift. */
+static inline void add_twist(const fxl_corner_planes *planes, const int32_t values[3],
+                             int32_t slope, int shift, twists *of)
+{
+    int64_t least = INT64_MAX, most = INT64_MIN;
+    for (uint32_t i = 0; i < 3; i++) {
+        const int64_t twist =
+            fxl_product(slope, planes->weights[i]) - fxl_product(planes->weight_slope, values[i]);
+        least = twist < least ? twist : least;
+        most = twist > most ? twist : most;
+    }
+    uint64_t number = ((uint64_t)(most > -least ? most : -least) >> 3) + ((uint64_t)1 << 32);
+    if (of->growth != 0) {
+        number += fxl_product_unsigned((uint32_t)((uint64_t)(most - least) >> 32) + 1u, of->growth)
+                  << 25;
+    }
+    const uint32_t high = (uint32_t)(number >> 32);
+    const unsigned zeros = fxl_leading_zeros(high);
+    const int exponent = 35 - (int)zeros - shift;
+    const uint32_t mantissa = high << zeros | (uint32_t)number >> 1 >> (31u - zeros);
+    if (exponent > of->most.exponent ||
+        (exponent == of->most.exponent && mantissa > of->most.mantissa)) {
+        of->most.mantissa = mantissa;
+        of->most.exponent = exponent;
+    }
+}
+
+/* A part of a weight, in 1/65536. */
+static inline uint32_t weight_part(uint32_t weight, uint32_t part, uint32_t root)
+{
+    const uint32_t parts = (uint32_t)(fxl_product_unsigned(part, root) >> 16) + 1u;
+    return (uint32_t)(fxl_product_unsigned(weight, parts) >> 16) + 1u;
+}
+
+/* With T the twist and w the largest weight, the rule of gradients.h asks for weights of 9
+ * 2^(-11/3) r^(1/3) of w for 16 pixels, r = 2^-8 (64/27) T |w'| / w^3, and of (r / 16)^(1/3) for 4.
+ * Here r is 16/15 of that: attributes are within 0.29 of their unit. r is at most 2^bits x, 1 <= x
+ * < 2, and the root of x is below its tangent at 2^(1/2), by less than 1/70. More than w is what no
+ * pixel has. Of what changes by 2^21 a pixel or more no weight suffices: the ends might overflow.
+ *
+ * The upper bits of weight, change and mantissa are 1. What is cut off a product is less than 3
+ * units, which are added to it; of a quotient from 2^14 to 2^16 less than 2, with what is cut off
+ * its denominator. */
+static void find_least(const fxl_corner_planes *planes, const fxl_real *twist,
                        uint32_t weight_min[2])
 {
-    /* 3/4 2^((i - 4)/3), in 1/65536, and k (16/9) / 64, in 2^-32. */
-    static const uint32_t parts[12] = {19506, 24576, 30964,  39012,  49152,  61928,
-                                       78024, 98304, 123856, 156048, 196608, 247711};
-    static const uint32_t growths[2][3] = {{149130809u, 238609295u, 835132530u},
-                                           {238609295u, 596523236u, 2982616178u}};
-    const int32_t *along = planes->along;
-    const int32_t slope = (int32_t)((uint64_t)planes->weight.along >> 32);
-    const uint32_t change = (uint32_t)(slope ^ (slope >> 31)) + 1u, range = attributes | 1u;
-    const uint32_t sum =
-        (uint32_t)(along[0] ^ (along[0] >> 31)) + (uint32_t)(along[1] ^ (along[1] >> 31)) + 2u;
-    const uint32_t most = planes->weight_most;
+    static const uint32_t parts[7] = {18432, 23223, 29259, 36864, 46446, 58518, 73728};
+    const int32_t slope = planes->weight_slope;
+    const uint32_t change = (uint32_t)(slope ^ (slope >> 31)) + 1u, most = planes->weight_most;
     const uint32_t unit = (uint32_t)((uint64_t)most << planes->gradient_exponent >> 32);
-    const uint32_t growth = growths[planes->is_sparse][weights <= most >> 5   ? 0
-                                                       : weights <= most >> 3 ? 1
-                                                                              : 2];
-    const int range_zeros = (int)fxl_leading_zeros(range), sum_zeros = (int)fxl_leading_zeros(sum);
     const int change_zeros = (int)fxl_leading_zeros(change);
-    const int unit_zeros = (int)fxl_leading_zeros(unit);
-    uint32_t product = fxl_upper_product_unsigned(range << range_zeros, sum << sum_zeros);
-    product = fxl_upper_product_unsigned(
-                  fxl_upper_product_unsigned(product, change << change_zeros), growth) +
-              1u;
-    const int zeros = (int)fxl_leading_zeros(product);
-    const int step = 64 - range_zeros - sum_zeros - planes->exponent;
-    int bits = 62 - range_zeros - sum_zeros - change_zeros - planes->exponent + unit_zeros - zeros;
-    bits += product << zeros > unit << unit_zeros;
-    bits = bits < -4 ? -4 : bits;
+    const int zeros = (int)fxl_leading_zeros(most);
+    const uint32_t weight = most << zeros;
+    const uint32_t product =
+        fxl_upper_product_unsigned(
+            fxl_upper_product_unsigned(twist->mantissa, change << change_zeros),
+            2714843527u) + /* (16/15) (64/27) in 2^-30 */
+        3u;
+    const uint32_t cube =
+        fxl_upper_product_unsigned(fxl_upper_product_unsigned(weight, weight), weight);
+    const int product_zeros = (int)fxl_leading_zeros(product);
+    const int cube_zeros = (int)fxl_leading_zeros(cube);
+    const int step = 34 + twist->exponent - planes->exponent + 2 * zeros;
+    int bits = 58 + twist->exponent - 2 * planes->exponent - change_zeros + 3 * zeros + cube_zeros -
+               product_zeros;
+    uint32_t x =
+        fxl_divide_half(product << product_zeros >> 1, cube << cube_zeros >> 16) + 2u; /* 2^-15 */
+    if (x < 32768u) {
+        x *= 2u;
+        bits--;
+    }
+    if (bits < -4) {
+        bits = -4;
+        x = 32768;
+    }
+    const uint32_t root = (x * 17339u >> 15) + 49042u;
     weight_min[0] = weight_min[1] = (uint32_t)1 << 31;
-    if (step <= 21 && bits <= 7) { /* the unit is below 2^30: both are below 2^32 */
-        weight_min[0] = (uint32_t)(fxl_product_unsigned(unit, parts[bits + 4]) >> 16) + 1u;
-        weight_min[1] =
-            (uint32_t)(fxl_product_unsigned(unit, parts[bits < 0 ? 0 : bits]) >> 16) + 1u;
+    if (step <= 21) {
+        if (bits <= 2) {
+            weight_min[0] = weight_part(unit, parts[bits + 4], root);
+        }
+        if (bits <= 6) {
+            weight_min[1] = weight_part(unit, parts[bits < 0 ? 0 : bits], root);
+        }
     }
 }
 
@@ -406,30 +465,34 @@ static void find_least(const fxl_corner_planes *planes, uint32_t attributes, uin
 static void find_perspective(const fxl_corner_planes *planes, int32_t (*values)[3],
                              fxl_gradients *gradients)
 {
+    twists of;
+    begin_twists(planes, &of);
     gradients->weight = planes->weight;
     for (uint32_t i = 0; i < gradients->count; i++) {
-        const unsigned shift = room_of(values[i]) - 1u;
+        const int shift = (int)room_of(values[i]) - 1;
+        int32_t slope;
         for (uint32_t k = 0; k < 3; k++) {
             values[i][k] =
                 fxl_upper_product((int32_t)((uint32_t)values[i][k] << shift), planes->weights[k]);
         }
-        gradients->shifts[i] = (int8_t)(32 - (int)shift + planes->gradient_exponent -
-                                        plane_of(planes, values[i], &gradients->attributes[i]));
+        gradients->shifts[i] =
+            (int8_t)(32 - shift + planes->gradient_exponent -
+                     plane_of(planes, values[i], &gradients->attributes[i], &slope));
+        add_twist(planes, values[i], slope, shift, &of);
     }
+    find_least(planes, &of.most, gradients->weight_min);
 }
 
 void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
                             bool is_affine, fxl_gradients *gradients)
 {
-    uint32_t ranges[FXL_ATTRIBUTES], most = 0, range = 0;
+    uint32_t ranges[FXL_ATTRIBUTES];
     gradients->count = (uint8_t)count;
     if (!is_affine) {
-        range = planes->weight_range;
         for (uint32_t i = 0; i < count; i++) {
             ranges[i] = range_of(values[i]);
-            most = ranges[i] > most ? ranges[i] : most;
         }
-        is_affine = is_nearly_affine(planes, ranges, count, range);
+        is_affine = is_nearly_affine(planes, ranges, count, planes->weight_range);
     }
     locate(planes);
     if (is_affine) {
@@ -437,12 +500,6 @@ void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uin
     } else {
         find_weight(planes);
         find_perspective(planes, values, gradients);
-        find_least(planes, most, range, gradients->weight_min);
-        const uint32_t least = planes->weight_most - range;
-        if ((uint32_t)((uint64_t)least << planes->gradient_exponent >> 32) <
-            gradients->weight_min[0]) {
-            fxl_gradients_find_least(gradients, planes->first_row, planes->last_row);
-        }
     }
 }
 

@@ -54,13 +54,12 @@ typedef struct {
     uint32_t weight_most;
     int weight_exponent;
     bool is_triangle;
-    bool is_sparse;              /* the triangle fills less than a quarter of the box */
-    bool is_thin;                /* less than 1/16: for fxl_corner_planes_linear alone */
-    bool is_located;             /* the next four are found */
-    uint32_t columns, rows;      /* how far corner 0 is from the ends of the screen, at most */
-    int32_t first_row, last_row; /* of the screen, within which the box lies */
-    bool has_weight;             /* the next two are found */
-    int gradient_exponent;       /* the gradient's 64 bits are a weight times 2^gradient_exponent */
+    bool is_thin;           /* less than 1/16: for fxl_corner_planes_linear alone */
+    bool is_located;        /* the next two are found */
+    uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
+    bool has_weight;        /* the next three are found */
+    int gradient_exponent;  /* the gradient's 64 bits are a weight times 2^gradient_exponent */
+    int32_t weight_slope;   /* what a weight changes a pixel along, times 2^(exponent - 32) */
     fxl_gradient weight;
 } fxl_corner_planes;
 

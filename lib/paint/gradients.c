@@ -155,17 +155,16 @@ FXL_ONCE int32_t upper_at(const fxl_gradient *gradient, int32_t row)
 /* Of an attribute u, |u' w - w' u| 2^shift, where ' is the change a pixel along the row: it is
  * linear in the row and the same along it. The slopes are cut to 31 bits; so products are below
  * 2^61. What is cut off the four factors changes the difference by less than 2^33. */
-static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w, int32_t first_row,
-                         int32_t last_row)
+static fxl_real twist_of(const fxl_gradient *u, int shift, const fxl_gradient *w, int32_t height)
 {
     const unsigned bits = fxl_bit_length(fxl_magnitude(u->along) | fxl_magnitude(w->along));
     const unsigned drop = bits > 31 ? bits - 31 : 0;
     const int32_t u_slope = (int32_t)shifted_down(u->along, drop);
     const int32_t w_slope = (int32_t)shifted_down(w->along, drop);
-    const int64_t top = fxl_multiply_s32(u_slope, upper_at(w, first_row)) -
-                        fxl_multiply_s32(w_slope, upper_at(u, first_row));
-    const int64_t bottom = fxl_multiply_s32(u_slope, upper_at(w, last_row)) -
-                           fxl_multiply_s32(w_slope, upper_at(u, last_row));
+    const int64_t top =
+        fxl_multiply_s32(u_slope, upper_at(w, 0)) - fxl_multiply_s32(w_slope, upper_at(u, 0));
+    const int64_t bottom = fxl_multiply_s32(u_slope, upper_at(w, height)) -
+                           fxl_multiply_s32(w_slope, upper_at(u, height));
     const uint64_t larger =
         fxl_magnitude(top) > fxl_magnitude(bottom) ? fxl_magnitude(top) : fxl_magnitude(bottom);
     return bound_of(larger + ((uint64_t)1 << 33), (int)drop - 32 + shift);
@@ -268,14 +267,15 @@ FXL_ONCE bool is_zero(const fxl_gradient *gradient)
     return (gradient->at | gradient->along | gradient->down) == 0;
 }
 
-void fxl_gradients_find_least(fxl_gradients *gradients, int32_t first_row, int32_t last_row)
+/* Finds weight_min, from all else, for all rows of the screen. */
+static void find_least(fxl_gradients *gradients, int32_t height)
 {
     fxl_real twist = {0, INT16_MIN};
     for (uint32_t i = 0; i < FXL_ATTRIBUTES && i < gradients->count; i++) {
         const fxl_gradient *attribute = &gradients->attributes[i];
         if (!is_zero(attribute)) {
             const fxl_real own =
-                twist_of(attribute, gradients->shifts[i], &gradients->weight, first_row, last_row);
+                twist_of(attribute, gradients->shifts[i], &gradients->weight, height);
             twist = is_above(&own, &twist) ? own : twist;
         }
     }
@@ -314,7 +314,7 @@ void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
         const int exponent = fxl_gradient_of_plane(combine(vectors, factors), view, attribute);
         gradients->shifts[i] = (int8_t)(is_zero(attribute) ? 0 : exponent - weight_exponent);
     }
-    fxl_gradients_find_least(gradients, 0, view->lens.height);
+    find_least(gradients, view->lens.height);
 }
 
 /* Differences are at most 2^26, so products are at most 2^52. */

@@ -83,9 +83,6 @@ typedef struct {
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients);
 
-/* Finds weight_min, from all else, for rows of the screen: 0 <= first_row <= last_row <= height. */
-void fxl_gradients_find_least(fxl_gradients *gradients, int32_t first_row, int32_t last_row);
-
 /* How a row of a face is divided: each aligned segment of 16 columns of the screen is one, or two
  * of 8 columns, or four of 4, or else each pixel is divided. That depends on the weights at the
  * ends of the 16 columns alone, so no clipping and no band changes it.
