@@ -19,6 +19,8 @@ CC = ["-O1", "-g", "-fsanitize=undefined", "-fno-sanitize-recover", "-Wall", "-W
 EXAMPLES = {"pico_sdk": (["main.c", "fixel_pico.c"], "st7789", (17, 20, 21)),
             "stm32_hal": (["cube.c", "fixel_stm32.c"], "ili9341", (4, 3, 2)),
             "arduino/cube": (["cube.ino", "fixel_arduino.cpp"], "ili9341", (10, 9, 8))}
+# Those that hand bands to a display of the SDK's: their sources.
+WINDOWS = {"esp_idf/main": ["main.c", "fixel_esp.c"], "zephyr/src": ["main.c", "fixel_zephyr.c"]}
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +49,7 @@ def built(folder, name, scene, sources, includes):
 
 def diary_of(example, folder, scene):
     """(word, argument) of each line that the example's doubles wrote."""
-    sources, _, _ = EXAMPLES[example]
+    sources = WINDOWS[example] if example in WINDOWS else EXAMPLES[example][0]
     declarations = TESTS / example.split("/")[0]
     double = next(declarations.glob("double.*"))
     program = built(folder, "example", scene, [*(PORTS / example / name for name in sources), double, TESTS / "diary.c"],
@@ -129,6 +131,54 @@ def test_a_display_shows_the_frames_of_the_library(example, scene, tmp_path):
         assert (shown == frame).all(), f"{(shown != frame).sum()} pixels differ"
 
 
+def windows(diary):
+    """The pictures of frames that came in windows of rows, in 16 bits a pixel with the high byte first."""
+    glass, pictures, window, is_sending = numpy.zeros((HEIGHT, WIDTH), numpy.uint16), [], None, False
+    for word, rest in diary:
+        if word == "window":
+            assert not is_sending
+            window = [int(each) for each in rest.split()]
+        elif word == "start":
+            is_sending = True
+        elif word in ("bytes", "done"):
+            assert is_sending == (word == "done")
+            is_sending = False
+            left, top, right, bottom = window
+            glass[top:bottom, left:right] = numpy.frombuffer(bytes.fromhex(rest), ">u2").reshape(bottom - top, right - left)
+            if bottom == HEIGHT:
+                pictures.append(glass.copy())
+    return pictures
+
+
+@pytest.mark.parametrize("example", WINDOWS)
+def test_a_display_of_the_sdk_gets_the_frames_of_the_library(example, scene, tmp_path):
+    diary = diary_of(example, tmp_path, scene)
+    pictures, wanted = windows(diary), expected(tmp_path, scene)
+    assert len(pictures) == FRAMES + 1 and all((shown == frame).all() for shown, frame in zip(pictures, wanted))
+    assert any(word == "start" for word, _ in diary) == (example == "esp_idf/main")
+
+
+@pytest.mark.parametrize("example, broken, found", [
+    ("esp_idf/main", ("(void)xSemaphoreGiveFromISR(esp->is_done, &is_woken);", "(void)esp;"), "nobody was woken"),
+    ("esp_idf/main", ("esp->is_sending = xSemaphoreTake(esp->is_done, portMAX_DELAY) != pdTRUE;", "esp->is_sending = false;"), "while another one is under way"),
+    ("zephyr/src", (" && display_blanking_off(display) == 0", ""), "the display is off")])
+def test_a_broken_sink_is_found(example, broken, found, scene, tmp_path, monkeypatch):
+    copied(example, WINDOWS[example][1], broken, tmp_path, monkeypatch)
+    with pytest.raises(AssertionError, match=found):
+        diary_of(example, tmp_path, scene)
+
+
+def copied(example, name, broken, folder, monkeypatch):
+    """The ports in a copy in which a source is broken."""
+    copy = folder / "ports"
+    (copy / example).mkdir(parents=True)
+    for file in (PORTS / example).iterdir():
+        text = file.read_text(encoding="utf-8")
+        (copy / example / file.name).write_text(text.replace(*broken) if file.name == name else text, encoding="utf-8")
+    assert (copy / example / name).read_text() != (PORTS / example / name).read_text()
+    monkeypatch.setattr(f"{__name__}.PORTS", copy)
+
+
 @pytest.mark.parametrize("example, seeks_dma", [("pico_sdk", True), ("stm32_hal", True), ("arduino/cube", False)])
 def test_pixels_go_by_dma_where_there_is_some(example, seeks_dma, scene, tmp_path):
     starts = [int(rest) for word, rest in diary_of(example, tmp_path, scene) if word == "start"]
@@ -142,14 +192,8 @@ def test_pixels_go_by_dma_where_there_is_some(example, seeks_dma, scene, tmp_pat
     ("arduino/cube", ("SPI.transfer(piece, count)", "SPI.transfer((void *)(uintptr_t)bytes, count)"), "")])
 def test_a_broken_port_is_found(example, broken, found, scene, tmp_path, monkeypatch):
     """The test can fail: without a wait, or with the library's own buffer given away."""
-    copy = tmp_path / "ports"
     sources, controller, pins = EXAMPLES[example]
-    (copy / example).mkdir(parents=True)
-    for file in (PORTS / example).iterdir():
-        text = file.read_text(encoding="utf-8")
-        (copy / example / file.name).write_text(text.replace(*broken) if file.name == sources[1] else text, encoding="utf-8")
-    assert (copy / example / sources[1]).read_text() != (PORTS / example / sources[1]).read_text()
-    monkeypatch.setattr(f"{__name__}.PORTS", copy)
+    copied(example, sources[1], broken, tmp_path, monkeypatch)
     with pytest.raises((AssertionError, controllers.ToolError)) as error:
         module = Module(controller, pins)
         module.play(diary_of(example, tmp_path, scene))

@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef PORTS_FREERTOS_H
+#define PORTS_FREERTOS_H
+#include <stdint.h>
+typedef int BaseType_t;
+typedef uint32_t TickType_t;
+#define pdFALSE       0
+#define pdTRUE        1
+#define portMAX_DELAY 0xFFFFFFFFu
+#endif
