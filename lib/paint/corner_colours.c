@@ -2,7 +2,6 @@
 #include "corner_colours.h"
 
 #include "../math/product.h"
-#include "light_row.h"
 
 /* 2^(16 + bits - 8) for a channel of so many bits, as a shift. */
 #define GREEN_SHIFT        14

@@ -9,7 +9,7 @@
 #define FXL_CORNER_COLOURS_H
 
 #include "corner_planes.h"
-#include "paint.h"
+#include "light_row.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -35,6 +35,14 @@ bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values
 
 /* What `shifts` are in such gradients. */
 #define FXL_SHIFT_OF_WORDS 53
+
+/* Whether gradients of colours at corners are such. */
+static inline bool fxl_has_colour_words(const fxl_gradients *gradients)
+{
+    const int8_t *shifts = gradients->shifts;
+    return shifts[0] == FXL_SHIFT_OF_WORDS && shifts[1] == FXL_SHIFT_OF_WORDS &&
+           shifts[2] == FXL_SHIFT_OF_WORDS && fxl_weight_is_constant(gradients);
+}
 
 /* fxl_paint_pixels_565 of a face with colours at its corners. */
 void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,

@@ -5,7 +5,6 @@
  * less than 65/2048 level. */
 #include "colour_run.h"
 #include "corner_colours.h"
-#include "light_row.h"
 #include "rgb565_colour.h"
 #include "texel_place.h"
 
@@ -146,8 +145,7 @@ void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int
     const fxl_gradients *gradients = paint->gradients;
     divided_column at;
     uint32_t least[3];
-    if (gradients->shifts[0] == FXL_SHIFT_OF_WORDS && gradients->shifts[1] == FXL_SHIFT_OF_WORDS &&
-        gradients->shifts[2] == FXL_SHIFT_OF_WORDS && fxl_weight_is_constant(gradients)) {
+    if (fxl_has_colour_words(gradients)) {
         paint_words(paint, row, x0, x1);
         return;
     }

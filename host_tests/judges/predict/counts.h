@@ -147,6 +147,11 @@
     X(wide_blended) \
     X(wide_repeated) \
     X(wide_repeated_lit) \
+    X(wide_colours_found) \
+    X(wide_colour_rows) \
+    X(wide_colour_runs) \
+    X(wide_colour_pixels) \
+    X(wide_colour_shown) \
     X(wide_billboard_drawn)
 
 typedef struct {

@@ -3,6 +3,8 @@
  * painted. */
 #include "draw/surface_polygon.h"
 #include "draw/submit.h"
+#include "paint/colour_run.h"
+#include "paint/corner_colours.h"
 #include "paint/corner_planes.h"
 #include "paint/light_level.h"
 #include "paint/light_row.h"
@@ -202,6 +204,9 @@ static void count_wide(const fxl_paint *paint, double pixels, bool linear)
 /* The pixels x0 <= x < x1 of a row, which the kernel does not paint: how often they are divided. */
 static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
+    if (paint->has_colours) {
+        return; /* fxl_paint_colours_565 counts them */
+    }
     if (paint->is_light_linear) {
         counted.level_rows += 1;
         *(is_wide ? &counted.wide_levels : &counted.level_pixels) += x1 - x0;
@@ -225,6 +230,52 @@ static void count_slow(const fxl_paint *paint, const fxl_paint_row *row, int32_t
         x0 = end;
     }
 }
+
+/* --- colours at corners -------------------------------------------------------------------- */
+
+WRAPPED(bool, fxl_find_colours,
+        (const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+         const fxl_corner_planes *planes, bool is_affine, fxl_gradient_corners *corners,
+         fxl_gradients *gradients))
+{
+    counted.wide_colours_found += 1;
+    return __real_fxl_find_colours(surfaces, mapped, planes, is_affine, corners, gradients);
+}
+
+/* The segments of a row whose weight is not constant. Pixels that are no part of a run are each
+ * shown by themselves. */
+WRAPPED(void, fxl_paint_colours_565,
+        (const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1))
+{
+    const double before = counted.wide_colour_pixels;
+    counted.wide_colour_rows += 1;
+    if (!fxl_has_colour_words(paint->gradients)) {
+        uint32_t least[3];
+        fxl_find_least_weights(paint->gradients, paint->division, least);
+        for (int32_t x = x0; x < x1;) {
+            const int32_t first = x & ~15;
+            const uint32_t log = fxl_segment_log(least, weight_of(paint, row, first),
+                                                 weight_of(paint, row, first + 16));
+            const int32_t size = log != 0 ? 1 << log : 16, border = (x & -size) + size;
+            counted.wide_segments += log != 0;
+            counted.slow_attributes += log != 0 ? paint->gradients->count : 0;
+            counted.wide_divided += log != 0 ? 0 : (border < x1 ? border : x1) - x;
+            x = border;
+        }
+    }
+    __real_fxl_paint_colours_565(paint, row, x0, x1);
+    counted.wide_colour_shown += x1 - x0 - (counted.wide_colour_pixels - before);
+}
+
+WRAPPED(void, fxl_paint_colour_run,
+        (const fxl_colour_words *words, uint16_t *pixels, uint32_t count))
+{
+    counted.wide_colour_runs += 1;
+    counted.wide_colour_pixels += count;
+    __real_fxl_paint_colour_run(words, pixels, count);
+}
+
+/* --- rows ---------------------------------------------------------------------------------- */
 
 /* Within fxl_paint_pixels: the column up to which is counted, and what it was given. */
 static int32_t counted_to;
