@@ -10,6 +10,7 @@
 
 #include "../math/family.h"
 #include "../math/memory.h"
+#include "../paint/corner_colours.h"
 #include "../paint/paint_polygon.h"
 #include "../paint/texture_level.h"
 #include "../view/model_view.h"
@@ -128,7 +129,8 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (has_plain_rows(&paint, segments)) {
         fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                                 &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
-    } else {
+    } else if (FXL_TARGET_PIXEL_BITS == 8 || !paint.has_colours ||
+               !fxl_paint_colour_polygon(&paint, points, count, band, &workspace->work.scan)) {
         fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                           &workspace->work.scan, paint_row, NULL);
     }

@@ -16,6 +16,12 @@ typedef struct {
     uint32_t both, green, step, green_step;
 } fxl_colour_words;
 
+/* Red and blue in 8.24, in one word: each loses 13 bits. */
+static inline uint32_t fxl_colours_both(int32_t red, int32_t blue)
+{
+    return ((uint32_t)(red >> 13) << 16) + (uint32_t)(blue >> 13);
+}
+
 /* Writes count pixels. Sums are modulo 2^32; red and blue of all pixels are from 0 to below 32, or
  * the two mix. Requires count > 0. */
 void fxl_paint_colour_run(const fxl_colour_words *words, uint16_t *pixels, uint32_t count);

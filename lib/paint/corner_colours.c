@@ -2,6 +2,8 @@
 #include "corner_colours.h"
 
 #include "../math/product.h"
+#include "colour_run.h"
+#include "light_row.h"
 
 /* 2^(16 + bits - 8) for a channel of so many bits, as a shift. */
 #define GREEN_SHIFT        14
@@ -53,10 +55,15 @@ static inline uint32_t range_of_channel(const int32_t values[3])
     return (uint32_t)((values[2] > high ? values[2] : high) - (values[2] < low ? values[2] : low));
 }
 
-/* Whether a constant weight is near enough for all channels. Ranges are below 2^22. */
+/* Whether a constant weight is near enough for all channels. Ranges are below 2^22, so it is where
+ * the weights differ by at most 2^-7 of the least one. */
 static bool is_near(const fxl_corner_planes *planes, int32_t (*values)[3])
 {
     const uint32_t least = planes->weight_most - planes->weight_range;
+    FXL_STATIC_ASSERT(4u * FXL_AFFINE_ERROR_LIGHT == 1u << 15, "2^22 2^-7");
+    if (planes->weight_range <= least >> 7) {
+        return true;
+    }
     uint32_t most = 0;
     for (uint32_t k = 0; k < 3; k++) {
         const uint32_t range = range_of_channel(values[k]);
@@ -66,37 +73,68 @@ static bool is_near(const fxl_corner_planes *planes, int32_t (*values)[3])
            fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT);
 }
 
+/* The channel of corner 0, in 8.24, in row 0 of a column, and what a column and a row add. */
+typedef struct {
+    uint32_t at;
+    int32_t along, down;
+} channel_words;
+
+/* The lower word of a sum / 2^drop, rounded down, for 0 < drop < 32. */
+static inline int32_t step_of(int64_t sum, unsigned drop)
+{
+    return (int32_t)((uint32_t)sum >> drop | (uint32_t)((uint64_t)sum >> 32) << (32u - drop));
+}
+
+/* The upper word of a magnitude, but for a unit of the lowest bit. */
+static inline uint32_t upper_size(int64_t sum)
+{
+    const int32_t high = (int32_t)((uint64_t)sum >> 32);
+    return (uint32_t)(high ^ (high >> 31));
+}
+
 /* Differences are below 2^22 and coefficients at most 2^30, so sums are below 2^53; a value in 8.24
- * is their upper bits. A step that is below 2^31 times a place below 2^27 is below 2^58. */
+ * is their upper bits. A step that is below 2^31 times a place below 2^27 is below 2^58. x: of
+ * corner 0 from the centre of the column. Returns the bits of both steps above what is dropped. */
+static inline uint32_t find_channel(const fxl_corner_planes *planes, const int32_t values[3],
+                                    int32_t x, unsigned drop, channel_words *channel)
+{
+    const int32_t d1 = values[1] - values[0], d2 = values[2] - values[0];
+    const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
+    const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
+    channel->along = step_of(along, drop);
+    channel->down = step_of(down, drop);
+    const int64_t off = fxl_product(channel->along, x) + fxl_product(channel->down, planes->y);
+    channel->at = ((uint32_t)values[0] << 8) - (uint32_t)((uint64_t)off >> 16);
+    return upper_size(along) | upper_size(down);
+}
+
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients)
 {
     static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    const int32_t column = planes->corners->points[0].x >> 16;
+    const int32_t x = planes->x - column * 65536;
     const unsigned drop = (unsigned)planes->exponent - 8u; /* 12 to 28 */
+    channel_words channels[3];
     if (!planes->is_triangle || !(is_affine || is_near(planes, values))) {
         return false;
     }
+    const uint32_t sizes = find_channel(planes, values[0], x, drop, &channels[0]) |
+                           find_channel(planes, values[1], x, drop, &channels[1]) |
+                           find_channel(planes, values[2], x, drop, &channels[2]);
+    if (sizes >> (drop - 1u) != 0) {
+        return false;
+    }
+    fxl_gradient *attributes = gradients->attributes;
     for (uint32_t k = 0; k < 3; k++) {
-        const int32_t d1 = values[k][1] - values[k][0], d2 = values[k][2] - values[k][0];
-        const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
-        const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
-        const int32_t along_high = (int32_t)((uint64_t)along >> 32);
-        const int32_t down_high = (int32_t)((uint64_t)down >> 32);
-        if (((uint32_t)(along_high ^ (along_high >> 31)) |
-             (uint32_t)(down_high ^ (down_high >> 31))) >>
-                (drop - 1u) !=
-            0) {
-            return false;
-        }
-        const int32_t step = (int32_t)fxl_lower_of_shifted(along, drop);
-        const int32_t step_down = (int32_t)fxl_lower_of_shifted(down, drop);
-        const int64_t off = fxl_product(step, planes->x) + fxl_product(step_down, planes->y);
-        fxl_gradient *gradient = &gradients->attributes[k];
-        gradient->at = (int32_t)(((uint32_t)values[k][0] << 8) - (uint32_t)((uint64_t)off >> 16));
-        gradient->along = step;
-        gradient->down = step_down;
+        attributes[k].at = (int64_t)channels[k].at;
+        attributes[k].down = channels[k].down;
         gradients->shifts[k] = FXL_SHIFT_OF_WORDS;
     }
+    attributes[0].at |= (int64_t)((uint64_t)(uint32_t)column << 32);
+    attributes[0].along = (int64_t)fxl_colours_both(channels[0].along, channels[2].along);
+    attributes[1].along = (int64_t)((uint32_t)channels[1].along << 2);
+    attributes[2].along = 0;
     gradients->count = 3;
     gradients->weight = constant;
     gradients->weight_min[0] = gradients->weight_min[1] = 1;

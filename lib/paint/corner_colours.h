@@ -8,8 +8,9 @@
 #ifndef FXL_CORNER_COLOURS_H
 #define FXL_CORNER_COLOURS_H
 
+#include "../raster/scan.h"
 #include "corner_planes.h"
-#include "light_row.h"
+#include "paint.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,24 +26,30 @@ void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3]);
 void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t light[3],
                               int32_t (*values)[3]);
 
-/* The gradients of a small triangle with a constant weight. Where is_affine, that is asked for;
- * false otherwise if it changes a channel by more than FXL_AFFINE_ERROR_LIGHT. Also false where the
- * face is no triangle, or a channel changes by 128 levels a pixel or more: *gradients is then
- * undefined. Lower words are channels in 8.24, modulo 2^32. Error in the triangle, beyond that,
- * given the corners: 2^-25 (1 + b) of a channel (corner_planes.h), and 2048 2^-24 level. */
+/* The gradients of a small triangle with a constant weight, in words. Where is_affine, that weight
+ * is asked for; false otherwise if it changes a channel by more than FXL_AFFINE_ERROR_LIGHT. Also
+ * false where the face is no triangle, or a channel changes by 128 levels a pixel or more:
+ * *gradients is then undefined. Error in the triangle, beyond that, given the corners: 2^-25 (1 +
+ * b) of a channel (corner_planes.h), and 2048 2^-24 level. */
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients);
 
-/* What `shifts` are in such gradients. */
-#define FXL_SHIFT_OF_WORDS 53
+/* Such gradients. With k for red, green and blue, the lower words of attributes[k].at and .down are
+ * channels in 8.24, modulo 2^32, in row 0 of a column of the face, and what a row adds. The column
+ * is the upper word of attributes[0].at. The lower words of .along are what a column adds to
+ * fxl_colour_words: attributes[0] to `both`, attributes[1] to `green`. */
+#define FXL_SHIFT_OF_WORDS 127 /* all three shifts; no others are above 64 */
 
-/* Whether gradients of colours at corners are such. */
+/* Whether gradients of colours at corners are in words. */
 static inline bool fxl_has_colour_words(const fxl_gradients *gradients)
 {
-    const int8_t *shifts = gradients->shifts;
-    return shifts[0] == FXL_SHIFT_OF_WORDS && shifts[1] == FXL_SHIFT_OF_WORDS &&
-           shifts[2] == FXL_SHIFT_OF_WORDS && fxl_weight_is_constant(gradients);
+    return gradients->shifts[0] == FXL_SHIFT_OF_WORDS;
 }
+
+/* A polygon of such a face, into a band without a depth buffer. False: it is not of opaque pixels
+ * in words, and nothing is painted. */
+bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *points,
+                              uint32_t count, const fxl_band *band, fxl_scan *scan);
 
 /* fxl_paint_pixels_565 of a face with colours at its corners. */
 void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0,

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* The pixels of a face with colours at its corners. A run of them is linear. Its channels have 11
  * bits after the point, rounded down at a column that is the same for all runs of a row: so a pixel
- * depends on the face and its place alone. In a run of at most 64 columns a channel is too small by
- * less than 65/2048 level. */
+ * depends on the face and its place alone. */
+#include "../raster/fill.h"
 #include "colour_run.h"
 #include "corner_colours.h"
 #include "rgb565_colour.h"
 #include "texel_place.h"
 
 #define FRACTION 11u
-#define COLUMNS  64 /* of a run where the weight is constant */
-#define SEGMENT  16 /* of any other */
+#define SEGMENT  16
 
 /* The channels of the first pixel, and what a pixel adds. */
 typedef struct {
@@ -44,6 +43,11 @@ static inline bool is_within(const colour_run *run, int32_t count)
 static inline uint32_t hold(int32_t channel, int32_t most)
 {
     return (uint32_t)(channel < 0 ? 0 : channel > most ? most : channel) >> FRACTION;
+}
+
+static inline bool is_opaque(const fxl_paint *paint)
+{
+    return paint->opacity == 16 && paint->of_565.sixteenths == 0 && !paint->of_565.adds;
 }
 
 /* The colour of any channels with FRACTION bits, over the one beneath. Not inline: few faces have
@@ -92,8 +96,7 @@ static void paint_run(const fxl_paint *paint, const fxl_paint_row *row, int32_t 
                       const colour_run *run)
 {
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-    if (paint->opacity == 16 && (paint->of_565.sixteenths | paint->of_565.adds) == 0 &&
-        is_within(run, x1 - x0)) {
+    if (is_opaque(paint) && is_within(run, x1 - x0)) {
         const fxl_colour_words words = words_of(run);
         fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(x1 - x0));
         return;
@@ -120,24 +123,94 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
     paint_run(paint, row, x0, x1, &run);
 }
 
-/* A row of a face with a constant weight, whose lower words are channels in 8.24. */
+/* --- words ---------------------------------------------------------------------------------- */
+
+/* The channels of a face in words in one row, at its column. */
+typedef struct {
+    uint32_t channels[3];
+} word_row;
+
+static inline word_row row_of(const fxl_gradient *attributes, int32_t y)
+{
+    word_row row;
+    for (uint32_t k = 0; k < 3; k++) {
+        row.channels[k] = (uint32_t)attributes[k].at + (uint32_t)y * (uint32_t)attributes[k].down;
+    }
+    return row;
+}
+
+/* The words of column x. The column of the face is at most 64 columns away, so red and blue are too
+ * small by less than 65/2048 level, which is less than they are above 0 at the corners. */
+static inline void words_at(const fxl_gradient *attributes, const word_row *row, int32_t x,
+                            fxl_colour_words *words)
+{
+    const uint32_t column = (uint32_t)((uint64_t)attributes[0].at >> 32);
+    const uint32_t skipped = (uint32_t)x - column;
+    words->both = fxl_colours_both((int32_t)row->channels[0], (int32_t)row->channels[2]) +
+                  skipped * words->step;
+    words->green = (row->channels[1] << 2) + skipped * words->green_step;
+}
+
+static inline void find_word_steps(const fxl_gradient *attributes, fxl_colour_words *words)
+{
+    words->step = (uint32_t)attributes[0].along;
+    words->green_step = (uint32_t)attributes[1].along;
+}
+
+/* A part of a row. */
 static void paint_words(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
 {
     const fxl_gradient *attributes = paint->gradients->attributes;
-    while (x0 < x1) {
-        const int32_t begin = x0 & -COLUMNS;
-        const int32_t end = begin + COLUMNS < x1 ? begin + COLUMNS : x1;
-        colour_run run;
-        for (uint32_t k = 0; k < 3; k++) {
-            const fxl_gradient *words = &attributes[k];
-            const uint32_t word = (uint32_t)words->at + (uint32_t)row->y * (uint32_t)words->down +
-                                  (uint32_t)begin * (uint32_t)words->along;
-            begin_channel(&run, k, word, (uint32_t)words->along, 24u - FRACTION,
-                          (uint32_t)(x0 - begin));
-        }
-        paint_run(paint, row, x0, end, &run);
-        x0 = end;
+    const word_row at = row_of(attributes, row->y);
+    fxl_colour_words words;
+    find_word_steps(attributes, &words);
+    words_at(attributes, &at, x0, &words);
+    if (is_opaque(paint)) {
+        fxl_paint_colour_run(&words, (uint16_t *)(void *)row->pixels + x0, (uint32_t)(x1 - x0));
+        return;
     }
+    for (; x0 < x1; x0++) {
+        const int32_t channels[3] = {(int32_t)(words.both >> 16),
+                                     (int32_t)(words.green >> (32u - 6u - FRACTION)),
+                                     (int32_t)(words.both & 0xFFFFu)};
+        show(paint, row, x0, channels);
+        words.both += words.step;
+        words.green += words.green_step;
+    }
+}
+
+bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *points,
+                              uint32_t count, const fxl_band *band, fxl_scan *scan)
+{
+    const fxl_gradient *attributes = paint->gradients->attributes;
+    const fxl_trapezoid *trapezoid;
+    fxl_colour_words words;
+    if (!fxl_has_colour_words(paint->gradients) || !is_opaque(paint)) {
+        return false;
+    }
+    find_word_steps(attributes, &words);
+    fxl_scan_outline(points, count, band, scan);
+    while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
+        fxl_edge a = trapezoid->edges[0], b = trapezoid->edges[1];
+        int32_t y = trapezoid->first_row;
+        word_row row = row_of(attributes, y);
+        uint16_t *pixels =
+            (uint16_t *)(void *)band->pixels + (size_t)(y - band->first_row) * band->stride;
+        for (; y < trapezoid->end_row; y++) {
+            const int32_t x0 = a.x <= b.x ? a.x : b.x, x1 = a.x <= b.x ? b.x : a.x;
+            if (x0 < x1) {
+                words_at(attributes, &row, x0, &words);
+                fxl_paint_colour_run(&words, pixels + x0, (uint32_t)(x1 - x0));
+            }
+            fxl_edge_step(&a);
+            fxl_edge_step(&b);
+            pixels += band->stride;
+            for (uint32_t k = 0; k < 3; k++) {
+                row.channels[k] += (uint32_t)attributes[k].down;
+            }
+        }
+    }
+    return true;
 }
 
 void fxl_paint_colours_565(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1)
