@@ -340,12 +340,12 @@ static void find_affine(const fxl_corner_planes *planes, int32_t (*values)[3],
 /* The weights that suffice for segments (gradients.h). Of an attribute u and the weight w, each at
  * most 2^30 at the corners, the twist u' w - w' u, where ' is the change a pixel along the row, is
  * the same along a row and linear down the rows: its largest value is at a corner. What is cut off
- * the slopes changes a twist by less than 2^31 of its units.
+ * the slopes and the twist is less than 2 units of its upper word.
  *
  * The rows of other vertices may be beyond those of the three corners, by at most as many as all
  * rows of the box are more: so the twist grows by its range over the corners, times that part. As
  * the triangle fills 1/16 of the box, the three corners have at least 1/8 of its rows, 2^11 units:
- * the part is at most 7. An eighth of a twist is at most 2^59. */
+ * the part is at most 7. An eighth of the sum is below 2^31 such units. */
 typedef struct {
     uint32_t growth; /* that part, in 1/16, rounded up; at most 127 */
     fxl_real most;   /* of all attributes; times 2^(64 - planes->exponent) */
@@ -377,22 +377,21 @@ static inline void begin_twists(const fxl_corner_planes *planes, twists *of)
 static inline void add_twist(const fxl_corner_planes *planes, const int32_t values[3],
                              int32_t slope, int shift, twists *of)
 {
-    int64_t least = INT64_MAX, most = INT64_MIN;
+    int32_t least = INT32_MAX, most = INT32_MIN; /* upper words, below 2^30 */
     for (uint32_t i = 0; i < 3; i++) {
-        const int64_t twist =
-            fxl_product(slope, planes->weights[i]) - fxl_product(planes->weight_slope, values[i]);
+        const int32_t twist = (int32_t)((uint64_t)(fxl_product(slope, planes->weights[i]) -
+                                                   fxl_product(planes->weight_slope, values[i])) >>
+                                        32);
         least = twist < least ? twist : least;
         most = twist > most ? twist : most;
     }
-    uint64_t number = ((uint64_t)(most > -least ? most : -least) >> 3) + ((uint64_t)1 << 32);
+    uint32_t number = ((uint32_t)(most > -least ? most : -least) + 2u) / 8u + 1u;
     if (of->growth != 0) {
-        number += fxl_product_unsigned((uint32_t)((uint64_t)(most - least) >> 32) + 1u, of->growth)
-                  << 25;
+        number += (((uint32_t)(most - least) + 4u) / 128u + 1u) * of->growth;
     }
-    const uint32_t high = (uint32_t)(number >> 32);
-    const unsigned zeros = fxl_leading_zeros(high);
+    const unsigned zeros = fxl_leading_zeros(number);
     const int exponent = 35 - (int)zeros - shift;
-    const uint32_t mantissa = high << zeros | (uint32_t)number >> 1 >> (31u - zeros);
+    const uint32_t mantissa = number << zeros;
     if (exponent > of->most.exponent ||
         (exponent == of->most.exponent && mantissa > of->most.mantissa)) {
         of->most.mantissa = mantissa;
