@@ -69,6 +69,9 @@ keys = [{ position = [1.6, 1.2, -5.5], look_at = [0, 0, 0] }, { position = [-2.5
 TEXTURE = '[[textures]]\nname = "t"\npattern = "%s"\nsize = [16, 16]\n%s\n'
 LIGHT = '[light]\nlevels = 16\ndirection = [0.3, -1, 0.8]\nambient = 0.35\ndark = "#203040"\n'
 
+COLOURED_BOX = "".join(f"v {x} {y} {z} {x + 0.5} {y + 0.5} {0.5 - z}\n" for z in (-0.5, 0.5) for y in (-0.5, 0.5) for x in (-0.5, 0.5)) + \
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+
 # Of an attribute: what the scene has beside, and what its subject has. "flat" is the scene itself.
 ATTRIBUTES = {
     "flat": ("", ""),
@@ -80,6 +83,7 @@ ATTRIBUTES = {
     "stipple": ("", "opacity = 7"),
     "blend": ("", "blend = true"),
     "added": ("", 'blend = "add"'),
+    "colours at corners": ("", 'vertex_colours = true'),
     "lit flat": (LIGHT, ""),
     "lit smooth": (LIGHT, "smooth = true"),
     "fog": (LIGHT + "fog = { near = 2, far = 14 }\n", ""),
@@ -91,7 +95,7 @@ ATTRIBUTES = {
 }
 
 # What only frames of RGB565 show, and how the tool calls it.
-OF_RGB565 = {"texture of RGB565": "texels of RGB565", "texture of RGB565 with holes": "texels of RGB565", "added": 'blend = "add"'}
+OF_RGB565 = {"texture of RGB565": "texels of RGB565", "texture of RGB565 with holes": "texels of RGB565", "added": 'blend = "add"', "colours at corners": "colours at corners"}
 
 # How a frame is delivered: options of build/host/frames. The pixels are those of the whole frame.
 DELIVERIES = {"bands": ("--rows", "7"), "spilled list": ("--rows", "7", "--list", "60"), "two cores": ("--rows", "7", "--cores", "2"),
@@ -116,6 +120,10 @@ def image_of(folder, order, target, name, tables, subject):
     file = folder / "scene.toml"
     file.write_text(BASE % {"top": 'tree = "all"' if order == "tree" else "", "pixels": pixels, "depth": bits, "tables": tables,
                             "moves": "moves = true" if order == "tree" else "", "subject": subject})
+    if "vertex_colours" in subject:     # which a model's file has
+        (folder / "subject.obj").write_text(COLOURED_BOX)
+        file.write_text(file.read_text().replace('solid = "box"\nname = "subject"', 'model = "subject.obj"\nname = "subject"')
+                        .replace('colour = "#b04838"\n', ""))
     compiled, _ = compiler.compile_scene(str(file))
     made = folder / f"{name}.fxls"
     made.write_bytes(image.pack(compiled))
@@ -294,8 +302,10 @@ def test_each_core_draws_the_cells_of_the_host(cells, program, tmp_path):
     assert lines == [*expected, f"done {len(expected)}"]
 
 
-# Beams go neither with outlines nor with texels of RGB565, and a face is either blended or added.
-NOT_DRAWN = {("beams", "outlines"), ("texture of RGB565", "beams"), ("texture of RGB565 with holes", "beams"), ("blend", "added")}
+# Beams go neither with outlines nor with texels of RGB565 nor with colours at corners, which have no texture, and a face is either
+# blended or added.
+NOT_DRAWN = {("beams", "outlines"), ("colours at corners", "beams"), *((name, "colours at corners") for name in ATTRIBUTES if name.startswith("texture")),
+             ("texture of RGB565", "beams"), ("texture of RGB565 with holes", "beams"), ("blend", "added")}
 
 
 def extra_of(*names):

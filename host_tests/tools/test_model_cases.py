@@ -10,7 +10,7 @@ import pytest
 from conftest import run_cli
 from fixel.base.errors import ToolError
 from fixel.board import dump
-from fixel.image import image
+from fixel.image import image, image_surface
 from fixel.model import t_junctions
 from fixel.scene import compiler, look
 from model_files import glb, gltf, png
@@ -56,6 +56,45 @@ def said(notes, *words):
 def test_colours_of_vertices_are_kept():
     made, notes = compiled("vertex_colours.obj")
     assert len(colours(made)) == 6 and said(notes, "vertices have colours", "mean of its corners' colours") == 1
+
+
+OF_CORNERS = {(-1, -1, -1): (255, 0, 0), (1, -1, -1): (0, 255, 0), (1, 1, -1): (0, 0, 255), (-1, 1, -1): (255, 255, 0), (-1, -1, 1): (255, 0, 255),
+              (1, -1, 1): (0, 255, 255), (1, 1, 1): (255, 255, 255), (-1, 1, 1): (51, 51, 51)}
+
+
+def test_colours_of_vertices_are_linear_over_faces_in_rgb565():
+    """Each vertex has its own colour in every face, and a face on which they are not affine is two triangles."""
+    made, notes = as_made("vertex_colours.obj")
+    model, surfaces = made.models[0], made.surfaces.surfaces
+    assert made.pixel_bits == 16 and not said(notes, "mean of its corners' colours")
+    assert len(model.faces) == 11       # the lower face's are affine
+    for face in model.faces:
+        assert surfaces[face.mapped.surface].flags & image_surface.COLOURS and not surfaces[face.mapped.surface].texture
+        for number, (colour, rest) in zip(face.mapped.vertices, face.mapped.texels):
+            x, y, z = model.vertices[number]
+            # The file's z points the other way.
+            red, green, blue = OF_CORNERS[x // abs(x), y // abs(y), -z // abs(z)]
+            assert (colour, rest) == (red << 16 | green << 8 | blue, 0)
+
+
+def test_corners_that_are_nearly_alike_have_one_colour(tmp_path):
+    corner = "v {0} {1} 0 {2}\n"
+    for most, is_flat in ((4, True), (5, False)):
+        (tmp_path / "s.obj").write_text(corner.format(0, 0, "0.2 0.2 0.2") + corner.format(1, 0, "0.2 0.2 0.2") +
+                                        corner.format(0, 1, f"0.2 {(51 + most) / 255:.6f} 0.2") + "f 1 2 3\n")
+        made, _ = compiler.compile_scene(str(tmp_path / "s.obj"), 4, look=look.Look())
+        flags = [made.surfaces.surfaces[face.mapped.surface].flags & image_surface.COLOURS if face.mapped else 0
+                 for face in made.models[0].faces]
+        assert (not any(flags)) == is_flat
+
+
+def test_a_palette_shows_no_colours_at_corners(tmp_path):
+    text = '%s[[objects]]\nmodel = "vertex_colours.obj"\nvertex_colours = true\n'
+    in_a_scene(tmp_path, text % '[view]\npixels = "rgb565"\n', "vertex_colours.obj")
+    with pytest.raises(ToolError, match='cannot show colours at corners: give pixels = "rgb565" under \\[view\\], or vertex_colours = false'):
+        in_a_scene(tmp_path, text % "", "vertex_colours.obj")
+    with pytest.raises(ToolError, match="leave colour out"):
+        in_a_scene(tmp_path, text % '[view]\npixels = "rgb565"\n' + 'colour = "red"\n', "vertex_colours.obj")
 
 
 def test_an_image_that_is_not_there():
