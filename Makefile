@@ -365,12 +365,13 @@ boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.
 
 COMPARED_BOARDS = $(if $(filter host,$(TEST_BOARD)),$(error BOARD=host: all boards are compared with the host; name another),$(or $(TEST_BOARD),$(TARGET_BOARDS)))
 NOT_RUN_OPTIONS = $(if $(TEST_BOARD),,$(foreach board,$(EXTRA_BOARDS),$(if $(LACKS.$(board)),--not-run $(board) $(LACKS.$(board)))))
-COMPARED_PROGRAMS = $(foreach board,host $(COMPARED_BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
+COMPARED_UNITS = $(foreach board,$(COMPARED_BOARDS),$(if $(and $(BOARD_UNITS_APART.$(board)),$(if $(TEST_BOARD),,yes)),,$(board)))
+COMPARED_PROGRAMS = $(foreach board,host $(COMPARED_BOARDS),$(BOARD_WALK.$(board))) $(foreach board,host $(COMPARED_UNITS),$(BOARD_UNITS.$(board)))
 boards: ## compare all boards: memory, stack, speed, frames equal to the host's, unit tests [BOARD= of one board, PIXELS= ORDER= DEPTH=]
 	@tools/setup.sh units $(foreach board,$(filter $(EXTRA_BOARDS),$(COMPARED_BOARDS)),$(call SETUP_OF,$(board)))
 	@$(MAKE) $(COMPARED_PROGRAMS)
 	@$(TOOL) boards --boards $(COMPARED_BOARDS) --scene scenes/tiny.toml scenes/plaza.toml \
-	    $(call UNIT_OPTIONS,$(COMPARED_BOARDS)) $(NOT_RUN_OPTIONS) --build $(BUILD) --out $(BUILD)/boards.json
+	    $(call UNIT_OPTIONS,$(COMPARED_UNITS)) $(NOT_RUN_OPTIONS) --build $(BUILD) --out $(BUILD)/boards.json
 
 # Boards with a main of their own in firmware/benchmark.
 BENCHMARK_BOARD := $(call ONE_OF,$(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN),host),$(BENCHMARK_BOARDS))

@@ -22,6 +22,7 @@
 #   BOARD_PROGRAM_OMIT      programs of PROGRAM= that do not fit it
 #   BOARD_VISIBILITY_OMIT   values of VISIBILITY= whose programs do not fit it
 #   BOARD_WIRES             what a driver of DRIVER= sends by, without .c, where a display hangs on the board; otherwise the wires are recorded
+#   BOARD_UNITS_APART       "yes" where unit tests take so long that make boards leaves them to make test BOARD=
 #   BOARD_DRIVER_ROWS       rows that a driver of DRIVER= sends at a time (8 without); 0: there is no room for one
 #   BOARD_BENCH             cores of the bench that it stands for: bench/bench.mk
 #
@@ -52,7 +53,7 @@ DRIVERS_OF_COLOUR += $(filter-out $(DRIVERS_OF_PAGES),$(DISPLAY_MODULES))
 
 # What a board.mk must set; what it may set; what it may leave empty.
 BOARD_MUST := CPU BAND_BYTES ORDER_ENTRIES LIST_BYTES CACHE_ENTRIES SOURCES
-BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES DRIVER_ROWS
+BOARD_MAY := CORE QEMU NOTE POLYGON_CAPACITY SETTINGS OWN_FLAGS CROSS SETUP LIBC OPENOCD HOSTED BENCH PROGRAM_OMIT VISIBILITY_OMIT WIRES UNITS_APART DRIVER_ROWS
 
 # Reads a board.mk; what it sets as BOARD_X is then BOARD_X.<board>.
 define BOARD_READ

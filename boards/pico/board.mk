@@ -8,6 +8,7 @@ BOARD_OPENOCD := -f interface/cmsis-dap.cfg -f target/rp2040.cfg
 BOARD_NOTE := emulator=rp2040js counts=cycles uf2=e48bff56
 # make test installs none of its tools, and runs nothing on it: make run, boards and test with BOARD=pico do.
 BOARD_SETUP := pico
+BOARD_UNITS_APART := yes # half an hour
 
 # Of 264 KiB, the stacks taking 9: 40 rows of 320, objects for any scene that its flash can hold, and the polygons of a full frame.
 BOARD_BAND_BYTES := 25600

@@ -137,6 +137,8 @@ def notes(each):
                         "is not the host's")
     if each["unit_tests_left_out"]:
         said.append(f"left out, no room: {units.with_reasons(each['unit_tests_no_room'])}")
+    if not each["unit_tests_passed"] + each["unit_tests_failed"]:
+        said.append(f"no unit tests were run: make test BOARD={each['name']} runs them")
     return said + [f"{coloured('FAIL', 'red')}: {failure}" for failure in each["failures"]]
 
 
