@@ -234,7 +234,7 @@ SOUND_VALUES = {
     "division": ['"affine"', "8"], "texels_per_unit": ["4"], "texel_offset": ["[1, 2]"], "file": ['"t.png"'],
     "pattern": ['"bricks"', '"tree"'], "pixels": ["[8, 8]", '"rgb565"'], "most_colours": ["8"], "bits": ["4", "8", "16"], "blend": ["true", '"add"'], "wrap": ['"repeat"', '"clamp"'],
     "levels": ["1", "8"], "axis": ["[1, 2, 3]"], "degrees": ["5"], "start": ["30", "{ position = [0, 1, 0] }"], "yaw": ["1"], "pitch": ["2"], "roll": ["3"],
-    "circle": ["4"], "by": ["[2, 0, 0]"], "key": ['"#010203"', '"origin"'], "sides": ["5"], "cells": ["[2, 2]"], "seed": ["3"], "obj": ['"t.obj"'], "group": ['"g"', '"t"'],
+    "circle": ["4"], "by": ["[2, 0, 0]"], "key": ['"#010203"', '"origin"'], "sides": ["5"], "cells": ["[2, 2]"], "seed": ["3"], "obj": ['"t.obj"'], "group": ['"g"', '"t"'], "without": ['"g"', '["t"]'],
     "keys": ["[{ position = [0, 0, 0] }, { position = [1, 0, 0], frames = 3 }]", "[{ frames = 3 }, {}]"],
     "facing": ["true"], "frames": ["9"], "back": ["true"], "repeats": ["true"], "direction": ["[1, 2, 3]"], "ambient": ["0.5"], "sky": ["[0.1, 0.1, 0.2]"],
     "strength": ["0.5"], "dark": ["0.25"], "points": ["[{ position = [0, 1, 0], range = 4 }]"], "fog": ["{ near = 2, far = 9 }"],

@@ -9,10 +9,10 @@
 #include "unity.h"
 
 enum {
-    WIDTH = 48,
-    HEIGHT = 36,
+    WIDTH = 40,
+    HEIGHT = 30,
     PIXELS = WIDTH * HEIGHT,
-    LEVELS = 16,
+    LEVELS = 8,
     BACKGROUND = 255,
     COLOUR = 10,
     IN_BEAM = 64 /* lit[c] = c + IN_BEAM */
@@ -28,13 +28,14 @@ static const fxl_direction normals[] = {
     {0, 0, -FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {FXL_Q2_30_ONE, 0, 0}};
 static const fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .normals = {0, 1, 2}};
 
-static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], lit[256], blend[FXL_BLEND_TABLE_BYTES(LEVELS)];
+/* The ramp is the blend table too: what is blended hides what is beneath. */
+static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(LEVELS)], lit[256];
 static uint8_t rows[PIXELS], others[PIXELS];
 static fxl_renderer renderer;
 static fxl_surfaces surfaces;
 static fxl_light light;
 static fxl_lit_surfaces lit_surfaces;
-static uint64_t memory[300], cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16) / 8], room[256];
+static uint64_t memory[300], cells[FXL_DEPTH_BYTES(WIDTH, 10, 16) / 8], room[256];
 
 void setUp(void)
 {
@@ -43,9 +44,6 @@ void setUp(void)
         for (uint32_t level = 0; level < LEVELS; level++) {
             ramp[256 * level + i] = (uint8_t)level;
         }
-    }
-    for (uint32_t i = 0; i < sizeof blend; i++) {
-        blend[i] = (uint8_t)(i / 256);
     }
 }
 
@@ -75,7 +73,7 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *fram
                                  .surface_count = 1,
                                  .face_count = 1,
                                  .normal_count = 3,
-                                 .blend = blend,
+                                 .blend = ramp,
                                  .blend_count = LEVELS};
     const fxl_beam_set beams = {beam, 1, lit};
     const fxl_light_settings lamp = {.direction = {0, 0, FXL_Q2_30_ONE},
