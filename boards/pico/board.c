@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Raspberry Pi Pico. An alarm of its timer is the watchdog. clock_instructions counts the emulator's cycles. */
+/* Raspberry Pi Pico. An alarm of its timer is the watchdog. clock_instructions counts the
+ * emulator's cycles. */
 #include <stddef.h>
 
 #include "contract/panel.h"
@@ -44,7 +45,8 @@ bool watchdog_barked(uint32_t exception)
     return exception == EXCEPTION;
 }
 
-/* Its interrupt is never turned on. A call would change LR, by which a handler finds what the core pushed. */
+/* Its interrupt is never turned on. A call would change LR, by which a handler finds what the core
+ * pushed. */
 __attribute__((naked)) void cortexm_systick(void)
 {
     __asm__ volatile("ldr r0, =cortexm_fault\n\tbx r0\n\t.ltorg");

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The second boot stage, the first 256 bytes of flash (RP2040 data sheet, section 2.8.1). The boot ROM copies them to RAM,
- * checks the CRC in the last four, and calls them. They set up the flash for plain reads, command 03h, which every flash of
- * this kind knows: 32 bits for each command and address, at a quarter of the system's clock. Then they go to the vector table behind them, or return if the boot ROM or a debugger
- * left a return address.
+/* The second boot stage, the first 256 bytes of flash (RP2040 data sheet, section 2.8.1). The boot
+ * ROM copies them to RAM, checks the CRC in the last four, and calls them. They set up the flash
+ * for plain reads, command 03h, which every flash of this kind knows: 32 bits for each command and
+ * address, at a quarter of the system's clock. Then they go to the vector table behind them, or
+ * return if the boot ROM or a debugger left a return address.
  *
- * The CRC is CRC-32/MPEG-2 of the first 252 bytes: polynomial 04C11DB7h, first value FFFFFFFFh, nothing reflected or inverted.
- * If the code changes, host_tests/boards/test_pico.py says what it is now. */
+ * The CRC is CRC-32/MPEG-2 of the first 252 bytes: polynomial 04C11DB7h, first value FFFFFFFFh,
+ * nothing reflected or inverted. If the code changes, host_tests/boards/test_pico.py says what it
+ * is now. */
 
 __asm__(".section .boot2, \"ax\", %progbits\n"
         "pico_boot2:\n\t"
@@ -14,9 +16,9 @@ __asm__(".section .boot2, \"ax\", %progbits\n"
         "movs r1, #0\n\t"
         "str r1, [r3, #0x08]\n\t" /* SSIENR: off, so that it may be set up */
         "movs r1, #4\n\t"
-        "str r1, [r3, #0x14]\n\t"   /* BAUDR: the divisor of the clock */
-        "ldr r1, =0x001F0300\n\t"   /* one wire, 32 bits a frame, send then receive */
-        "str r1, [r3, #0x00]\n\t"   /* CTRLR0 */
+        "str r1, [r3, #0x14]\n\t" /* BAUDR: the divisor of the clock */
+        "ldr r1, =0x001F0300\n\t" /* one wire, 32 bits a frame, send then receive */
+        "str r1, [r3, #0x00]\n\t" /* CTRLR0 */
         "movs r1, #0\n\t"
         "str r1, [r3, #0x04]\n\t" /* CTRLR1: one frame a read */
         "ldr r1, =0x03000218\n\t" /* command 03h of 8 bits, an address of 24 bits, no wait cycles */

@@ -2,8 +2,9 @@
 #include "pico/rp2040.h"
 
 /* Bits of RESETS. */
-#define WANTED (1u << 2 /* DMA */ | 1u << 5 /* IO_BANK0 */ | 1u << 8 /* PADS_BANK0 */ | 1u << 12 /* PLL_SYS */ | \
-                1u << 16 /* SPI0 */ | 1u << 21 /* TIMER */ | 1u << 22 /* UART0 */)
+#define WANTED \
+    (1u << 2 /* DMA */ | 1u << 5 /* IO_BANK0 */ | 1u << 8 /* PADS_BANK0 */ | \
+     1u << 12 /* PLL_SYS */ | 1u << 16 /* SPI0 */ | 1u << 21 /* TIMER */ | 1u << 22 /* UART0 */)
 
 #define CLK_REF_CTRL     RP2040_REGISTER(RP2040_CLOCKS + 0x30u)
 #define CLK_REF_SELECTED RP2040_REGISTER(RP2040_CLOCKS + 0x38u)
@@ -32,7 +33,7 @@ enum {
 
 static void start_clocks(void)
 {
-    XOSC_STARTUP = 47u;     /* times 256 cycles of 12 MHz: 1 ms */
+    XOSC_STARTUP = 47u;      /* times 256 cycles of 12 MHz: 1 ms */
     XOSC_CTRL = 0x00FABAA0u; /* 1 to 15 MHz; on */
     while (XOSC_STATUS >> 31 == 0) {
     }
@@ -52,7 +53,7 @@ static void start_clocks(void)
     CLK_SYS_CTRL = 1u; /* from its auxiliary source, the PLL */
     while (CLK_SYS_SELECTED != 1u << 1) {
     }
-    CLK_PERI_CTRL = 1u << 11; /* on, from the system's clock */
+    CLK_PERI_CTRL = 1u << 11;      /* on, from the system's clock */
     WATCHDOG_TICK = 1u << 9 | 12u; /* the timer's microsecond: 12 cycles of the crystal */
 }
 

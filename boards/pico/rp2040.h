@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Registers of the RP2040 (its data sheet, chapters 2 and 4), and what the parts of this board share. */
+/* Registers of the RP2040 (its data sheet, chapters 2 and 4), and what the parts of this board
+ * share. */
 #ifndef BOARD_RP2040_H
 #define BOARD_RP2040_H
 
 #include <stdint.h>
 
 #define RP2040_REGISTER(address) (*(volatile uint32_t *)(uintptr_t)(address))
-#define RP2040_CLEAR             0x3000u /* the alias of a register that clears the bits which are written as 1 */
+#define RP2040_CLEAR \
+    0x3000u /* the alias of a register that clears the bits which are written as 1 */
 
 #define RP2040_CLOCKS   0x40008000u
 #define RP2040_RESETS   0x4000C000u
@@ -29,7 +31,8 @@ enum {
     RP2040_PIN_SIO = 5
 };
 
-/* Takes the peripherals that this board uses out of reset, and sets the clocks: 125 MHz from the crystal of 12 MHz. */
+/* Takes the peripherals that this board uses out of reset, and sets the clocks: 125 MHz from the
+ * crystal of 12 MHz. */
 void rp2040_start(void);
 
 /* Chooses what a pin is for. An output that rp2040_set_pin drives has RP2040_PIN_SIO. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* wires.h by SPI0 and channel 0 of the DMA, at 62.5 MHz. Wiring: GPIO 18 clock, 19 data, 17 select, 20 data/command, 21
- * reset. GPIO 22 changes its level at the end of each frame, for a logic analyser; the emulator's runner numbers frames by it.
- * The module is selected for each command and for each run of data. */
+/* wires.h by SPI0 and channel 0 of the DMA, at 62.5 MHz. Wiring: GPIO 18 clock, 19 data, 17 select,
+ * 20 data/command, 21 reset. GPIO 22 changes its level at the end of each frame, for a logic
+ * analyser; the emulator's runner numbers frames by it. The module is selected for each command and
+ * for each run of data. */
 #include <stddef.h>
 
 #include "parts/wires.h"
@@ -16,12 +17,13 @@
 #define SPI_HAS_ROOM (1u << 1)
 #define SPI_IS_BUSY  (1u << 4)
 
-#define DMA_READ     RP2040_REGISTER(RP2040_DMA)
-#define DMA_WRITE    RP2040_REGISTER(RP2040_DMA + 4u)
-#define DMA_COUNT    RP2040_REGISTER(RP2040_DMA + 8u)
-#define DMA_CONTROL  RP2040_REGISTER(RP2040_DMA + 0xCu) /* written: starts */
-#define DMA_IS_BUSY  (1u << 24)
-/* Bytes, from addresses that increase, when SPI0 has room (DREQ 16); on. No channel follows: chained to itself. */
+#define DMA_READ    RP2040_REGISTER(RP2040_DMA)
+#define DMA_WRITE   RP2040_REGISTER(RP2040_DMA + 4u)
+#define DMA_COUNT   RP2040_REGISTER(RP2040_DMA + 8u)
+#define DMA_CONTROL RP2040_REGISTER(RP2040_DMA + 0xCu) /* written: starts */
+#define DMA_IS_BUSY (1u << 24)
+/* Bytes, from addresses that increase, when SPI0 has room (DREQ 16); on. No channel follows:
+ * chained to itself. */
 #define DMA_TO_SPI (16u << 15 | 1u << 4 | 1u)
 
 enum {

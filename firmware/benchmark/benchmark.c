@@ -13,7 +13,8 @@
 #define HEIGHT 240u
 #define ROWS   16u /* of a band; the last one of a frame is full, too */
 
-/* Units of 8 bytes for the renderer. More of them make frames that need it faster, and change no pixel. */
+/* Units of 8 bytes for the renderer. More of them make frames that need it faster, and change no
+ * pixel. */
 #ifndef BENCHMARK_MEMORY
 #define BENCHMARK_MEMORY PLAZA_MEMORY
 #endif
@@ -86,15 +87,19 @@ static void add_hexadecimal(line *to, uint32_t number)
 /* --- a scene -------------------------------------------------------------------------------- */
 
 /* Draws a frame; adds the time to *spent, and the pixels to *crc. */
-static fxl_status draw(const benchmark_port *port, const fxl_pose *pose, uint8_t background, uint32_t *spent,
-                       uint32_t *crc)
+static fxl_status draw(const benchmark_port *port, const fxl_pose *pose, uint8_t background,
+                       uint32_t *spent, uint32_t *crc)
 {
     uint32_t begun = port->microseconds();
     fxl_status status = fxl_frame_begin(&renderer, pose);
     uint32_t row;
 
     for (row = 0; row < HEIGHT && status == FXL_OK; row += ROWS) {
-        fxl_band band = {.pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = (uint16_t)row, .rows = ROWS};
+        fxl_band band = {.pixels = pixels,
+                         .width = WIDTH,
+                         .stride = WIDTH,
+                         .first_row = (uint16_t)row,
+                         .rows = ROWS};
 
         fxl_fill_band(&band, background);
         status = fxl_frame_draw(&renderer, &band);

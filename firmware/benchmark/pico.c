@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The benchmark on a Raspberry Pi Pico, without an SDK: it prints on UART0, pin GPIO 0, at 115,200 baud, every five seconds. */
+/* The benchmark on a Raspberry Pi Pico, without an SDK: it prints on UART0, pin GPIO 0, at 115,200
+ * baud, every five seconds. */
 #include "benchmark.h"
 #include "parts/cortexm.h"
 #include "pico/rp2040.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The calls of a port to its SDK, a line each on standard output: test_ports.py reads them.
- *     pin NUMBER LEVEL     bytes HEX     start SIZE     done HEX     sleep MILLISECONDS     setup TEXT
- * A transfer by DMA reads its bytes at the last moment, and they must be those that it was started with. */
+ *     pin NUMBER LEVEL     bytes HEX     start SIZE     done HEX     sleep MILLISECONDS     setup
+ * TEXT A transfer by DMA reads its bytes at the last moment, and they must be those that it was
+ * started with. */
 #ifndef PORTS_DIARY_H
 #define PORTS_DIARY_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The cube's palette and its first frames, as the library draws them in one piece, on standard output. */
+/* The cube's palette and its first frames, as the library draws them in one piece, on standard
+ * output. */
 #include <fixel.h>
 #include <stdio.h>
 

@@ -35,22 +35,30 @@ static void require(bool holds, const char *sentence)
     }
 }
 
-esp_err_t spi_bus_initialize(spi_host_device_t host, const spi_bus_config_t *config, spi_dma_chan_t channel)
+esp_err_t spi_bus_initialize(spi_host_device_t host, const spi_bus_config_t *config,
+                             spi_dma_chan_t channel)
 {
-    require(host == SPI2_HOST && channel == SPI_DMA_CH_AUTO && config->max_transfer_sz >= 320 * 20 * 2 && config->miso_io_num == -1, "the bus");
+    require(host == SPI2_HOST && channel == SPI_DMA_CH_AUTO &&
+                config->max_transfer_sz >= 320 * 20 * 2 && config->miso_io_num == -1,
+            "the bus");
     has_bus = true;
     return ESP_OK;
 }
 
-esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus, const esp_lcd_panel_io_spi_config_t *config, esp_lcd_panel_io_handle_t *io)
+esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus,
+                                   const esp_lcd_panel_io_spi_config_t *config,
+                                   esp_lcd_panel_io_handle_t *io)
 {
-    require(has_bus && (uintptr_t)bus == SPI2_HOST && config->trans_queue_depth > 0 && config->lcd_cmd_bits == 8 && config->lcd_param_bits == 8,
+    require(has_bus && (uintptr_t)bus == SPI2_HOST && config->trans_queue_depth > 0 &&
+                config->lcd_cmd_bits == 8 && config->lcd_param_bits == 8,
             "the wires");
     *io = &the_io;
     return ESP_OK;
 }
 
-esp_err_t esp_lcd_new_panel_st7789(esp_lcd_panel_io_handle_t io, const esp_lcd_panel_dev_config_t *config, esp_lcd_panel_handle_t *panel)
+esp_err_t esp_lcd_new_panel_st7789(esp_lcd_panel_io_handle_t io,
+                                   const esp_lcd_panel_dev_config_t *config,
+                                   esp_lcd_panel_handle_t *panel)
 {
     require(io == &the_io && config->bits_per_pixel == 16, "the panel");
     *panel = &the_panel;
@@ -94,14 +102,17 @@ esp_err_t esp_lcd_panel_disp_on_off(esp_lcd_panel_handle_t panel, bool is_on)
     return ESP_OK;
 }
 
-esp_err_t esp_lcd_panel_io_register_event_callbacks(esp_lcd_panel_io_handle_t io, const esp_lcd_panel_io_callbacks_t *callbacks, void *user)
+esp_err_t esp_lcd_panel_io_register_event_callbacks(esp_lcd_panel_io_handle_t io,
+                                                    const esp_lcd_panel_io_callbacks_t *callbacks,
+                                                    void *user)
 {
     io->callbacks = *callbacks;
     io->user = user;
     return ESP_OK;
 }
 
-esp_err_t esp_lcd_panel_draw_bitmap(esp_lcd_panel_handle_t panel, int x_start, int y_start, int x_end, int y_end, const void *colours)
+esp_err_t esp_lcd_panel_draw_bitmap(esp_lcd_panel_handle_t panel, int x_start, int y_start,
+                                    int x_end, int y_end, const void *colours)
 {
     require(panel->is_on && the_io.callbacks.on_color_trans_done != NULL, "a panel that is off");
     printf("window %d %d %d %d\n", x_start, y_start, x_end, y_end);
@@ -116,10 +127,12 @@ SemaphoreHandle_t xSemaphoreCreateBinary(void)
 
 BaseType_t xSemaphoreTake(SemaphoreHandle_t semaphore, TickType_t ticks)
 {
-    require(ticks == portMAX_DELAY && (diary_is_sending() || semaphore->is_given), "a wait without an end");
+    require(ticks == portMAX_DELAY && (diary_is_sending() || semaphore->is_given),
+            "a wait without an end");
     if (diary_is_sending()) {
         diary_finish();
-        require(the_io.callbacks.on_color_trans_done(&the_io, NULL, the_io.user), "nobody was woken");
+        require(the_io.callbacks.on_color_trans_done(&the_io, NULL, the_io.user),
+                "nobody was woken");
     }
     require(semaphore->is_given, "the semaphore was not given");
     semaphore->is_given = false;

@@ -13,7 +13,9 @@ typedef void *esp_lcd_spi_bus_handle_t;
 typedef struct {
     int reserved;
 } esp_lcd_panel_io_event_data_t;
-typedef bool (*esp_lcd_panel_io_color_trans_done_cb_t)(esp_lcd_panel_io_handle_t io, esp_lcd_panel_io_event_data_t *event, void *user);
+typedef bool (*esp_lcd_panel_io_color_trans_done_cb_t)(esp_lcd_panel_io_handle_t io,
+                                                       esp_lcd_panel_io_event_data_t *event,
+                                                       void *user);
 typedef struct {
     esp_lcd_panel_io_color_trans_done_cb_t on_color_trans_done;
 } esp_lcd_panel_io_callbacks_t;
@@ -23,6 +25,10 @@ typedef struct {
     size_t trans_queue_depth;
     int lcd_cmd_bits, lcd_param_bits;
 } esp_lcd_panel_io_spi_config_t;
-esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus, const esp_lcd_panel_io_spi_config_t *config, esp_lcd_panel_io_handle_t *io);
-esp_err_t esp_lcd_panel_io_register_event_callbacks(esp_lcd_panel_io_handle_t io, const esp_lcd_panel_io_callbacks_t *callbacks, void *user);
+esp_err_t esp_lcd_new_panel_io_spi(esp_lcd_spi_bus_handle_t bus,
+                                   const esp_lcd_panel_io_spi_config_t *config,
+                                   esp_lcd_panel_io_handle_t *io);
+esp_err_t esp_lcd_panel_io_register_event_callbacks(esp_lcd_panel_io_handle_t io,
+                                                    const esp_lcd_panel_io_callbacks_t *callbacks,
+                                                    void *user);
 #endif

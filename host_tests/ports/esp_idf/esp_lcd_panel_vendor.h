@@ -2,11 +2,16 @@
 #ifndef PORTS_ESP_LCD_PANEL_VENDOR_H
 #define PORTS_ESP_LCD_PANEL_VENDOR_H
 #include "esp_lcd_panel_io.h"
-typedef enum { LCD_RGB_ELEMENT_ORDER_RGB, LCD_RGB_ELEMENT_ORDER_BGR } lcd_rgb_element_order_t;
+typedef enum {
+    LCD_RGB_ELEMENT_ORDER_RGB,
+    LCD_RGB_ELEMENT_ORDER_BGR
+} lcd_rgb_element_order_t;
 typedef struct {
     int reset_gpio_num;
     lcd_rgb_element_order_t rgb_ele_order;
     uint32_t bits_per_pixel;
 } esp_lcd_panel_dev_config_t;
-esp_err_t esp_lcd_new_panel_st7789(esp_lcd_panel_io_handle_t io, const esp_lcd_panel_dev_config_t *config, esp_lcd_panel_handle_t *panel);
+esp_err_t esp_lcd_new_panel_st7789(esp_lcd_panel_io_handle_t io,
+                                   const esp_lcd_panel_dev_config_t *config,
+                                   esp_lcd_panel_handle_t *panel);
 #endif

@@ -58,9 +58,12 @@ uint spi_init(spi_inst_t *spi, uint baudrate)
     return baudrate;
 }
 
-void spi_set_format(spi_inst_t *spi, uint data_bits, spi_cpol_t cpol, spi_cpha_t cpha, spi_order_t order)
+void spi_set_format(spi_inst_t *spi, uint data_bits, spi_cpol_t cpol, spi_cpha_t cpha,
+                    spi_order_t order)
 {
-    require(spi == &only && data_bits == 8 && cpol == SPI_CPOL_0 && cpha == SPI_CPHA_0 && order == SPI_MSB_FIRST, "the format");
+    require(spi == &only && data_bits == 8 && cpol == SPI_CPOL_0 && cpha == SPI_CPHA_0 &&
+                order == SPI_MSB_FIRST,
+            "the format");
 }
 
 int spi_write_blocking(spi_inst_t *spi, const uint8_t *bytes, size_t size)
@@ -100,7 +103,8 @@ dma_channel_config dma_channel_get_default_config(uint channel)
     return config;
 }
 
-void channel_config_set_transfer_data_size(dma_channel_config *config, enum dma_channel_transfer_size size)
+void channel_config_set_transfer_data_size(dma_channel_config *config,
+                                           enum dma_channel_transfer_size size)
 {
     require(size == DMA_SIZE_8, "no bytes");
     config->ctrl |= 1u << 8;
@@ -111,10 +115,12 @@ void channel_config_set_dreq(dma_channel_config *config, uint dreq)
     config->ctrl |= dreq << 16;
 }
 
-void dma_channel_configure(uint channel, const dma_channel_config *config, volatile void *write_address,
-                           const volatile void *read_address, uint count, bool trigger)
+void dma_channel_configure(uint channel, const dma_channel_config *config,
+                           volatile void *write_address, const volatile void *read_address,
+                           uint count, bool trigger)
 {
-    require(channel == CHANNEL && config->ctrl == (DREQ << 16 | 1u << 8 | CHANNEL) && write_address == &only.hw.dr && trigger,
+    require(channel == CHANNEL && config->ctrl == (DREQ << 16 | 1u << 8 | CHANNEL) &&
+                write_address == &only.hw.dr && trigger,
             "the channel is set up in another way");
     diary_start((const uint8_t *)(uintptr_t)read_address, count);
 }

@@ -21,9 +21,11 @@ static void require(bool holds, const char *sentence)
     }
 }
 
-HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t size, uint32_t timeout)
+HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t size,
+                                   uint32_t timeout)
 {
-    require(spi == &hspi1 && timeout > 0 && !diary_is_sending(), "bytes are sent beside a transfer");
+    require(spi == &hspi1 && timeout > 0 && !diary_is_sending(),
+            "bytes are sent beside a transfer");
     diary_bytes(bytes, size);
     return HAL_OK;
 }

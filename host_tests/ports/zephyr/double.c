@@ -36,10 +36,13 @@ int display_blanking_off(const struct device *display)
     return 0;
 }
 
-int display_write(const struct device *display, uint16_t x, uint16_t y, const struct display_buffer_descriptor *descriptor, const void *bytes)
+int display_write(const struct device *display, uint16_t x, uint16_t y,
+                  const struct display_buffer_descriptor *descriptor, const void *bytes)
 {
     require(display == &ports_display && has_format && is_on, "the display is off");
-    require(descriptor->pitch == descriptor->width && descriptor->buf_size == 2u * descriptor->width * descriptor->height, "the descriptor");
+    require(descriptor->pitch == descriptor->width &&
+                descriptor->buf_size == 2u * descriptor->width * descriptor->height,
+            "the descriptor");
     printf("window %d %d %d %d\n", x, y, x + descriptor->width, y + descriptor->height);
     diary_bytes(bytes, descriptor->buf_size);
     return 0;
