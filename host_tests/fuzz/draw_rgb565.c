@@ -18,6 +18,7 @@ typedef struct {
     fxl_texture textures[TEXTURES];
     fxl_surface surfaces[SURFACES];
     uint16_t *texels[TEXTURES];
+    fxl_mapped_face *faces;
     fxl_surface_set set;
 } set_565;
 
@@ -40,6 +41,32 @@ static size_t texel_count(const fxl_texture *texture)
         texels += (size_t)1 << (wide + high);
     }
     return texels;
+}
+
+/* Surfaces without a texture have colours at their corners: the lower bits of their texture
+ * coordinates. */
+static void make_colours(set_565 *made, const fxl_surface_set *from)
+{
+    const size_t bytes = from->face_count * sizeof *made->faces;
+    made->faces = malloc(bytes > 0 ? bytes : 1);
+    DEMAND(made->faces != NULL);
+    memcpy(made->faces, from->faces, bytes);
+    made->set.faces = made->faces;
+    for (uint32_t i = 0; i < SURFACES; i++) {
+        if (made->surfaces[i].texture == 0) {
+            made->surfaces[i].flags = (uint8_t)(made->surfaces[i].flags | FXL_SURFACE_COLOURS);
+        }
+    }
+    for (uint32_t i = 0; i < from->face_count; i++) {
+        fxl_mapped_face *face = &made->faces[i];
+        /* The check looks at the records that faces have alone. */
+        const bool has_colours =
+            face->surface < SURFACES && made->surfaces[face->surface].flags & FXL_SURFACE_COLOURS;
+        for (int k = 0; has_colours && k < 3; k++) {
+            face->texels[k].u &= 0xFFFFFF;
+            face->texels[k].v = 0;
+        }
+    }
 }
 
 static void make_set(set_565 *made, const fxl_surface_set *from, fuzz_input *in)
@@ -70,6 +97,7 @@ static void make_set(set_565 *made, const fxl_surface_set *from, fuzz_input *in)
             made->surfaces[i].sixteenths = made->surfaces[i].opacity;
         }
     }
+    make_colours(made, from);
 }
 
 /* What is refused leaves the renderer as it is. */
@@ -222,5 +250,6 @@ void draw_rgb565(fxl_renderer *renderer, draw_parts *parts, const fxl_surface_se
     for (uint32_t i = 0; i < TEXTURES; i++) {
         free(made.texels[i]);
     }
+    free(made.faces);
     free(palette);
 }
