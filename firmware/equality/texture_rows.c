@@ -198,6 +198,29 @@ static void compare_special(const fxl_segment_face *plain, fxl_paint_row *row, i
 #endif
 }
 
+/* The same texture, which does not repeat. */
+static void compare_clamped(const fxl_segment_face *plain, fxl_paint_row *row, int32_t x0,
+                            int32_t x1)
+{
+    fxl_segment_face face = *plain;
+    if (face.log_width < 5 || face.rows_mask >> face.log_width != (1u << face.log_width) - 1u) {
+        return;
+    }
+    face.kind = FXL_TEXELS_CLAMPED;
+    face.form = 0;
+    face.is_constant = false;
+    face.palette = any_32() >> 13 & 1u ? palette : NULL;
+    compare_row(&face, row, x0, x1, fxl_paint_segments, portable_paint_segments);
+    compare_rows(&face, row, x0, x1, fxl_paint_rows, portable_paint_rows);
+    face.in_beam = NULL;
+    compare_row(&face, row, x0, x1, fxl_paint_segments_565, portable_paint_segments_565);
+    compare_rows(&face, row, x0, x1, fxl_paint_rows_565, portable_paint_rows_565);
+#if FXL_HAS_DEPTH_ROWS
+    compare_runs(&face, row, x0, x1, fxl_paint_runs_565, portable_paint_segments_565);
+    compare_runs(&face, row, x0, x1, fxl_paint_runs, portable_paint_segments);
+#endif
+}
+
 /* A line has more bits than a segment's coordinates; so its least weight is larger, or its drops.
  */
 static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1)
@@ -215,6 +238,7 @@ static void compare(fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int3
         return;
     }
     compare_special(face, row, x0, x1);
+    compare_clamped(face, row, x0, x1);
     const uint32_t form = face->form;
     face->palette = any_32() >> 13 & 1u ? palette : NULL;
     face->in_beam = any_32() >> 19 & 1u && face->palette != NULL ? ramp : NULL;

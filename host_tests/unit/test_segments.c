@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernel of textured segments against its definition in double, and the faces that it takes. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "paint/plain_rows.h"
@@ -405,6 +406,39 @@ void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
         paint.level.texels = texels;
         paint.level.colours = NULL;
     }
+}
+
+/* Texels that do not repeat are those that fxl_paint_pixels shows without a kernel, to within what
+ * both round: a texel beside it at most, and few of them. */
+void test_clamped_texels_are_held_within_the_texture(void)
+{
+    uint32_t unlike = 0, beyond = 0;
+    choose_size(5, 5);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(i % 32u / 4u * 16u + i / 32u / 4u);
+    }
+    for (uint32_t n = 0; n < 300; n++) {
+        const int32_t x0 = (int32_t)(any() % 20u);
+        choose_face();
+        paint.level.flags = FXL_TEXTURE_CLAMP;
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        TEST_ASSERT_EQUAL(FXL_TEXELS_CLAMPED, face.kind);
+        paint_row(row_pixels, x0, COLUMNS);
+        row.segments = NULL;
+        row.pixels = part;
+        memset(part, UNTOUCHED, sizeof part);
+        fxl_paint_pixels(&paint, &row, x0, COLUMNS);
+        TEST_ASSERT_EQUAL(0, memcmp(row_pixels, part, (size_t)x0));
+        for (int32_t x = x0; x < COLUMNS; x++) {
+            const int columns = abs((row_pixels[x] >> 4) - (part[x] >> 4));
+            const int rows = abs((row_pixels[x] & 15) - (part[x] & 15));
+            TEST_ASSERT_TRUE(columns <= 1 && rows <= 1);
+            unlike += columns + rows > 0;
+            beyond += part[x] == 0 || part[x] == 0x77;
+        }
+    }
+    TEST_ASSERT_LESS_THAN(400, unlike);
+    TEST_ASSERT_GREATER_THAN(5000, beyond);
 }
 
 /* Where no segment suffices, pixels are divided: those of fxl_paint_pixels without a kernel. */

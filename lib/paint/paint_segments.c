@@ -44,7 +44,7 @@ static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_ro
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
 {
     const uint32_t most = (uint32_t)face->light_max;
-    if (face->kind != FXL_TEXELS_PLAIN) {
+    if (FXL_TEXELS_ARE_SPECIAL(face->kind)) {
         paint_special(face, row, run, (uint32_t)x, count);
         return;
     }

@@ -23,7 +23,7 @@ FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *
 static inline void paint_texels(const fxl_segment_face *face, const fxl_paint_row *row,
                                 const fxl_texel_run *run, int32_t x, uint32_t count)
 {
-    if (face->kind != FXL_TEXELS_PLAIN) {
+    if (FXL_TEXELS_ARE_SPECIAL(face->kind)) {
         paint_special(face, row, run, (uint32_t)x, count);
         return;
     }

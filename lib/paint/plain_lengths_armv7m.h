@@ -254,7 +254,7 @@
 
     .align  2
 .Lkept:
-    adr     r3, .Lbegin + 1
+    ldr     r3, [sp, #F_FIRST]
     str     r3, [sp, #F_BEGIN]
     add     r3, sp, #F_SAVED
     ldm     r3, {r6-r12, lr}

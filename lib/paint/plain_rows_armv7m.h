@@ -44,11 +44,13 @@
 #define F_X        116 /* the end of the run; then that of the row */
 #define F_X_END    120
 #define F_BEGIN    124 /* finds the registers from w_low on at the beginning of a run */
-#define F_SAVED    128 /* the registers from w_low on */
+#define F_FIRST    128 /* the same, of the first run of a row */
+#define F_SAVED    132 /* the registers from w_low on */
 #define F_KIND     164 /* what takes a row of the face */
-#define F_SIZE     168
+#define F_PLAIN    168 /* of a clamped face: F_CODE of a plain one */
+#define F_SIZE     176
 
-/* The frame of rows of constant weight has in the place of F_SAVED: */
+/* The frame of rows of constant weight has in the place of F_FIRST: */
 #define F_LINE     128 /* the weight for which it has: how far coordinates are shifted, */
 #define F_U_LEFT   132
 #define F_V_LEFT   136
@@ -160,6 +162,7 @@ RUNS:
 #endif
 
 #include "special_texels_armv7m.h"
+#include "clamped_texels_armv7m.h"
 
 /* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
     .align  2
@@ -198,7 +201,7 @@ RUNS:
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
     adr     r5, .Lbegin + 1
-    str     r5, [sp, #F_BEGIN]
+    strd    r5, r5, [sp, #F_BEGIN]
     adr     r5, .Lface_weights + 1
     str     r5, [sp, #F_KIND]
     cbz     r1, 4f
@@ -226,8 +229,35 @@ RUNS:
     b       3b
 1:  adr     r4, .Lstippled + 1
     b       3b
-2:  adr     r4, .Lfour_bits + 1
+2:  cmp     r6, #4
+    beq     1f
+    adr     r4, .Lfour_bits + 1
     b       3b
+
+/* A clamped face. Its segments are painted by the code of plain ones. */
+1:  ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
+    subs    r4, #5
+    cbz     r7, 1f
+    movw    r5, #WHOLE
+    adr     r6, .Lpixels_5 + 1
+    mla     r4, r4, r5, r6
+    movs    r5, #PIXEL
+    b       2f
+1:  movw    r5, #WHOLE_PLAIN
+    adr     r6, .Lplain_5 + 1
+    mla     r4, r4, r5, r6
+    movs    r5, #PIXEL_PLAIN
+2:  strd    r4, r5, [sp, #F_PLAIN]
+    adr     r4, .Lclamped + 1
+    movs    r5, #0
+    strd    r4, r5, [sp, #F_CODE]
+    str     r4, [sp, #F_LOG]
+    adr     r5, .Lclamped_begin + 1
+    strd    r5, r5, [sp, #F_BEGIN]
+    adr     r5, .Lface_weights + 1
+    str     r5, [sp, #F_KIND]
+    movs    r1, #0
+    bx      lr
 
 /* --- rows ----------------------------------------------------------------------------------- */
 

@@ -91,6 +91,12 @@ static inline int32_t difference(int32_t a, int32_t b)
     return (int32_t)((uint32_t)a - (uint32_t)b);
 }
 
+/* A coordinate some steps on. An end beyond the face may lie far away: then a sum wraps. */
+static inline int32_t after(int32_t value, int32_t step, uint32_t steps)
+{
+    return (int32_t)((uint32_t)value + (uint32_t)step * steps);
+}
+
 /* A 16th of a difference's part of 2^log, rounded to nearest. */
 static inline int32_t step_of(int32_t from, int32_t to, uint32_t log)
 {
@@ -126,6 +132,51 @@ static inline int32_t paint_part(const fxl_segment_face *face, const fxl_paint_r
     return (int32_t)count;
 }
 
+static inline int32_t held(int32_t coordinate)
+{
+    return coordinate < 0 ? 0 : coordinate > 0xFFFF ? 0xFFFF : coordinate;
+}
+
+/* Whether a coordinate of the pixels from `first` to `last` is within the texture. If it is beyond
+ * the same side at all of them, it is held there, and is within it, too. */
+static inline bool hold_within(int32_t *first, int32_t last, int32_t *step)
+{
+    if ((*first & last) < 0 || (*first > 0xFFFF && last > 0xFFFF)) {
+        *first = held(*first);
+        *step = 0;
+        return true;
+    }
+    return ((uint32_t)*first | (uint32_t)last) <= 0xFFFFu;
+}
+
+/* paint_part of a texture that does not repeat. */
+static inline int32_t paint_clamped(const fxl_segment_face *face, const fxl_paint_row *row,
+                                    const segment_end *from, const segment_end *to, uint32_t log,
+                                    int32_t x0, int32_t x1)
+{
+    const uint32_t columns = 1u << log, skip = (uint32_t)x0 & (columns - 1u);
+    const uint32_t left = (uint32_t)(x1 - x0);
+    const uint32_t count = left < columns - skip ? left : columns - skip;
+    int32_t u_step = step_of(from->u, to->u, log), v_step = step_of(from->v, to->v, log);
+    int32_t u = after(from->u >> 4, u_step, skip), v = after(from->v >> 4, v_step, skip);
+    const bool is_u_within = hold_within(&u, after(u, u_step, count - 1u), &u_step);
+    const bool is_v_within = hold_within(&v, after(v, v_step, count - 1u), &v_step);
+    fxl_texel_run run = {0, 0, 0, 0};
+    if (is_u_within && is_v_within) {
+        run.position = ((uint32_t)u << 16) + (uint32_t)v;
+        run.step = ((uint32_t)u_step << 16) + (uint32_t)v_step;
+        paint_texels(face, row, &run, x0, count);
+        return (int32_t)count;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        run.position = (uint32_t)held(u) << 16 | (uint32_t)held(v);
+        paint_texels(face, row, &run, x0 + (int32_t)i, 1);
+        u = after(u, u_step, 1);
+        v = after(v, v_step, 1);
+    }
+    return (int32_t)count;
+}
+
 /* Segments of 2^log columns. */
 FXL_APART void paint_run(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
                          int32_t x0, int32_t x1)
@@ -142,8 +193,12 @@ FXL_APART void paint_run(const fxl_segment_face *face, const fxl_paint_row *row,
             reciprocal = fxl_reciprocal_of(weight_at(&at));
         }
         find_end(face, &at, &reciprocal, &ends[1]);
-        find_texels(&ends[0], &ends[1], log, &run);
-        x0 += paint_part(face, row, &run, log, x0, x1);
+        if (face->kind == FXL_TEXELS_CLAMPED) {
+            x0 += paint_clamped(face, row, &ends[0], &ends[1], log, x0, x1);
+        } else {
+            find_texels(&ends[0], &ends[1], log, &run);
+            x0 += paint_part(face, row, &run, log, x0, x1);
+        }
         ends[0] = ends[1];
     }
 }
@@ -159,8 +214,12 @@ FXL_APART void paint_each(const fxl_segment_face *face, const fxl_paint_row *row
     for (; x0 < x1; x0++) {
         const fxl_reciprocal reciprocal = fxl_reciprocal_of(weight_at(&at));
         find_end(face, &at, &reciprocal, &end);
-        run.position = position_of(&end);
-        paint_texels(face, row, &run, x0, 1);
+        if (face->kind == FXL_TEXELS_CLAMPED) {
+            (void)paint_clamped(face, row, &end, &end, 0, x0, x0 + 1);
+        } else {
+            run.position = position_of(&end);
+            paint_texels(face, row, &run, x0, 1);
+        }
         advance(&at);
     }
 }

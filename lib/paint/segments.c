@@ -46,32 +46,6 @@ static inline bool is_plain(const fxl_paint *paint, uint32_t flags)
     return flags == 0 && paint->level.colours == NULL && paint->opacity == 16;
 }
 
-/* Has the kernel paint texels that are keyed, stippled or of 4 bits, one of these. key: of such
- * texels; leaves_out: pixels may be left out, as nothing follows the kernel that changes its
- * pixels. Returns false if the kernel cannot. Requires a face that is not plain. */
-FXL_APART bool find_kind(const fxl_paint *paint, uint32_t flags, uint32_t key, bool leaves_out,
-                         fxl_segment_face *face)
-{
-    const bool is_keyed = flags == FXL_TEXTURE_KEYED, is_stippled = paint->opacity < 16;
-    const bool has_4_bits = paint->level.colours != NULL;
-    if ((flags != 0 && !is_keyed) || is_keyed + is_stippled + has_4_bits != 1 ||
-        paint->ramp != NULL || (!leaves_out && !has_4_bits)) {
-        return false;
-    }
-    face->form = 0;
-    if (has_4_bits) {
-        face->kind = FXL_TEXELS_4;
-        face->colours = paint->level.colours;
-    } else if (is_keyed) {
-        face->kind = FXL_TEXELS_KEYED;
-        face->key = key;
-    } else {
-        face->kind = FXL_TEXELS_STIPPLED;
-        face->stipple = stipple_of(paint->opacity);
-    }
-    return true;
-}
-
 static void find_light(const fxl_paint *paint, fxl_segment_face *face)
 {
     const fxl_gradients *gradients = paint->gradients;
@@ -132,6 +106,39 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
     face->table = paint->table;
     face->kind = FXL_TEXELS_PLAIN;
     return find_least(paint, face);
+}
+
+/* Has the kernel paint texels that are clamped, keyed, stippled or of 4 bits, one of these. key: of
+ * such texels; leaves_out: pixels may be left out, as nothing follows the kernel that changes its
+ * pixels. Returns false if the kernel cannot. Requires a face that is not plain. */
+FXL_APART bool find_kind(const fxl_paint *paint, uint32_t flags, uint32_t key, bool leaves_out,
+                         fxl_segment_face *face)
+{
+    const bool is_keyed = flags == FXL_TEXTURE_KEYED, is_stippled = paint->opacity < 16;
+    const bool has_4_bits = paint->level.colours != NULL;
+    if (flags == FXL_TEXTURE_CLAMP && !is_stippled && !has_4_bits && face->log_width >= 5 &&
+        paint->level.rows_less_1 == paint->level.columns_less_1 && paint->ramp == NULL) {
+        face->form = 0;
+        face->kind = FXL_TEXELS_CLAMPED;
+        face->is_constant = false; /* the least weight of a line suffices for segments of 16 */
+        return true;
+    }
+    if ((flags != 0 && !is_keyed) || is_keyed + is_stippled + has_4_bits != 1 ||
+        paint->ramp != NULL || (!leaves_out && !has_4_bits)) {
+        return false;
+    }
+    face->form = 0;
+    if (has_4_bits) {
+        face->kind = FXL_TEXELS_4;
+        face->colours = paint->level.colours;
+    } else if (is_keyed) {
+        face->kind = FXL_TEXELS_KEYED;
+        face->key = key;
+    } else {
+        face->kind = FXL_TEXELS_STIPPLED;
+        face->stipple = stipple_of(paint->opacity);
+    }
+    return true;
 }
 
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)

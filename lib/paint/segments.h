@@ -60,8 +60,13 @@ enum {
     FXL_TEXELS_PLAIN = 0,
     FXL_TEXELS_KEYED = 1,    /* one texel is not drawn */
     FXL_TEXELS_STIPPLED = 2, /* an opacity below 16 */
-    FXL_TEXELS_4 = 3         /* texels of 4 bits */
+    FXL_TEXELS_4 = 3,        /* texels of 4 bits */
+    FXL_TEXELS_CLAMPED = 4   /* opaque ones, of as many rows as columns, at least 32, which do not
+                              * repeat; is_constant is false */
 };
+
+/* Whether a texel itself is more than one of 8 or 16 bits that is drawn. */
+#define FXL_TEXELS_ARE_SPECIAL(kind) ((kind) != FXL_TEXELS_PLAIN && (kind) != FXL_TEXELS_CLAMPED)
 
 /* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
  * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,

@@ -9,7 +9,7 @@
 /* Four pixels are painted a turn, and the first turn begins within the four. r7, r8: how far a
  * position is shifted to the column and to the row; r9: free; r10: the kind's own; r11: where
  * `pixels` ends. */
-#define F_PUSHED 20
+#define F_PUSHED   20
 
     .macro  begin_special
     push    {r7-r11}

@@ -303,7 +303,8 @@ static void count_kernel_segments(const fxl_segment_face *face, const fxl_paint_
 /* Plain pixels that take as long as one of a kind of texels. */
 static double weight_of_kind(const fxl_segment_face *face)
 {
-    return face->kind == FXL_TEXELS_PLAIN ? 1 : face->kind == FXL_TEXELS_4 ? 2.75 : 2.25;
+    static const double weights[] = {1, 2.25, 2.25, 2.75, 1.75};
+    return weights[face->kind];
 }
 
 /* A row, or a part of one, that the kernel of plain rows paints. */

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/* Part of plain_rows_armv7m.h: texels that do not repeat. Where all pixels of a segment lie within
+ * the texture, or beyond one side of it, the code of plain texels paints them. paint_clamped of
+ * segment_runs.h is the portable text. Assembly. */
+#ifndef FXL_CLAMPED_TEXELS_ARMV7M_H
+#define FXL_CLAMPED_TEXELS_ARMV7M_H
+
+/* clang-format off */
+
+#define F_PREVIOUS F_COLUMN             /* U and V at the end of the segment before: two words */
+#define F_PUSHED   20
+
+/* The first run of a row. Goes on to .Lclamped_resume. */
+    .align  2
+.Lclamped_begin:
+    adr     r4, .Lclamped_resume + 1
+    str     r4, [sp, #F_RESUME]
+    b.w     .Lbegin
+
+    .align  2
+.Lclamped_resume:
+    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    ldr     r4, [sp, #F_LOG]
+    cmp     r4, #3
+    bhi.w   .Lresume_4
+    beq.w   .Lresume_3
+    cmp     r4, #0
+    beq.w   .Leach
+    b.w     .Lresume_2
+
+/* A coordinate of the first pixel and of the last one: beyond the same side it is held there.
+ * Overwrites r10. */
+    .macro  hold_within first, last, step
+    orr     r10, \first, \last
+    cmp     r10, #0x10000
+    blo     1f
+    ands    r10, \first, \last
+    itt     mi
+    movmi   \first, #0
+    movmi   \step, #0
+    bmi     1f
+    cmp     \first, #0x10000
+    it      ge
+    cmpge   \last, #0x10000
+    blt     .Lclamped_mixed
+    movw    \first, #0xFFFF
+    movs    \step, #0
+1:
+    .endm
+
+/* r1, r2: u and v of the first pixel, 1/16 of U and V; r3, r4: their steps; r5: pixels of 16 that
+ * are left out; r8, r9: u and v of the last pixel. */
+    .align  2
+.Lclamped:
+    push    {r7-r11}
+    ldr     r5, [sp, #(F_BEFORE + F_PUSHED)]
+    ldr     r7, [sp, #(F_LOG + F_PUSHED)]
+    cmp     r7, #0
+    beq     .Lclamped_each
+    ldrd    r1, r2, [sp, #(F_PREVIOUS + F_PUSHED)]
+    strd    u_0, v_0, [sp, #(F_PREVIOUS + F_PUSHED)]
+    movs    r6, #8
+    lsls    r6, r6, r7
+    adds    r7, #4
+    sub     r3, u_0, r1
+    sub     r4, v_0, r2
+    adds    r3, r3, r6
+    adds    r4, r4, r6
+    asrs    r3, r3, r7
+    asrs    r4, r4, r7
+    asrs    r1, r1, #4
+    asrs    r2, r2, #4
+    ldr     r6, [sp, #(F_SHORT + F_PUSHED)]
+    cmp     r5, r6
+    beq     1f                          /* a whole segment */
+    ldr     r9, [sp, #(F_ROW + F_PUSHED)]
+    ldr     r9, [r9, #PAINT_ROW_PIXELS]
+    sub     r9, pixels, r9
+    .if     WIDE
+    add     r9, r5, r9, asr #1
+    .else
+    add     r9, r5, r9
+    .endif
+    add     r9, r9, #1                  /* the first pixel's column */
+    rsb     r10, r7, #36
+    lsl     r9, r9, r10
+    lsr     r9, r9, r10                 /* and its number in the segment */
+    mla     r1, r3, r9, r1
+    mla     r2, r4, r9, r2
+1:  rsb     r9, r5, #15
+    mla     r8, r3, r9, r1
+    mla     r9, r4, r9, r2
+.Lclamped_look:
+    orr     r10, r1, r8
+    orr     r11, r2, r9
+    orr     r10, r10, r11
+    cmp     r10, #0x10000
+    bhs     .Lclamped_beyond
+.Lclamped_paint:
+    add     p, r2, r1, lsl #16
+    add     step, r4, r3, lsl #16
+    ldr     r3, [sp, #(F_SHORT + F_PUSHED)]
+    str     r3, [sp, #(F_BEFORE + F_PUSHED)]
+    ldrd    r7, r8, [sp, #(F_PLAIN + F_PUSHED)]
+    mla     r3, r5, r8, r7
+    pop     {r7-r11}
+    ldrd    texels, mask, [sp, #F_TEXELS]
+    ldr     table, [sp, #F_TABLE]
+    bx      r3
+
+/* The pixel is divided. */
+.Lclamped_each:
+    asr     r1, u_0, #4
+    asr     r2, v_0, #4
+    movs    r3, #0
+    movs    r4, #0
+    mov     r8, r1
+    mov     r9, r2
+    b       .Lclamped_look
+
+.Lclamped_beyond:
+    hold_within r1, r8, r3
+    hold_within r2, r9, r4
+    b       .Lclamped_paint
+
+/* Some pixels are within the texture, others beyond it. r12: the texels, lr: where pixels end. */
+.Lclamped_mixed:
+    ldr     r6, [sp, #(F_SHORT + F_PUSHED)]
+    str     r6, [sp, #(F_BEFORE + F_PUSHED)]
+    ldr     r10, [sp, #(F_FACE + F_PUSHED)]
+    ldr     r6, [sp, #(F_TABLE + F_PUSHED)]
+    ldrd    r12, r11, [sp, #(F_TEXELS + F_PUSHED)]
+    ldrb    r7, [r10, #SEGMENT_FACE_LOG_WIDTH]
+    ldrb    r8, [r10, #SEGMENT_FACE_ROW_DROP]
+    rsb     r7, r7, #16
+    add     lr, pixels, #(16 << WIDE)
+    add     pixels, pixels, r5, lsl #WIDE
+1:  usat    r5, #16, r2
+    lsr     r5, r5, r8
+    and     r5, r5, r11
+    usat    r10, #16, r1
+    lsr     r10, r10, r7
+    add     r5, r5, r10
+    .if     WIDE
+    cbz     r6, 2f
+    ldrb    r5, [r12, r5]
+    ldrh    r5, [r6, r5, lsl #1]
+    b       3f
+2:  ldrh    r5, [r12, r5, lsl #1]
+3:  strh    r5, [pixels, #2]!
+    .else
+    ldrb    r5, [r12, r5]
+    cbz     r6, 2f
+    ldrb    r5, [r6, r5]
+2:  strb    r5, [pixels, #1]!
+    .endif
+    add     r1, r1, r3
+    add     r2, r2, r4
+    cmp     pixels, lr
+    bne     1b
+    pop     {r7-r11}
+    ldrd    u_0, v_0, [sp, #F_PREVIOUS]
+    ldr     pc, [sp, #F_NEXT]
+
+/* clang-format on */
+
+#endif
