@@ -41,10 +41,16 @@ static inline int32_t value_at(int64_t first, const fxl_gradient *gradient, int3
     return (int32_t)((first + gradient->along * x) >> 32);
 }
 
+/* Of a number of 64 bits; at least 1. */
+static inline uint32_t upper_weight(int64_t number)
+{
+    const int32_t weight = (int32_t)(number >> 32);
+    return weight < 1 ? 1 : (uint32_t)weight;
+}
+
 static uint32_t weight_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x)
 {
-    const int32_t weight = value_at(row->weight, &paint->gradients->weight, x);
-    return weight < 1 ? 1 : (uint32_t)weight;
+    return upper_weight(row->weight + paint->gradients->weight.along * x);
 }
 
 static void divide_at(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
@@ -104,18 +110,58 @@ static inline int32_t smaller(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
+/* Light in segments of 2^log columns: paint_segment of what has no other attribute. `light` and
+ * `weight`: of column `begin`, which is a multiple of 2^log. */
+static inline void paint_light_segments(const fxl_paint *paint, const fxl_paint_row *row,
+                                        int32_t begin, unsigned log, int64_t weight, int32_t x0,
+                                        int32_t x1, divided_column *at)
+{
+    const fxl_gradient *gradient = &paint->gradients->attributes[0];
+    const int64_t weight_step = paint->gradients->weight.along * (1 << log);
+    const int64_t light_step = gradient->along * (1 << log);
+    const int shift = paint->gradients->shifts[0];
+    int64_t light = row->attributes[0] + gradient->along * begin;
+    linear_pixels linear = {{0}, {0}};
+    int32_t from = at->values[0];
+    if (at->column != begin) {
+        const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(weight));
+        from = fxl_attribute_of((int32_t)(light >> 32), &reciprocal, shift);
+    }
+    do {
+        weight += weight_step;
+        light += light_step;
+        const fxl_reciprocal reciprocal = fxl_reciprocal_of(upper_weight(weight));
+        const int32_t to = fxl_attribute_of((int32_t)(light >> 32), &reciprocal, shift);
+        const int32_t next = begin + (1 << log), end = smaller(next, x1);
+        linear.steps[0] = (uint32_t)((int32_t)((uint32_t)to - (uint32_t)from) >> log);
+        linear.values[0] = (uint32_t)from + (uint32_t)(x0 - begin) * linear.steps[0];
+        paint_linear(paint, row, x0, end, &linear);
+        from = to;
+        begin = next;
+        x0 = end;
+    } while (x0 < x1);
+    at->column = begin;
+    at->values[0] = from;
+}
+
 /* Columns within 16 of a row. least: of fxl_find_least_weights. */
 static void paint_sixteen(const fxl_paint *paint, const fxl_paint_row *row, const uint32_t least[3],
                           int32_t x0, int32_t x1, divided_column *at)
 {
     const int32_t first = x0 & ~15;
+    const int64_t along = paint->gradients->weight.along, weight = row->weight + along * first;
     const uint32_t log =
-        fxl_segment_log(least, weight_at(paint, row, first), weight_at(paint, row, first + 16));
+        fxl_segment_log(least, upper_weight(weight), upper_weight(weight + 16 * along));
     if (log == 0) {
         divide_each(paint, row, x0, x1);
         return;
     }
     const int32_t columns = 1 << log;
+    if (!FXL_IS_SMALL && !FXL_IS_COMPACT && paint->has_light_rows) {
+        const int32_t begin = x0 & -columns;
+        paint_light_segments(paint, row, begin, log, weight + along * (begin - first), x0, x1, at);
+        return;
+    }
     while (x0 < x1) {
         const int32_t begin = x0 & -columns, end = smaller(begin + columns, x1);
         paint_segment(paint, row, begin, log, x0, end, at);
