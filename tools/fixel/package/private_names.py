@@ -13,8 +13,10 @@ EXTERN_C = re.compile(r"^#ifdef __cplusplus\n(?:extern \"C\" \{|\})\n#endif\n", 
 ATTRIBUTE = re.compile(r"__attribute__\(\([^()]*\)\)")
 WORD = r"[A-Za-z_]\w*"
 IDENTIFIER = re.compile(WORD)
-# Words that begin the definition of a function or an object which only this file has.
-STATIC = ("static", "FXL_APART", "FXL_IN_PLACE")
+# What begins the definition of a function or an object which only this file has: static or a macro for it. Another macro may be an
+# attribute: then the name tells, because what other files see begins with fxl_.
+STATIC = re.compile(r"static|FXL_APART|FXL_IN_PLACE")
+MACRO = re.compile(r"FXL_[A-Z_]+")
 
 
 @functools.cache
@@ -70,10 +72,11 @@ def declared(words, braces):
     if words.startswith("typedef"):
         pointer = re.search(rf"\(\*({WORD})\)", words)
         names.add(pointer[1] if pointer else IDENTIFIER.findall(re.split(r"[(\[]", words)[0])[-1])
-    elif words.split()[0] in STATIC and "(*" in words.split("=")[0]:
+    elif STATIC.fullmatch(words.split()[0]) and "(*" in words.split("=")[0]:
         names.add(re.search(rf"\(\*(?:const )?({WORD})", words)[1])
-    elif words.split()[0] in STATIC:
-        names.add(IDENTIFIER.findall(re.split(r"[(\[=]", words)[0])[-1])
+    elif STATIC.fullmatch(words.split()[0]) or MACRO.fullmatch(words.split()[0]):
+        name = IDENTIFIER.findall(re.split(r"[(\[=]", words)[0])[-1]
+        names |= {name} if STATIC.fullmatch(words.split()[0]) or not name.startswith("fxl_") else set()
     return names
 
 
