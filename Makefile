@@ -22,7 +22,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
-    predict costs one-file format clean
+    predict costs one-file packages format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
 VARIABLES := $(sort $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
@@ -296,6 +296,10 @@ set-up-lib:
 one-file: ## write the library as fixel.h and fixel.c into build/one-file [OUT=]
 	@tools/setup.sh tools
 	@$(TOOL) one-file
+
+packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan into build/packages [ONLY= OUT=]
+	@tools/setup.sh tools
+	@$(TOOL) packages
 
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 # A Cortex-M7's library is that of a Cortex-M4, instruction for instruction (CORE_SHARED): it is compiled once.

@@ -24,7 +24,7 @@
 #   probe   the same as run, and OpenOCD
 #   pico    the same as run, and node with rp2040js, which emulates the board pico
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
-#   anywhere the same as run, pico and riscv, a C++ compiler, CMake, pkg-config
+#   anywhere the same as run, pico and riscv, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
 # requirements/*.txt and go into .venv; meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
@@ -166,7 +166,7 @@ find_missing() {
         probe) need_board; need_openocd ;;
         pico) need_board; need_node ;;
         riscv) need_riscv ;;
-        anywhere) need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config ;;
+        anywhere) need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has avr-gcc || need gcc-avr ;;
         *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv or anywhere" ;;
         esac
     done

@@ -61,6 +61,7 @@ ROOMS = {
     },
     "Packages": {
         "one-file": ("fixel.package.one_file", "write the library as fixel.h and fixel.c"),
+        "packages": ("fixel.package.packages", "write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan"),
     },
     "Shell and Makefile": {
         "completion": ("fixel.base.completion", "print a script that completes commands in bash or zsh"),

@@ -16,7 +16,7 @@ def test_every_chip_is_tried():
     said = run_make("lib", "CORE=z80").stderr
     assert said.split(" host ")[1].split(".")[0].split()[:len(MACHINES)] == list(MACHINES)
     page = (CHECKOUT / "docs" / "packages.md").read_text(encoding="utf-8")
-    assert re.findall(r"^\| `(\w+)` \| ", page, re.MULTILINE) == list(MACHINES)
+    assert re.findall(r"^\| `(\w+)` \| `-", page, re.MULTILINE) == list(MACHINES)
 
 
 @pytest.mark.parametrize("chip", MACHINES)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""The work of fixel packages: every file of a package, by layouts.toml."""
+
+import pathlib
+import tomllib
+
+from fixel.base import output
+from fixel.base.errors import ToolError
+from fixel.base.nearest import question
+from fixel.base.version import version
+from fixel.package import one_text
+from fixel.report import examples
+
+TABLE = pathlib.Path(__file__).with_name("layouts.toml")
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+ABOUT = "Fixed-point 3-D renderer for microcontrollers"
+
+
+def table():
+    return tomllib.loads(TABLE.read_text(encoding="utf-8"))
+
+
+def texts(layout, one_file):
+    """{path in a package: its text}. one_file: {"fixel.h": text, "fixel.c": text}."""
+    source = layout["source"]
+    found = {path: text.lstrip("\n").format(version=version(), about=ABOUT) for path, text in layout["files"].items()}
+    found |= {f"{source}/{name}": text for name, text in one_file.items()}
+    if layout.get("forward"):
+        # So #include <fixel/surfaces.h> stays right: the documents have it.
+        found |= {f"{source}/fixel/{header.name}": f'{one_text.LICENCE}#include "../fixel.h"\n'
+                  for header in sorted((one_text.LIB / "include" / "fixel").glob("*.h"))}
+    if layout.get("example"):
+        found[f"{layout['example']}/main.c"] = examples.PROGRAM.read_text(encoding="utf-8")
+    found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    return found
+
+
+def write(layout, folder, one_file):
+    """Writes a package; the number of its files."""
+    found = texts(layout, one_file)
+    for path, text in found.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        output.write_file(folder / path, text)
+    if layout.get("example"):
+        examples.write_scene(folder / layout["example"])
+    return len(found)
+
+
+def command(options):
+    """The command; its exit code."""
+    known = table()
+    if options.only and options.only not in known:
+        raise ToolError(f"there is no package '{options.only}'{question(options.only, known)}; there are: {', '.join(known)}")
+    one_file = {"fixel.h": one_text.header_text(version()), "fixel.c": one_text.source_of_all(version())}
+    for name in [options.only] if options.only else known:
+        count = write(known[name], options.out / name, one_file)
+        print(f"{options.out / name}: {count} files")
+    return 0
