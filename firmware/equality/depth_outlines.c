@@ -275,15 +275,20 @@ static void any_light(const fxl_band *band, polygon *of)
     light->at = corners[0] - light->down * band->first_row;
     of->light.count = 1;
     of->light.shifts[0] = (int8_t)(61 - (int32_t)exponent);
-    of->paint.gradients = &of->light;
-    of->paint.is_light_linear = of->paint.has_light_rows = true;
-    of->paint.ramp = ramp;
-    of->paint.colour = (uint8_t)any_32();
-    of->paint.levels_less_1 = (uint8_t)(levels - 1u);
-    of->paint.of_565.palette = palette;
-    of->paint.of_565.part_of_level = (65536u + (levels - 1u) / 2u) / (levels - 1u);
-    of->paint.of_565.dark = (uint16_t)(any_32() >> 9);
-    palette[of->paint.colour] = (uint16_t)(any_32() >> 9);
+    const uint8_t colour = (uint8_t)any_32();
+    const uint16_t dark = (uint16_t)(any_32() >> 9);
+    of->paint = (fxl_paint){
+        .gradients = &of->light,
+        .ramp = ramp,
+        .levels_less_1 = (uint8_t)(levels - 1u),
+        .colour = colour,
+        .has_light_rows = true,
+        .is_light_linear = true,
+        .of_565 = {.palette = palette,
+                   .part_of_level = (65536u + (levels - 1u) / 2u) / (levels - 1u),
+                   .dark = dark},
+    };
+    palette[colour] = (uint16_t)(any_32() >> 9);
 }
 
 static void fill_ramp(void)
