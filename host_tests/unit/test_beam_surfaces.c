@@ -82,9 +82,10 @@ void tearDown(void)
 {
 }
 
-static void start(const way *into, bool has_surfaces, bool has_beam)
+/* in_beam: the colours in the beam; null: no beam. */
+static void start(const way *into, bool has_surfaces, const uint8_t *in_beam)
 {
-    const fxl_beam_set set = {&beam, 1, lit};
+    const fxl_beam_set set = {&beam, 1, in_beam};
     fxl_renderer *renderer = &walls.renderer;
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, into->target);
     config.background = BACKGROUND;
@@ -95,7 +96,7 @@ static void start(const way *into, bool has_surfaces, bool has_beam)
     if (has_surfaces) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_surfaces(renderer, &walls.surfaces, &walls.set, into->painter));
     }
-    if (has_beam) {
+    if (in_beam != NULL) {
         TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_beams(renderer, &set, room, sizeof room));
     }
     if (has_light) {
@@ -136,21 +137,25 @@ static void draw(const way *into, uint8_t *indices, uint32_t rows)
 }
 
 /* The frames that a test compares: `flat`, of faces without surfaces in the beam; `behind`, the same without the
- * first wall; `dark`, with surfaces and no beam; `shown`, with both. */
+ * first wall; `dark`, with surfaces and a beam that changes no colour; `shown`, with both. */
 static void draw_all(const way *into)
 {
+    static uint8_t same[256];
+    for (uint32_t i = 0; i < 256; i++) {
+        same[i] = (uint8_t)i;
+    }
     static const fxl_instance others[] = {{{0, 0, 0}, 1, 0, 0}, {{0, 0, 0}, 2, 0, 0}};
     const fxl_scene whole = walls.scene;
-    start(into, false, true);
+    start(into, false, lit);
     draw(into, flat, HEIGHT);
     walls.scene.instances = others;
     walls.scene.instance_count = 2;
-    start(into, false, true);
+    start(into, false, lit);
     draw(into, behind, HEIGHT);
     walls.scene = whole;
-    start(into, true, false);
+    start(into, true, same);
     draw(into, dark, HEIGHT);
-    start(into, true, true);
+    start(into, true, lit);
     draw(into, shown, HEIGHT);
 }
 
@@ -250,12 +255,12 @@ void test_light_in_rgb565_takes_a_part_of_the_colour_in_the_beam(void)
     for (uint32_t i = 3; i < TARGETS; i++) {
         const way *into = &ways[i];
         has_light = false;
-        start(into, false, true);
+        start(into, false, lit);
         draw(into, flat, HEIGHT);
         has_light = true;
-        start(into, true, true);
+        start(into, true, lit);
         walls_draw(in_beam);
-        start(into, true, false);
+        start(into, true, NULL);
         walls_draw(none_lit);
         for (uint32_t k = 0; k < sizeof walls.texels; k++) {
             walls.texels[k] = (uint8_t)(walls.texels[k] + LIT);
@@ -286,7 +291,7 @@ void test_the_beam_comes_before_blending(void)
         draw_all(&ways[i]);
         memcpy(opaque, shown, sizeof opaque);
         walls.surface[0].flags = FXL_SURFACE_BLEND;
-        start(&ways[i], true, true);
+        start(&ways[i], true, lit);
         draw(&ways[i], shown, HEIGHT);
         for (uint32_t k = 0; k < PIXELS; k++) {
             if (is_wall(k)) {
@@ -304,7 +309,7 @@ void test_texels_of_16_bits_are_refused(void)
     const char *names[2] = {NULL, NULL};
     walls_make_texture(FXL_TEXTURE_565);
     for (uint32_t i = 3; i < TARGETS; i++) {
-        start(&ways[i], true, true);
+        start(&ways[i], true, lit);
         TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
         TEST_ASSERT_TRUE(fxl_renderer_conflict(&walls.renderer, names));
         TEST_ASSERT_EQUAL_STRING("textures of RGB565", names[0]);
@@ -321,7 +326,7 @@ void test_colours_at_corners_are_refused(void)
     walls.surface[0] = (fxl_surface){.flags = FXL_SURFACE_COLOURS, .opacity = 16};
     memset(walls.mapped[0].texels, 0, sizeof walls.mapped[0].texels);
     for (uint32_t i = 3; i < TARGETS; i++) {
-        start(&ways[i], true, true);
+        start(&ways[i], true, lit);
         TEST_ASSERT_EQUAL(FXL_E_COMBINATION, fxl_frame_begin(&walls.renderer, &walls_eye));
         TEST_ASSERT_TRUE(fxl_renderer_conflict(&walls.renderer, names));
         TEST_ASSERT_EQUAL_STRING("colours at corners", names[0]);

@@ -84,7 +84,7 @@ void test_pixels_are_those_on_record(void)
         {FXL_DIVIDE_1, BLEND, 0xB864ED7E},
         {FXL_AFFINE, LIT, 0x4BFC3E6C},
         {FXL_DIVIDE_16, LIT | ADD, 0xD2F77E96},
-        {FXL_DIVIDE_16, STIPPLE | BLEND, 0xA77AADE6},
+        {FXL_DIVIDE_16, STIPPLE | BLEND, 0x0EF53314},
         {FXL_DIVIDE_8, LIT | STIPPLE, 0x48AA5070},
         {FXL_DIVIDE_16, INDICES, 0x4730298B},
         {FXL_DIVIDE_1, INDICES | LIT, 0x511408A8},

@@ -688,6 +688,9 @@ void test_other_faces_are_not_the_kernels(void)
     paint.level.flags = FXL_TEXTURE_KEYED;
     paint.in_beam = colours;
     check_refused(true);
+    paint.level.flags = FXL_TEXTURE_KEYED;
+    paint.has_beams = true;
+    check_refused(true);
     paint.blend = colours;
     check_refused(true);
     paint.division = FXL_DIVIDE_8;

@@ -326,6 +326,7 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     if (fxl_surface_is_lit(surfaces, surface)) {
         fxl_surface_light_of(surfaces, paint);
     }
+    paint->has_beams = surfaces->beams != NULL;
     paint->in_beam =
         polygon->is_in_beam ? ((const fxl_beam_shader *)(const void *)surfaces->beams)->lit : NULL;
     paint->blend = surface->flags & FXL_SURFACE_BLEND ? set->blend : NULL;
@@ -336,9 +337,10 @@ void fxl_surface_paint_of(const fxl_surfaces *surfaces, const fxl_surface_polygo
     paint->opacity = surface->opacity;
     paint->is_evenly_lit = polygon->is_evenly_lit;
     paint->light = polygon->light;
-    paint->has_light_rows = surface->texture == 0 && paint->ramp != NULL &&
-                            paint->in_beam == NULL && surface->opacity == 16 &&
-                            (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) == 0;
+    paint->has_light_rows =
+        surface->texture == 0 && paint->ramp != NULL && paint->in_beam == NULL &&
+        surface->opacity == 16 &&
+        (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD | FXL_SURFACE_COLOURS)) == 0;
     paint->has_colours = (surface->flags & FXL_SURFACE_COLOURS) != 0;
     paint->is_light_linear = paint->has_colours ||
                              (paint->has_light_rows && fxl_weight_is_constant(&polygon->gradients));

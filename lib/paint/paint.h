@@ -50,6 +50,7 @@ typedef struct {
     uint16_t light;        /* where is_evenly_lit: 1/256 level, and a half level */
     bool is_evenly_lit;    /* light is no attribute: it is the same everywhere */
     bool is_replaced;      /* in_beam or blend is not null */
+    bool has_beams;        /* a part of its face may be in a beam */
     bool has_light_rows;   /* opaque pixels of one colour, lit, in no beam: light_row.h */
     bool is_light_linear;  /* and the weight is constant; also where has_colours */
     bool has_colours;      /* at its corners: corner_colours.h */

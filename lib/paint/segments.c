@@ -110,10 +110,15 @@ static bool find(const fxl_paint *paint, fxl_segment_face *face)
 
 /* Has the kernel paint texels that are clamped, keyed, stippled or of 4 bits, one of these. key: of
  * such texels; leaves_out: pixels may be left out, as nothing follows the kernel that changes its
- * pixels. Returns false if the kernel cannot. Requires a face that is not plain. */
+ * pixels. Returns false if the kernel cannot: nor does it paint a face that a beam may split, as
+ * such texels in the beam are painted by C, which rounds otherwise: the texture would jump at the
+ * beam's border. Requires a face that is not plain. */
 FXL_APART bool find_kind(const fxl_paint *paint, uint32_t flags, uint32_t key, bool leaves_out,
                          fxl_segment_face *face)
 {
+    if (paint->has_beams) {
+        return false;
+    }
     const bool is_keyed = flags == FXL_TEXTURE_KEYED, is_stippled = paint->opacity < 16;
     const bool has_4_bits = paint->level.colours != NULL;
     if (flags == FXL_TEXTURE_CLAMP && !is_stippled && !has_4_bits && face->log_width >= 5 &&
@@ -160,8 +165,7 @@ bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)
     if (!is_common(paint) || paint->ramp != NULL || of->sixteenths != 0 || of->adds ||
         !find(paint, face) ||
         (!is_plain(paint, flags) &&
-         (is_in_beam ||
-          !find_kind(paint, flags, of->key, is_565 && !paint->is_evenly_lit, face)))) {
+         !find_kind(paint, flags, of->key, is_565 && !paint->is_evenly_lit, face))) {
         return false;
     }
     face->palette = is_565 ? NULL : of->palette;
