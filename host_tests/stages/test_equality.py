@@ -10,7 +10,7 @@ from board_programs import ROOT, made
 from conftest import run_cli
 from fixel.check import kernel_equality
 
-OF_WHOLE_ARMV7M = ("depth-outlines", "smooth-outlines", "depth-runs")
+OF_WHOLE_ARMV7M = ("depth-outlines", "smooth-outlines", "smooth-planes", "depth-runs")
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 
 
@@ -19,8 +19,8 @@ def equality(core, journal, *more):
 
 
 def kernels_of(core):
-    """The tests that a core's program lists. With FXL_SMALL no kernel is in assembly, so that list is shorter; outlines and
-    rows with a depth buffer have kernels on Armv7-M alone, and none by -Os."""
+    """The tests that a core's program lists. With FXL_SMALL no kernel is in assembly, so that list is shorter; outlines,
+    small planes and rows with a depth buffer have kernels on Armv7-M alone, and none by -Os."""
     file = ROOT / "firmware/equality" / ("tests_small.c" if core.endswith("-small") else "tests.c")
     names = re.findall(r'^    \{"([\w-]+)", test_\w+\},$', file.read_text(encoding="utf-8"), re.MULTILINE)
     assert len(names) >= 8
