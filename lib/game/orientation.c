@@ -46,7 +46,7 @@ static int64_t product(const split_row *a, const split_row *b)
  * C C' - I is above 2^-22 in magnitude.
  * Error: at most 0.501 unit of 2^-30 an entry. So a row is at most
  * sqrt(3) * 0.501 = 0.87 unit off unit length, and two rows are 1.74 units off a right angle. */
-static void orthonormalise(const wide_matrix *matrix, fxl_orientation *orientation)
+FXL_COLD static void orthonormalise(const wide_matrix *matrix, fxl_orientation *orientation)
 {
     split_row rows[3];
     int32_t lack[3][3]; /* E in units of 2^-46: at most 2^24. Rounding costs 2^-47 */
@@ -87,7 +87,7 @@ static uint32_t in_31_bits(uint64_t magnitude, int shift)
 /* unit = vector / |vector| in units of 2^-31. Takes components below 2^62. Returns false for a
  * vector of length 0, and leaves unit untouched.
  * Error: at most 1 unit of 2^-31 an entry if every component is below 2^31, else 2.5. */
-static bool unit_length(const int64_t vector[3], int64_t unit[3])
+FXL_COLD static bool unit_length(const int64_t vector[3], int64_t unit[3])
 {
     const uint64_t magnitudes[3] = {fxl_magnitude(vector[0]), fxl_magnitude(vector[1]),
                                     fxl_magnitude(vector[2])};
@@ -121,8 +121,8 @@ static int64_t widened(fxl_q2_30 entry)
 /* The camera's rows are the columns. The camera's entries are at most 1.7 units off; each row and
  * column of them is then off by at most 1.7 sqrt(3). With C = R + e, the nearest rotation is
  * R + (e - R e' R) / 2, of which an entry is at most (1.7 + 3 * 1.7) / 2 = 3.4 units. */
-fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll,
-                                       fxl_orientation *orientation)
+FXL_COLD fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll,
+                                                fxl_orientation *orientation)
 {
     const fxl_pose pose = {{0, 0, 0}, yaw, pitch, roll};
     fxl_camera camera;
@@ -143,7 +143,8 @@ fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle
 
 /* A row of a times b. By Cauchy-Schwarz an entry is at most 2^60 (1 + 2^-24)^2, and so is every
  * partial sum. Exact. */
-static void multiply_row(const fxl_direction *row, const fxl_orientation *b, int64_t out[3])
+FXL_COLD static void multiply_row(const fxl_direction *row, const fxl_orientation *b,
+                                  int64_t out[3])
 {
     out[0] = fxl_multiply_s32(row->x, b->x.x) + fxl_multiply_s32(row->y, b->y.x) +
              fxl_multiply_s32(row->z, b->z.x);
@@ -163,8 +164,8 @@ static bool is_rotation(const fxl_orientation *orientation)
 /* Two rows of a checked orientation are within 2^-28, and the third is within 2^-26 a component of
  * their cross product. So no eigenvalue of A A' - I is above 2^-24, nor of B B' - I; of the product
  * none is above 2^-23 (1 + 2^-24). */
-fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
-                                    fxl_orientation *product)
+FXL_COLD fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
+                                             fxl_orientation *product)
 {
     if (a == NULL || b == NULL || product == NULL) {
         return FXL_E_ARGUMENT;
@@ -200,9 +201,10 @@ static bool below_2_to_30(const fxl_point *point)
            fxl_within(point->z, limit);
 }
 
-fxl_status fxl_placement_attach(const fxl_point *parent_centre, const fxl_placement *parent,
-                                const fxl_point *child_centre, const fxl_placement *child,
-                                fxl_point *centre, fxl_placement *placement)
+FXL_COLD fxl_status fxl_placement_attach(const fxl_point *parent_centre,
+                                         const fxl_placement *parent, const fxl_point *child_centre,
+                                         const fxl_placement *child, fxl_point *centre,
+                                         fxl_placement *placement)
 {
     if (parent_centre == NULL || parent == NULL || child_centre == NULL || child == NULL ||
         centre == NULL || placement == NULL) {
@@ -263,7 +265,7 @@ static bool widen(const fxl_point *point, int64_t wide[3])
 }
 
 /* a cross b. Requires components of at most 2^31: each product is at most 2^62. */
-static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3])
+FXL_COLD static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3])
 {
     for (uint32_t i = 0; i < 3; i++) {
         const uint32_t j = after[i][0], k = after[i][1];
@@ -275,8 +277,8 @@ static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3])
  * is at most 2^62, and so is sin times a. Bound of an entry before it is made orthonormal: the
  * cosine and the sine are 0.52 unit of 2^-31 off, the axis 1 unit, t 1.5 units: below 3.3 units of
  * 2^-31, which is 1.65 units of 2^-30. */
-fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
-                                     fxl_orientation *orientation)
+FXL_COLD fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
+                                              fxl_orientation *orientation)
 {
     if (axis == NULL || orientation == NULL) {
         return FXL_E_ARGUMENT;
@@ -307,8 +309,8 @@ fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
 
 /* The columns are right, up and forward. right is up cross forward: the cross product of integers
  * is exact, so that its direction is as good where the two are nearly parallel. */
-fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *up,
-                                   fxl_orientation *orientation)
+FXL_COLD fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *up,
+                                            fxl_orientation *orientation)
 {
     if (direction == NULL || up == NULL || orientation == NULL) {
         return FXL_E_ARGUMENT;

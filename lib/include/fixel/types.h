@@ -49,8 +49,9 @@ extern "C" {
 #define FXL_SHARED
 #endif
 
-/* Stands before the definition of a function that no frame calls, such as a check of a scene: the
- * compiler makes it, and what it alone calls, for few bytes. */
+/* Stands before the definition of a function that no frame calls, such as a check of a scene, or
+ * calls once for an object that moves: the compiler makes it, and what it alone calls, for few
+ * bytes. */
 #if defined __GNUC__ && !defined __OPTIMIZE_SIZE__
 #define FXL_COLD __attribute__((cold))
 #else
