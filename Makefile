@@ -22,7 +22,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
-    predict costs one-file packages format clean
+    predict costs one-file packages release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
 VARIABLES := $(sort $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
@@ -301,6 +301,15 @@ packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan i
 	@tools/setup.sh tools
 	@$(TOOL) packages
 
+release: ## build every artefact of a version into dist, with hashes and an SPDX list: the same bytes for the same commit [OUT=]
+	@tools/setup.sh tools
+	@$(TOOL) release
+
+# Before the first tag there is nothing to compare, and nothing to install for it.
+api-check: ## compare the public headers and functions with those of the last tag; fails where a program may break
+	@tools/setup.sh tools$(if $(shell git tag --list 'v[0-9]*'), api)
+	@$(TOOL) api-check
+
 SIZE_CORES := cortex-m0 cortex-m3 cortex-m4 cortex-m7 cortex-m33
 # A Cortex-M7's library is that of a Cortex-M4, instruction for instruction (CORE_SHARED): it is compiled once.
 SIZE_LIBRARIES := $(foreach core,$(SIZE_CORES),--library $(core)=$(BUILD)/lib/$(call CORE_SHARED,$(core))/libfixel.a)
@@ -470,4 +479,4 @@ format: ## format the C sources with clang-format
 	@find lib boards firmware host_tests bench -name '*.[ch]' -exec clang-format -i {} +
 
 clean: ## remove what was built (keeps .venv)
-	@rm -rf $(BUILD)
+	@rm -rf $(BUILD) dist

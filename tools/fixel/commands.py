@@ -60,6 +60,8 @@ ROOMS = {
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
     },
     "Packages": {
+        "release": ("fixel.package.release", "build every artefact of a version into dist"),
+        "api-check": ("fixel.package.api_check", "compare the public headers and functions with the last tag"),
         "one-file": ("fixel.package.one_file", "write the library as fixel.h and fixel.c"),
         "packages": ("fixel.package.packages", "write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan"),
     },

@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: MIT
+"""make release: what it refuses, that the same commit gives the same bytes, and the list of what is in them. The Python package is
+built in host_tests/anywhere/release."""
+
+import hashlib
+import io
+import json
+import re
+import subprocess
+import tarfile
+import time
+import zipfile
+
+import pytest
+
+from conftest import CHECKOUT
+from fixel.base.errors import ToolError
+from fixel.base.version import version
+from fixel.package import artefacts, bill, layouts
+
+SECONDS = 1_900_000_000
+COMMIT = "0123456789abcdef0123456789abcdef01234567"
+PIP = {f"fixel-{version()}.tar.gz": b"sdist", f"fixel-{version()}-py3-none-linux_x86_64.whl": b"wheel"}
+
+
+def git(folder, *words):
+    subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *words], cwd=folder, check=True, capture_output=True)
+
+
+@pytest.fixture(name="root")
+def fixture_root(tmp_path):
+    """A repository with one commit of one file."""
+    root = tmp_path / "fixel"
+    root.mkdir()
+    (root / "one.c").write_text("int one;\n", encoding="utf-8")
+    git(root, "init", "--quiet")
+    git(root, "add", "one.c")
+    git(root, "commit", "--quiet", "-m", "One")
+    return root
+
+
+@pytest.fixture(scope="module", name="packages")
+def fixture_packages():
+    return artefacts.packages(CHECKOUT, SECONDS)
+
+
+def test_a_clean_checkout_is_taken(root):
+    artefacts.refuse_changes(root)
+    git(root, "tag", f"v{version()}")
+    git(root, "tag", "v0.0.1")
+    artefacts.refuse_changes(root)
+
+
+@pytest.mark.parametrize("name", ["one.c", "new.c"])
+def test_a_file_that_differs_from_the_commit_is_named(root, name):
+    (root / name).write_text("int two;\n", encoding="utf-8")
+    with pytest.raises(ToolError, match=f"these files differ from it: {name}$"):
+        artefacts.refuse_changes(root)
+
+
+def test_of_many_files_five_are_named(root):
+    for number in range(7):
+        (root / f"{number}.c").touch()
+    with pytest.raises(ToolError, match="0.c, 1.c, 2.c, 3.c, 4.c and 2 more$"):
+        artefacts.refuse_changes(root)
+
+
+def test_a_tag_of_another_version_is_refused(root):
+    git(root, "tag", "v0.0.1")
+    with pytest.raises(ToolError, match=f"tag v0.0.1, and .* says {version()}"):
+        artefacts.refuse_changes(root)
+
+
+def test_a_folder_without_git_is_refused(tmp_path):
+    with pytest.raises(ToolError, match="needs a checkout of git"):
+        artefacts.refuse_changes(tmp_path)
+
+
+def test_the_same_commit_gives_the_same_source(root):
+    seconds = artefacts.time_of(root)
+    made = artefacts.source(root, seconds)
+    assert made == artefacts.source(root, seconds)
+    (content,) = made.values()
+    with tarfile.open(fileobj=io.BytesIO(content)) as archive:
+        (member,) = [each for each in archive.getmembers() if each.isfile()]
+    assert member.name == f"fixel-{version()}/one.c" and member.mtime == seconds
+    assert abs(time.time() - seconds) < 3600
+
+
+def test_the_same_texts_give_the_same_packages(packages):
+    assert set(packages) == {f"fixel-{version()}-{name}.zip" for name in ("one-file", *layouts.table())}
+    assert packages == artefacts.packages(CHECKOUT, SECONDS)
+    later = artefacts.packages(CHECKOUT, SECONDS + 60)
+    assert not [name for name in packages if packages[name] == later[name]], "the time of the commit is in each"
+
+
+def test_an_archive_has_one_folder_with_the_licence(packages):
+    for name, content in packages.items():
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            assert archive.testzip() is None
+            members = archive.infolist()
+        assert [member.filename for member in members] == sorted(member.filename for member in members)
+        assert {member.filename.split("/")[0] for member in members} == {"fixel"}
+        assert {"fixel/LICENSE"} < {member.filename for member in members}, name
+        assert {member.date_time for member in members} == {time.gmtime(SECONDS)[:6]}
+
+
+def test_the_hashes_are_those_of_the_files(packages, tmp_path):
+    artefacts.write(packages, tmp_path)
+    assert {file.name for file in tmp_path.iterdir()} == {*packages, artefacts.SUMS}
+    subprocess.run(["sha256sum", "--check", "--strict", "--quiet", artefacts.SUMS], cwd=tmp_path, check=True)
+    (tmp_path / min(packages)).write_bytes(b"")
+    assert subprocess.run(["sha256sum", "--check", "--quiet", artefacts.SUMS], cwd=tmp_path, check=False, capture_output=True).returncode == 1
+
+
+def test_what_an_earlier_release_wrote_goes_and_other_files_stay(tmp_path):
+    artefacts.write({"fixel-0.0.1-a.zip": b"a", "fixel-0.0.1-b.zip": b"b", "fixel-c.zip": b"c"}, tmp_path)
+    (tmp_path / "fixel-0.0.1-b.zip").write_bytes(b"of the user")
+    (tmp_path / "fixel-notes.txt").touch()
+    artefacts.write({"fixel-c.zip": b"new"}, tmp_path)
+    assert {file.name for file in tmp_path.iterdir()} == {"fixel-0.0.1-b.zip", "fixel-c.zip", "fixel-notes.txt", artefacts.SUMS}
+    assert (tmp_path / "fixel-c.zip").read_bytes() == b"new" and artefacts.earlier(tmp_path) == {"fixel-c.zip"}
+
+
+def faults(document, made):
+    """What SPDX 2.3 demands of a document and this one lacks, as words."""
+    packages = document["packages"]
+    names = [each["SPDXID"] for each in packages]
+    found = [f"{key} is missing" for key in ("spdxVersion", "dataLicense", "SPDXID", "name", "documentNamespace", "creationInfo") if key not in document]
+    found += [f"{name} is no identifier" for name in names if not re.fullmatch(r"SPDXRef-[A-Za-z0-9.-]+", name)]
+    found += ["two packages have one identifier"] * (len(set(names)) != len(names))
+    found += [f"{each['SPDXID']} lacks {key}" for each in packages for key in ("name", "downloadLocation", "filesAnalyzed") if key not in each]
+    found += [f"{relation['relatedSpdxElement']} is not there" for relation in document["relationships"]
+              if not {relation["spdxElementId"], relation["relatedSpdxElement"]} <= {*names, "SPDXRef-DOCUMENT"}]
+    listed = {each["packageFileName"]: each["checksums"][0]["checksumValue"] for each in packages if "packageFileName" in each}
+    return found + ["the hashes are others"] * (listed != {name: hashlib.sha256(content).hexdigest() for name, content in made.items()})
+
+
+def test_the_list_names_each_artefact_with_its_hash(packages):
+    made = {**packages, **PIP}
+    document = json.loads(bill.text(CHECKOUT, made, COMMIT, SECONDS))
+    assert faults(document, made) == []
+    assert document["spdxVersion"] == "SPDX-2.3" and document["documentNamespace"].endswith(COMMIT)
+    assert document["creationInfo"]["created"] == "2030-03-17T17:46:40Z"
+    described = [each["relatedSpdxElement"] for each in document["relationships"] if each["relationshipType"] == "DESCRIBES"]
+    assert described == [bill.identifier(name) for name in sorted(made)]
+
+
+def test_the_list_names_what_the_python_package_needs(packages):
+    document = bill.document(CHECKOUT, {**packages, **PIP}, COMMIT, SECONDS)
+    needed = bill.needed(CHECKOUT)
+    assert needed["numpy"] == ">=2.0,<3" and len(needed) >= 6
+    pairs = [(each["spdxElementId"], each["relatedSpdxElement"]) for each in document["relationships"] if each["relationshipType"] == "DEPENDS_ON"]
+    assert sorted(pairs) == sorted((bill.identifier(name), bill.identifier(f"pypi-{other}")) for name in PIP for other in needed)
+    without = bill.document(CHECKOUT, packages, COMMIT, SECONDS)
+    assert {each["name"] for each in without["packages"]} == {"fixel"}, "nothing in the packages is of others"
+
+
+def test_a_fault_of_the_list_is_seen(packages):
+    document = bill.document(CHECKOUT, packages, COMMIT, SECONDS)
+    assert faults(document, {**packages, "fixel-more.zip": b""}) == ["the hashes are others"]
+    del document["name"]
+    document["relationships"][0]["relatedSpdxElement"] = "SPDXRef-none"
+    assert faults(document, packages) == ["name is missing", "SPDXRef-none is not there"]
