@@ -185,6 +185,7 @@ def test_the_first_frame_that_differs_from_the_hosts_is_known(monkeypatch, tmp_p
         return types.SimpleNamespace(output="stack: 500 of 2048 bytes")
     monkeypatch.setattr(fleet.flash_memory, "flash", lambda board, elf, scene, image: image.touch())
     monkeypatch.setattr(fleet.emulator, "run", run)
+    monkeypatch.setattr(fleet.firmware, "load", lambda elf, board: types.SimpleNamespace(counts="instructions", hosted=True))
     result = fleet.Walk("tiny")
     fleet._run(result, "a-board", "walk.elf", fleet.Scene("tiny", tmp_path / "tiny.fxls", host), tmp_path)
     assert result == fleet.Walk("tiny", frames=4, instructions_per_frame=1002, hash_equal=different is None,

@@ -123,6 +123,7 @@ static void demand_frame(fxl_renderer *renderer, fuzz_input *in)
                            .rows = lens->height};
     const fxl_pose pose = fuzz_pose(in);
     uint64_t faces = 0;
+    memset(pixels, 0, sizeof pixels); /* else a record depends on the input before */
     DEMAND(fxl_frame_begin(renderer, &pose) == FXL_OK);
     DEMAND(fxl_frame_draw(renderer, &band) == FXL_OK);
     DEMAND(fxl_frame_end(renderer) == FXL_OK);
