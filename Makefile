@@ -390,7 +390,7 @@ boards: ## compare all boards: memory, stack, speed, frames equal to the host's,
 BENCHMARK_BOARD := $(call ONE_OF,$(if $(filter BOARD,$(GIVEN)),$(BOARD_CHOSEN),host),$(BENCHMARK_BOARDS))
 benchmark: ## run the benchmark for real boards, on the host or emulated, and write its UF2 file (docs/results.md) [BOARD=host]
 	@tools/setup.sh run$(SETUP_OF_BOARD:%= %)
-	$(if $(BENCHMARK_BOARD),,$(error BOARD=$(BOARD): firmware/benchmark has a main for these boards: $(BENCHMARK_MAINS)))
+	$(if $(BENCHMARK_BOARD),,$(error that board has no main in firmware/benchmark; these have one: $(BENCHMARK_MAINS)))
 	@$(MAKE) $(call BENCHMARK_OF,$(BENCHMARK_BOARD))
 	@$(FIXEL) benchmark --board $(BENCHMARK_BOARD) --elf $(call BENCHMARK_OF,$(BENCHMARK_BOARD)) --uf2 $(BUILD)/flash/benchmark-$(BENCHMARK_BOARD).uf2
 
