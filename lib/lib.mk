@@ -89,7 +89,7 @@ LIB_FLAGS ?=
 LIB_CORE_FLAGS := $(if $(filter host,$(LIB_CORE)),,$(or $(LIB_FLAGS_OF.$(LIB_CORE)),-mcpu=$(LIB_CORE) -mthumb))
 # The set-up of its compiler; CROSS names another one.
 LIB_SETUP := $(if $(filter -march=rv%,$(LIB_CORE_FLAGS)),lib-riscv,lib)
-LIB_CROSS := $(if $(and $(filter lib-riscv,$(LIB_SETUP)),$(if $(filter CROSS,$(GIVEN)),,yes)),riscv64-unknown-elf-,$(CROSS))
+LIB_CROSS := $(if $(filter lib-riscv,$(LIB_SETUP)),$(or $(filter-out arm-none-eabi-,$(CROSS)),riscv64-unknown-elf-),$(CROSS))
 LIB_CC := $(if $(filter host,$(LIB_CORE)),$(HOSTCC),$(LIB_CROSS)gcc)
 LIB_AR := $(if $(filter host,$(LIB_CORE)),ar,$(LIB_CROSS)ar)
 LIB_OPTIMISE := $(if $(SIZE),-Os -DFXL_SMALL,-O2)

@@ -385,7 +385,7 @@ def costs_of_memory(file, rows):
     return taken
 
 
-@pytest.mark.parametrize("rows, most_moderate, most_least", [(None, 1.2, 1.4), (16, 2.0, 9.0)], ids=["fxl_render", "bands"])
+@pytest.mark.parametrize("rows, most_moderate, most_least", [(None, 1.2, 1.4), (16, 2.0, 10.0)], ids=["fxl_render", "bands"])
 def test_what_less_memory_costs(tmp_path, rows, most_moderate, most_least):
     """The header's comment and docs/hello.md say so."""
     ratios = []

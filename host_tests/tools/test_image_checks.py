@@ -97,7 +97,8 @@ def test_colours_are_added_in_an_image_of_rgb565():
     refuses("reserved", *looks(added, 8))
     refuses("argument", *looks(blended, 8))
     refuses("reserved", *looks(added | blended, 16))
-    refuses("reserved", *looks(8, 16))
+    refuses("reserved", *looks(2 * image_surface.COLOURS, 16))
+    refuses("reserved", *looks(image_surface.COLOURS, 8))
 
 
 def test_a_blend_table_ends_with_the_palette():

@@ -244,7 +244,7 @@ def _memory(scene, name):
                  f"{unit * moderate:,} bytes: fxl_render takes up to 1.2 times the instructions of {name.upper()}_MEMORY_FAST, "
                  f"a frame in bands of 16 rows up to 2 times. {name.upper()}_MEMORY_LEAST, {unit * least:,} bytes, below which "
                  "fxl_renderer_init answers FXL_E_CAPACITY: fxl_render takes up to 1.4 times, a frame in bands of 16 rows up "
-                 "to 9 times."),
+                 "to 10 times."),
         f"#define {name.upper()}_MEMORY       {moderate}",
         f"#define {name.upper()}_MEMORY_LEAST {least}",
         f"#define {name.upper()}_MEMORY_FAST  {most}", ""])
