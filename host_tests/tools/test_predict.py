@@ -255,7 +255,8 @@ def test_every_count_counts(tmp_path):
     plain = ("bench/costs.toml", "scenes/spin.toml", "scenes/w3.toml", "scenes/c500.toml", "bench/costs_surfaces.toml",
              "bench/costs_lights.toml", "bench/costs_turned_lit.toml", "bench/costs_billboards.toml", "bench/costs_glass.toml",
              "bench/costs_all.toml", "bench/costs_tree.toml", "bench/costs_depth_textures.toml")
-    wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml", "bench/costs_texels.toml")
+    wide = ("bench/costs_lights.toml", "bench/costs_glass.toml", "bench/costs_billboards.toml", "bench/costs_texels.toml",
+            "bench/costs_colours.toml")
     for number, (source, pixels) in enumerate([*((source, "palette") for source in plain), *((source, "rgb565") for source in wide)]):
         image = tmp_path / f"{number}.fxls"
         making.build(str(ROOT / source), image, 12 if number < 2 else None, asked=target.Target(pixels))

@@ -4,9 +4,9 @@ to each program."""
 
 import os
 import pathlib
-import tempfile
 
 from fixel import TREE, __version__
+from fixel.base.errors import ToolError
 
 PROGRAMS = TREE / "programs"
 
@@ -17,11 +17,11 @@ def cache():
     folder = pathlib.Path(home) / "fixel" / __version__ / "build"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if os.access(folder, os.W_OK):
-            return folder
     except OSError:
         pass
-    return pathlib.Path(tempfile.mkdtemp(prefix="fixel-"))
+    if not os.access(folder, os.W_OK):
+        raise ToolError(f"{folder}: cannot be written; set XDG_CACHE_HOME to a folder that can")
+    return folder
 
 
 def build():
