@@ -4,6 +4,7 @@
 #define PREDICT_COUNTS_H
 
 #include "fixel/order.h"
+#include "paint/depth_code.h"
 #include "fixel/types.h"
 
 #define PREDICT_COUNTS(X) \
@@ -61,6 +62,7 @@
     X(painted_rows) \
     X(segment_rows) \
     X(segments) \
+    X(segment_divided) \
     X(segment_pixels) \
     X(line_segments) \
     X(lit_segments) \
@@ -81,6 +83,13 @@
     X(depth_kept) \
     X(depth_hidden_runs) \
     X(depth_hidden) \
+    X(listed_polygons) \
+    X(listed_trapezoids) \
+    X(listed_rows) \
+    X(listed_runs) \
+    X(listed_kept) \
+    X(listed_hidden) \
+    X(listed_kernel_runs) \
     X(depth_each) \
     X(depth_each_unkept) \
     X(depth_each_rows) \
@@ -128,6 +137,7 @@
     X(wide_segments) \
     X(wide_kernel_rows) \
     X(wide_kernel_segments) \
+    X(wide_kernel_divided) \
     X(wide_kernel_pixels) \
     X(wide_line_segments) \
     X(wide_painted) \
@@ -156,6 +166,12 @@ extern bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline;
 
 /* A smooth polygon in words, near to far, is about to be scanned; it is drawn. */
 extern bool begins_smooth, draws_smooth, compares_each;
+
+/* So of a surface whose runs a core with that kernel lists: depth_rows.h. */
+extern bool begins_listed, draws_listed;
+
+/* Whether one with such a plane is listed, if its scan is by chains. */
+bool is_listed(const fxl_depth_plane *plane);
 
 /* The frame is of RGB565: its pixels are wide. */
 extern bool is_wide;

@@ -18,11 +18,21 @@
 
 /* --- depth buffer --------------------------------------------------------------------------- */
 
-bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline, begins_smooth, draws_smooth;
+bool has_depth_buffer, paints_surface, keeps_less, draws_depth_outline, begins_smooth, draws_smooth,
+    begins_listed, draws_listed;
 
 /* The band under way is drawn far to near, by loops that stand in the callers: each pixel of a
  * polygon is compared, and counted by area. */
 bool compares_each;
+
+/* Of the band under way, with cells of 16 bits; else null. */
+static const fxl_depth_head *cells_of_16;
+
+bool is_listed(const fxl_depth_plane *plane)
+{
+    return cells_of_16 != NULL && !compares_each &&
+           plane->one >= 32 + (int32_t)cells_of_16->scale.octaves;
+}
 
 WRAPPED(void, fxl_corner_planes_depth, (fxl_corner_planes * planes, fxl_depth_plane *plane))
 {
@@ -52,16 +62,19 @@ WRAPPED(void, fxl_depth_draw_parts,
 {
     has_depth_buffer = true;
     compares_each = !renderer->near_first;
+    cells_of_16 = cell_bytes == 2 ? (const fxl_depth_head *)workspace->target_memory : NULL;
     __real_fxl_depth_draw_parts(renderer, workspace, band, cell_bytes, pixel_bytes);
-    has_depth_buffer = draws_depth_outline = draws_smooth = false;
+    has_depth_buffer = draws_depth_outline = draws_smooth = draws_listed = false;
+    cells_of_16 = NULL;
 }
 
 WRAPPED(void, fxl_scan_outline,
         (const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan))
 {
     const double top = band->first_row, bottom = top + band->rows;
+    const bool may_be_listed = begins_listed && has_depth_buffer;
     draws_smooth = begins_smooth;
-    begins_smooth = false;
+    begins_smooth = begins_listed = draws_listed = false;
     if (draws_smooth) {
         counted.smooth_outlines += 1;
         counted.smooth_edges += count;
@@ -87,18 +100,35 @@ WRAPPED(void, fxl_scan_outline,
     }
     paints_surface = keeps_less = false;
     __real_fxl_scan_outline(points, count, band, scan);
+    draws_listed = may_be_listed && scan->by_chains;
+    if (draws_listed) {
+        counted.listed_polygons += 1;
+        counted.listed_rows += rows_between(points, count, top, bottom);
+    }
+}
+
+/* A run of a row whose pixels are all visible, or all hidden. */
+static void count_run(double pixels, bool is_visible)
+{
+    if (draws_smooth) {
+        *(is_visible ? &counted.smooth_kept : &counted.smooth_hidden) += pixels;
+    } else if (draws_depth_outline) {
+        counted.depth_outline_runs += 1;
+        *(is_visible ? &counted.depth_outline_kept : &counted.depth_outline_hidden) += pixels;
+    } else if (draws_listed) {
+        counted.listed_runs += 1;
+        *(is_visible ? &counted.listed_kept : &counted.listed_hidden) += pixels;
+    } else {
+        *(is_visible ? &counted.depth_runs : &counted.depth_hidden_runs) += 1;
+        *(is_visible ? &counted.depth_kept : &counted.depth_hidden) += pixels;
+    }
 }
 
 WRAPPED(uint32_t, fxl_depth_keep_visible,
         (uint16_t * cells, uint32_t count, uint32_t code, uint32_t step))
 {
     const uint32_t kept = __real_fxl_depth_keep_visible(cells, count, code, step);
-    if (draws_smooth) {
-        counted.smooth_kept += kept;
-        return kept;
-    }
-    *(draws_depth_outline ? &counted.depth_outline_runs : &counted.depth_runs) += 1;
-    *(draws_depth_outline ? &counted.depth_outline_kept : &counted.depth_kept) += kept;
+    count_run(kept, true);
     return kept;
 }
 
@@ -106,12 +136,7 @@ WRAPPED(uint32_t, fxl_depth_skip_hidden,
         (const uint16_t *cells, uint32_t count, uint32_t code, uint32_t step))
 {
     const uint32_t hidden = __real_fxl_depth_skip_hidden(cells, count, code, step);
-    if (draws_smooth) {
-        counted.smooth_hidden += hidden;
-        return hidden;
-    }
-    *(draws_depth_outline ? &counted.depth_outline_runs : &counted.depth_hidden_runs) += 1;
-    *(draws_depth_outline ? &counted.depth_outline_hidden : &counted.depth_hidden) += hidden;
+    count_run(hidden, false);
     return hidden;
 }
 

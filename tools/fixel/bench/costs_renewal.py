@@ -15,13 +15,16 @@ from fixel.image import image, memory_needed
 from fixel.base.errors import ToolError
 from fixel.base.table import table
 
-OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_turned", "_turned_lit", "_depth", "_depth_textures", "_glass",
-       "_billboards", "_wood", "_beams", "_tree", "_texels", "_all")
-MORE = (*(f"bench/costs{name}.toml" for name in OWN), "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
+OWN = ("", "_sphere", "_surfaces", "_rooms", "_lights", "_lamps", "_turned", "_turned_lit", "_depth", "_depth_textures", "_smooth",
+       "_glass", "_pane", "_billboards", "_wood", "_beams", "_tree", "_texels", "_all")
+TEXTURED = ("bench/scenes/tqa.toml", "bench/scenes/tqp.toml", "bench/scenes/crates.toml")
+MORE = (*(f"bench/costs{name}.toml" for name in OWN), *TEXTURED, "scenes/tiny.toml", "scenes/cube.toml", "scenes/adversarial.toml",
         "scenes/landscape.toml")
-# Scenes of these drawn as something else: RGB565, and by a tree of all their layers.
-WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights", "_depth", "_glass", "_billboards", "_wood", "_all")) + \
-    ("scenes/w1.toml", "scenes/w2.toml", "scenes/tiny.toml", "scenes/cube.toml")
+# Scenes of these drawn as something else: RGB565, with a depth buffer, and by a tree of all their layers.
+WIDE = tuple(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights", "_depth", "_smooth", "_glass", "_pane", "_billboards",
+                                                    "_wood", "_texels", "_all")) + \
+    (*TEXTURED, "scenes/w1.toml", "scenes/w2.toml", "scenes/tiny.toml", "scenes/cube.toml")
+DEEP = tuple(f"bench/costs{name}.toml" for name in ("_sphere", "_surfaces", "_rooms", "_turned_lit", "_wood", "_beams")) + TEXTURED[1:]
 TREES = (*(f"bench/costs{name}.toml" for name in ("", "_surfaces", "_rooms", "_lights")), "scenes/plaza.toml", "scenes/landscape.toml",
          "scenes/w1.toml")
 STACK_SCENES = ("scenes/tiny.toml", "bench/costs.toml", "scenes/plaza-turned.toml")
@@ -57,6 +60,7 @@ def scenes_of(plan):
 def sources_of(plan):
     """The scenes, and some of them drawn as something else."""
     return [*(Source(scene) for scene in dict.fromkeys(scenes_of(plan))), *(Source(scene, target.Target(pixels="rgb565")) for scene in WIDE),
+            *(Source(scene, target.Target(depth="16")) for scene in DEEP), *(Source(scene, target.Target("rgb565", depth="16")) for scene in DEEP),
             *(Source(scene, target.Target(order="tree", depth="0"), "all") for scene in TREES)]
 
 
