@@ -79,8 +79,6 @@
     X(each_segments) \
     X(each_pixels) \
     X(depth_planes) \
-    X(depth_runs) \
-    X(depth_kept) \
     X(depth_hidden_runs) \
     X(depth_hidden) \
     X(listed_polygons) \

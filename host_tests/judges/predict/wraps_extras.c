@@ -115,12 +115,12 @@ static void count_run(double pixels, bool is_visible)
     } else if (draws_depth_outline) {
         counted.depth_outline_runs += 1;
         *(is_visible ? &counted.depth_outline_kept : &counted.depth_outline_hidden) += pixels;
-    } else if (draws_listed) {
+    } else if (draws_listed || is_visible) { /* a surface with holes keeps no run of depths */
         counted.listed_runs += 1;
         *(is_visible ? &counted.listed_kept : &counted.listed_hidden) += pixels;
     } else {
-        *(is_visible ? &counted.depth_runs : &counted.depth_hidden_runs) += 1;
-        *(is_visible ? &counted.depth_kept : &counted.depth_hidden) += pixels;
+        counted.depth_hidden_runs += 1;
+        counted.depth_hidden += pixels;
     }
 }
 
