@@ -163,12 +163,24 @@ def _end_unread():
     return 128 + signal.SIGPIPE
 
 
+def _run(main):
+    """The exit code of a tool's main(argv). argparse leaves it by SystemExit, after help or a refusal."""
+    try:
+        code = main(sys.argv[1:])
+    except SystemExit as leaving:
+        code = leaving.code
+        # argparse of Python 3.11.2 says that nobody reads the help; that of 3.11.7 and later ones passes over it.
+        if not code and sys.stdout is not None and _is_unread(sys.stdout.fileno()):
+            raise BrokenPipeError from None
+    _flush()
+    return code
+
+
 def run_main(main):
     """Runs a tool's main(argv) -> exit code and turns ToolError into a sentence."""
     try:
         _begin()
-        code = main(sys.argv[1:])
-        _flush()
+        code = _run(main)
     except BrokenPipeError:
         if not _is_unread(sys.stdout.fileno()):
             raise       # another pipe, and a mistake of the tool
@@ -180,6 +192,6 @@ def run_main(main):
         number = getattr(error, "number", signal.SIGINT)
         print("interrupted" if number == signal.SIGINT else f"ended by {signal.Signals(number).name}", file=sys.stderr)
         code = 128 + number
-    finally:    # --help leaves by SystemExit
+    finally:
         _finish()
     sys.exit(code)
