@@ -216,15 +216,22 @@ static void any_plane(const fxl_band *band, fxl_depth_plane *plane)
     plane->gradient.at = corners[0] - plane->gradient.down * band->first_row;
 }
 
-/* Words: codes of the band that are near each other, or any; no sum of them wraps. */
+/* Words: codes of the band that are near each other, or any; no sum of them wraps. Every other time
+ * they have a border, which may be among them. */
 static void any_linear_plane(const fxl_band *band, fxl_depth_plane *plane)
 {
     const uint32_t drop = 2u + (any_32() >> 9) % 20u;
-    plane->one = FXL_DEPTH_IS_LINEAR;
+    const int32_t number = (int32_t)((any_32() >> 9) % by_core.head.scale.octaves);
+    plane->one = (any_32() & 0x200u) != 0 ? FXL_DEPTH_IS_BENT + number : FXL_DEPTH_IS_LINEAR;
     plane->gradient.along = ((int32_t)any_32() >> drop) / band->width;
     plane->gradient.down = ((int32_t)any_32() >> drop) / band->rows;
-    plane->gradient.at = (int32_t)((1u << 31) + (uint32_t)((int32_t)any_32() >> 2) -
-                                   (uint32_t)plane->gradient.down * band->first_row);
+    uint32_t middle = (1u << 31) + (uint32_t)((int32_t)any_32() >> 2);
+    if (plane->one != FXL_DEPTH_IS_LINEAR) {
+        const uint32_t border = fxl_depth_border(by_core.head.scale, plane);
+        const uint32_t near_it = border + (uint32_t)((int32_t)any_32() >> (drop + 1u));
+        middle = border - (3u << 29) < 1u << 30 ? near_it : middle;
+    }
+    plane->gradient.at = (int32_t)(middle - (uint32_t)plane->gradient.down * band->first_row);
 }
 
 /* Cells of which nothing is drawn, or that are near the plane, or any. */
@@ -239,10 +246,13 @@ static void any_cells(const fxl_band *band, const fxl_depth_plane *plane)
             const int64_t depth =
                 (int64_t)((uint64_t)plane->gradient.at +
                           (uint64_t)plane->gradient.down * (uint64_t)(y + band->first_row));
-            fxl_depth_octave_of(
-                by_core.head.scale, plane,
-                (int64_t)((uint64_t)depth + (uint64_t)plane->gradient.along * (uint64_t)x),
-                &octave);
+            const int64_t value =
+                (int64_t)((uint64_t)depth + (uint64_t)plane->gradient.along * (uint64_t)x);
+            if (fxl_depth_is_in_words(plane)) {
+                fxl_depth_octave_of_word(by_core.head.scale, plane, (uint32_t)value, &octave);
+            } else {
+                fxl_depth_octave_of(by_core.head.scale, plane, value, &octave);
+            }
             const uint32_t code = octave.is_constant
                                       ? octave.bias
                                       : octave.bias + fxl_depth_shifted(depth, octave.drop) +

@@ -218,9 +218,9 @@ static double code_of(double depth, int o, fxl_depth_scale scale)
     return (ldexp(depth, o + 1) - 1 + scale.octaves - 1 - o) * (1 << scale.mantissa) + 1;
 }
 
-void test_words_of_one_octave_are_codes_and_light(void)
+void test_words_are_codes_and_light(void)
 {
-    uint32_t checked = 0, refused = 0, thin = 0;
+    uint32_t checked = 0, refused = 0, thin = 0, bent = 0;
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
         fxl_gradients gradients;
         fxl_depth_plane plane;
@@ -235,16 +235,22 @@ void test_words_of_one_octave_are_codes_and_light(void)
             lights[k] = light[k];
             values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
         }
-        const int o = -1 - ilogb(values[0]);
+        int o = 1000, last = 0; /* octaves of the corners */
+        for (int k = 0; k < 3; k++) {
+            const int octave = -1 - ilogb(values[k]);
+            o = octave < o ? octave : o;
+            last = octave > last ? octave : last;
+        }
         const fxl_depth_scale scale = fxl_depth_scale_of(&view.lens);
         if (!fxl_corner_planes_linear(&planes, light, &gradients, &plane)) {
             refused++;
             continue;
         }
-        TEST_ASSERT_EQUAL(o, -1 - ilogb(values[1]));
-        TEST_ASSERT_EQUAL(o, -1 - ilogb(values[2]));
-        TEST_ASSERT_TRUE(o >= 0 && o < scale.octaves);
-        TEST_ASSERT_EQUAL(FXL_DEPTH_IS_LINEAR, plane.one);
+        TEST_ASSERT_TRUE(o >= 0 && last < scale.octaves && last <= o + 1);
+        TEST_ASSERT_EQUAL(last == o ? FXL_DEPTH_IS_LINEAR : FXL_DEPTH_IS_BENT + o, plane.one);
+        TEST_ASSERT_TRUE(fxl_depth_is_in_words(&plane));
+        TEST_ASSERT_EQUAL(last == o ? 0 : (uint32_t)(code_of(ldexp(1, -o - 1), o, scale) * 65536),
+                          fxl_depth_border(scale, &plane));
         TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
         choose_point(&x, &y);
         const double code = code_of(plane_at(values, x, y), o, scale) * 65536;
@@ -257,9 +263,11 @@ void test_words_of_one_octave_are_codes_and_light(void)
                          rounding(lights) * 256 + 2048);
         checked++;
         thin += planes.is_thin;
+        bent += last != o;
     }
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, checked);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, refused);
+    TEST_ASSERT_GREATER_THAN(checked / 100, bent);
     TEST_ASSERT_GREATER_THAN(checked / 100, thin);
 }
 

@@ -227,8 +227,9 @@ AT(fxl_smooth_outline, by, SMOOTH_OUTLINE_BY);
 AT(fxl_smooth_outline, mixture, SMOOTH_OUTLINE_MIXTURE);
 AT(fxl_smooth_outline, cells, SMOOTH_OUTLINE_CELLS);
 AT(fxl_smooth_outline, code_along, SMOOTH_OUTLINE_CODE_ALONG);
-AT(fxl_smooth_outline, most, SMOOTH_OUTLINE_MOST);
-AT(fxl_smooth_outline, last_level, SMOOTH_OUTLINE_LAST_LEVEL);
+AT(fxl_smooth_outline, limit, SMOOTH_OUTLINE_LIMIT);
+AT(fxl_smooth_outline, last, SMOOTH_OUTLINE_LAST);
+AT(fxl_smooth_outline, border, SMOOTH_OUTLINE_BORDER);
 AT(fxl_smooth_outline, rows, SMOOTH_OUTLINE_ROWS);
 
 VALUE(FXL_VERTEX_UNPROJECTED, VERTEX_UNPROJECTED);

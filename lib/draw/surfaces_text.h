@@ -389,7 +389,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_depth_painting depth;
     fxl_paint paint;
     fxl_segment_face face;
-    if (polygon->depth.one == FXL_DEPTH_IS_LINEAR) {
+    if (fxl_depth_is_in_words(&polygon->depth)) {
         const fxl_depth_drawn drawn =
             draw_smooth(surfaces, workspace->target_memory, polygon, points, count, band);
         if (drawn != FXL_DEPTH_NOT_DRAWN) {

@@ -231,9 +231,10 @@
 #define SMOOTH_OUTLINE_MIXTURE    24
 #define SMOOTH_OUTLINE_CELLS      40
 #define SMOOTH_OUTLINE_CODE_ALONG 48
-#define SMOOTH_OUTLINE_MOST       52
-#define SMOOTH_OUTLINE_LAST_LEVEL 56
-#define SMOOTH_OUTLINE_ROWS       60
+#define SMOOTH_OUTLINE_LIMIT      52
+#define SMOOTH_OUTLINE_LAST       56
+#define SMOOTH_OUTLINE_BORDER     60
+#define SMOOTH_OUTLINE_ROWS       64
 
 /* FXL_VERTEX_UNPROJECTED, FXL_PLANES_ALL, some of fxl_depth_drawn and of fxl_clip_result */
 #define PLANES_ALL         0x3F

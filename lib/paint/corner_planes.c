@@ -243,7 +243,7 @@ static inline void scale(int32_t values[3], unsigned shift)
     }
 }
 
-/* --- a triangle in one octave --------------------------------------------------------------- */
+/* --- a triangle in one octave or two ---------------------------------------------------------- */
 
 /* A value that is linear on the screen, by its words: that of corner 0, the differences of the
  * others, and how many bits of their gradient are below a word's. along * x is below 2^31 2^27. */
@@ -279,9 +279,11 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     const fxl_depth_scale scale = fxl_depth_scale_of(planes->lens);
     const unsigned zeros = fxl_leading_zeros(planes->weight_most);
     const int number = planes->weight_exponent + (int)zeros - 32;
+    const int crossed =
+        (int)fxl_leading_zeros(planes->weight_most - planes->weight_range) - (int)zeros;
     const uint32_t range = range_of(light);
-    if (!planes->is_triangle || scale.mantissa > 14 || number < 0 || number >= scale.octaves ||
-        fxl_leading_zeros(planes->weight_most - planes->weight_range) != zeros ||
+    if (!planes->is_triangle || scale.mantissa > 14 || number < 0 || crossed > 1 ||
+        number + crossed >= scale.octaves ||
         !is_nearly_affine(planes, &range, 1, planes->weight_range)) {
         return false;
     }
@@ -314,7 +316,7 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     const uint32_t code = length > bits ? weight >> (length - bits) : weight << (bits - length);
     find_words(planes, bias + 65536u + code, along, down,
                (unsigned)planes->exponent + length - bits, &depth->gradient);
-    depth->one = FXL_DEPTH_IS_LINEAR;
+    depth->one = crossed ? FXL_DEPTH_IS_BENT + number : FXL_DEPTH_IS_LINEAR;
     return true;
 }
 

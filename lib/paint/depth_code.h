@@ -24,6 +24,14 @@ typedef struct {
  * too small by less than 2048 2^-16. */
 #define FXL_DEPTH_IS_LINEAR INT32_MIN
 
+/* `one` of a face that crosses the end of octave o, and no other: FXL_DEPTH_IS_BENT + o. The words
+ * are the codes of octave o on the whole face. Beyond its end, whose code is `border`, they are too
+ * large: an octave of half the depths has as many codes, so there the code is the word, less as
+ * much again as it is below the border. That is the smaller of two linear codes. Rounded down, it
+ * is too small by less than 4096 2^-16. */
+#define FXL_DEPTH_IS_BENT  (INT32_MIN + 1)
+#define FXL_DEPTH_BENT_END (FXL_DEPTH_IS_BENT + 24)
+
 /* What the codes of a lens share. */
 typedef struct {
     uint8_t octaves;  /* e: 1..24 */
@@ -42,9 +50,24 @@ static inline fxl_depth_scale fxl_depth_scale_of(const fxl_lens *lens)
     return scale;
 }
 
+/* Whether the gradient's lower words are codes. */
+static inline bool fxl_depth_is_in_words(const fxl_depth_plane *plane)
+{
+    return plane->one < FXL_DEPTH_BENT_END;
+}
+
+/* Of a plane in words: the code of the end of the octave that it crosses, at most 2^32 - 2^26 +
+ * 2^16; 0: it crosses none. */
+static inline uint32_t fxl_depth_border(fxl_depth_scale scale, const fxl_depth_plane *plane)
+{
+    const int32_t number = plane->one - FXL_DEPTH_IS_BENT;
+    return number < 0 ? 0
+                      : ((uint32_t)(scale.octaves - 1 - number) << (scale.mantissa + 16)) + 65536u;
+}
+
 /* The depths of a stretch of a row that have one octave. */
 typedef struct {
-    int64_t low, high; /* the gradient's 64 bits: low <= value < high */
+    int64_t low, high; /* the gradient's 64 bits, in words 32: low <= value < high */
     int32_t drop;      /* bits, of the gradient's 64, below the code's; may be negative */
     uint32_t bias;     /* added to the code */
     uint32_t step;     /* of the code a pixel */
@@ -66,7 +89,21 @@ static inline uint32_t fxl_depth_shifted(int64_t value, int32_t drop)
                       : low << -drop;
 }
 
-/* The octave of a value of a face. */
+/* The octave of a word of a face. */
+static inline void fxl_depth_octave_of_word(fxl_depth_scale scale, const fxl_depth_plane *plane,
+                                            uint32_t value, fxl_depth_octave *octave)
+{
+    const uint32_t border = fxl_depth_border(scale, plane);
+    const bool is_beyond = value < border;
+    octave->low = is_beyond ? 0 : border;
+    octave->high = is_beyond ? border : (int64_t)UINT32_MAX + 1;
+    octave->drop = is_beyond ? -1 : 0;
+    octave->bias = is_beyond ? 0u - border : 0;
+    octave->step = (uint32_t)plane->gradient.along << (is_beyond ? 1 : 0);
+    octave->is_constant = false;
+}
+
+/* The octave of a value of a face whose plane is not in words. */
 static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                        int64_t value, fxl_depth_octave *octave)
 {
@@ -75,13 +112,7 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
     octave->is_constant = true;
     octave->drop = 0;
     octave->step = 0;
-    if (one == FXL_DEPTH_IS_LINEAR) {
-        octave->low = INT64_MIN;
-        octave->high = INT64_MAX;
-        octave->bias = 0;
-        octave->step = (uint32_t)plane->gradient.along;
-        octave->is_constant = false;
-    } else if (length == 0 || number >= scale.octaves) {
+    if (length == 0 || number >= scale.octaves) {
         octave->low = INT64_MIN;
         octave->high = fxl_power_of_2(one - scale.octaves);
         octave->bias = 65536u;
@@ -99,7 +130,8 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
     }
 }
 
-/* The code of the pixel in column x, of a row where the gradient in column 0 is `depth`. */
+/* The code of the pixel in column x of a face whose plane is not in words, of a row where the
+ * gradient in column 0 is `depth`. */
 static inline uint32_t fxl_depth_code_at(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                          int64_t depth, int32_t x)
 {

@@ -64,6 +64,27 @@ FXL_INLINED void fxl_depth_paint_line(const fxl_depth_painting *of, void *cells,
     }
 }
 
+/* fxl_depth_octave_end of a plane in words, whose codes grow or fall along a row. */
+static inline int32_t fxl_depth_words_end(fxl_depth_painting *of, uint32_t depth, int32_t x0,
+                                          int32_t x1)
+{
+    const uint32_t along = (uint32_t)of->plane->gradient.along;
+    int32_t inside = x0, outside = x1;
+    fxl_depth_octave_of_word(of->head->scale, of->plane, depth + along * (uint32_t)x0, &of->octave);
+    if (fxl_depth_octave_holds(&of->octave, depth + along * (uint32_t)(x1 - 1))) {
+        return x1;
+    }
+    while (outside - inside > 1) {
+        const int32_t middle = (inside + outside) / 2;
+        if (fxl_depth_octave_holds(&of->octave, depth + along * (uint32_t)middle)) {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    return outside;
+}
+
 /* Sets the octave of column x0, where the gradient in column 0 is `depth`. Returns how far it goes:
  * all of the columns x0 to the one before have it; x1 at most. It is found by halving, as depth is
  * linear along a row. */
@@ -101,7 +122,9 @@ FXL_INLINED void fxl_depth_paint_row(fxl_depth_painting *of, int32_t y, int32_t 
         (uint8_t *)(uintptr_t)(of->head + 1) + (size_t)(y - of->band->first_row) * row_bytes;
     const int64_t depth = gradient->at + gradient->down * y;
     while (x0 < x1) {
-        const int32_t end = fxl_depth_octave_end(of, depth, x0, x1);
+        const int32_t end = fxl_depth_is_in_words(of->plane)
+                                ? fxl_depth_words_end(of, (uint32_t)depth, x0, x1)
+                                : fxl_depth_octave_end(of, depth, x0, x1);
         const fxl_depth_octave *octave = &of->octave;
         fxl_depth_line line = {octave->bias, octave->step};
         if (!octave->is_constant) {

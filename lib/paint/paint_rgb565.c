@@ -89,14 +89,15 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *l
     }
 }
 
-/* Of 256 parts, those that light in 8.24 leaves. Less the half, light is at most 63 levels; without
- * its lower 16 bits it is below 2^14, and 2^24 times the part of a level at most. */
+/* Of 256 parts, those that light in 8.24 leaves, rounded down; light has half a part more:
+ * fxl_half_part_565. That is at most 63 2^24 + 63 2^15, so its upper half is below 2^14; a part of
+ * a level is at most 2^16. */
 static inline uint32_t part_of(uint32_t light, uint32_t part_of_level)
 {
-    return ((light >> 16) * part_of_level + 32768u) >> 16;
+    return ((light >> 16) * part_of_level + ((light & 0xFFFFu) * part_of_level >> 16)) >> 16;
 }
 
-/* Opaque pixels of one colour, lit: those of fxl_mix_565. light: less the half. */
+/* Opaque pixels of one colour, lit: those of fxl_mix_565. light: as of part_of. */
 static inline __attribute__((always_inline)) void
 paint_lit_colour(const fxl_paint_565 *of, uint32_t colour, uint32_t most, bool is_within,
                  uint32_t light, uint32_t step, uint16_t *pixel, const uint16_t *end)
@@ -120,10 +121,11 @@ static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32
                          const fxl_light_run *run)
 {
     const fxl_paint_565 *of = &paint->of_565;
-    const uint32_t half = 1u << 23, most = (uint32_t)paint->levels_less_1 << 24;
-    const uint32_t colour = of->palette[paint->colour], light = run->light - half;
+    const uint32_t half = 1u << 23, range = (uint32_t)paint->levels_less_1 << 24;
+    const uint32_t half_part = fxl_half_part_565(paint->levels_less_1), most = range + half_part;
+    const uint32_t colour = of->palette[paint->colour], light = run->light - half + half_part;
     uint16_t *pixels = (uint16_t *)(void *)row->pixels;
-    if (!FXL_IS_COMPACT && fxl_light_run_is_within(run, x1 - x0, half, most + 1u)) {
+    if (!FXL_IS_COMPACT && fxl_light_run_is_within(run, x1 - x0, half, range + 1u)) {
         paint_lit_colour(of, colour, most, true, light, run->step, pixels + x0, pixels + x1);
     } else {
         paint_lit_colour(of, colour, most, false, light, run->step, pixels + x0, pixels + x1);

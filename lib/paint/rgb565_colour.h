@@ -93,6 +93,13 @@ static inline fxl_mixture_565 fxl_mixture_of_565(uint32_t colour, uint32_t dark)
     return mixture;
 }
 
+/* Half of 1/256 of the light of a ramp, in levels with 24 bits after the point: what is added to it
+ * so that parts are rounded to nearest. */
+static inline uint32_t fxl_half_part_565(uint32_t levels_less_1)
+{
+    return levels_less_1 << 15;
+}
+
 /* --- in a palette -------------------------------------------------------------------------- */
 
 /* The number of the entry of a palette that is nearest to a colour: by the sum of the squared

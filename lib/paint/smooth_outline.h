@@ -15,7 +15,8 @@ extern "C" {
 
 /* What the kernel needs of a polygon, and what it keeps from row to row. Cells are counted from the
  * first one of the band. The code and the light of a pixel are those of cell 0 in its row, and a
- * step for each cell. For pixels of 16 bits light is less the half. */
+ * step for each cell. For pixels of 16 bits light is less the half level, and has half a part of
+ * 256 more; between -1 part and 0 it is not held, since no part of it is left. */
 typedef struct {
     uint32_t code;      /* of row 0, less its change a row; then of a row: the kernel's own */
     uint32_t code_down; /* from row to row, a row of cells less */
@@ -30,9 +31,10 @@ typedef struct {
     uint16_t *cells;         /* of the band */
     uintptr_t pixels; /* as of fxl_depth_outline; of 16 bits: of the cell after the pixel's */
     uint32_t code_along;
-    uint32_t most;       /* light above this is not of the ramp */
-    uint32_t last_level; /* pixels of 8 bits */
-    uint32_t rows;       /* the kernel's own */
+    uint32_t limit;  /* light from here on is not of the ramp; 0: codes have a border */
+    uint32_t last;   /* pixels of 8 bits: the last level; of 16: the most light of the ramp */
+    uint32_t border; /* as of fxl_depth_border */
+    uint32_t rows;   /* the kernel's own */
 } fxl_smooth_outline;
 
 #if FXL_DRAWS_DEPTH_OUTLINES
@@ -54,7 +56,7 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
                                             uint32_t pixel_bytes, fxl_smooth_outline *smooth)
 {
     const fxl_depth_head *head = (const fxl_depth_head *)memory;
-    if (plane->one != FXL_DEPTH_IS_LINEAR || !fxl_depth_outline_can_draw(head, band, pixel_bytes)) {
+    if (!fxl_depth_is_in_words(plane) || !fxl_depth_outline_can_draw(head, band, pixel_bytes)) {
         return false;
     }
     const uint32_t code_row = band->width * (uint32_t)plane->gradient.along;
@@ -68,14 +70,19 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
     smooth->along = light.along;
     smooth->down = light.down - row_along;
     smooth->light = light.at + band->first_row * row_along - smooth->down;
-    smooth->most = (uint32_t)paint->levels_less_1 << 24;
-    smooth->last_level = paint->levels_less_1;
+    const uint32_t most = (uint32_t)paint->levels_less_1 << 24;
+    const uint32_t border = fxl_depth_border(head->scale, plane);
+    smooth->border = border;
     if (pixel_bytes == 1) {
-        smooth->most += (1u << 24) - 1u;
+        smooth->limit = border != 0 ? 0 : most + (1u << 24);
+        smooth->last = paint->levels_less_1;
         smooth->by.ramp = paint->ramp + paint->colour;
     } else {
         const fxl_paint_565 *of = &paint->of_565;
-        smooth->light -= 1u << 23;
+        const uint32_t half_part = fxl_half_part_565(paint->levels_less_1);
+        smooth->limit = border != 0 ? 0 : most + half_part + 1u;
+        smooth->last = most + half_part;
+        smooth->light += half_part - (1u << 23);
         smooth->pixels -= pixel_bytes;
         smooth->by.part_of_level = of->part_of_level;
         smooth->mixture = fxl_mixture_of_565(of->palette[paint->colour], of->dark);

@@ -3,7 +3,7 @@
  * Mainline. lib/paint/smooth_outline.h states what they require and do; their pixels are those of
  * paint_lights in paint_pixels.c and paint_rgb565.c. A file defines PIXEL_BITS, and includes this
  * one right after the label of its function. A row takes 41 instructions before its pixels, a
- * visible pixel 14, of 16 bits 21, and a hidden one 8. */
+ * visible pixel 14, of 16 bits 18, and a hidden one 8. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 #include "../raster/draw_frame_armv7m.h"
@@ -24,11 +24,28 @@
 
 /* The pixel of r4 is tested: r3: its code. Goes to .Lhidden\text, or keeps the code. */
     .macro  test_pixel text
-    ldrh    r0, [r4], #2
     lsr     r1, r3, #16
+    test_code \text
+    .endm
+
+/* r1: the code of the cell. */
+    .macro  test_code text
+    ldrh    r0, [r4], #2
     cmp     r1, r0
     bls     .Lhidden\text
     strh    r1, [r4, #-2]
+    .endm
+
+/* The same where codes may have a border. */
+    .macro  test_bent_pixel text
+    ldr     r1, [sp, #FRAME_OUTLINE]
+    ldr     r1, [r1, #SMOOTH_OUTLINE_BORDER]
+    subs    r1, r3, r1
+    ite     lo
+    addlo   r1, r1, r3
+    movhs   r1, r3
+    lsr     r1, r1, #16
+    test_code \text
     .endm
 
 /* On to the next pixel, whose cell is that of r4; r6, r7: light, along. */
@@ -47,10 +64,7 @@
 
 /* light: not below 0; r8: the part of a level, r9-r12: the mixture. */
     .macro  paint_light light
-    lsr     r0, \light, #16
-    mul     r0, r0, r8
-    add     r0, r0, #32768
-    lsr     r0, r0, #16
+    umull   r1, r0, \light, r8
     mla     r1, r10, r0, r9
     mla     r0, r12, r0, r11
     lsr     r0, r0, #13
@@ -100,7 +114,7 @@
     ldm     r1, {r3-r12}            /* code, its change, that of light, light, along, by, mixture */
 #else
     ldm     r1, {r3-r8}
-    ldr     r9, [r1, #SMOOTH_OUTLINE_LAST_LEVEL]
+    ldr     r9, [r1, #SMOOTH_OUTLINE_LAST]
 #endif
     add     r3, r3, r4
     add     r6, r6, r5
@@ -115,13 +129,14 @@
 #if PIXEL_BITS == 8
     add     r5, r5, r4, lsr #1
 #endif
-    /* Light is linear: where that of both ends is of the ramp, all is. */
+    /* Light is linear: where that of both ends is of the ramp, all is. Codes that
+     * have a border are tested by the loop of other light. */
     subs    r0, r0, #1
     mla     r0, r7, r0, r6
     cmp     r6, r1
-    it      ls
-    cmpls   r0, r1
-    bhi     .Lpixel_held
+    it      lo
+    cmplo   r0, r1
+    bhs     .Lpixel_held
 
 #if PIXEL_BITS == 16
 .Lpixel:
@@ -134,9 +149,9 @@
     b       .Lrow_done
 
 .Lpixel_held:
-    test_pixel _held
+    test_bent_pixel _held
     ldr     r1, [sp, #FRAME_OUTLINE]
-    ldr     r1, [r1, #SMOOTH_OUTLINE_MOST]
+    ldr     r1, [r1, #SMOOTH_OUTLINE_LAST]
     bic     r0, r6, r6, asr #31
     cmp     r0, r1
     it      gt
@@ -155,7 +170,7 @@
     b       .Lrow_done
 
 .Lpixel_held:
-    test_pixel _held
+    test_bent_pixel _held
     asr     r0, r6, #24
     bic     r0, r0, r0, asr #31
     cmp     r0, r9

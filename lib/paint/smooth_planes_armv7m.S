@@ -15,6 +15,7 @@
 #define EXPONENT  16
 #define OWN_SIZE  20
 #define CORNERS   (OWN_SIZE + 0)
+#define CROSSED   CORNERS /* of a face that crosses the end of octave r0: r0 + 1; of others 0 */
 #define LENS      (OWN_SIZE + 4)
 #define LIGHT     (OWN_SIZE + 8)
 #define GRADIENTS (OWN_SIZE + 12)
@@ -197,12 +198,17 @@ fxl_find_smooth_planes:
     sbcs    r7, r7, r1, lsr #12
     blo     .Lrefused               /* they differ too much for the shorter side */
 
-    /* One octave, r0, of the lens's, r1; r2: bits of a code, lr: zeros of the weights. */
+    /* The octave r0 of the lens's, r1, and at most the one beyond it; r2: bits of a code, lr: zeros of the weights. */
     clz     lr, r5
     clz     r7, r2
     add     r0, r0, lr
-    cmp     r7, lr
-    bne     .Lrefused
+    sub     r7, r7, lr
+    cmp     r7, #1                  /* octaves that it crosses */
+    bhi     .Lrefused
+    ite     eq
+    addeq   r7, r0, #1
+    movne   r7, #0
+    str     r7, [sp, #CROSSED]
     ldr     r7, [sp, #LENS]
     ldrd    r5, r7, [r7, #LENS_NEAR_Z]
     add     r7, r7, r7, lsr #8
@@ -218,6 +224,9 @@ fxl_find_smooth_planes:
     cmp     r1, #1
     beq     .Lrefused
     cmp     r0, r1
+    bhs     .Lrefused
+    ldr     r2, [sp, #CROSSED]
+    cmp     r2, r1
     bhs     .Lrefused
     clz     r2, r1
     add     r2, r2, #1
@@ -264,7 +273,8 @@ fxl_find_smooth_planes:
     strd    r2, lr, [r7, #GRADIENT_ALONG]
     asr     lr, r5, #31
     strd    r5, lr, [r7, #GRADIENT_DOWN]
-    mov     r0, #1 << 31            /* FXL_DEPTH_IS_LINEAR */
+    ldr     r0, [sp, #CROSSED]
+    orr     r0, r0, #1 << 31        /* FXL_DEPTH_IS_LINEAR, or FXL_DEPTH_IS_BENT and the octave */
     str     r0, [r7, #DEPTH_PLANE_ONE]
 
     /* Light, if it is nearly affine: r7:r4 and lr:r12 become along and down. */

@@ -120,7 +120,7 @@ WRAPPED(void, fxl_surface_paint_of,
 {
     __real_fxl_surface_paint_of(surfaces, polygon, paint);
     begins_smooth = paint->is_light_linear && polygon->has_depth &&
-                    polygon->depth.one == FXL_DEPTH_IS_LINEAR && !polygon->is_in_beam &&
+                    fxl_depth_is_in_words(&polygon->depth) && !polygon->is_in_beam &&
                     !compares_each;
     counted.surfaces_painted += !begins_smooth;
     paints_surface = true;
