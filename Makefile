@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs coverage mutants size \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace coverage mutants size \
     predict costs one-file packages release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
@@ -452,6 +452,11 @@ kills: ## kill run, flash, boot, view and report at random moments: nothing may 
 seeded-bugs: ## break the library on purpose, one place at a time; the tests must fail each time [ONLY=]
 	@tools/setup.sh units
 	@$(TOOL) seeded-bugs --build $(BUILD)
+
+trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 FRESH=1]
+	@tools/setup.sh $(if $(BREAK),units,tools)
+	@$(if $(BREAK),$(MAKE) $(UNIT_PROGRAMS))
+	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 # ONLY here is the name of one unit test; without it, all.
 COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/$(or $(call ONE_OF,$(ONLY),$(notdir $(COVERAGE_TESTS))),\

@@ -148,7 +148,7 @@ def test_a_function_that_has_moved_is_found(root, old, words):
 @pytest.mark.parametrize("table, words", [
     ("", "holds no"), (entry() + entry(), "two bugs have the id 'one'"), (entry().replace("why", "because"), "'why' is missing"),
     (entry(more="mark = 'a'"), "unknown mark"), (entry(more="occurrence = 0"), "'occurrence' is no whole number from 1 on"),
-    (entry(more="occurrence = true"), "'occurrence' is no whole number from 1 on"), ("[[bug", "cannot be read")])
+    (entry(more="clause = 1"), "'clause' is no text"), (entry(more="occurrence = true"), "'occurrence' is no whole number from 1 on"), ("[[bug", "cannot be read")])
 def test_a_table_that_is_wrong_is_refused(root, table, words):
     (root / bugs.BUGS).write_text(table)
     with pytest.raises(ToolError, match=words):

@@ -5,6 +5,7 @@
 #include "cull.h"
 #include "model_view.h"
 
+/* SPEC 4.5 */
 bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, const fxl_face *face,
                        const fxl_point *eye)
 {
@@ -17,6 +18,7 @@ bool fxl_face_is_front(const fxl_scene *scene, const fxl_instance *instance, con
                    eye->z - centre->z - vertex->z) > 0;
 }
 
+/* SPEC 4.5 */
 bool fxl_bounded_face_is_front(const fxl_face *face, const fxl_face_bounds *bounds,
                                const fxl_point *eye)
 {

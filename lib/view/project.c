@@ -50,6 +50,7 @@ static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int
  * integer. The centre is an integer, below 2^26, so it may be added before the division. The limit
  * is below 2^29. So their products with the depth are below 2^60. Errors: rounding the product
  * downward costs less than 2^-30 of a unit, rounding the depth 2^-31 of the result. */
+/* SPEC 4.8 */
 static bool project_side(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled,
                          int32_t centre, int32_t *coordinate)
 {
@@ -65,6 +66,7 @@ static bool project_side(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *
     return true;
 }
 
+/* SPEC 4.8 */
 fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_point *view,
                            fxl_screen_point *screen)
 {

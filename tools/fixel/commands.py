@@ -58,6 +58,7 @@ ROOMS = {
         "kills": ("fixel.check.kills", "kill commands at random moments"),
         "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
+        "trace": ("fixel.check.trace", "join clauses of the specification with code and tests"),
     },
     "Packages": {
         "release": ("fixel.package.release", "build every artefact of a version into dist"),

@@ -20,7 +20,7 @@ LIBRARY = pathlib.Path("lib")
 SOURCES = (".c", ".h", ".S")
 FIELDS = {"id": str, "name": str, "kind": str, "file": str, "function": str, "line": str, "becomes": str, "why": str,
           "tests": list}
-OPTIONAL = {"occurrence": int}
+OPTIONAL = {"occurrence": int, "clause": str}
 
 MACRO = re.compile(r"#\s*define\s+(\w+)")
 IS_ASSEMBLY = re.compile(r"^\s*(?:\w+\s+\.req|\.macro|\.global)\s", re.MULTILINE)
@@ -63,6 +63,7 @@ class Bug:
     why: str
     tests: list
     occurrence: int = 0     # counted from 1; 0: the line stands once
+    clause: str = ""        # of the specification, that the bug breaks: "SPEC 4.5", or several (trace.py)
 
     def places(self, text):
         """The numbers of the lines of a file's text that have the bug's function and text, counted from 0."""
@@ -145,6 +146,8 @@ def _bug(entry, number, path):
         raise ToolError(f"{path}: bug {number}: unknown {', '.join(unknown)}")
     if type(entry.get("occurrence", 1)) is not int or entry.get("occurrence", 1) < 1:
         raise ToolError(f"{path}: bug {number}: 'occurrence' is no whole number from 1 on")
+    if not isinstance(entry.get("clause", ""), str):
+        raise ToolError(f"{path}: bug {number}: 'clause' is no text")
     return Bug(**entry)
 
 

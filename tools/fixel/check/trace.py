@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: MIT
+"""Joins each clause of the specification with the code that has its tag and with the tests that show it.
+
+    fixel trace [--only WORD] [--json FILE] [--accept]
+    fixel trace --break [--only WORD | --sample N] --units DIR --cc COMMAND [--build DIR] [--fresh]
+
+Fails where a normative clause has no code or no test, where a tag or a seeded bug names a clause that there is not, and
+where a clause has another number than on record. --only prints a line for each clause with that word in its id.
+--accept takes new clauses and changed first words into the record. --break breaks each clause, by its seeded bugs or by
+mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py).
+Writes all as JSON. Exit: 0 all is well, 1 something is missing or no test sees a clause broken, 2 could not run.
+"""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import queue
+import sys
+import tomllib
+
+from fixel.base import kept, output, sampling, spent
+from fixel.base.errors import ToolError
+from fixel.base.progress import Progress
+from fixel.base.table import table
+from fixel.check import bugs, clauses, mutants, survivors, tags, trace_break
+
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
+FOLDER = pathlib.Path("host_tests/build/trace")
+UNTAGGED = FOLDER / "untagged.txt"
+UNBROKEN = FOLDER / "unbroken.toml"
+SURVIVORS = "host_tests/build/survivors.toml"
+KINDS = ("code", "test")
+SAID = 20       # sentences on what is wrong, at most
+
+
+# --- the join ----------------------------------------------------------------------
+
+def join(found, code, tests, seeded):
+    """{id: row} of all clauses; what has a tag but no clause is left out."""
+    rows = {id_: {"id": id_, "clause": clause, "code": [], "tests": [], "bugs": []} for id_, clause in found.items()}
+    pages = pages_of(found)
+    for name, tagged in (("code", code), ("tests", tests)):
+        for tag in tagged:
+            if tag.id in rows:
+                rows[tag.id][name].append(tag)
+    for bug in seeded:
+        for id_ in clauses.ids_of(bug.clause, pages) or [] if bug.clause else []:
+            if id_ in rows:
+                rows[id_]["bugs"].append(bug)
+    return rows
+
+
+def pages_of(found):
+    """The names of the pages that have clauses."""
+    return {id_.split(" ")[0] for id_ in found}
+
+
+def lacks(row):
+    """What a clause is without: "code", "test"."""
+    return [kind for kind, tagged in zip(KINDS, (row["code"], row["tests"])) if not tagged] if row["clause"].normative else []
+
+
+def unknown(found, code, tests, seeded):
+    """Sentences on tags and seeded bugs whose clause is not there."""
+    files = {id_.split(" ")[0]: clause.file for id_, clause in found.items()}
+    wrong = []
+    for tag in (*code, *tests):
+        if tag.id not in found:
+            page = files[tag.id.split(" ")[0]]
+            wrong.append(f"{tag.file}:{tag.line}: the tag '{tag.id}' names no clause: look up the number in {page}")
+    for bug in seeded:
+        ids = clauses.ids_of(bug.clause, files) if bug.clause else []
+        if ids is None or any(id_ not in found for id_ in ids):
+            wrong.append(f"{bugs.BUGS}: bug '{bug.id}': clause = '{bug.clause}' names no clause such as 'SPEC 4.5': look up "
+                         "the number")
+    return wrong
+
+
+def waiting(root, rows):
+    """({id: kinds} of clauses that may still be without tags, sentences on entries that have to go)."""
+    path = pathlib.Path(root) / UNTAGGED
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    entries = dict(line.split(": ", 1) for line in text.splitlines() if line and not line.startswith("#"))
+    allowed = {id_: kinds.split(", ") for id_, kinds in entries.items()}
+    wrong = []
+    for id_, kinds in allowed.items():
+        done = [kind for kind in kinds if id_ not in rows or kind not in lacks(rows[id_])]
+        if done:
+            left = [kind for kind in kinds if kind not in done]
+            wrong.append(f"{UNTAGGED}: {id_} waits for {' and '.join(done)} no more: "
+                         + (f"leave '{id_}: {', '.join(left)}'" if left else "take its line out"))
+    return allowed, wrong
+
+
+def missing(rows, allowed):
+    """Sentences on clauses without code or test that the list of those that wait does not have."""
+    how = {"code": "put /* {} */ above the function or block that does what it says",
+           "test": "put /* {} */ above the test that fails when it is broken (pytest: the id into the docstring)"}
+    return [f"{row['clause'].file}:{row['clause'].line}: {id_} has no {kind}: {how[kind].format(id_)}, or mark the clause "
+            "(informative) if it demands nothing"
+            for id_, row in rows.items() for kind in lacks(row) if kind not in allowed.get(id_, [])]
+
+
+def shrink(root, rows):
+    """Takes out of the list of those that wait what waits no more."""
+    path = pathlib.Path(root) / UNTAGGED
+    if path.exists():
+        allowed, _ = waiting(root, rows)
+        left = {id_: [kind for kind in kinds if id_ in rows and kind in lacks(rows[id_])] for id_, kinds in allowed.items()}
+        head = [line for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("#")]
+        output.write_file(path, "\n".join([*head, *(f"{id_}: {', '.join(kinds)}" for id_, kinds in left.items() if kinds)]) + "\n")
+
+
+def unbroken(root, rows):
+    """({id: reason} of clauses that need not be shown to break, sentences on entries that are wrong)."""
+    path = pathlib.Path(root) / UNBROKEN
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8")).get("reasons", {}) if path.exists() else {}
+    except tomllib.TOMLDecodeError as error:
+        raise ToolError(f"{UNBROKEN}: cannot be read: {error}") from error
+    return entries, [f"{UNBROKEN}: '{id_}' is no normative clause: take its line out" for id_ in entries
+                     if id_ not in rows or not rows[id_]["clause"].normative]
+
+
+# --- what is printed and written -----------------------------------------------------
+
+def as_json(row):
+    """A row as the JSON file has it."""
+    clause = row["clause"]
+    return {"clause": row["id"], "file": clause.file, "line": clause.line, "words": clause.words, "normative": clause.normative,
+            "code": [f"{tag.file}:{tag.line}-{tag.last}" for tag in row["code"]],
+            "tests": [f"{tag.file}:{tag.test.split('::')[-1]}" for tag in row["tests"]],
+            "bugs": [bug.id for bug in row["bugs"]]}
+
+
+def by_page(rows):
+    """Rows of the table of pages."""
+    pages = {}
+    for id_, row in rows.items():
+        counts = pages.setdefault(id_.split(" ")[0], [0, 0, 0, 0, 0])
+        normative = row["clause"].normative
+        for number, counted in enumerate((True, normative, normative and row["code"], normative and row["tests"],
+                                          normative and row["bugs"])):
+            counts[number] += bool(counted)
+    every = [sum(counts[number] for counts in pages.values()) for number in range(5)]
+    return [[page, *counts] for page, counts in pages.items()] + [["all", *every]]
+
+
+def by_clause(rows):
+    """Rows of the table of clauses."""
+    def short(names):
+        return f"{names[0]}{f' + {len(names) - 1}' if len(names) > 1 else ''}" if names else "-"
+    return [[id_, "" if row["clause"].normative else "informative",
+             short([f"{tag.file}:{tag.line}" for tag in row["code"]]),
+             short([f"{pathlib.PurePath(tag.file).name}: {tag.test.split('::')[-1]}" for tag in row["tests"]]),
+             len(row["bugs"])] for id_, row in rows.items()]
+
+
+def print_rows(rows, only):
+    """For people."""
+    if only:
+        print(table(by_clause(rows), ["clause", "", "code", "test", "bugs"]))
+    else:
+        print(table(by_page(rows), ["page", "clauses", "normative", "with code", "with a test", "with a seeded bug"]))
+    normative = [row for row in rows.values() if row["clause"].normative]
+    whole = sum(not lacks(row) for row in normative)
+    print(f"{whole} of {len(normative)} normative clauses have code and a test")
+
+
+# --- breaking ------------------------------------------------------------------------
+
+def break_all(rows, options):
+    """What breaking each of the rows gave, in their order."""
+    units, scratch = pathlib.Path(options.units).resolve(), pathlib.Path(options.build).resolve() / "trace"
+    known = survivors.load(CHECKOUT / SURVIVORS, CHECKOUT, mutants.mutants_of)
+    store = kept.Kept(options.build, options.fresh)
+    trees = trace_break.make_trees(scratch, options.cc, units, CHECKOUT, max(1, min(options.jobs, len(rows))))
+    free, done = queue.SimpleQueue(), []
+    for tree in trees:
+        free.put(trace_break.Breaker(tree, CHECKOUT, known))
+
+    def work(row):
+        breaker = free.get()
+        try:
+            to = scratch / "clauses" / f"{row['id'].replace(' ', '-')}.json"
+            return trace_break.one(breaker, row, store, to, (CHECKOUT, units, options.cc))
+        finally:
+            free.put(breaker)
+            done.append(row)
+            progress(len(done))
+
+    with Progress("clauses broken", len(rows)) as progress, concurrent.futures.ThreadPoolExecutor(len(trees)) as pool:
+        return list(pool.map(work, rows))
+
+
+def judge_broken(results, reasons):
+    """Sentences on clauses that no test sees broken, and on reasons that hold no more."""
+    wrong = []
+    for result in results:
+        id_ = result["clause"]
+        if not result["shown"] and id_ not in reasons:
+            survived = [each["change"] for each in result["tried"] if each["result"] == "survived"]
+            wrong.append(f"{id_}: its tests do not see it broken ({result['by']}{'; survived: ' if survived else ''}"
+                         f"{'; '.join(survived)}): write a test that does, seed a bug with clause = \"{id_}\", or give a reason in {UNBROKEN}")
+        if result["shown"] and id_ in reasons:
+            wrong.append(f"{UNBROKEN}: {id_} is shown to break now (by {result['by']}): take its line out")
+    return wrong
+
+
+def chosen(rows, reasons, options):
+    """The normative clauses that are broken: all, or a sample of those that are to be shown."""
+    ready = [row for row in rows.values() if row["clause"].normative and row["code"] and row["tests"]]
+    if not options.sample:
+        return ready
+    return sampling.choose(CHECKOUT, "trace", [row for row in ready if row["id"] not in reasons], options.sample)
+
+
+# --- the command -----------------------------------------------------------------------
+
+def parser():
+    """The options of the command."""
+    made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--root", default=str(CHECKOUT), help="the checkout to read")
+    made.add_argument("--build", default="build", help="the build folder")
+    made.add_argument("--json", help="the JSON file (BUILD/trace.json)")
+    made.add_argument("--only", default="", help="only clauses with this in their id, a line for each: 'SPEC 4', 'beams 2.2'")
+    made.add_argument("--accept", action="store_true", help="take new clauses and other first words into the record")
+    made.add_argument("--break", action="store_true", dest="breaks", help="break clauses, and see whether their tests fail")
+    made.add_argument("--sample", type=int, default=0, help="break so many clauses (all)")
+    made.add_argument("--units", help="the folder of the unit tests that make has built")
+    made.add_argument("--cc", help="the compiler and the flags of the unit tests")
+    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    kept.add_option(made)
+    return made
+
+
+def read(root):
+    """(clauses, tags of code, tags of tests, seeded bugs)."""
+    found = clauses.read(root)
+    if not found:
+        raise ToolError(f"{root}: none of {', '.join(clauses.PAGES)} has a clause")
+    return found, *tags.read(root, pages_of(found)), bugs.entries(root)
+
+
+def main(argv):
+    options = parser().parse_args(argv)
+    if options.breaks and not (options.units and options.cc):
+        raise ToolError("--break needs --units and --cc: run make trace BREAK=1")
+    found, code, tests, seeded = read(options.root)
+    rows = join(found, code, tests, seeded)
+    if options.accept:
+        moved = clauses.renumbered(found, clauses.recorded(options.root)) if (pathlib.Path(options.root) / clauses.RECORD).exists() else []
+        if moved:
+            raise ToolError(f"{clauses.RECORD}: not changed: {len(moved)} clauses have other numbers", 1, words="\n".join(moved))
+        output.write_file(pathlib.Path(options.root) / clauses.RECORD, clauses.record_text(found))
+        shrink(options.root, rows)
+    allowed, stale = waiting(options.root, rows)
+    reasons, unreasoned = unbroken(options.root, rows)
+    wrong = [*clauses.differences(found, clauses.recorded(options.root)), *unknown(found, code, tests, seeded),
+             *missing(rows, allowed), *stale, *unreasoned]
+    here = {id_: row for id_, row in rows.items() if options.only in id_}
+    if not here:
+        raise ToolError(f"no clause has '{options.only}' in its id; ids are such as 'SPEC 4.5' and 'beams 2.2'")
+    print_rows(here, options.only)
+    said = {"clauses": [as_json(row) for row in rows.values()], "wrong": wrong}
+    if options.breaks:
+        results = break_all(chosen(here, reasons, options), options)
+        wrong += judge_broken(results, reasons)
+        shown = sum(result["shown"] for result in results)
+        print(f"{shown} of {len(results)} clauses broken are seen by their tests; {len(reasons)} have a reason in {UNBROKEN}")
+        said["broken"] = results
+        spent.tell()
+    output.write_json(options.json or pathlib.Path(options.build) / "trace.json", said)
+    for words in wrong[:SAID]:
+        print(words, file=sys.stderr)
+    if len(wrong) > SAID:
+        print(f"... and {len(wrong) - SAID} more: the JSON file has all", file=sys.stderr)
+    return 1 if wrong else 0
