@@ -22,7 +22,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace coverage mutants size \
-    predict costs one-file packages release api-check format clean
+    predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
 VARIABLES := $(sort $(shell awk '/^[a-z-]*:.* \[[A-Z].*\]$$/ {sub(/.* \[/, ""); gsub(/[^A-Z_=]+/, " "); \
@@ -300,6 +300,10 @@ one-file: ## write the library as fixel.h and fixel.c into build/one-file [OUT=]
 packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan into build/packages [ONLY= OUT=]
 	@tools/setup.sh tools
 	@$(TOOL) packages
+
+docs: ## write the reference of all public functions and types into build/docs, by Doxygen [OUT=]
+	@tools/setup.sh docs
+	@$(TOOL) docs
 
 release: ## build every artefact of a version into dist, with hashes and an SPDX list: the same bytes for the same commit [OUT=]
 	@tools/setup.sh tools

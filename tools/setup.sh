@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|anywhere...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -25,7 +25,9 @@
 #   pico    the same as run, and node with rp2040js, which emulates the board pico
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
 #   api     compiler for the host, and abidiff of libabigail
-#   anywhere the same as run, pico, riscv and api, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library
+#   docs    Doxygen (50 MB on disk); Python packages as for run
+#   anywhere the same as run, pico, riscv, api and docs, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library,
+#           and the builder of Arduino
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
 # requirements/*.txt and go into .venv; meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
@@ -168,8 +170,12 @@ find_missing() {
         pico) need_board; need_node ;;
         riscv) need_riscv ;;
         api) need_host_compiler; has abidiff || need abigail-tools ;;
-        anywhere) need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has avr-gcc || need gcc-avr; has abidiff || need abigail-tools ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv, api or anywhere" ;;
+        docs) has doxygen || need doxygen; need_python run ;;
+        anywhere)
+            need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has abidiff || need abigail-tools
+            has doxygen || need doxygen; has avr-gcc || need gcc-avr
+            has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -318,7 +324,7 @@ case "${1-}" in
 --packages-only) packages_only=yes; shift ;;
 --missing) missing_only=yes; shift ;;
 esac
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|anywhere..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere..."
 if [ -n "$missing_only" ]; then
     find_missing "$@"
     printf '%s\n' "${packages# }"

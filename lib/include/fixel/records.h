@@ -26,6 +26,7 @@ enum {
     FXL_PLANE_COUNT
 };
 
+/* The frustum in the world, for clippers in the world. */
 typedef struct {
     fxl_plane planes[FXL_PLANE_COUNT];
 } fxl_frustum;
@@ -252,10 +253,11 @@ typedef struct fxl_draw_entry {
 
 FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
 
-/* A scratch area of fxl_sort_faces, which keeps nothing from one call to the next. Its size is that
- * of its chains; there are so few that it is smaller than the scratch area of a clipper, with which
- * it shares memory. */
+/* How many chains sort faces: so few that their memory is smaller than the scratch area of a clipper,
+ * with which it is shared. */
 #define FXL_ORDER_CHAINS (FXL_POLYGON_CAPACITY >= 19 ? 512 : FXL_POLYGON_CAPACITY >= 9 ? 256 : 128)
+
+/* A scratch area of fxl_sort_faces, which keeps nothing from one call to the next. */
 typedef struct {
     uint16_t chains[FXL_ORDER_CHAINS];
 } fxl_sort_work;

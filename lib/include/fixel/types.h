@@ -136,9 +136,8 @@ typedef uint32_t fxl_angle; /* binary angle; a full turn is 2^32, wraps */
  * status other than FXL_OK. Its documentation says what it has changed then: most
  * functions nothing, but for the count of refused calls. A bug of the library
  * itself is an assertion (FXL_ASSERT in lib/math/arith.h). */
-
 typedef enum {
-    FXL_OK = 0,
+    FXL_OK = 0,        /* the function has done what it promises */
     FXL_E_ARGUMENT,    /* a null pointer, or a count of zero where at least one is needed */
     FXL_E_RANGE,       /* a number outside its stated range */
     FXL_E_CAPACITY,    /* the caller's memory, or a capacity set at build, is too small */
@@ -279,6 +278,7 @@ typedef struct {
     fxl_q18_46 x, y, z;
 } fxl_view_point;
 
+/* A vertex of a polygon of the view. */
 typedef struct {
     fxl_view_point position;
 } fxl_view_vertex;
