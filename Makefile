@@ -242,7 +242,7 @@ wire: ## draw a scene's path as wireframes on this machine, compare it with doub
 	@$(TOOL) wire --scene $(SCENE_OF_PROGRAM) --build $(BUILD) --out $(BUILD)/wire
 
 showcase: ## make 24 models as people have them, draw each by its first command, and write a page [BOARD= ONLY= OUT= FRESH=1]
-	@tools/setup.sh run simplify
+	@tools/setup.sh run simplify$(SETUP_OF_BOARD:%= %)
 	@$(MAKE) $(WALK) $(HOST_WALK) $(BUILD)/host/judge $(BUILD)/host/raycast $(BUILD)/host/predict
 	@$(TOOL) showcase --board $(BOARD_CHOSEN) --build $(BUILD)
 

@@ -60,6 +60,15 @@ def test_cycles_are_shown_as_the_emulators(tmp_path):
 
 
 @here
+def test_the_showcase_says_cycles(tmp_path):
+    done = run_make("showcase", "BOARD=pico", "ONLY=badge", f"OUT={tmp_path / 'out'}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    row, = json.loads((tmp_path / "out" / "summary.json").read_text())["models"]
+    assert row["instructions"] is None and row["cycles"] > 100_000 and "as rp2040js counts" in row["took"]
+    assert row["took"] in (tmp_path / "out" / "index.html").read_text()
+
+
+@here
 @pytest.mark.parametrize("name", ["test_crc", "test_render", "test_project", "test_plane", "test_clip_view", "test_depth"])
 def test_unit_tests_pass(name):
     """Some of them; make test BOARD=pico runs all."""

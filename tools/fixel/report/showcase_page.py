@@ -10,6 +10,7 @@ import sys
 from fixel.base import children, output, scratch
 from fixel.base.errors import ToolError, one_line
 from fixel.base.progress import steps
+from fixel.board import counted
 from fixel.report import showcase_models
 
 LAUNCHER = pathlib.Path(__file__).resolve().parents[1] / "launcher.py"
@@ -64,7 +65,8 @@ def draw(model, folder, work, options):
     return {"name": model.name, "file": model.file, "what": model.what, "look": model.look, "chosen": _line(said, file), "pass": done.returncode == 0,
             "differ": summary["pixels_differing"], "unexplained": summary["pixels_unexplained"],
             "wrong_by_order": summary["order_wrong_pixels"], "pixels": summary["pixels"],
-            "instructions": summary["instructions_per_frame"]["mean"]}
+            "instructions": summary["instructions_per_frame"]["mean"], "cycles": summary["cycles_per_frame"]["mean"],
+            "took": ": ".join(counted.row(summary))}
 
 
 def _entry(model, row, folder):
@@ -75,7 +77,8 @@ def _entry(model, row, folder):
 <p><b>{text(model.what)}</b></p>
 <p><code>{text(first_command(model, folder))}</code></p>
 <p class="said">{text(row['chosen'])}</p>
-<p class="said">{text(verdict)}</p></li>
+<p class="said">{text(verdict)}</p>
+<p class="said">{text(row['took'])}</p></li>
 """
 
 
