@@ -54,6 +54,7 @@ void tearDown(void)
 {
 }
 
+/* SPEC 9.3 */
 void test_a_corner_beyond_any_side_leaves_all_as_they_are(void)
 {
     for (int i = 0; i < 50; i++) {
@@ -74,6 +75,7 @@ void test_a_corner_beyond_any_side_leaves_all_as_they_are(void)
     }
 }
 
+/* SPEC 9.3 */
 void test_a_corner_that_has_no_place_on_the_screen_leaves_all_as_they_are(void)
 {
     fxl_gradient_corners face = corners_with(5, 25);
@@ -83,6 +85,7 @@ void test_a_corner_that_has_no_place_on_the_screen_leaves_all_as_they_are(void)
     TEST_ASSERT_FALSE(becomes_affine(face));
 }
 
+/* SPEC 9.3 */
 void test_corners_on_one_line_stay(void)
 {
     fxl_gradient_corners face = corners_with(5, 25);
@@ -91,6 +94,7 @@ void test_corners_on_one_line_stay(void)
 }
 
 /* Right angles, with a side along either axis, at any corner: not on one line. */
+/* SPEC 9.3 */
 void test_corners_with_sides_along_the_axes(void)
 {
     static const uint8_t at[4][2] = {{10, 8}, {25, 8}, {25, 20}, {10, 20}};

@@ -40,6 +40,7 @@ void test_a_quotient_is_rounded_down(void)
 }
 
 /* Halves are rounded up, also of negative numbers. */
+/* SPEC 2.2 */
 void test_a_quotient_is_rounded_to_the_nearest(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {

@@ -59,6 +59,7 @@ static void draw_in_bands(void)
 }
 
 /* The property that bands and lists stand on. */
+/* SPEC 4.10 */
 void test_any_bands_and_any_list_give_the_same_frame(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 20;
@@ -86,6 +87,7 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
 }
 
 /* Word by word more: what is in the list and what spills add up. */
+/* SPEC 4.11, 7.3 */
 void test_what_does_not_fit_is_counted(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
@@ -120,6 +122,7 @@ static fxl_clip_result counting_clipper(const fxl_model_view *model_view, const 
 static const fxl_clipper counting = {.clip = counting_clipper};
 
 /* With a list that holds the frame, no band looks at the scene again. */
+/* SPEC 7.5 */
 void test_a_band_does_not_walk_the_scene_again(void)
 {
     fxl_pose pose = {{Q16(2), Q16(2), Q16(-3)}, DEGREES(-20), DEGREES(-20), 0};
@@ -155,6 +158,7 @@ void test_a_refused_frame_keeps_the_list(void)
 }
 
 /* A polygon between two rows of centres takes no place, but is counted as drawn. */
+/* SPEC 7.2 */
 void test_a_polygon_on_no_row_takes_no_record(void)
 {
     start(WORDS, &fxl_clipper_view);

@@ -33,6 +33,7 @@ void test_unturned_it_looks_along_z(void)
                                    camera.axes.forward.y);
 }
 
+/* SPEC 1.3 */
 void test_yaw_turns_from_z_towards_x(void)
 {
     fxl_camera camera = camera_at(origin, FXL_ANGLE_QUARTER, 0, 0);
@@ -41,6 +42,7 @@ void test_yaw_turns_from_z_towards_x(void)
     expect_row("up", 0, 1, 0, camera.axes.up);
 }
 
+/* SPEC 1.3 */
 void test_pitch_raises_the_view(void)
 {
     fxl_camera camera = camera_at(origin, 0, FXL_ANGLE_QUARTER, 0);
@@ -48,6 +50,7 @@ void test_pitch_raises_the_view(void)
     expect_row("up", 0, 0, -1, camera.axes.up);
 }
 
+/* SPEC 1.3 */
 void test_roll_turns_the_right_side_up(void)
 {
     fxl_camera camera = camera_at(origin, 0, 0, FXL_ANGLE_QUARTER);
@@ -58,6 +61,7 @@ void test_roll_turns_the_right_side_up(void)
 
 /* A view raised by a half right angle looks up wherever yaw has turned it;
  * pitch before yaw would look to the side. */
+/* SPEC 1.3 */
 void test_yaw_comes_before_pitch(void)
 {
     double half = sqrt(0.5);
@@ -66,6 +70,7 @@ void test_yaw_comes_before_pitch(void)
 }
 
 /* Rolling does not change where the view looks. */
+/* SPEC 1.3 */
 void test_pitch_comes_before_roll(void)
 {
     double half = sqrt(0.5);
@@ -74,6 +79,7 @@ void test_pitch_comes_before_roll(void)
     expect_row("right", 0, half, -half, camera.axes.right);
 }
 
+/* SPEC 4.2 */
 void test_every_entry_is_within_two_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {

@@ -29,6 +29,7 @@ static bool in_cone(const fxl_cluster *cluster, const fxl_point *eye, double mar
 
 /* By the definition in double: the test says true of no eye outside the cone, and of every eye a
  * world unit from the apex that is well inside. */
+/* SPEC 4.4 */
 void test_the_cone_is_the_definition(void)
 {
     uint32_t inside = 0, outside = 0;
@@ -151,6 +152,7 @@ static void take_clusters_out(tiny_scene *tiny)
 }
 
 /* The same pixels as without clusters, and the counters that SPEC.md, section 4.11, defines. */
+/* SPEC 4.4 */
 void test_frames_with_clusters(void)
 {
     uint32_t left_out = 0, drawn = 0;

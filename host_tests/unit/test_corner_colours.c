@@ -140,6 +140,7 @@ static void draw_random_faces(bool is_triangle, uint8_t division, double toleran
     TEST_ASSERT_GREATER_THAN(50 * ROUNDS, compared);
 }
 
+/* SPEC 9.8 */
 void test_channels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
@@ -148,6 +149,7 @@ void test_channels_divided_at_each_pixel(void)
 
 /* Between two divisions a channel is 0.3 of a level off at most, and rounded down by less than
  * 1/32. */
+/* SPEC 9.8 */
 void test_channels_of_triangles(void)
 {
     draw_random_faces(true, FXL_DIVIDE_16, 0.34);
@@ -207,6 +209,7 @@ void test_one_colour_at_all_corners(void)
 }
 
 /* Light from a direction: it is multiplied at the corners, whose products are linear. */
+/* SPEC 9.8 */
 void test_light_at_the_corners(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {

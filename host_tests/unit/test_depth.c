@@ -103,12 +103,14 @@ static void check_frame(double resolution)
     }
 }
 
+/* SPEC 10.1, 10.2 */
 void test_the_nearest_of_faces_that_intersect_is_seen(void)
 {
     depth_scene_start_with(made, &fxl_palette_depth_16);
     check_frame(33.0 / 32 / 4096); /* far is 1024 near: 11 octaves, 12 bits */
 }
 
+/* SPEC 10.3, 10.6 */
 void test_32_bits_are_finer(void)
 {
     depth_scene_start_with(made, &fxl_palette_depth_32);
@@ -150,6 +152,7 @@ void test_every_clipper_gives_the_same_depths(void)
 }
 
 /* The lens of a part of the screen is off-centre: its picture is a part of the whole one. */
+/* SPEC 10.1 */
 void test_an_off_centre_lens_shows_the_same_depths(void)
 {
     enum {
@@ -189,6 +192,7 @@ void test_an_off_centre_lens_shows_the_same_depths(void)
 
 /* The same faces as instances of one that turns, by the default clipper and by one that takes
  * points of the world: then the shader gets pieces. */
+/* SPEC 10.1 */
 void test_turned_instances_have_depth(void)
 {
     static const fxl_placement placements[DEPTH_SCENE_QUADS] = {
@@ -243,6 +247,7 @@ void test_pieces_of_light_beams_have_depth(void)
 }
 
 /* Two walls in one plane, front to back, and far to near as with glass: the order decides. */
+/* SPEC 10.4 */
 void test_of_faces_in_one_plane_that_is_seen_which_is_drawn_later(void)
 {
     static const fxl_face walls[] = {{{0, 0, -FXL_Q2_30_ONE}, 0, 4, 10, 0},

@@ -103,6 +103,7 @@ static void expect_contents(const fxl_display_list *list, uint32_t count, uint32
 }
 
 /* Lists of every size, and any rows: none, one, a band, all. */
+/* SPEC 7.4 */
 void test_records_come_back_in_order_where_rows_meet(void)
 {
     uint32_t most = 0;
@@ -123,6 +124,7 @@ void test_records_come_back_in_order_where_rows_meet(void)
 }
 
 /* A band begins where a polygon ends, or ends where it begins: they share no row. */
+/* SPEC 7.4 */
 void test_rows_that_only_touch_do_not_meet(void)
 {
     fxl_display_list list = list_of(WORDS);
@@ -141,6 +143,7 @@ void test_rows_that_only_touch_do_not_meet(void)
     }
 }
 
+/* SPEC 7.2 */
 void test_the_last_word_is_used_and_none_behind_it(void)
 {
     for (uint8_t count = 3; count <= FXL_POLYGON_CAPACITY; count++) {
@@ -161,6 +164,7 @@ void test_the_last_word_is_used_and_none_behind_it(void)
     }
 }
 
+/* SPEC 7.5 */
 void test_a_list_without_memory_is_full_and_empty(void)
 {
     fxl_display_list list = {NULL, 0, 0};

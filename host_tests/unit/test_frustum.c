@@ -10,6 +10,7 @@ static void make(const fxl_pose *pose, const fxl_lens *lens, fxl_camera *camera,
     fxl_frustum_from_camera(camera, lens, frustum);
 }
 
+/* SPEC 4.3 */
 void test_four_sides_of_an_unturned_view(void)
 {
     fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
@@ -50,6 +51,7 @@ static void expect_normal(const fxl_camera *camera, double x, double y, double z
                      4.0);
 }
 
+/* SPEC 4.3 */
 void test_normals_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -76,6 +78,7 @@ static void expect_within(int64_t bound, int64_t expected, int64_t actual)
 /* The eye lies outside each plane by as much as the plane was moved. near and
  * far may be off by their depth times the error of the normal's length, whose
  * components are off by up to 4 units of 2^-30 each. */
+/* SPEC 4.3 */
 void test_distances_from_the_eye(void)
 {
     const int64_t unit = (int64_t)1 << 30;
@@ -106,6 +109,7 @@ static void expect_unit_vector(double side, double depth, fxl_q2_30 unit_side, f
     TEST_ASSERT_NEAR(unit_depth, depth / length * FXL_Q2_30_ONE, 1.0);
 }
 
+/* SPEC 4.3 */
 void test_the_view_frustum_is_that_of_the_lens(void)
 {
     const int64_t unit = (int64_t)1 << 30;

@@ -113,6 +113,7 @@ void tearDown(void)
 {
 }
 
+/* SPEC 9.1 */
 void test_attributes_are_those_of_the_point_that_is_seen(void)
 {
     uint32_t checked = 0, tight = 0;
@@ -163,6 +164,7 @@ void test_the_volume_is_exact_but_for_rounding(void)
 }
 
 /* Scaled so that the largest value on the screen has 62 bits; all else is exact. */
+/* SPEC 9.1 */
 void test_the_gradient_of_a_plane(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {

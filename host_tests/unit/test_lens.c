@@ -27,6 +27,7 @@ void test_ninety_degrees_is_half_the_width(void)
     TEST_ASSERT_EQUAL_INT32(4, lens.inset);
 }
 
+/* SPEC 4.2 */
 void test_focal_is_within_its_bound(void)
 {
     const fxl_angle ends[] = {FXL_FOV_MIN, FXL_FOV_MAX, FXL_FOV_MIN + 1, FXL_FOV_MAX - 1};
@@ -44,6 +45,7 @@ void test_focal_is_within_its_bound(void)
     }
 }
 
+/* SPEC 3.1 */
 void test_the_ends_of_every_range_are_taken(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(1, 1, FXL_FOV_MIN, FXL_NEAR_MIN, FXL_FAR_MAX, 0));
@@ -52,6 +54,7 @@ void test_the_ends_of_every_range_are_taken(void)
     TEST_ASSERT_EQUAL(FXL_OK, try_lens(1, 1, FXL_FOV_MIN, 1000, 1021, 10));
 }
 
+/* SPEC 3.1 */
 void test_what_is_out_of_range_is_refused(void)
 {
     const fxl_angle fov = FXL_ANGLE_QUARTER;

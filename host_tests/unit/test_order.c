@@ -37,6 +37,7 @@ static void expect_sorted(uint32_t count)
 
 /* Few different keys, so that ties abound; an entry's key is a function of its
  * index, so that keys cannot change places. */
+/* SPEC 6.1 */
 void test_sorting_is_by_layer_distance_and_index(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
@@ -107,6 +108,7 @@ static void sort_faces(uint32_t count)
     }
 }
 
+/* SPEC 6.3 */
 void test_sorting_faces_is_by_distance_and_index(void)
 {
     for (uint32_t round = 0; round < UNIT_REPEAT / 500 + 10; round++) {
@@ -199,6 +201,7 @@ void test_nothing_and_one_entry(void)
     TEST_ASSERT_EQUAL_UINT32(3, entries[0].instance.layer);
 }
 
+/* SPEC 6.1 */
 void test_distance_is_exact_at_the_ends(void)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;
@@ -217,6 +220,7 @@ static uint64_t add_square(uint64_t sum, int64_t value)
     return sum + size * size;
 }
 
+/* SPEC 6.1 */
 void test_distance_is_the_sum_of_squares(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -250,6 +254,7 @@ static uint64_t face_distance(const tiny_scene *tiny, const fxl_instance *instan
     return sum;
 }
 
+/* SPEC 6.3 */
 void test_face_distance_is_that_of_its_box(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -295,6 +300,7 @@ static uint32_t order_from(tiny_scene *tiny, const fxl_pose *pose, uint32_t *lef
 
 static const fxl_pose before_all = {{0, 0, Q16(-5)}, 0, 0, 0};
 
+/* SPEC 6.1 */
 void test_objects_by_layer_then_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -322,6 +328,7 @@ void test_objects_by_layer_then_far_to_near(void)
     TEST_ASSERT_EQUAL_UINT32(255, entries[2].instance.layer);
 }
 
+/* SPEC 6.1 */
 void test_equally_far_objects_by_number(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -367,6 +374,7 @@ static uint32_t order_faces(const fxl_scene *scene, const fxl_instance *instance
 
 /* Seen from a corner: three faces, the nearest last. Indices are those of the
  * model's faces or of the scene's; which, the order of colours tells. */
+/* SPEC 4.5, 6.3 */
 void test_faces_that_face_the_eye_far_to_near(void)
 {
     tiny_scene *tiny = tiny_make();
@@ -420,6 +428,7 @@ void test_keys_change_nothing(void)
     }
 }
 
+/* SPEC 4.5 */
 void test_every_face_is_seen_from_somewhere(void)
 {
     tiny_scene *tiny = tiny_make();

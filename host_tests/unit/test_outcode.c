@@ -59,6 +59,7 @@ void test_each_plane_has_its_bit(void)
     }
 }
 
+/* SPEC 4.7 */
 void test_any_point(void)
 {
     unsigned seen = 0;

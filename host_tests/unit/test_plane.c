@@ -40,6 +40,7 @@ void test_distance_is_exact(void)
     }
 }
 
+/* SPEC 3.3 */
 void test_the_farthest_corners_do_not_overflow(void)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;

@@ -28,7 +28,7 @@ void test_straight_ahead_is_the_middle(void)
     TEST_ASSERT_EQUAL_INT32(Q16(0.5), screen.y);
 }
 
-/* SPEC 4.8 */
+/* SPEC 1.1, 4.8 */
 void test_right_is_right_and_up_is_up(void)
 {
     fxl_lens lens = unit_lens(320, 240);
@@ -106,6 +106,7 @@ void test_rounding_is_to_nearest(void)
 
 /* Offsets of 1/2 and -1/2 unit, from the middle: halves go upward. At every
  * depth of one bit that the eye can see. */
+/* SPEC 2.2 */
 void test_halves_go_upward(void)
 {
     fxl_lens lens = unit_lens(2, 2);
@@ -122,6 +123,7 @@ void test_halves_go_upward(void)
 }
 
 /* The same three pixels further out, where no kernel takes its short way. */
+/* SPEC 2.2 */
 void test_halves_go_upward_beside_the_screen(void)
 {
     fxl_lens lens = unit_lens(2, 2);

@@ -80,6 +80,7 @@ void test_a_cube_ahead_is_a_square(void)
 
 /* The farther cubes' front sides are at z = 9 and 11. Looking along +x from
  * the left, the sides -x appear. */
+/* SPEC 1.1 */
 void test_right_appears_right_and_up_appears_up(void)
 {
     tiny_scene *tiny = start(0);
@@ -94,6 +95,7 @@ void test_right_appears_right_and_up_appears_up(void)
     TEST_ASSERT_EQUAL(BACKGROUND, whole[4 * WIDTH + 8]);
 }
 
+/* SPEC 4.9 */
 void test_nearer_hides_farther_and_layers_come_first(void)
 {
     tiny_scene *tiny = start(0);
@@ -105,6 +107,7 @@ void test_nearer_hides_farther_and_layers_come_first(void)
     TEST_ASSERT_EQUAL(15, whole[16 * WIDTH + 24]);
 }
 
+/* SPEC 4.10 */
 void test_bands_of_any_height_give_the_same_pixels(void)
 {
     start(0);
@@ -126,6 +129,7 @@ void test_bands_of_any_height_give_the_same_pixels(void)
 }
 
 /* What the list holds is counted by begin, the rest by the first band. */
+/* SPEC 7.5 */
 void test_bands_in_any_order_count_once(void)
 {
     start(0);
@@ -165,6 +169,7 @@ void test_a_wider_stride_gives_the_same_pixels(void)
     }
 }
 
+/* SPEC 4.11 */
 void test_every_polygon_is_accounted_for(void)
 {
     uint32_t drawn = 0, clipped = 0, outside = 0, backfacing = 0;
@@ -184,6 +189,7 @@ void test_every_polygon_is_accounted_for(void)
     TEST_ASSERT_TRUE(drawn > 50 && clipped > 10 && outside > 50 && backfacing > 50);
 }
 
+/* SPEC 4.11 */
 void test_counters_of_a_view_worked_out_by_hand(void)
 {
     start(0);
@@ -225,6 +231,7 @@ static void expect_untouched(const uint8_t *frame, uint8_t value)
     }
 }
 
+/* SPEC 4.1 */
 void test_drawing_before_a_frame_has_begun_is_refused(void)
 {
     start(0);
@@ -257,6 +264,7 @@ void test_a_bare_renderer_wants_a_clipper_and_a_method(void)
     TEST_ASSERT_EQUAL_UINT32(18, renderer->workspace.counters.in);
 }
 
+/* SPEC 3.2 */
 void test_a_pose_out_of_range_leaves_the_frame_before(void)
 {
     start(0);
@@ -281,6 +289,7 @@ static void expect_band_refused(fxl_status status, fxl_band band, uint32_t refus
     TEST_ASSERT_EQUAL_UINT32(refused_calls, renderers[0].workspace.counters.refused_calls);
 }
 
+/* SPEC 3.2 */
 void test_a_band_of_another_screen_is_refused(void)
 {
     start(0);
@@ -398,6 +407,7 @@ void test_more_objects_than_the_order_has_room_for_are_refused(void)
 /* Frozen: every core and every compiler draws these frames, bit for bit. If a
  * change to the law makes them differ, look at the pictures before writing
  * down a new number. */
+/* SPEC 4.1 */
 void test_frozen_frames(void)
 {
     uint32_t crcs[16];

@@ -139,6 +139,7 @@ void test_no_keys(void)
     expect_opening(FXL_E_RESERVED, image);
 }
 
+/* SPEC 3.4 */
 void test_normals(void)
 {
     expect_entry_word(FXL_E_NORMAL, AT_FACES, 1, FACE, 0, 0);
@@ -153,6 +154,7 @@ void test_normals(void)
 }
 
 /* Vertex 5 of model 0 belongs to a face +x: off its plane by 4 units at most. */
+/* SPEC 3.4 */
 void test_planarity(void)
 {
     uint32_t x = (uint32_t)Q16(1);
@@ -163,6 +165,7 @@ void test_planarity(void)
 }
 
 /* Any vertex of a cube, off the plane of one of its three faces and along those of the others. */
+/* SPEC 3.4 */
 void test_planarity_of_every_vertex(void)
 {
     for (uint32_t vertex = 0; vertex < 8; vertex++) {

@@ -72,6 +72,7 @@ static void check_levels(const quad_scene *quad, bool of_4_bits, int level)
 }
 
 /* The level is that of the definition, and so is each texel of it. */
+/* SPEC 9.4 */
 void test_a_face_takes_the_level_of_its_nearest_corner(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -208,6 +209,7 @@ void test_lists_and_bands_give_the_same_pixels(void)
 
 /* Where its corners are on the screen, a face of FXL_AFFINE is linear there; else it is exact to
  * half a texel. */
+/* SPEC 9.3 */
 void test_an_affine_face_is_linear_on_the_screen(void)
 {
     static uint8_t wide[64];
@@ -268,6 +270,7 @@ void test_an_affine_face_beyond_the_screen_is_divided(void)
 /* --- blending ------------------------------------------------------------------------------ */
 
 /* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
+/* SPEC 9.6 */
 void test_colours_are_blended_with_those_beneath(void)
 {
     static uint8_t table[FXL_BLEND_TABLE_BYTES(3)], plain[16];

@@ -104,6 +104,7 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
 }
 
 /* At each pixel the level is the exact one, but for a 1/256 of a level. */
+/* SPEC 9.7 */
 void test_levels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
@@ -117,12 +118,14 @@ void test_levels_divided_every_16_pixels(void)
 }
 
 /* Corners and normals of an instance that has a placement; its corners are rounded in the world. */
+/* SPEC 9.7 */
 void test_levels_of_turned_faces(void)
 {
     draw_random_faces(true, FXL_DIVIDE_1, 1.0 / 128);
 }
 
 /* The texel and the level of one pixel, at once: the ramp's colours have both. */
+/* SPEC 9.6 */
 void test_light_goes_over_textures(void)
 {
     static uint8_t texels[64];

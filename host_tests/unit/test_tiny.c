@@ -35,6 +35,7 @@ static uint32_t scanned(const fxl_screen_point *points, const fxl_band *band, bo
     return count;
 }
 
+/* SPEC 5.2 */
 void test_a_tiny_triangle_covers_what_the_scan_finds(void)
 {
     uint32_t covered = 0, tiny_ones = 0, others = 0;

@@ -33,6 +33,7 @@ static fxl_camera camera_at(const fxl_pose *pose)
     return camera;
 }
 
+/* SPEC 4.6 */
 void test_any_point_from_anywhere(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {
@@ -89,6 +90,7 @@ void test_an_unturned_view_is_the_difference(void)
 }
 
 /* 2^59 - 1 needs every bit of a sum. */
+/* SPEC 4.6 */
 void test_no_bit_is_rounded_away(void)
 {
     const fxl_direction slanted = {FXL_Q2_30_ONE - 1, 1, 0}, none = {0, 0, 0};
@@ -112,6 +114,7 @@ void test_the_eye_itself_is_nowhere(void)
 }
 
 /* Turned so that forward runs along the world's diagonal: the largest sums. */
+/* SPEC 3.3, 4.6 */
 void test_opposite_corners_of_the_world(void)
 {
     const fxl_q16_16 end = FXL_COORDINATE_MAX;

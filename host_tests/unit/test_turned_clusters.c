@@ -182,6 +182,7 @@ void test_frames_with_turned_clusters(void)
 }
 
 /* With the mark of a scale that is shifted, where there is a plane. */
+/* SPEC 8.4 */
 void test_the_planes_of_a_turned_cluster(void)
 {
     static const fxl_planes given[] = {0, FXL_PLANES_ALL, 1, 2, 0x30};

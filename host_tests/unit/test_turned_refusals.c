@@ -80,6 +80,7 @@ static void expect_refused_and_ended(const fxl_placement *bad, fxl_q16_16 centre
 }
 
 /* Lists that hold none, some and all polygons of the frame. */
+/* SPEC 8.1 */
 void test_a_bad_placement_ends_the_frame_before(void)
 {
     static const fxl_q16_16 scales[] = {0,

@@ -141,6 +141,7 @@ static fxl_pose any_pose(void)
     return pose;
 }
 
+/* SPEC 8.5 */
 void test_rounded_instances_are_those_of_a_baked_model(void)
 {
     uint32_t rounded = 0, exact = 0, drawn = 0, spilled = 0;

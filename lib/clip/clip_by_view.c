@@ -20,6 +20,7 @@ static bool is_outside(const fxl_model_view *model_view, const fxl_face *face)
 }
 
 /* Usually all vertices are inside. Then their places on the screen are the result. */
+/* SPEC 4.7 */
 fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_face *face,
                                  fxl_clipper_work *work, fxl_screen_polygon *screen)
 {
@@ -49,6 +50,7 @@ fxl_clip_result fxl_clip_by_view(const fxl_model_view *model_view, const fxl_fac
     }
     screen->colour = face->material;
     screen->count = face->count;
+    /* SPEC 7.2 */
     uint32_t differing = of_any ^ of_all;
     return (differing & FXL_VERTEX_COLUMN) == 0 || (differing & FXL_VERTEX_ROW) == 0
                ? FXL_CLIP_BETWEEN

@@ -24,6 +24,7 @@ typedef void fxl_cut_copy(const fxl_cut *cut, uint32_t from, uint32_t to);
 typedef void fxl_cut_cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to);
 
 /* The bit of a vertex; 0 where that is outside of the plane. */
+/* SPEC 4.7 */
 static inline uint32_t fxl_cut_bit(fxl_q18_46 distance, uint32_t vertex)
 {
     return (uint32_t)(distance >= 0) << vertex;
@@ -32,6 +33,7 @@ static inline uint32_t fxl_cut_bit(fxl_q18_46 distance, uint32_t vertex)
 /* Emits what an edge contributes: its first vertex if that is inside, then the crossing if one
  * end is inside and the other outside. An inside end that lies on the plane is that crossing
  * already. False when the polygon is full. */
+/* SPEC 4.7 */
 static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross *cross,
                                 uint32_t bits, uint32_t current, uint32_t count)
 {
@@ -86,6 +88,7 @@ typedef fxl_clip_result fxl_cut_by_plane(const void *with, int plane, const void
  * spare ones of `size` bytes, of which it may be one; after a cut by those of `then` too, as far
  * as they are still to come. *result is the input where no plane cut it, null where nothing is
  * left. */
+/* SPEC 4.7 */
 static inline fxl_clip_result fxl_cut_by_planes(const void *in, void *spares, size_t size,
                                                 uint32_t planes, uint32_t then,
                                                 fxl_cut_by_plane *by_plane, const void *with,

@@ -55,6 +55,7 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
+/* SPEC 4.7 */
 void fxl_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
                         const fxl_q18_46 *inside, const fxl_q18_46 *outside, fxl_view_point *point)
 {

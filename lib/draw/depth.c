@@ -57,6 +57,7 @@ static inline const fxl_view_point *first_corner(const fxl_model_view *model_vie
     return &other->position;
 }
 
+/* SPEC 10.1 */
 void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_depth_plane *plane)
 {
@@ -102,6 +103,7 @@ static void clear(uint8_t *bytes, uint32_t count)
     }
 }
 
+/* SPEC 10.5 */
 static void draw_pass(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
                       uint8_t pass)
 {

@@ -61,6 +61,7 @@ static int64_t height_of(const fxl_direction *n, const fxl_view_point *p)
  * length is below 2^29 and a centre below 2^28, so sums of products are below 2^61 on all of the
  * screen, and the factor makes them smaller. Unlike fxl_gradient_of_plane this does not scale the
  * gradient to all of its bits: those of n's rounding come before. */
+/* SPEC 10.2 */
 static void find_gradient(const fxl_direction *n, const fxl_projection *projection,
                           fxl_q16_16 focal, uint32_t factor, fxl_gradient *gradient)
 {
@@ -73,6 +74,7 @@ static void find_gradient(const fxl_direction *n, const fxl_projection *projecti
     gradient->down = fxl_multiply_s32(-n->y, (int32_t)factor) >> 16;
 }
 
+/* SPEC 10.1 */
 void fxl_find_depth_plane(const fxl_direction *normal, const fxl_axes *axes,
                           const fxl_view_point *point, const fxl_view *view, fxl_depth_plane *plane)
 {

@@ -11,6 +11,7 @@ FXL_STATIC_ASSERT(offsetof(fxl_screen_polygon, points) == sizeof(uint32_t),
                   "a word before the points");
 FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY <= 255, "8 bits for the count");
 
+/* SPEC 7.2 */
 bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *polygon,
                              fxl_rows rows)
 {
@@ -27,6 +28,7 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
     return true;
 }
 
+/* SPEC 7.4 */
 const fxl_screen_polygon *fxl_display_list_next(const fxl_display_list *list, fxl_rows rows,
                                                 uint32_t *place)
 {

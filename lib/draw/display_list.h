@@ -13,6 +13,7 @@ extern "C" {
 
 /* Whether two ranges have a row in common. Requires that neither is empty, or that first is not
  * below the other's end where one is. */
+/* SPEC 7.4 */
 static inline bool fxl_rows_meet(fxl_rows a, fxl_rows b)
 {
     return a.first < b.end && b.first < a.end;

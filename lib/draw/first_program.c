@@ -90,6 +90,7 @@ FXL_COLD fxl_status fxl_renderer_init(fxl_renderer *renderer, const fxl_scene *s
     return choose(renderer, config);
 }
 
+/* SPEC 4.1 */
 fxl_status fxl_render(fxl_renderer *renderer, const fxl_pose *eye, void *pixels, uint16_t stride)
 {
     if (renderer == NULL) {

@@ -25,6 +25,7 @@
 /* --- begin ---------------------------------------------------------------------------- */
 
 /* Resets the counters for a frame; culled: the faces of the instances that were culled. */
+/* SPEC 4.11 */
 static void begin_counters(fxl_counters *counters, uint32_t culled)
 {
     uint32_t refused_calls = counters->refused_calls;
@@ -100,6 +101,7 @@ static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uin
     return look_at_still(renderer, pose, culled);
 }
 
+/* SPEC 4.1 */
 fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 {
     if (renderer == NULL) {
@@ -142,6 +144,7 @@ fxl_status fxl_frame_begin(fxl_renderer *renderer, const fxl_pose *pose)
 
 /* Where the polygon on the screen goes: to the end of the display list, or into the band. One
  * that reaches no row goes nowhere. */
+/* SPEC 7.3 */
 static fxl_outcome emit(const fxl_traversal *traversal)
 {
     fxl_workspace *workspace = traversal->workspace;
@@ -165,6 +168,7 @@ static fxl_outcome emit(const fxl_traversal *traversal)
 }
 
 /* Delivers all polygons of a face; cut is what the clipper answered for the first. */
+/* SPEC 7.3 */
 static fxl_outcome emit_all(const fxl_traversal *traversal, const fxl_model_view *model_view,
                             fxl_clip_result cut)
 {
@@ -186,6 +190,7 @@ fxl_outcome fxl_submit_polygons(const fxl_model_view *model_view, const fxl_face
     return emit_all(traversal, model_view, fxl_first_polygon(model_view, face, traversal));
 }
 
+/* SPEC 4.11 */
 bool fxl_count_outcome(const fxl_traversal *traversal, fxl_outcome outcome, uint32_t used)
 {
     fxl_counters *counters = traversal->counters;
@@ -293,6 +298,7 @@ static inline bool draw_display_list(const fxl_traversal *traversal)
     return true;
 }
 
+/* SPEC 4.10, 7.5 */
 fxl_status fxl_draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_band *band)
 {

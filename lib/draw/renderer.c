@@ -11,6 +11,7 @@
 FXL_STATIC_ASSERT(sizeof(fxl_renderer) == 512 + 64 * FXL_POLYGON_CAPACITY, "render.h says so");
 #endif
 
+/* SPEC 3.2 */
 fxl_status fxl_refuse(fxl_workspace *workspace, fxl_status status)
 {
     workspace->counters.refused_calls += 1;

@@ -36,6 +36,7 @@ typedef bool fxl_instance_submit(const fxl_traversal *traversal, const fxl_draw_
 /* A convex instance: none of its faces hides another, so any order will do. Front to back
  * they come in reverse, so that the first face to cover a pixel is the one that would cover it
  * last back to front. */
+/* SPEC 6.2, 6.4 */
 static inline bool fxl_submit_convex(const fxl_traversal *traversal,
                                      const fxl_model_view *model_view, const fxl_model *model,
                                      fxl_facing_test *is_front)

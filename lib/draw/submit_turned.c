@@ -129,6 +129,7 @@ static bool are_rotations(const fxl_scene *scene, const fxl_draw_entry *entries,
  * The sphere test takes scales and places, so these are checked before it, and orientations of
  * instances in sight after it: no stage reads another orientation. If one is refused, the view is
  * that of the frame before. */
+/* SPEC 8.1 */
 static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uint32_t *culled)
 {
     fxl_frame *frame = &renderer->frame;
@@ -183,12 +184,14 @@ static bool is_split(const fxl_traversal *traversal, uint32_t number)
     return shader != NULL;
 }
 
+/* SPEC 8.5 */
 static inline bool is_rounded(const fxl_traversal *traversal, uint32_t number)
 {
     return traversal->clipper->by_points ||
            (traversal->renderer->shader != NULL && is_split(traversal, number));
 }
 
+/* SPEC 8.5 */
 static uint32_t count_rounded(const fxl_traversal *traversal, uint32_t first, uint32_t end)
 {
     const fxl_frame *frame = &traversal->renderer->frame;
@@ -205,6 +208,7 @@ static uint32_t count_rounded(const fxl_traversal *traversal, uint32_t first, ui
 }
 
 /* The face's rounded points are a polygon of the world, which any clipper takes. */
+/* SPEC 8.5 */
 static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face *face,
                                 const fxl_traversal *traversal, const fxl_shader *shader)
 {

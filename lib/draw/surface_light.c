@@ -10,6 +10,7 @@
 
 /* A corner of a face of an instance in the world. Points of the world are within
  * FXL_COORDINATE_MAX, so doubled ones are below 2^30. */
+/* SPEC 9.7 */
 static void place_corner(const fxl_scene *scene, const fxl_instance *instance, uint32_t number,
                          const fxl_placement_code *turned, uint32_t vertex, fxl_point *middle)
 {
@@ -30,6 +31,7 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
  * face. */
+/* SPEC 9.7 */
 static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
                           const fxl_instance *instance, const fxl_mapped_face *mapped,
                           int32_t values[3])

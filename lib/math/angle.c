@@ -57,6 +57,7 @@ static int64_t magnitude_q62(fxl_angle angle)
     return (int64_t)quarter_sine_q62(folded);
 }
 
+/* SPEC 1.2 */
 static int64_t with_sign(fxl_angle angle, int64_t magnitude)
 {
     return angle > 2 * FXL_ANGLE_QUARTER ? -magnitude : magnitude;
@@ -72,11 +73,13 @@ int64_t fxl_cos_q31(fxl_angle angle)
     return fxl_sin_q31(angle + FXL_ANGLE_QUARTER);
 }
 
+/* SPEC 1.2, 2.1 */
 fxl_q2_30 fxl_sin(fxl_angle angle)
 {
     return (fxl_q2_30)with_sign(angle, fxl_round_shift(magnitude_q62(angle), 32));
 }
 
+/* SPEC 1.2, 2.1 */
 fxl_q2_30 fxl_cos(fxl_angle angle)
 {
     return fxl_sin(angle + FXL_ANGLE_QUARTER);

@@ -67,6 +67,7 @@ FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
 
 /* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow for
  * |value| <= 2^62. Error: half a unit of the result. */
+/* SPEC 2.2 */
 static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
 {
     return (value + ((int64_t)1 << (shift - 1))) >> shift;
@@ -85,6 +86,7 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
 
 /* floor(numerator / denominator + 1/2), under the same conditions. If the denominator is odd, its
  * half is rounded down, which does not change the result. Error: half a unit. */
+/* SPEC 2.2 */
 static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
 {
     return fxl_divide_down(numerator + (denominator >> 1), denominator);
@@ -168,6 +170,7 @@ static inline bool fxl_point_in_range(const fxl_point *point)
  * Requires |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28. By Cauchy-Schwarz the sum
  * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61. So is every partial sum: it is the
  * product with the same vector, with some components set to 0. */
+/* SPEC 3.3 */
 FXL_IN_PLACE fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
 #if FXL_IS_SMALL && !defined(FXL_HERE)
     ;

@@ -9,6 +9,7 @@
 
 /* The first row (or column) whose centre is at or past a coordinate. Requires
  * |coordinate| < 2^30. */
+/* SPEC 5.2 */
 static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
 {
     return (coordinate + FXL_HALF_PIXEL - 1) >> 16;
@@ -16,6 +17,7 @@ static inline int32_t fxl_first_centre_from(fxl_q16_16 coordinate)
 
 /* The coordinate of a row's (or column's) centre. fxl_first_centre_from(c) <= row if
  * c <= fxl_centre_of(row), and only then. Requires |row| < 2^14. */
+/* SPEC 1.1 */
 static inline fxl_q16_16 fxl_centre_of(int32_t row)
 {
     return row * 65536 + FXL_HALF_PIXEL;

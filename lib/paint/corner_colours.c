@@ -9,6 +9,7 @@
 #define GREEN_SHIFT        14
 #define RED_AND_BLUE_SHIFT 13
 
+/* SPEC 9.8 */
 static inline int32_t channel_of(uint32_t colour, uint32_t at, uint32_t shift)
 {
     return (int32_t)((colour >> at & 255u) << shift) + (1 << (shift - 1u));
@@ -28,6 +29,7 @@ void fxl_corner_colours(const fxl_mapped_face *mapped, int32_t (*values)[3])
  * below 2^48, and 2^42 (1 + 2^-20) at most. A channel differs by less than 2^22 from the middle, so
  * 64 times that is below 2^28. Errors: of the part 2^-20 of it and 2^-26, so 2^-14 of a level; of
  * the product, less than 2^-16. */
+/* SPEC 9.8 */
 void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t light[3],
                               int32_t (*values)[3])
 {

@@ -84,6 +84,7 @@ static inline uint32_t farthest(int32_t pixel, int32_t end)
 }
 
 /* Where the face is on the screen. */
+/* SPEC 9.1.1 */
 static inline void locate(fxl_corner_planes *planes)
 {
     if (!planes->is_located) {
@@ -98,6 +99,7 @@ static inline void locate(fxl_corner_planes *planes)
  * least 2^25, of a thin one 2^22. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
  * scaled to less than 2^31, so a product with r is at most 2^62. What is cut off a coefficient is
  * less than 2^-29 of the largest. */
+/* SPEC 9.1.1 */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes)
 {
@@ -210,6 +212,7 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane)
 /* Whether a constant weight changes no attribute by more than FXL_AFFINE_ERROR_TEXEL, or
  * FXL_AFFINE_ERROR_LIGHT: light is the last of an odd number. ranges: of the attributes, below
  * 2^31; range: of the weights, below 2^30. */
+/* SPEC 9.1.1 */
 static bool is_nearly_affine(const fxl_corner_planes *planes, const uint32_t *ranges,
                              uint32_t count, uint32_t range)
 {

@@ -35,6 +35,7 @@ typedef struct {
 } fxl_depth_line;
 
 /* Whether a pixel of this code is visible. */
+/* SPEC 10.4 */
 static inline bool fxl_depth_passes(const void *cells, int32_t x, uint32_t code,
                                     fxl_depth_rule rule)
 {
@@ -43,6 +44,7 @@ static inline bool fxl_depth_passes(const void *cells, int32_t x, uint32_t code,
     return rule.or_equal ? nearness >= cell : nearness > cell;
 }
 
+/* SPEC 10.4 */
 static inline void fxl_depth_keep(void *cells, int32_t x, uint32_t code, bool wide)
 {
     if (wide) {

@@ -40,6 +40,7 @@ typedef struct {
 
 /* 257/256 far_z <= 2^e near_z, so that no depth comes near the code 0. far_z is below 2^31, and
  * near_z shifted to the length of the sum is below 2^32. (e << m) + 1 codes are at most 65536. */
+/* SPEC 10.3, 10.6 */
 static inline fxl_depth_scale fxl_depth_scale_of(const fxl_lens *lens)
 {
     const uint32_t far_z = (uint32_t)lens->far_z + ((uint32_t)lens->far_z >> 8) + 1;
@@ -104,6 +105,7 @@ static inline void fxl_depth_octave_of_word(fxl_depth_scale scale, const fxl_dep
 }
 
 /* The octave of a value of a face whose plane is not in words. */
+/* SPEC 10.2 */
 static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                        int64_t value, fxl_depth_octave *octave)
 {
@@ -132,6 +134,7 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
 
 /* The code of the pixel in column x of a face whose plane is not in words, of a row where the
  * gradient in column 0 is `depth`. */
+/* SPEC 10.3, 10.6 */
 static inline uint32_t fxl_depth_code_at(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                          int64_t depth, int32_t x)
 {

@@ -8,6 +8,7 @@
 #define AT_ONCE (FXL_IS_COMPACT ? 1u : 4u)
 
 /* Keeps the code of a visible pixel. */
+/* SPEC 10.4 */
 static inline int keeps(uint16_t *cell, uint32_t code)
 {
     if (code >> 16 <= *cell) {

@@ -109,6 +109,7 @@ static uint64_t largest_value(const fxl_gradient *gradient, const fxl_lens *lens
 /* The focal length is below 2^29 and half of the screen below 2^25 + 2^15, in 16.16, and
  * an off-centre lens's centre is below 2^28: products are below 2^59, so all sums are below 2^61.
  * Exact: shifted to the left alone. */
+/* SPEC 9.1 */
 int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gradient *gradient)
 {
     const fxl_projection *projection = &view->projection;
@@ -285,6 +286,7 @@ static void find_least(fxl_gradients *gradients, int32_t height)
     }
 }
 
+/* SPEC 9.1 */
 void fxl_gradients_find(const fxl_gradient_corners *face, const fxl_view *view,
                         fxl_gradients *gradients)
 {
@@ -325,6 +327,7 @@ static bool on_one_line(const fxl_screen_point points[3])
     return x1 * y2 == x2 * y1;
 }
 
+/* SPEC 9.3 */
 void fxl_corners_make_affine(fxl_gradient_corners *face, const fxl_view *view)
 {
     const fxl_projection *projection = &view->projection;

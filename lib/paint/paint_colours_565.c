@@ -19,6 +19,7 @@ typedef struct {
 /* A channel of the run from `skipped` columns after one whose word is given. Words have drop bits
  * more after the point than channels; sums are modulo 2^32, and of a pixel of the face the result
  * is within its bits. */
+/* SPEC 9.8 */
 static inline void begin_channel(colour_run *run, uint32_t k, uint32_t word, uint32_t step,
                                  uint32_t drop, uint32_t skipped)
 {

@@ -7,6 +7,7 @@
 /* --- pixels --------------------------------------------------------------------------------- */
 
 /* What a beam and what is beneath make of a colour. */
+/* SPEC 9.6 */
 static inline uint8_t replaced(const fxl_paint *paint, uint8_t colour, uint8_t beneath)
 {
     colour = paint->in_beam != NULL ? paint->in_beam[colour] : colour;
@@ -18,6 +19,7 @@ static inline uint8_t replaced(const fxl_paint *paint, uint8_t colour, uint8_t b
 }
 
 /* A pixel whose attributes are known. */
+/* SPEC 9.6 */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
                                const int32_t values[FXL_ATTRIBUTES])
 {

@@ -13,6 +13,7 @@ static inline int64_t sum(int64_t value, int64_t step, uint32_t times)
 }
 
 /* The segments of 16 columns, by the weight at their left end. */
+/* SPEC 9.2 */
 FXL_ONCE uint32_t log_of(const fxl_segment_face *face, uint64_t weight)
 {
     const uint64_t next = weight + (uint64_t)face->weight_step; /* beyond the row it may wrap */
@@ -22,6 +23,7 @@ FXL_ONCE uint32_t log_of(const fxl_segment_face *face, uint64_t weight)
 /* Where the segments of a row have another length than those of 2^log columns. Weights are linear:
  * the least one of 16 columns is that at their left end if it rises, and that at their right end if
  * it falls. */
+/* SPEC 9.2 */
 static inline int32_t length_bound(const fxl_segment_face *face, uint32_t log, bool rises)
 {
     const uint32_t *least = face->least;
@@ -33,6 +35,7 @@ static inline int32_t length_bound(const fxl_segment_face *face, uint32_t log, b
 
 /* The end of the columns from x0 on, before x1, that have segments of 2^log. weight: at the left
  * end of the first 16; becomes that at the left end of those that follow. */
+/* SPEC 9.2 */
 static inline int32_t length_end(const fxl_segment_face *face, uint32_t log, int32_t x0, int32_t x1,
                                  uint64_t *weight)
 {

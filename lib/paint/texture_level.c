@@ -43,6 +43,7 @@ static int64_t least_depth(const fxl_gradient_corners *face)
     return z < corners[2].z ? z : corners[2].z;
 }
 
+/* SPEC 9.4 */
 bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *view,
                             const fxl_gradients *gradients, fxl_texel_density *density)
 {
@@ -58,6 +59,7 @@ bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *vi
     return true;
 }
 
+/* SPEC 9.4 */
 uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_density *density,
                                  fxl_gradients *gradients)
 {

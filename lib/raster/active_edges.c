@@ -44,6 +44,7 @@ static int32_t next_vertex_row(const fxl_active_edges *edges)
 }
 
 /* Moves an edge down by a row. Returns its x there. */
+/* SPEC 5.3 */
 static int32_t step(fxl_slope *slope)
 {
     int32_t x = slope->x + slope->step;
@@ -103,6 +104,7 @@ static bool next_row(fxl_active_edges *edges)
 
 /* The winding number to the right of x, on a row that edges cross. *next becomes the place of the
  * next crossing. There are nearly always two crossings, so they are not sorted. */
+/* SPEC 5.1 */
 static int32_t winding_after(const fxl_active_edges *edges, int32_t x, int32_t *next)
 {
     int32_t winding = 0;
@@ -130,6 +132,7 @@ static int32_t end_of_two(fxl_active_edges *edges)
 }
 
 /* The end of the stretch that begins at edges->x, which becomes the place of the next. */
+/* SPEC 5.1 */
 static int32_t end_of_stretch(fxl_active_edges *edges)
 {
     int32_t end = edges->x, next;

@@ -48,6 +48,7 @@ const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
 
 /* The edge starts from the exact remainder on the row, so the rows for which it holds count from
  * there. */
+/* SPEC 5.3 */
 int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
                          int32_t rows, fxl_edge *edge)
 {

@@ -109,6 +109,7 @@ int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bo
                          int32_t rows, fxl_edge *edge);
 
 /* Moves an edge down by 0 <= rows <= FXL_SCREEN_MAX rows. */
+/* SPEC 5.3 */
 static inline void fxl_edge_advance(fxl_edge *edge, uint32_t rows)
 {
     uint64_t fraction = edge->fraction + fxl_multiply_u32(edge->step_fraction, rows);

@@ -8,6 +8,7 @@
 
 /* In a library for size a row is a call of memset, and no trapezoid is filled here: 110 bytes less
  * on a Cortex-M3, and 240 with FXL_SMALL. */
+/* SPEC 4.9 */
 void fxl_fill_span(const fxl_band *band, const fxl_span *span, uint8_t colour)
 {
     FXL_ASSERT(span->x0 >= 0 && span->x0 < span->x1 && span->x1 <= band->width);
@@ -37,6 +38,7 @@ void fxl_fill_band(const fxl_band *band, uint8_t colour)
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
+/* SPEC 4.9 */
 void fxl_fill_trapezoid(const fxl_band *band, const fxl_trapezoid *trapezoid, uint8_t colour)
 {
     FXL_ASSERT(trapezoid->first_row >= band->first_row &&

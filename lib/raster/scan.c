@@ -143,6 +143,7 @@ static uint16_t clamp_row(int32_t row, uint16_t height)
     return row < 0 ? 0 : row > height ? height : (uint16_t)row;
 }
 
+/* SPEC 7.1 */
 fxl_rows fxl_rows_of_points(const fxl_screen_point *points, uint32_t count, uint16_t height)
 {
     fxl_q16_16 top = points[0].y, bottom = top;

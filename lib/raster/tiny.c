@@ -58,6 +58,7 @@ static inline bool find_box(const fxl_screen_point *points, const fxl_band *band
  * bottom edge are below the box. Points and centres are less than 6 pixels apart, 2^19, so the
  * products are below 2^38, and without their 16 lowest bits below 2^23. A centre's neighbours have
  * functions that differ by a multiple of 2^16: the bits that are lost change no sign. Exact. */
+/* SPEC 5.2 */
 static inline int32_t edge_at(const fxl_screen_point *a, const fxl_screen_point *b, fxl_q16_16 x,
                               fxl_q16_16 y)
 {

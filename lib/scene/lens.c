@@ -6,18 +6,21 @@
 FXL_STATIC_ASSERT((FXL_SCREEN_MAX & (FXL_SCREEN_MAX - 1)) == 0, "both are tested at once");
 
 /* Both 1..FXL_SCREEN_MAX: less 1, no bit above those of FXL_SCREEN_MAX - 1 is set. */
+/* SPEC 3.1 */
 static bool screen_in_range(uint16_t width, uint16_t height)
 {
     return (uint32_t)((width - 1) | (height - 1)) < FXL_SCREEN_MAX;
 }
 
 /* Neither near_z nor far_z is below 0, so the difference does not overflow. */
+/* SPEC 3.1 */
 static bool depth_in_range(fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset)
 {
     return near_z >= FXL_NEAR_MIN && (uint32_t)far_z <= FXL_FAR_MAX &&
            (uint32_t)inset <= FXL_INSET_MAX && 2 * inset < far_z - near_z;
 }
 
+/* SPEC 3.1, 4.2 */
 FXL_COLD fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov,
                                       fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset,
                                       fxl_lens *lens)
@@ -60,6 +63,7 @@ static bool focal_in_range(fxl_q16_16 focal, uint16_t width)
            (uint32_t)width * (FOCAL_MOST - FOCAL_LEAST);
 }
 
+/* SPEC 3.1 */
 static bool centre_in_range(const fxl_lens *lens)
 {
     return lens->off_centre != NULL ? lens->off_centre->is_valid(lens)

@@ -36,6 +36,7 @@ static inline uint32_t upper_minor(uint64_t start, int32_t a, int32_t d, int32_t
  *
  * A sum of three squares is below 3 2^62, so it does not wrap. If both squared lengths pass, all
  * components of x and y are below 2^30 + 2^2 and no other sum wraps. */
+/* SPEC 8.1 */
 bool fxl_is_rotation(const fxl_orientation *rows)
 {
     const fxl_direction x = rows->x, y = rows->y;
@@ -51,12 +52,14 @@ bool fxl_is_rotation(const fxl_orientation *rows)
     return wide < 8;
 }
 
+/* SPEC 8.1 */
 fxl_q16_16 fxl_placement_radius(const fxl_placement *placement, fxl_q16_16 radius)
 {
     return fxl_scaled_radius(placement->scale, radius);
 }
 
 /* Whether a scale and a radius are in range, and the sphere lies in the world. */
+/* SPEC 8.1 */
 static inline bool is_in_range(fxl_q16_16 scale, const fxl_point *centre, fxl_q16_16 radius)
 {
     if ((uint32_t)scale - FXL_SCALE_MIN > FXL_SCALE_MAX - FXL_SCALE_MIN ||

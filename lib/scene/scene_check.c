@@ -205,6 +205,7 @@ static FXL_COLD fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *
 /* Whether the vertices of a face lie on its plane, to within FXL_PLANARITY_MAX. The differences
  * of two vertices of a model are below 2^31, so the sum is below sqrt(3) * 2^61 for a unit
  * normal. */
+/* SPEC 3.4 */
 static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
@@ -221,6 +222,7 @@ static bool is_flat(const fxl_scene *scene, const fxl_model *model, const fxl_fa
     return true;
 }
 
+/* SPEC 3.4 */
 static FXL_COLD fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {

@@ -15,6 +15,7 @@
  * below 3 * 2^62. along is u . axis in units of 2^-14, rounded down, below 2^30. 16 along^2 is
  * below 2^64 and in the unit of |u|^2, 2^-32. limit is cutoff |u|^2 in that unit, rounded down. So
  * the comparison errs only towards an eye that is not in the cone. */
+/* SPEC 4.4 */
 static inline bool fxl_is_in_cone(const fxl_cluster *cluster, const fxl_point *eye, int32_t slack)
 {
     const int32_t x = cluster->apex.x - eye->x, y = cluster->apex.y - eye->y,
@@ -35,6 +36,7 @@ static inline bool fxl_is_in_cone(const fxl_cluster *cluster, const fxl_point *e
 
 /* fxl_list_clusters_by, by the source's macros PLANES_OF, IS_TURNED_AWAY and FIND_FRONT: the names
  * of functions, which are inlined, or members of tests. */
+/* SPEC 4.4 */
 static inline uint32_t fxl_list_each_cluster(const fxl_cluster_tests *tests, const fxl_scene *scene,
                                              const fxl_model *model,
                                              const fxl_model_view *model_view, bool drops,

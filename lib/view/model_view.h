@@ -61,6 +61,7 @@ void fxl_transform_vertex(const fxl_model_view *model_view, uint32_t number,
 
 /* Returns a vertex of the model in the view, from the cache or transformed. The pointer is valid
  * until the next fetch. The caller may change clip_flags and screen, and nothing else. */
+/* SPEC 4.10 */
 static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_view, uint32_t number)
 {
     fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];

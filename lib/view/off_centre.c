@@ -30,6 +30,7 @@ static int32_t offset_y(const fxl_lens *lens)
  * below 2^58, and F is below 6052 pixels, which is below 2^29. F exceeds the length by 2^-25 of it
  * at least: 32 units of 2^-30. The rows of a camera are off by 2 units an entry, so what they make
  * is longer by less than 6, and no longer than 1 after all. */
+/* SPEC 4.2 */
 static fxl_q16_16 drawn_focal(const fxl_lens *lens)
 {
     const uint64_t x = fxl_magnitude(offset_x(lens)), y = fxl_magnitude(offset_y(lens));
@@ -42,6 +43,7 @@ static fxl_q16_16 drawn_focal(const fxl_lens *lens)
 /* 2^30 / sqrt(2), less 1: enough for the rounding. */
 #define ROOT_HALF 759250123
 
+/* SPEC 4.3 */
 static fxl_q2_30 shortened(fxl_q2_30 component)
 {
     return (fxl_q2_30)fxl_round_shift(fxl_multiply_s32(component, ROOT_HALF), 30);
@@ -67,6 +69,7 @@ static void set_lens(fxl_view *view)
 /* The focal length and the offset are below 2^29 and an entry at most 2^30, so each product is
  * below 2^59. Rounding: half a unit. The rows that go in are off by 2 units, which the sum takes by
  * at most root 2: 3.4 units of 2^-30 in all. */
+/* SPEC 4.2 */
 static void shear(fxl_direction *row, const fxl_direction *forward, const fxl_lens *lens,
                   int32_t offset, fxl_q16_16 focal)
 {

@@ -9,6 +9,7 @@
 #include "order.h"
 #include "outcode.h"
 
+/* SPEC 6.1 */
 uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
 {
     FXL_ASSERT(fxl_point_in_range(eye) && fxl_point_in_range(point));
@@ -16,6 +17,7 @@ uint64_t fxl_distance_squared(const fxl_point *eye, const fxl_point *point)
            fxl_square(point->z - eye->z);
 }
 
+/* SPEC 6.3 */
 uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
                                    const fxl_instance *instance, const fxl_face *face)
 {
@@ -27,6 +29,7 @@ uint64_t fxl_face_distance_squared(const fxl_point *eye, const fxl_scene *scene,
 }
 
 /* Whether a is drawn before b. */
+/* SPEC 6.1 */
 static inline bool before(const fxl_draw_entry *a, const fxl_draw_entry *b)
 {
     uint64_t from_a = fxl_draw_entry_distance(a), from_b = fxl_draw_entry_distance(b);
@@ -42,6 +45,7 @@ static inline bool before(const fxl_draw_entry *a, const fxl_draw_entry *b)
 /* Shellsort with the gaps of Sedgewick (1986), 4^k + 3 * 2^(k - 1) + 1: in place, without
  * recursion, and of order count^(4/3) at most, for any input. Few instances are visible, so
  * it matters most that short arrays are fast. */
+/* SPEC 6.1 */
 void fxl_sort_instances(fxl_draw_entry *entries, uint32_t count)
 {
     static const uint16_t gaps[] = {16577, 4193, 1073, 281, 77, 23, 8, 1};

@@ -10,6 +10,7 @@ unsigned fxl_outside_of_pair(const fxl_view_frustum *frustum, int plane,
     return (first | second << 1) << plane;
 }
 
+/* SPEC 4.7 */
 fxl_planes fxl_outcode(const fxl_view_frustum *frustum, fxl_planes planes,
                        const fxl_view_point *point)
 {

@@ -35,6 +35,7 @@ FXL_ONCE int32_t scaled_by(int64_t value, fxl_q16_16 scale, unsigned shift)
      fxl_multiply_s31((row)->z, (of)->z.n))
 
 /* A row of the matrix / 2^shift. */
+/* SPEC 8.2 */
 static void scale_row(const fxl_direction *row, const fxl_placement *placement, unsigned shift,
                       fxl_direction *to)
 {
@@ -44,6 +45,7 @@ static void scale_row(const fxl_direction *row, const fxl_placement *placement, 
     to->z = (fxl_q2_30)scaled_by(ALONG(row, of, z), placement->scale, 14 + shift);
 }
 
+/* SPEC 8.2 */
 unsigned fxl_placement_matrix(const fxl_placement *placement, const fxl_axes *view,
                               fxl_axes *matrix)
 {
@@ -68,6 +70,7 @@ static int32_t along(const fxl_direction *row, const fxl_point *vertex, fxl_q16_
     return scaled_by(sum, scale, 14);
 }
 
+/* SPEC 8.5 */
 void fxl_placement_point(const fxl_placement *placement, const fxl_point *centre,
                          const fxl_point *vertex, fxl_point *point)
 {
@@ -115,6 +118,7 @@ unsigned fxl_placement_eye(const fxl_placement *placement, const fxl_point *from
  * e = upper * 2^32 + lower along each axis, |upper| < 2^29 and |normal| sums up to less than
  * 1.74 2^30, so both sums are below 2^63. Right: scale * height * 2^14, with |scale * height| below
  * 2^14 units, 2^76 of 2^-62. */
+/* SPEC 8.3 */
 bool fxl_placement_is_front(const fxl_placement *placement, const fxl_point *from_eye,
                             const fxl_direction *normal, fxl_q18_46 height)
 {
@@ -150,6 +154,7 @@ static bool divide(int64_t value, fxl_q16_16 scale, unsigned shift, int32_t *quo
     return true;
 }
 
+/* SPEC 8.4 */
 unsigned fxl_placement_divide_eye(const fxl_q18_46 exact[3], fxl_q16_16 scale, fxl_q16_16 radius,
                                   fxl_point *eye)
 {
@@ -185,6 +190,7 @@ static uint32_t scale_vertex(const fxl_model_view *model_view, fxl_cached_vertex
     return entry->clip_flags;
 }
 
+/* SPEC 8.2 */
 const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_scene *scene,
                                              uint32_t number, const fxl_view *view,
                                              fxl_vertex_cache *cache, uint32_t planes)
@@ -212,6 +218,7 @@ const fxl_model *fxl_turned_view_of_instance(fxl_turned_view *turned, const fxl_
     return model;
 }
 
+/* SPEC 8.3 */
 bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *face)
 {
     const fxl_model_view *model_view = &turned->model_view;
@@ -223,6 +230,7 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
 /* The squared distance of the box from the eye, both in units of 2^shift / 65536; the box is
  * rounded down. With the limit of fxl_placement_eye each difference is at most 2^31, and the square
  * of one that wraps to -2^31 is the same. */
+/* SPEC 8.4 */
 static uint64_t box_distance(const fxl_point *box, const fxl_point *eye, unsigned shift)
 {
     return fxl_box_distance(box->x >> shift, box->y >> shift, box->z >> shift, eye);
@@ -268,6 +276,7 @@ uint32_t fxl_list_turned_faces(const fxl_turned_view *turned, const fxl_scene *s
  * units, and the matrix's, or the point's where it is rounded in the world, 1.5.
  * FXL_PLACEMENT_SLACK is more. The box that holds c may reach out of the model's sphere, and so of
  * the world. */
+/* SPEC 8.4 */
 uint32_t fxl_turned_cluster_planes(const fxl_turned_view *turned, const fxl_cluster *cluster)
 {
     const fxl_model_view *model_view = &turned->model_view;

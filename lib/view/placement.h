@@ -100,6 +100,7 @@ bool fxl_turned_view_is_front(const fxl_turned_view *turned, const fxl_face *fac
  * 2^(eye_shift - 46), from the rounded eye. Each coordinate of that is off by at most 1/2, the
  * normal's components sum up to less than 1.74 2^30, and the floor of a height adds 1: so the exact
  * distance differs by less than 2^30. It decides from 2^32 on, which the upper word tells. */
+/* SPEC 8.3 */
 static inline int fxl_estimated_side(fxl_q18_46 distance)
 {
     const int32_t upper = (int32_t)(distance >> 32);
@@ -110,6 +111,7 @@ static inline int fxl_estimated_side(fxl_q18_46 distance)
 }
 
 /* Whether a face is turned towards the eye. Exact. is_near: eye_shift is 0. */
+/* SPEC 8.3 */
 static inline bool fxl_turned_view_face_is_front(const fxl_turned_view *turned,
                                                  const fxl_face *face, bool is_near)
 {

@@ -81,6 +81,7 @@ fxl_status fxl_project_any(const fxl_projection *projection, const fxl_view_poin
         return FXL_E_RANGE;
     }
     screen->x = x;
+    /* SPEC 1.1 */
     screen->y = -y;
     return FXL_OK;
 }

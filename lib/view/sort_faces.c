@@ -4,6 +4,7 @@
 #include "order.h"
 
 /* Sorts faces as instances of one layer, 0. */
+/* SPEC 6.3 */
 static void sort_as_instances(fxl_draw_entry *entries, uint32_t count)
 {
     for (uint32_t i = 0; !FXL_IS_SMALL && i < count; i++) {
@@ -20,6 +21,7 @@ static void sort_as_instances(fxl_draw_entry *entries, uint32_t count)
 
 /* Merges two chains of entries, each in order, into one; returns its first place. Requires that
  * a's entries have lower places than b's: of two entries with equal distances a's comes first. */
+/* SPEC 6.3 */
 static uint32_t merge(fxl_draw_entry *entries, uint32_t a, uint32_t b)
 {
     fxl_draw_entry *at_a = &entries[a], *at_b = &entries[b];
@@ -180,6 +182,7 @@ static inline uint32_t bucket_of(const buckets *by, uint64_t distance)
 
 /* Inserts a face into a chain that is in order, before others of the same distance. Returns false
  * after as many steps along chains as are left. */
+/* SPEC 6.3 */
 static inline bool insert(fxl_draw_entry *entries, uint32_t place, uint64_t distance,
                           uint16_t *link, uint32_t *steps)
 {
@@ -292,6 +295,7 @@ static void sort_by_lower_digit(fxl_draw_entry *entry, uint32_t count, uint16_t 
  * last number to the first. A face then stands before all that came earlier, and only where both
  * digits are equal may a chain have to be followed. Returns false if they are equal too often: then
  * links have changed, and distances have kept their order. */
+/* SPEC 6.3 */
 static bool sort_by_digits(fxl_draw_entry *entries, uint32_t count, uint16_t *chains)
 {
     uint16_t *const lower = chains, *const upper = chains + DIGIT_VALUES;

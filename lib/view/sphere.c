@@ -37,6 +37,7 @@ static int32_t multiply_upper(fxl_q2_30 component, int32_t coordinate)
 /* Tests the two side planes of one axis. The normal of low points along the axis. across and
  * along are below 2^29, so their products' upper words are below 2^27. So is the reach. No
  * sum of these exceeds 2^30. */
+/* SPEC 4.4 */
 static uint32_t side_planes(fxl_q2_30 side, fxl_q2_30 depth, int32_t across, int32_t along,
                             int32_t inset, int32_t reach, int low, int high)
 {
@@ -56,6 +57,7 @@ static int32_t upper(fxl_q18_46 coordinate)
     return (int32_t)((uint64_t)coordinate >> 32);
 }
 
+/* SPEC 4.4 */
 uint32_t fxl_sphere_planes(const fxl_camera *camera, const fxl_view_frustum *frustum,
                            const fxl_point *centre, fxl_q16_16 radius)
 {

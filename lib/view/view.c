@@ -25,6 +25,7 @@ static void normalise(uint32_t a, uint32_t b, fxl_q2_30 *unit_a, fxl_q2_30 *unit
 
 /* A component of turn. The vectors have unit length, so the sum of the two products is below
  * 2^61. */
+/* SPEC 1.3 */
 static fxl_q2_30 turned_entry(fxl_q2_30 along, fxl_q2_30 side, fxl_q2_30 depth, fxl_q2_30 forward)
 {
     return (fxl_q2_30)fxl_round_shift(
@@ -42,6 +43,7 @@ static fxl_direction turn(fxl_q2_30 along, const fxl_direction *side, fxl_q2_30 
 }
 
 /* Sets up the two side planes that bound one axis of the screen, by those of the view. */
+/* SPEC 4.3 */
 static void set_side_planes(const fxl_camera *camera, const fxl_direction *axis, fxl_q2_30 along,
                             fxl_q2_30 depth, fxl_q16_16 inset, fxl_plane *low, fxl_plane *high)
 {
@@ -51,6 +53,7 @@ static void set_side_planes(const fxl_camera *camera, const fxl_direction *axis,
     *high = fxl_plane_from_point(&camera->position, &normal, inset);
 }
 
+/* SPEC 4.3 */
 void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
 {
     uint32_t focal = (uint32_t)lens->focal;
@@ -69,6 +72,7 @@ void fxl_frustum_from_camera(const fxl_camera *camera, const fxl_lens *lens, fxl
     fxl_frustum_from_sides(camera, lens, &sides, frustum);
 }
 
+/* SPEC 4.3 */
 void fxl_frustum_from_sides(const fxl_camera *camera, const fxl_lens *lens,
                             const fxl_view_frustum *sides, fxl_frustum *frustum)
 {
@@ -115,6 +119,7 @@ typedef uint8_t sum_of_products[4];
 static const sum_of_products up_x = {MINUS_SP, SY, ZERO, ZERO};
 static const sum_of_products up_z = {MINUS_SP, CY, ZERO, ZERO};
 
+/* SPEC 1.3 */
 static const sum_of_products matrix[3][3] = {
     {{CR, CY, SR, UP_X}, {SR, CP, ZERO, ZERO}, {CR, MINUS_SY, SR, UP_Z}}, /* right */
     {{MINUS_SR, CY, CR, UP_X}, {CR, CP, ZERO, ZERO}, {SR, SY, CR, UP_Z}}, /* up */
@@ -130,6 +135,7 @@ static int64_t sum(const int64_t *factors, const sum_of_products of, unsigned bi
                            bits);
 }
 
+/* SPEC 4.2 */
 fxl_status fxl_camera_from_pose(const fxl_pose *pose, fxl_camera *camera)
 {
     if (pose == NULL || camera == NULL) {
@@ -180,6 +186,7 @@ fxl_lens fxl_view_drawn_lens(const fxl_view *view)
     return lens;
 }
 
+/* SPEC 3.2 */
 fxl_status fxl_view_set_pose(fxl_view *view, const fxl_pose *pose)
 {
     fxl_status status = fxl_camera_from_pose(pose, &view->camera);
