@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Frames with a depth buffer of the whole screen: a quad that covers it, seen at an angle, of one
- * colour and textured; and none, which leaves the clearing of the buffer. */
+ * colour and textured; and one of a few pixels, which leaves the clearing of the buffer. */
 #include "kernel_depth.h"
 
 #include "../../host_tests/unit/mapped_quad.h"
@@ -17,11 +17,11 @@ static workload flat, textured;
 static fxl_surfaces surfaces;
 static FXL_ALIGN_8 uint8_t cells[FXL_DEPTH_BYTES(SURFACE_WIDTH, SURFACE_HEIGHT, 16)];
 
-#define CLEARS 4u /* of a frame without a face, so that its beginning counts less */
+#define CLEARS 4u /* of a frame with a small face, so that its beginning counts less */
 
-static void draw(workload *of, fxl_angle yaw, uint32_t times)
+static void draw(workload *of, uint32_t times)
 {
-    const fxl_pose eye = {{0, 0, -10 * 65536}, yaw, FXL_DEGREES(10), 0};
+    const fxl_pose eye = {{0, 0, -10 * 65536}, FXL_DEGREES(15), FXL_DEGREES(10), 0};
     const fxl_band band = {.pixels = kernel_screen, .width = SURFACE_WIDTH,
                            .stride = SURFACE_WIDTH, .first_row = 0, .rows = SURFACE_HEIGHT};
     (void)fxl_frame_begin(&of->renderer, &eye);
@@ -30,22 +30,33 @@ static void draw(workload *of, fxl_angle yaw, uint32_t times)
     }
 }
 
+/* half: of a side. */
+static void size_wall(int32_t half)
+{
+    for (uint32_t i = 0; i < 4; i++) {
+        const bool is_right = i > 1, is_above = i == 1 || i == 2;
+        wall.vertices[i] = (fxl_point){is_right ? half : -half, is_above ? half : -half, 0};
+    }
+}
+
 static void run_flat(const kernel_inputs *in)
 {
     (void)in;
-    draw(&flat, FXL_DEGREES(15), 1);
+    draw(&flat, 1);
 }
 
 static void run_textured(const kernel_inputs *in)
 {
     (void)in;
-    draw(&textured, FXL_DEGREES(15), 1);
+    draw(&textured, 1);
 }
 
 static void run_clear(const kernel_inputs *in)
 {
     (void)in;
-    draw(&flat, FXL_DEGREES(180), CLEARS);
+    size_wall(65536 / 8);
+    draw(&flat, CLEARS);
+    size_wall(40 * 65536);
 }
 
 static bool prepare(workload *of, bool has_surfaces)
@@ -62,11 +73,7 @@ static bool prepare(workload *of, bool has_surfaces)
 
 bool kernel_depth_prepare(void)
 {
-    for (uint32_t i = 0; i < 4; i++) {
-        const bool is_right = i > 1, is_above = i == 1 || i == 2;
-        wall.vertices[i] =
-            (fxl_point){(is_right ? 40 : -40) * 65536, (is_above ? 40 : -40) * 65536, 0};
-    }
+    size_wall(40 * 65536);
     wall.mapped.texels[0].v = wall.mapped.texels[2].u = 640 * 65536;
     for (uint32_t i = 0; i < sizeof wall.texels; i++) {
         wall.texels[i] = (uint8_t)i;

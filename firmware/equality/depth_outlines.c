@@ -8,6 +8,7 @@
 #include "equality.h"
 #include "paint/depth_rows.h"
 #include "paint/smooth_outline.h"
+#include "raster/draw_outline.h"
 #include "raster/edge.h"
 #include "sides.h"
 
@@ -88,13 +89,38 @@ static void draw_by_rows(const polygon *of, const fxl_band *band)
     }
 }
 
+/* Whether all rows of an outline that the band has are cleared. */
+static bool is_clear(const polygon *of, const fxl_band *band)
+{
+    const fxl_depth_head *head = &by_core.head;
+    const int32_t end = band->first_row + band->rows;
+    const fxl_rows rows = fxl_rows_of_points(of->points, of->count, (uint16_t)end);
+    const int32_t first = rows.first > band->first_row ? rows.first : band->first_row;
+    return first >= rows.end || (first >= head->clear_from && rows.end <= head->clear_to);
+}
+
+/* Draws nothing where rows are not cleared, which are some of every fourth outline. */
 static bool draw_smooth(const polygon *of, const fxl_band *band)
 {
     fxl_smooth_outline smooth;
-    return fxl_smooth_outline_begin(&by_core, &of->plane, &of->paint, band, of->pixel_bits / 8,
-                                    &smooth) &&
-           (of->pixel_bits == 16 ? fxl_draw_smooth_outline_16 : fxl_draw_smooth_outline_8)(
-               of->points, of->count, band, &smooth) != FXL_DEPTH_NOT_DRAWN;
+    const bool clears = (any_32() & 0x600u) != 0;
+    const int32_t from = (int32_t)((any_32() >> 9) % band->rows) + band->first_row;
+    by_core.head.clear_from = (int16_t)(clears ? FXL_DEPTH_ALL_CLEAR : from);
+    by_core.head.clear_to =
+        (int16_t)(clears ? INT16_MAX : from + (int32_t)((any_32() >> 9) % band->rows));
+    if (!fxl_smooth_outline_begin(&by_core, &of->plane, &of->paint, band, of->pixel_bits / 8,
+                                  &smooth)) {
+        return false;
+    }
+    const fxl_depth_drawn drawn =
+        (of->pixel_bits == 16 ? fxl_draw_smooth_outline_16
+                              : fxl_draw_smooth_outline_8)(of->points, of->count, band, &smooth);
+    if (drawn == FXL_DEPTH_NOT_CLEAR || drawn == FXL_DEPTH_NOT_DRAWN) {
+        equality_case(drawn == FXL_DEPTH_NOT_DRAWN || !is_clear(of, band));
+        return false;
+    }
+    equality_case(drawn == FXL_DEPTH_NO_ROW || is_clear(of, band));
+    return true;
 }
 
 /* Draws nothing where the outline has more than two chains, or the plane is not the kernel's. */

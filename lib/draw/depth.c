@@ -83,7 +83,10 @@ void fxl_find_exact_depth(const fxl_model_view *model_view, const fxl_face *face
 
 #define CLEARED_AT_ONCE 1024u /* bytes; the kernel that fills is fastest in long rows */
 
-/* Sets so many bytes, aligned to 4, to 0. */
+/* Of a part of so many rows or more, faces clear the rows that they reach. */
+#define CLEARED_BY_FACES 16
+
+/* Sets so many bytes to 0. */
 static void clear(uint8_t *bytes, uint32_t count)
 {
     const uint32_t rows = count / CLEARED_AT_ONCE, remaining = count % CLEARED_AT_ONCE;
@@ -101,6 +104,47 @@ static void clear(uint8_t *bytes, uint32_t count)
         band.rows = 1;
         fxl_fill_band(&band, 0);
     }
+}
+
+/* Clears the cells of the rows first <= y < end. */
+static void clear_rows(fxl_depth_head *head, const fxl_band *band, int32_t first, int32_t end,
+                       uint32_t row_bytes)
+{
+    clear((uint8_t *)(head + 1) + (uint32_t)(first - band->first_row) * row_bytes,
+          (uint32_t)(end - first) * row_bytes);
+}
+
+void fxl_depth_clear(fxl_workspace *workspace, const fxl_band *band, int32_t first, int32_t end,
+                     uint32_t cell_bytes)
+{
+    fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
+    const int32_t top = band->first_row, below = top + band->rows;
+    const uint32_t row_bytes = band->width * cell_bytes;
+    int32_t from = head->clear_from, to = head->clear_to;
+    first = first < top ? top : first;
+    end = end > below ? below : end;
+    if (first >= end || from == FXL_DEPTH_ALL_CLEAR) {
+        return;
+    }
+    if (from == to) {
+        from = to = first;
+    }
+    if (first < from) {
+        clear_rows(head, band, first, from, row_bytes);
+        from = first;
+    }
+    if (end > to) {
+        clear_rows(head, band, to, end, row_bytes);
+        to = end;
+    }
+    const bool is_all = from == top && to == below;
+    head->clear_from = (int16_t)(is_all ? FXL_DEPTH_ALL_CLEAR : from);
+    head->clear_to = (int16_t)(is_all ? INT16_MAX : to);
+}
+
+void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, uint32_t cell_bytes)
+{
+    fxl_depth_clear(workspace, band, band->first_row, band->first_row + band->rows, cell_bytes);
 }
 
 /* SPEC 10.5 */
@@ -136,7 +180,10 @@ void fxl_depth_draw_parts(const fxl_renderer *renderer, fxl_workspace *workspace
     head->or_equal = !renderer->near_first;
     for (;;) {
         part.rows = (uint16_t)(left < room ? left : room);
-        clear((uint8_t *)(head + 1), part.rows * row_bytes);
+        head->clear_from = head->clear_to = (int16_t)part.first_row;
+        if (part.rows < CLEARED_BY_FACES) {
+            fxl_depth_clear_all(workspace, &part, cell_bytes);
+        }
         draw_part(renderer, workspace, &part);
         left -= part.rows;
         if (left == 0) {

@@ -218,6 +218,9 @@ AT(fxl_depth_rows, runs_end, DEPTH_ROWS_RUNS + 4);
 AT(fxl_depth_rows, rest, DEPTH_ROWS_REST);
 AT(fxl_depth_rows, resumed, DEPTH_ROWS_RESUMED);
 
+AT(fxl_depth_head, clear_from, DEPTH_HEAD_CLEAR_FROM);
+AT(fxl_depth_head, clear_to, DEPTH_HEAD_CLEAR_TO);
+
 AT(fxl_smooth_outline, code, SMOOTH_OUTLINE_CODE);
 AT(fxl_smooth_outline, code_down, SMOOTH_OUTLINE_CODE_DOWN);
 AT(fxl_smooth_outline, down, SMOOTH_OUTLINE_DOWN);

@@ -63,6 +63,7 @@ static inline void keep(const sprite_place *place, void *cells, int32_t x)
 
 #include "../math/arith.h"
 #include "../paint/depth_row.h"
+#include "surface_polygon.h"
 
 /* Where a billboard is painted, and how far away it is. */
 typedef struct {
@@ -95,13 +96,14 @@ static uint32_t code_of(fxl_depth_scale scale, const fxl_depth_plane *plane)
 }
 
 /* False where billboards are not painted: where what is blended is. */
-static bool find_place(const fxl_renderer *renderer, const fxl_workspace *workspace,
+static bool find_place(const fxl_renderer *renderer, fxl_workspace *workspace,
                        const fxl_screen_point *points, const fxl_band *band, sprite_place *place)
 {
     fxl_depth_head *head = (fxl_depth_head *)workspace->target_memory;
     if (head->pass == FXL_DEPTH_BLENDED) {
         return false;
     }
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     const fxl_q18_46 distance =
         (fxl_q18_46)((uint64_t)(uint32_t)points[3].x << 32 | (uint32_t)points[3].y);
     fxl_depth_plane plane;

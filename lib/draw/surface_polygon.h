@@ -11,7 +11,7 @@
 #include "submit.h"
 #include "fixel/surfaces.h"
 #include "../paint/corner_planes.h"
-#include "../paint/depth_code.h"
+#include "../paint/depth_row.h"
 #include "../paint/paint.h"
 #include "../view/placement.h"
 
@@ -305,6 +305,26 @@ fxl_depth_finder fxl_find_exact_depth;
  * less than 2^-28, and the depth of the plane relatively by less than 2^-27. */
 void fxl_find_depth_by_normal(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal, fxl_depth_plane *plane);
+
+/* Before a polygon of the rows first <= y < end is painted: clears those of their cells that are in
+ * the band and not cleared yet, and all between these and the cleared ones. So rows that nothing
+ * reaches are not cleared. */
+void fxl_depth_clear(fxl_workspace *workspace, const fxl_band *band, int32_t first, int32_t end,
+                     uint32_t cell_bytes);
+
+/* The same for all rows of the band. */
+void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, uint32_t cell_bytes);
+
+/* Before a face of one colour or with a texture, or a billboard, is painted: these mostly come in
+ * numbers that reach all rows, so they clear what is left at once. */
+static inline void fxl_depth_clear_rest(fxl_workspace *workspace, const fxl_band *band,
+                                        uint32_t cell_bytes)
+{
+    const fxl_depth_head *head = (const fxl_depth_head *)workspace->target_memory;
+    if (head->clear_from != FXL_DEPTH_ALL_CLEAR) {
+        fxl_depth_clear_all(workspace, band, cell_bytes);
+    }
+}
 
 /* fxl_target.draw_band: as many rows at a time as the workspace has cells for. Far to near
  * each part is drawn in two passes: what is opaque, then what is blended. A cell and a pixel have

@@ -328,14 +328,31 @@ static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
 
 #endif
 
+/* Clears the cells of the rows of a polygon. */
+static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
+                        const fxl_band *band)
+{
+    const fxl_rows rows =
+        fxl_rows_of_points(points, count, (uint16_t)(band->first_row + band->rows));
+    fxl_depth_clear(workspace, band, rows.first, rows.end, FXL_TARGET_DEPTH_BITS / 8);
+}
+
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+
+#if FXL_TARGET_PIXEL_BITS == 16
+#define DRAW_SMOOTH fxl_draw_smooth_outline_16
+#else
+#define DRAW_SMOOTH fxl_draw_smooth_outline_8
+#endif
 
 /* Draws a polygon by the kernel of smooth outlines, where it can: an opaque one that is in no beam,
  * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay
  * on the stack of others. */
-static __attribute__((noinline)) fxl_depth_drawn
-draw_smooth(const fxl_surfaces *surfaces, const void *memory, const fxl_surface_polygon *polygon,
-            const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+static __attribute__((noinline)) fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces,
+                                                             fxl_workspace *workspace,
+                                                             const fxl_surface_polygon *polygon,
+                                                             const fxl_screen_point *points,
+                                                             uint32_t count, const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_smooth_outline smooth;
@@ -351,26 +368,27 @@ draw_smooth(const fxl_surfaces *surfaces, const void *memory, const fxl_surface_
     paint.of_565.palette = band->palette;
     mix_light(surfaces, &paint);
 #endif
-    if (!fxl_smooth_outline_begin(memory, &polygon->depth, &paint, band, FXL_TARGET_PIXEL_BITS / 8,
-                                  &smooth)) {
+    if (!fxl_smooth_outline_begin(workspace->target_memory, &polygon->depth, &paint, band,
+                                  FXL_TARGET_PIXEL_BITS / 8, &smooth)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-#if FXL_TARGET_PIXEL_BITS == 16
-    return fxl_draw_smooth_outline_16(points, count, band, &smooth);
-#else
-    return fxl_draw_smooth_outline_8(points, count, band, &smooth);
-#endif
+    fxl_depth_drawn drawn = DRAW_SMOOTH(points, count, band, &smooth);
+    if (drawn == FXL_DEPTH_NOT_CLEAR) {
+        clear_under(workspace, points, count, band);
+        drawn = DRAW_SMOOTH(points, count, band, &smooth);
+    }
+    return drawn;
 }
 
 #else
 
-static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, const void *memory,
+static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                                           const fxl_surface_polygon *polygon,
                                           const fxl_screen_point *points, uint32_t count,
                                           const fxl_band *band)
 {
     (void)surfaces;
-    (void)memory;
+    (void)workspace;
     (void)polygon;
     (void)points;
     (void)count;
@@ -392,7 +410,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_segment_face face;
     if (fxl_depth_is_in_words(&polygon->depth)) {
         const fxl_depth_drawn drawn =
-            draw_smooth(surfaces, workspace->target_memory, polygon, points, count, band);
+            draw_smooth(surfaces, workspace, polygon, points, count, band);
         if (drawn != FXL_DEPTH_NOT_DRAWN) {
             return drawn == FXL_DEPTH_DRAWN;
         }
@@ -400,6 +418,11 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (((const fxl_depth_head *)workspace->target_memory)->pass ==
         (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
         return false;
+    }
+    if (polygon->gradients.count == 1) {
+        clear_under(workspace, points, count, band);
+    } else {
+        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     }
     paint_of(surfaces, polygon, band, &paint);
     fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);

@@ -150,6 +150,7 @@ paint_flat_here(fxl_workspace *workspace, const fxl_depth_plane *plane,
                 const fxl_screen_point *points, uint32_t count, uint8_t colour, uint8_t shade,
                 const fxl_band *band)
 {
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     const fxl_depth_drawn drawn =
         draw_outline(workspace, plane, points, count, colour, shade, band);
     if (drawn == FXL_DEPTH_NOT_DRAWN) {
@@ -166,7 +167,7 @@ paint_flat(fxl_workspace *workspace, const fxl_depth_plane *plane, const fxl_scr
 }
 
 /* The pixels of a tiny triangle. */
-static __attribute__((noinline)) void paint_tiny(const fxl_workspace *workspace,
+static __attribute__((noinline)) void paint_tiny(fxl_workspace *workspace,
                                                  const fxl_depth_plane *plane, uint8_t colour,
                                                  uint8_t shade, const fxl_tiny *tiny,
                                                  const fxl_band *band)
@@ -177,6 +178,7 @@ static __attribute__((noinline)) void paint_tiny(const fxl_workspace *workspace,
     if (head->pass == FXL_DEPTH_BLENDED) {
         return;
     }
+    fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
     const fxl_filling filling = fxl_filling_of(band, colour, shade, workspace->dark);
     for (uint32_t pixels = tiny->pixels; pixels != 0;) {
         const uint32_t last = 31u - fxl_leading_zeros(pixels);

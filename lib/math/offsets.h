@@ -222,6 +222,10 @@
 #define DEPTH_ROWS_RESUMED  140
 
 /* fxl_smooth_outline */
+#define DEPTH_HEAD_CLEAR_FROM 4
+#define DEPTH_HEAD_CLEAR_TO   6
+#define DEPTH_HEAD_SIZE       8
+
 #define SMOOTH_OUTLINE_CODE       0
 #define SMOOTH_OUTLINE_CODE_DOWN  4
 #define SMOOTH_OUTLINE_DOWN       8

@@ -45,7 +45,8 @@ typedef struct {
 typedef enum {
     FXL_DEPTH_NOT_DRAWN = 0, /* it is not scanned between two chains: survey in scan.c */
     FXL_DEPTH_DRAWN = 1,
-    FXL_DEPTH_NO_ROW = 2 /* it reaches no row of the band */
+    FXL_DEPTH_NO_ROW = 2,   /* it reaches no row of the band */
+    FXL_DEPTH_NOT_CLEAR = 3 /* a smooth one: it reaches a row whose cells are not cleared */
 } fxl_depth_drawn;
 
 #if FXL_DRAWS_DEPTH_OUTLINES

@@ -22,7 +22,13 @@ typedef struct {
     FXL_ALIGN_8 fxl_depth_scale scale;
     uint8_t pass; /* FXL_DEPTH_ALL and so on */
     bool or_equal;
+    /* The rows of the screen, clear_from <= y < clear_to, whose cells are cleared or drawn: what
+     * was kept there before the band began is gone. All rows of the band: FXL_DEPTH_ALL_CLEAR and
+     * INT16_MAX. */
+    int16_t clear_from, clear_to;
 } fxl_depth_head;
+
+#define FXL_DEPTH_ALL_CLEAR (-1) /* clear_from */
 
 FXL_STATIC_ASSERT(sizeof(fxl_depth_head) == 8, "FXL_DEPTH_BYTES");
 
