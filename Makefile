@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace coverage mutants size \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage mutants size \
     predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
@@ -461,6 +461,10 @@ trace: ## join each clause of the specification with its code and its tests; BRE
 	@tools/setup.sh $(if $(BREAK),units,tools)
 	@$(if $(BREAK),$(MAKE) $(UNIT_PROGRAMS))
 	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
+
+prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 FRESH=1]
+	@tools/setup.sh predict
+	@$(TOOL) prove --build $(BUILD)
 
 # ONLY here is the name of one unit test; without it, all.
 COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/$(or $(call ONE_OF,$(ONLY),$(notdir $(COVERAGE_TESTS))),\

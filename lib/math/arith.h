@@ -6,6 +6,7 @@
 
 #include <stdint.h>
 
+#include "contract.h"
 #include "core.h"
 #include "fixel/types.h"
 
@@ -15,17 +16,23 @@ extern "C" {
 
 /* floor(numerator / denominator); *rest becomes the remainder. Requires a quotient below
  * 2^32, that is, numerator / 2^32 < denominator. */
-uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *remainder);
+uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *remainder)
+    FXL_REQUIRES(numerator >> 32 < denominator) FXL_REQUIRES(FXL_OBJECT(remainder))
+    FXL_ASSIGNS(*remainder);
 
 /* floor(2^64 part / whole). Requires part < whole < 2^63. */
-uint64_t fxl_fraction(uint64_t part, uint64_t whole);
+uint64_t fxl_fraction(uint64_t part, uint64_t whole)
+    FXL_REQUIRES(part < whole && whole >> 63 == 0) FXL_ASSIGNS();
 
 /* factor * side / depth, rounded to the nearest unit of factor. Returns false if its
  * magnitude is above limit: quotient untouched.
  * Requires 0 < factor < 2^29, |side| < 2^61, 0 < depth < 2^61, 0 < limit < 2^29.
  * Error: 0.5 + 2^-30 unit + 2^-31 of the quotient. */
 bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t limit,
-               int32_t *quotient);
+               int32_t *quotient)
+    FXL_REQUIRES(factor > 0 && factor < 1 << 29 && FXL_BELOW(side, ((int64_t)1 << 61) - 1))
+    FXL_REQUIRES(depth > 0 && depth < (int64_t)1 << 61 && limit > 0 && limit < 1 << 29)
+    FXL_REQUIRES(FXL_OBJECT(quotient)) FXL_ASSIGNS(*quotient);
 
 /* Sine and cosine in units of 2^-31, so 1 is 2^31: more bits than 2.30, as sums of products need
  * them.
@@ -39,7 +46,9 @@ int64_t fxl_cos_q31(fxl_angle angle);
 
 /* An assertion, for bugs of the library itself. A test build aborts on it, a proof takes
  * it as a goal, and a build without FXL_ASSERT_HOOK omits it. */
-#ifdef FXL_ASSERT_HOOK
+#ifdef FXL_PROVE
+#define FXL_ASSERT(condition) __CPROVER_assert(condition, #condition)
+#elif defined FXL_ASSERT_HOOK
 #ifdef __cplusplus
 extern "C" {
 #endif

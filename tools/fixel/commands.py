@@ -57,6 +57,7 @@ ROOMS = {
         "fuzz": ("fixel.check.fuzz", "fuzz the library and the tools' input"),
         "kills": ("fixel.check.kills", "kill commands at random moments"),
         "mutants": ("fixel.check.mutants", "put random small mistakes into the library and the tools"),
+        "prove": ("fixel.prove.prove", "prove properties of the library for every input"),
         "seeded-bugs": ("fixel.check.seeded_bugs", "break the library on purpose"),
         "trace": ("fixel.check.trace", "join clauses of the specification with code and tests"),
     },

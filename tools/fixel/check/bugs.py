@@ -20,7 +20,7 @@ LIBRARY = pathlib.Path("lib")
 SOURCES = (".c", ".h", ".S")
 FIELDS = {"id": str, "name": str, "kind": str, "file": str, "function": str, "line": str, "becomes": str, "why": str,
           "tests": list}
-OPTIONAL = {"occurrence": int, "clause": str}
+OPTIONAL = {"occurrence": int, "clause": str, "prove": str}
 
 MACRO = re.compile(r"#\s*define\s+(\w+)")
 IS_ASSEMBLY = re.compile(r"^\s*(?:\w+\s+\.req|\.macro|\.global)\s", re.MULTILINE)
@@ -64,6 +64,7 @@ class Bug:
     tests: list
     occurrence: int = 0     # counted from 1; 0: the line stands once
     clause: str = ""        # of the specification, that the bug breaks: "SPEC 4.5", or several (trace.py)
+    prove: str = ""         # the row of make prove that must fail with the bug
 
     def places(self, text):
         """The numbers of the lines of a file's text that have the bug's function and text, counted from 0."""

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: MIT
+"""The table of make prove: each function of the library has a row or is measured, each row has its harness. No prover runs."""
+
+import json
+import pathlib
+import re
+
+import pytest
+
+from conftest import CHECKOUT
+from fixel.base.errors import ToolError
+from fixel.check import bugs
+from fixel.prove import cbmc, functions, others, proving, rows
+
+ARITH = """/* lib/math/arith.h:40:NC */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
+/* lib/draw/../math/arith.h:80:NF */ static int64_t fxl_round_shift (int64_t, unsigned int);
+/* lib/math/arith.c:35:NF */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
+/* lib/raster/fill.c:9:NF */ static const uint8_t *(*row_of (void)) (const struct row *, int);
+"""
+
+
+@pytest.fixture(scope="module")
+def all_functions():
+    return functions.find(CHECKOUT)
+
+
+def test_names_are_read_from_what_the_compiler_writes():
+    found = [functions.LINE.match(line) for line in ARITH.splitlines()]
+    assert [bool(each) for each in found] == [False, True, True, True]
+    assert [functions.name_in(each[3]) for each in found if each] == ["fxl_round_shift", "fxl_divide_u64", "row_of"]
+
+
+def test_every_room_s_functions_are_found(all_functions):
+    assert all_functions["lib/math/arith.c:fxl_divide_u64"] is True
+    assert all_functions["lib/math/arith.c:divide_digit"] is False
+    assert all_functions["lib/math/arith.h:fxl_round_shift"] is False
+    assert {key.split("/")[1] for key in all_functions} == set(functions.ROOMS)
+    assert not [key for key in all_functions if ".." in key]
+
+
+def test_every_function_has_a_row_or_is_measured(all_functions):
+    """Those that are proved within others are known only when the provers ran: they are in neither list."""
+    own, (measured, wrong) = {row.function for row in rows.read(CHECKOUT)}, rows.measured(CHECKOUT)
+    assert not wrong
+    assert not own & set(measured)
+    assert not (own | set(measured)) - set(all_functions), "there is no such function any more"
+
+
+def test_every_row_has_its_harness_and_its_checks_on_record():
+    for row in rows.read(CHECKOUT):
+        assert row.checks > 0, f"{row.id}: fixel prove --tidy writes them down"
+        if row.tool == "cbmc":
+            harness = re.search(rf"^void {row.harness}\(void\)\n{{\n(.*?)\n}}", row.place.read_text(encoding="utf-8"), re.M | re.S)
+            assert harness, f"{row.id}: {row.place} has no {row.harness}"
+            assert harness[1].rstrip().endswith("PROOF_ENDS();"), row.id
+
+
+def test_contracts_that_are_used_are_proved_without_a_circle():
+    assert rows.circles(rows.read(CHECKOUT)) == []
+
+
+def test_transcriptions_stand_for_lines_of_today():
+    for row in rows.read(CHECKOUT):
+        others.check_quotes(CHECKOUT, row) if row.tool in ("z3", "gappa") else None
+
+
+def test_seeded_bugs_name_rows():
+    known = {row.id for row in rows.read(CHECKOUT)}
+    assert {bug.prove for bug in bugs.entries(CHECKOUT) if bug.prove} <= known
+
+
+# --- verdicts ------------------------------------------------------------------------------
+
+def said(*results):
+    return json.dumps([{"program": "CBMC"}, {"result": [{"description": words, "status": status} for words, status in results]}])
+
+
+def test_a_row_is_proved_if_only_its_end_fails():
+    assert cbmc.judge(said(("overflow", "SUCCESS"), (cbmc.REACHED, "FAILURE"))) == 1
+
+
+@pytest.mark.parametrize("results, words", [
+    ([("overflow", "FAILURE"), (cbmc.REACHED, "FAILURE")], "overflow: failure"),
+    ([("overflow", "UNKNOWN"), (cbmc.REACHED, "FAILURE")], "overflow: unknown"),
+    ([("overflow", "SUCCESS"), (cbmc.REACHED, "SUCCESS")], "never ends for any input"),
+    ([("overflow", "SUCCESS")], "no PROOF_ENDS"),
+])
+def test_a_row_is_not_proved(results, words):
+    with pytest.raises(cbmc.Failed, match=words):
+        cbmc.judge(said(*results))
+
+
+def row(name, **more):
+    return rows.Row(function=f"lib/math/arith.c:{name}", property="", place=pathlib.Path("arith.c"), id=name, **more)
+
+
+def test_a_contract_without_a_row_and_a_circle_are_found():
+    assert rows.circles([row("a", contract=True, uses=["b"])]) == ["a uses the contract of b, which no row proves"]
+    both = [row("a", contract=True, uses=["b"]), row("b", contract=True, uses=["a"])]
+    assert len(rows.circles(both)) == 2
+    assert rows.circles([row("a", contract=True, uses=["a"], induction="on the depth")]) == []
+
+
+def test_a_lost_check_is_found():
+    some = [(None, {"checks": 4, "within": [], "seconds": 1.0})]
+    assert proving._summed(row("a", checks=4), some)["state"] == "proved"
+    assert proving._summed(row("a", checks=5), some)["state"] == "lost a check"
+    assert proving._summed(row("a"), some)["state"] == "no record"
+    assert proving._summed(row("a", checks=4), [*some, (2, {"failed": "x", "seconds": 0.0})])["state"] == "not proved"
+
+
+def test_the_table_says_what_has_no_row():
+    result = {"row": "a", "function": "lib/math/arith.c:a", "state": "proved", "tool": "cbmc", "within": ["lib/math/arith.c:b"]}
+    every = {f"lib/math/arith.c:{name}": True for name in "abcd"}
+    shown, wrong = proving.state_of_all(every, [result], {"lib/math/arith.c:c": ("fuzz", "why")})
+    assert [each["state"] for each in shown] == ["proved", "proved within", "measured", "no row"]
+    assert len(wrong) == 1 and wrong[0].startswith("lib/math/arith.c:d has no row")
+    _, wrong = proving.state_of_all(every, [result], {f"lib/math/arith.c:{name}": ("fuzz", "why") for name in "bcd"})
+    assert len(wrong) == 1 and "b is proved within now" in wrong[0]
+
+
+@pytest.mark.parametrize("text, words", [
+    ('[[row]]\nfunction = "a"\n', "'property' is missing"),
+    ('[[row]]\nfunction = "a"\nproperty = "p"\n', "'file' is missing"),
+    ('file = "f"\n[[row]]\nfunction = "a"\nproperty = "p"\nunwnd = 3\n', "unknown 'unwnd'"),
+    ('file = "f"\n[[row]]\nfunction = "a"\nproperty = "p"\ntool = "coq"\n', "no tool 'coq'"),
+])
+def test_a_wrong_row_is_refused(tmp_path, text, words):
+    folder = tmp_path / rows.PROOFS / "math"
+    folder.mkdir(parents=True)
+    (folder / "arith.c").touch()
+    (folder / "arith.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(ToolError, match=words):
+        rows.read(tmp_path)
+
+
+def test_tidy_takes_out_what_is_proved_and_writes_checks(tmp_path):
+    folder = tmp_path / rows.PROOFS / "math"
+    folder.mkdir(parents=True)
+    (folder / "measured.toml").write_text('# c\nmost = 3\n\n[[measured]]\nfile = "f"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n]\n\n'
+                                          '[[measured]]\nfile = "g"\nby = ["fuzz"]\nwhy = "w"\nfunctions = [\n    "a",\n    "b",\n]\n', encoding="utf-8")
+    rows.tidy(tmp_path, {"f:a", "g:b"})
+    assert rows.measured(tmp_path) == ({"g:a": ("fuzz", "w")}, [])
+    (folder / "x.c").touch()
+    (folder / "x.toml").write_text('file = "f"\n\n[[row]]\nfunction = "a"\nproperty = "p"\n', encoding="utf-8")
+    rows.record_checks(tmp_path, {"a": 7})
+    assert [each.checks for each in rows.read(tmp_path)] == [7]

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Contracts of functions, for `make prove`. They stand after a declaration, before its semicolon or its body, and are
+ * nothing without FXL_PROVE. host_tests/proofs/README.md says how they are proved. Internal. */
+#ifndef FXL_CONTRACT_H
+#define FXL_CONTRACT_H
+
+#ifdef FXL_PROVE
+/* What the caller must see to. */
+#define FXL_REQUIRES(...) __CPROVER_requires(__VA_ARGS__)
+/* What holds afterwards: FXL_RESULT is what the function returns. */
+#define FXL_ENSURES(...) __CPROVER_ensures(__VA_ARGS__)
+#define FXL_RESULT       __CPROVER_return_value
+/* All that the function writes; nothing by FXL_ASSIGNS(). */
+#define FXL_ASSIGNS(...) __CPROVER_assigns(__VA_ARGS__)
+/* In FXL_REQUIRES: a pointer to an object of its own. */
+#define FXL_OBJECT(pointer) __CPROVER_is_fresh(pointer, sizeof *(pointer))
+/* In FXL_REQUIRES: a pointer to so many elements. */
+#define FXL_OBJECTS(pointer, count) __CPROVER_is_fresh(pointer, (count) * sizeof *(pointer))
+#define FXL_OLD(value)              __CPROVER_old(value)
+/* -limit <= value <= limit. */
+#define FXL_BELOW(value, limit) ((value) >= -(limit) && (value) <= (limit))
+#else
+#define FXL_REQUIRES(...)
+#define FXL_ENSURES(...)
+#define FXL_ASSIGNS(...)
+#endif
+
+#endif

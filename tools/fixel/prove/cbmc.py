@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""A row that CBMC proves: the harness and the shipped text as one program, with contracts, every property of it checked."""
+
+import json
+import os
+import re
+
+from fixel.base import children, limits, scratch
+from fixel.base.errors import ToolError
+from fixel.prove import functions
+
+SECONDS = 120           # of CPU time a row
+DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
+CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
+          "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions")
+REACHED = "the harness ends"        # PROOF_ENDS of proof.h: it must fail
+EDGE = re.compile(r'^\s*"?([\w:$.]+)"? -> "?([\w:$.]+)"?', re.MULTILINE)
+NO_CONTRACT = "deriving empty"
+
+
+class Failed(Exception):
+    """The row is not proved: why, in a line. Its text is kept, unless it took too long."""
+
+
+class TooLong(Failed):
+    """It may be proved on another day."""
+
+
+def _run(programs, root, words, left):
+    """Runs a prover; (what it said, its exit code, CPU seconds)."""
+    environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "LC_ALL": "C"}
+    try:
+        done = limits.run([str(programs / words[0]), *map(str, words[1:])], max(1.0, left), merge=True, text=True, cwd=root,
+                          env=environment)
+    except limits.LimitError as error:
+        raise TooLong(f"{words[0]} had not ended after {SECONDS} s of CPU time") from error
+    return done.stdout, done.returncode, done.cpu
+
+
+def preprocessed(root, row, case):
+    """The text that is proved, as the compiler sees it: the key of what is kept."""
+    words = ["gcc", *DEFINES, *_case(case), "-E", "-P", "-xc", str(row.place), *row.links]
+    done = children.run(words, cwd=root)
+    if done.returncode:
+        raise ToolError(f"{row.id}: its text cannot be read", words=done.stderr.decode(errors="replace"))
+    return done.stdout
+
+
+def _case(case):
+    return () if case is None else (f"-DCASE={case}",)
+
+
+def prove(programs, root, row, case):
+    """{"checks", "within", "seconds"} of a proved case; Failed where it is not proved."""
+    spent = 0.0
+    with scratch.folder("proof") as folder:
+        program, ready = folder / "whole.goto", folder / "ready.goto"
+        said, code, cpu = _run(programs, root, ["goto-cc", *DEFINES, *_case(case), "--function", row.harness, "-o", program, row.place,
+                                                *row.links], SECONDS)
+        spent += cpu
+        if code:
+            raise Failed(f"goto-cc: {_last(said)}")
+        said, code, cpu = _run(programs, root, ["goto-instrument", "--reachable-call-graph", program], SECONDS - spent)
+        spent += cpu
+        within = _texts(root, row, case, folder, _within(said, row))
+        if row.contract or row.uses or row.loops:
+            words = ["goto-instrument", "--dfcc", row.harness, *(["--enforce-contract", row.name] if row.contract else []),
+                     *[word for name in row.uses for word in ("--replace-call-with-contract", name)],
+                     *(["--apply-loop-contracts"] if row.loops else []), program, ready]
+            said, code, cpu = _run(programs, root, words, SECONDS - spent)
+            spent += cpu
+            if code:
+                raise Failed(f"goto-instrument: {_last(said)}")
+            if NO_CONTRACT in said:
+                raise Failed(next(line.strip() for line in said.splitlines() if NO_CONTRACT in line))
+        else:
+            ready = program
+        unwound = ",".join(f"{loop}:{times}" for loop, times in row.unwindset.items())
+        words = ["cbmc", "--drop-unused-functions", *CHECKS, *row.flags, "--unwind", row.unwind, *(["--unwindset", unwound] if unwound else []), "--json-ui", ready]
+        said, _, cpu = _run(programs, root, words, SECONDS - spent)
+    return {"checks": judge(said), "within": sorted(within), "seconds": spent + cpu}
+
+
+def _last(said):
+    """The line that says what was wrong."""
+    lines = [line for line in said.splitlines() if line.strip()]
+    return next((line for line in lines if "error" in line.lower()), lines[-1] if lines else "it said nothing")
+
+
+def _within(graph, row):
+    """The functions of the program that are reached from the harness and have their own text there."""
+    calls = {}
+    for caller, called in EDGE.findall(graph):
+        calls.setdefault(caller, []).append(called)
+    found, waiting = set(), [row.harness]
+    while waiting:
+        name = waiting.pop()
+        if name not in found and name not in row.uses:
+            found.add(name)
+            waiting += calls.get(name, [])
+    return found - {row.harness}
+
+
+def _texts(root, row, case, folder, names):
+    """FILE:NAME of those that are functions of the library. Without FXL_PROVE the compiler takes the harness, too."""
+    sources = [row.place, *row.links]
+    flags = ("-w", "-Ihost_tests/proofs", *_case(case))
+    return {f"{file}:{name}" for source in sources for file, _, _, name in functions.defined_in(root, source, folder, flags) if name in names}
+
+
+def judge(said):
+    """How many properties hold; Failed if one does not, or if the harness is not seen to end."""
+    try:
+        messages = json.loads(said)
+    except ValueError as error:
+        raise Failed(f"cbmc: {_last(said)}") from error
+    results = next((each["result"] for each in messages if "result" in each), None)
+    if results is None:
+        errors = [each.get("messageText", "") for each in messages if each.get("messageType") == "ERROR"]
+        raise Failed(f"cbmc: {errors[0] if errors else 'it gave no result'}")
+    ends = [each for each in results if each["description"] == REACHED]
+    if not ends:
+        raise Failed("the harness has no PROOF_ENDS()")
+    if not any(each["status"] == "FAILURE" for each in ends):
+        raise Failed("nothing is proved: the harness never ends for any input (PROOF_ENDS() is not reached)")
+    bad = [each for each in results if each["description"] != REACHED and each["status"] != "SUCCESS"]
+    if bad:
+        place = bad[0].get("sourceLocation", {})
+        raise Failed(f"{place.get('file', '?')}:{place.get('line', '?')}: {bad[0]['description']}: {bad[0]['status'].lower()}"
+                     f"{f' (and {len(bad) - 1} more)' if len(bad) > 1 else ''}")
+    return len(results) - len(ends)

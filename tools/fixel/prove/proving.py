@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: MIT
+"""What fixel prove does: the rows, side by side and kept by content, then the table of all functions."""
+
+import concurrent.futures
+import dataclasses
+import json
+import pathlib
+import sys
+import threading
+
+from fixel.base import kept, output, scratch
+from fixel.base.errors import ToolError
+from fixel.base.progress import Progress
+from fixel.base.table import coloured, table
+from fixel.prove import cbmc, functions, others, provers, rows as records
+
+PROVERS = {"cbmc": cbmc, "z3": others, "gappa": others, "every input": others}
+
+
+def placed(row, root):
+    """The row with the text of another checkout."""
+    return dataclasses.replace(row, place=root / records.PROOFS / row.place.parent.name / row.place.name)
+
+
+def _inputs(root, row, case, versions):
+    """All that the result of a case depends on."""
+    words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text)
+    return [versions, words, cbmc.CHECKS, cbmc.DEFINES, PROVERS[row.tool].preprocessed(root, row, case)]
+
+
+def prove_case(programs, root, row, case, store, versions):
+    """The result of a case, computed or as it is kept: {"checks", "within", "seconds"}, or {"failed", "seconds"}."""
+    def compute():
+        try:
+            found.update(PROVERS[row.tool].prove(programs, root, row, case))
+        except cbmc.TooLong:
+            raise
+        except cbmc.Failed as error:
+            found.update({"failed": str(error), "seconds": 0.0})
+        result.write_text(json.dumps(found), encoding="utf-8")
+
+    found = {}
+    with scratch.folder("result") as folder:
+        result = folder / "result.json"
+        try:
+            store.obtain(f"proof of {row.id}", _inputs(root, row, case, versions), [result], compute)
+        except cbmc.TooLong as error:
+            return {"failed": str(error), "seconds": float(cbmc.SECONDS)}
+        except ToolError as error:
+            return {"failed": error.shown().replace("\n", " "), "seconds": 0.0}
+        return json.loads(result.read_text(encoding="utf-8"))
+
+
+def _summed(row, cases):
+    """The result of a row: of all its cases."""
+    failed = next((f"{'' if case is None else f'case {case}: '}{each['failed']}" for case, each in cases if "failed" in each), None)
+    seconds = sum(each["seconds"] for _, each in cases)
+    result = {"row": row.id, "function": row.function, "property": row.property, "tool": row.tool, "seconds": round(seconds, 1)}
+    if failed:
+        return {**result, "state": "not proved", "why": failed, "checks": 0, "within": []}
+    checks = sum(each["checks"] for _, each in cases)
+    within = sorted({name for _, each in cases for name in each["within"]})
+    if checks < row.checks:
+        return {**result, "state": "lost a check", "why": f"{checks} checks, and {row.checks} are on record", "checks": checks, "within": within}
+    if row.checks == 0:
+        return {**result, "state": "no record", "why": f"{checks} checks: write checks = {checks} into its row, or run fixel prove --tidy",
+                "checks": checks, "within": within}
+    return {**result, "state": "proved", "checks": checks, "within": within}
+
+
+def prove_all(programs, root, rows, store, jobs):
+    """The results of rows, in their order."""
+    versions = provers.versions(programs)
+    work = [(row, case) for row in rows for case in row.cases]
+    done, lock = [], threading.Lock()
+
+    def one(each):
+        answer = prove_case(programs, root, *each, store, versions)
+        with lock:
+            done.append(each)
+            progress(len(done))
+        return answer
+
+    with Progress("proofs", len(work)) as progress, concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
+        answers = iter(list(pool.map(one, work)))
+    return [_summed(row, [(case, next(answers)) for case in row.cases]) for row in rows]
+
+
+# --- the table of all functions --------------------------------------------------------
+
+def state_of_all(all_functions, results, measured):
+    """([{"function", "external", "state", "by", "why"}], what is wrong with the table)."""
+    own = {}
+    for result in results:
+        own.setdefault(result["function"], []).append(result)
+    inside = {}
+    for result in results:
+        if result["state"] in ("proved", "no record") and result["tool"] == "cbmc":
+            for key in result["within"]:
+                inside.setdefault(key, []).append(result["row"])
+    wrong = [f"{result['row']}: there is no function {function}" for function, some in own.items() for result in some
+             if function not in all_functions]
+    shown = []
+    for key, external in all_functions.items():
+        state, by, why = "no row", "", ""
+        if key in own:
+            state = "proved" if all(each["state"] in ("proved", "no record") for each in own[key]) else "not proved"
+            by = ", ".join(each["row"] for each in own[key])
+        elif key in inside:
+            state, by = "proved within", ", ".join(sorted(inside[key])[:3])
+        elif key in measured:
+            state, (by, why) = "measured", measured[key]
+        if key in measured and state in ("proved", "proved within"):
+            wrong.append(f"{key} is {state} now: take it out of measured.toml, so that it stays proved")
+        shown.append({"function": key, "external": external, "state": state, "by": by, "why": why})
+    wrong += [f"{key} has no row: prove it, or say in measured.toml by which campaign it is measured and why" for key in
+              (each["function"] for each in shown if each["state"] == "no row")]
+    wrong += [f"measured.toml has {key}, and there is no such function" for key in measured if key not in all_functions]
+    return shown, wrong
+
+
+def _print(results, shown, wrong):
+    bad = [result for result in results if result["state"] != "proved"]
+    for result in bad:
+        print(f"{result['row']}: {coloured(result['state'], 'red')}: {result['why']}")
+    for words in wrong:
+        print(coloured(words, "red"))
+    if shown:
+        rooms = list(dict.fromkeys(each["function"].split("/")[1] for each in shown))
+        states = ("proved", "proved within", "measured", "not proved", "no row")
+        counts = [[room, *(sum(each["function"].split("/")[1] == room and each["state"] == state for each in shown) for state in states),
+                   sum(each["function"].split("/")[1] == room and each["external"] and each["state"] == "proved" for each in shown)]
+                  for room in rooms]
+        counts.append(["all", *(sum(column) for column in list(zip(*counts))[1:])])
+        print(table(counts, ["functions of", *states, "external proved"]))
+    seconds = sum(result["seconds"] for result in results)
+    print(f"{len(results) - len(bad)} of {len(results)} rows proved, {sum(result['checks'] for result in results):,} checks, "
+          f"{seconds:.0f} s of CPU time when they were computed")
+
+
+def command(options):
+    """The command; its exit code."""
+    root = pathlib.Path(options.root).resolve()
+    rows = records.read(root)
+    chosen = [row for row in rows if options.only in f"{row.id} {row.function} {row.place}"]
+    if not chosen:
+        raise ToolError(f"no row has '{options.only}' in its id, function or file")
+    programs = provers.obtain(options.build, lambda words: print(f"prove: {words}", file=sys.stderr, flush=True))
+    store = kept.Kept(options.build, options.fresh)
+    if options.bugs:
+        from fixel.prove import bugs    # which uses this module
+        return bugs.command(programs, root, options, chosen, store)
+    results = prove_all(programs, root, chosen, store, options.jobs)
+    shown, wrong = [], records.circles(rows)
+    if not options.only:
+        measured, more = records.measured(root)
+        shown, most = state_of_all(functions.find(root), results, measured)
+        wrong += more + most
+        if options.tidy:
+            records.record_checks(root, {result["row"]: result["checks"] for result in results if result["checks"]})
+            states = {each["function"]: each["state"] for each in shown}
+            records.tidy(root, {key for key in measured if states.get(key) != "measured"})
+    output.write_json(pathlib.Path(options.build) / "prove/prove.json", {"rows": results, "functions": shown, "wrong": wrong})
+    _print(results, shown, wrong)
+    return 1 if wrong or any(result["state"] != "proved" for result in results) else 0
