@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Faces with colours at their corners, against the definition in double. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "quad_scene.h"
 
 enum {
     ROUNDS = UNIT_REPEAT / 200,
     BENEATH = 0x1234,
-    CHANNELS = 3
+    CHANNELS = 3,
+    FAR = 4000 << 16 /* how far an eye is along an axis, at most */
 };
 
 static const int most[CHANNELS] = {31, 63, 31};
@@ -17,7 +19,7 @@ static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(64)];
 static fxl_light light;
 static int corners[3][CHANNELS];
 static double worst;
-static uint32_t compared, differing;
+static uint32_t compared, differing, far_off;
 
 void setUp(void)
 {
@@ -25,7 +27,7 @@ void setUp(void)
         palette[i] = BENEATH;
     }
     worst = 0;
-    compared = differing = 0;
+    compared = differing = far_off = 0;
     memset(&light, 0, sizeof light);
     memset(ramp, 0, sizeof ramp);
 }
@@ -64,6 +66,7 @@ static void begin(quad_scene *quad, const fxl_target *target, const fxl_painter 
 {
     fxl_config config = fxl_config_for(QUAD_WIDTH, QUAD_HEIGHT, target);
     config.near_z = 4096;
+    config.far_z = 2 * FAR;
     config.palette = palette;
     if (target->depth_bits != 0) {
         config.depth = depth;
@@ -112,6 +115,7 @@ static void check_pixel(const quad_scene *quad, int x, int y, const double parts
         worst = fmax(worst, off);
         compared++;
         differing += off > 0;
+        far_off += off > 0.34;
     }
 }
 
@@ -189,6 +193,28 @@ void test_channels_that_are_linear_on_the_screen(void)
         }
     }
     TEST_ASSERT_GREATER_THAN(20 * ROUNDS, looked);
+}
+
+/* Triangles of few pixels, whose channels change by many levels from one pixel to the next: so what
+ * rounds a narrow one's corners may show. */
+void test_channels_of_triangles_of_few_pixels(void)
+{
+    for (uint32_t i = 0; i < 200 * ROUNDS; i++) {
+        quad_scene *quad = make(true, 0, unit_between(0, 1) != 0 ? FXL_DIVIDE_16 : FXL_AFFINE);
+        const int32_t times = unit_between(20, 300);
+        quad->pose.position.x *= times;
+        quad->pose.position.y *= times;
+        quad->pose.position.z *= times;
+        if (abs(quad->pose.position.x) > FAR || abs(quad->pose.position.y) > FAR ||
+            abs(quad->pose.position.z) > FAR) {
+            continue;
+        }
+        begin(quad, &fxl_rgb565, FXL_SURFACES_OF(fxl_rgb565));
+        draw(quad, frame);
+        check_frame(quad, full, 0, 64);
+    }
+    TEST_ASSERT_GREATER_THAN(30 * ROUNDS, compared);
+    TEST_ASSERT_TRUE(far_off < compared / 300);
 }
 
 /* One colour at all corners is the palette's entry of that colour: the upper bits of each channel.

@@ -8,6 +8,10 @@ bool fxl_find_colours(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                       fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     int32_t(*values)[3] = corners->values;
+    if (!FXL_IS_SMALL && planes != NULL && corners->count == 0 &&
+        fxl_corner_colours_unlit(mapped, planes, is_affine, gradients)) {
+        return true;
+    }
     const int32_t light[3] = {values[0][0], values[0][1], values[0][2]};
     fxl_corner_colours(mapped, values);
     if (corners->count != 0) {

@@ -16,10 +16,10 @@ typedef struct {
     uint32_t both, green, step, green_step;
 } fxl_colour_words;
 
-/* Red and blue in 8.24, in one word: each loses 13 bits. */
+/* Red and blue in 10.22, in one word: each loses 11 bits. */
 static inline uint32_t fxl_colours_both(int32_t red, int32_t blue)
 {
-    return ((uint32_t)(red >> 13) << 16) + (uint32_t)(blue >> 13);
+    return ((uint32_t)(red >> 11) << 16) + (uint32_t)(blue >> 11);
 }
 
 /* Writes count pixels. Sums are modulo 2^32; red and blue of all pixels are from 0 to below 32, or

@@ -57,88 +57,159 @@ static inline uint32_t range_of_channel(const int32_t values[3])
     return (uint32_t)((values[2] > high ? values[2] : high) - (values[2] < low ? values[2] : low));
 }
 
-/* Whether a constant weight is near enough for all channels. Ranges are below 2^22, so it is where
- * the weights differ by at most 2^-7 of the least one. */
-static bool is_near(const fxl_corner_planes *planes, int32_t (*values)[3])
+/* Whether a constant weight is near enough for any channels: weights differ by at most 2^-7 of the
+ * least one, and ranges are below 2^22. */
+static inline bool is_near(const fxl_corner_planes *planes)
 {
-    const uint32_t least = planes->weight_most - planes->weight_range;
     FXL_STATIC_ASSERT(4u * FXL_AFFINE_ERROR_LIGHT == 1u << 15, "2^22 2^-7");
-    if (planes->weight_range <= least >> 7) {
-        return true;
-    }
+    return planes->weight_range <= (planes->weight_most - planes->weight_range) >> 7;
+}
+
+/* Whether it is for these. */
+static bool change_little(const fxl_corner_planes *planes, int32_t (*values)[3])
+{
     uint32_t most = 0;
     for (uint32_t k = 0; k < 3; k++) {
         const uint32_t range = range_of_channel(values[k]);
         most = range > most ? range : most;
     }
     return fxl_product_unsigned(most, planes->weight_range) <=
-           fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT);
+           fxl_product_unsigned(planes->weight_most - planes->weight_range,
+                                4u * FXL_AFFINE_ERROR_LIGHT);
 }
 
-/* The channel of corner 0, in 8.24, in row 0 of a column, and what a column and a row add. */
+/* What all channels of a face share: how much of a difference between corners a pixel along and a
+ * pixel down adds, times 2^29; and where corner 0 is, from the centre of the pixel in `row` and the
+ * column, times 2^32: less than half a pixel away. */
+typedef struct {
+    int32_t along[2], down[2], x, y, row;
+} shared_planes;
+
+/* value 2^shift. False if that is 2^31 or more. */
+static inline bool shift_up(int32_t value, unsigned shift, int32_t *shifted)
+{
+    *shifted = (int32_t)((uint32_t)value << shift);
+    return *shifted >> shift == value;
+}
+
+/* Exponents are from 17 to 36. What is cut off a coefficient changes a channel by less than 64
+ * 2^-29 level a pixel. False: a coefficient is 4 or more, so a side of the face is short. */
+static inline bool share(const fxl_corner_planes *planes, int32_t column, shared_planes *shared)
+{
+    const int32_t *along = planes->along, *down = planes->down;
+    const int cut = planes->exponent - 29;
+    shared->row = (planes->y + 32768) >> 16;
+    shared->x = (int32_t)((uint32_t)(planes->x - column * 65536) << 16);
+    shared->y = (int32_t)((uint32_t)planes->y << 16);
+    if (cut < 0) {
+        const unsigned shift = (unsigned)-cut;
+        return shift_up(along[0], shift, &shared->along[0]) &&
+               shift_up(along[1], shift, &shared->along[1]) &&
+               shift_up(down[0], shift, &shared->down[0]) &&
+               shift_up(down[1], shift, &shared->down[1]);
+    }
+    shared->along[0] = along[0] >> cut;
+    shared->along[1] = along[1] >> cut;
+    shared->down[0] = down[0] >> cut;
+    shared->down[1] = down[1] >> cut;
+    return true;
+}
+
+/* A channel in 10.22, modulo 2^32, in row 0 of a column, and what a column and a row add. */
 typedef struct {
     uint32_t at;
     int32_t along, down;
 } channel_words;
 
-/* The lower word of a sum / 2^drop, rounded down, for 0 < drop < 32. */
-static inline int32_t step_of(int64_t sum, unsigned drop)
+/* first: at corner 0, in 10.22. d1, d2: the differences of the others, in 7.25, at most 2^31 -
+ * 2^23. So sums of two products are at most 2^63 - 2^55, and a step is at most 2^31 - 2^23; two
+ * products of steps are at most 2^63 - 2^55 too. Roundings: a step's, 2^-22 a pixel. */
+static inline channel_words find_channel(const shared_planes *shared, uint32_t first, int32_t d1,
+                                         int32_t d2)
 {
-    return (int32_t)((uint32_t)sum >> drop | (uint32_t)((uint64_t)sum >> 32) << (32u - drop));
+    const int64_t along = fxl_product(d1, shared->along[0]) + fxl_product(d2, shared->along[1]);
+    const int64_t down = fxl_product(d1, shared->down[0]) + fxl_product(d2, shared->down[1]);
+    channel_words channel;
+    channel.along = (int32_t)((uint64_t)along >> 32);
+    channel.down = (int32_t)((uint64_t)down >> 32);
+    const int64_t off =
+        fxl_product(channel.along, shared->x) + fxl_product(channel.down, shared->y);
+    channel.at =
+        first - (uint32_t)((uint64_t)off >> 32) - (uint32_t)shared->row * (uint32_t)channel.down;
+    return channel;
 }
 
-/* The upper word of a magnitude, but for a unit of the lowest bit. */
-static inline uint32_t upper_size(int64_t sum)
+static inline int64_t two_words(uint32_t low, uint32_t high)
 {
-    const int32_t high = (int32_t)((uint64_t)sum >> 32);
-    return (uint32_t)(high ^ (high >> 31));
+    return (int64_t)((uint64_t)high << 32 | low);
 }
 
-/* Differences are below 2^22 and coefficients at most 2^30, so sums are below 2^53; a value in 8.24
- * is their upper bits. A step that is below 2^31 times a place below 2^27 is below 2^58. x: of
- * corner 0 from the centre of the column. Returns the bits of both steps above what is dropped. */
-static inline uint32_t find_channel(const fxl_corner_planes *planes, const int32_t values[3],
-                                    int32_t x, unsigned drop, channel_words *channel)
+static inline void set_words(int32_t column, const channel_words channels[3],
+                             fxl_gradients *gradients)
 {
-    const int32_t d1 = values[1] - values[0], d2 = values[2] - values[0];
-    const int64_t along = fxl_product(d1, planes->along[0]) + fxl_product(d2, planes->along[1]);
-    const int64_t down = fxl_product(d1, planes->down[0]) + fxl_product(d2, planes->down[1]);
-    channel->along = step_of(along, drop);
-    channel->down = step_of(down, drop);
-    const int64_t off = fxl_product(channel->along, x) + fxl_product(channel->down, planes->y);
-    channel->at = ((uint32_t)values[0] << 8) - (uint32_t)((uint64_t)off >> 16);
-    return upper_size(along) | upper_size(down);
+    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
+    fxl_gradient *attributes = gradients->attributes;
+    attributes[0].at = two_words(channels[0].at, (uint32_t)column);
+    attributes[0].along = two_words(fxl_colours_both(channels[0].along, channels[2].along),
+                                    (uint32_t)channels[1].along << 4);
+    attributes[0].down = two_words((uint32_t)channels[0].down, (uint32_t)channels[1].down);
+    attributes[1].at = two_words(channels[1].at, channels[2].at);
+    attributes[1].along = 0;
+    attributes[1].down = channels[2].down;
+    gradients->shifts[0] = gradients->shifts[1] = gradients->shifts[2] = FXL_SHIFT_OF_WORDS;
+    gradients->count = FXL_GRADIENTS_OF_WORDS;
+    gradients->weight = constant;
+    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+}
+
+/* A channel of a face that is not lit. mask: its bits of a colour; shift: what moves these to
+ * 10.22. A level of 8 bits is 2^19 there, and of green 2^20. */
+static inline channel_words channel_of_colours(const shared_planes *shared,
+                                               const int32_t colours[3], int32_t mask,
+                                               unsigned shift, uint32_t half)
+{
+    const int32_t first = colours[0] & mask;
+    return find_channel(shared, ((uint32_t)first << shift) + half,
+                        (int32_t)((uint32_t)((colours[1] & mask) - first) << (shift + 3u)),
+                        (int32_t)((uint32_t)((colours[2] & mask) - first) << (shift + 3u)));
+}
+
+bool fxl_corner_colours_unlit(const fxl_mapped_face *mapped, const fxl_corner_planes *planes,
+                              bool is_affine, fxl_gradients *gradients)
+{
+    const int32_t column = planes->corners->points[0].x >> 16;
+    const int32_t colours[3] = {mapped->texels[0].u, mapped->texels[1].u, mapped->texels[2].u};
+    shared_planes shared;
+    if (!planes->is_triangle || !(is_affine || is_near(planes)) ||
+        !share(planes, column, &shared)) {
+        return false;
+    }
+    const channel_words channels[3] = {channel_of_colours(&shared, colours, 0xFF0000, 3, 1u << 18),
+                                       channel_of_colours(&shared, colours, 0xFF00, 12, 1u << 19),
+                                       channel_of_colours(&shared, colours, 0xFF, 19, 1u << 18)};
+    set_words(column, channels, gradients);
+    return true;
+}
+
+static inline channel_words channel_of_values(const shared_planes *shared, const int32_t values[3])
+{
+    return find_channel(shared, (uint32_t)values[0] << 6,
+                        (int32_t)((uint32_t)(values[1] - values[0]) << 9),
+                        (int32_t)((uint32_t)(values[2] - values[0]) << 9));
 }
 
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients)
 {
-    static const fxl_gradient constant = {FXL_CONSTANT_WEIGHT, 0, 0};
     const int32_t column = planes->corners->points[0].x >> 16;
-    const int32_t x = planes->x - column * 65536;
-    const unsigned drop = (unsigned)planes->exponent - 8u; /* 12 to 28 */
-    channel_words channels[3];
-    if (!planes->is_triangle || !(is_affine || is_near(planes, values))) {
+    shared_planes shared;
+    if (!planes->is_triangle || !(is_affine || is_near(planes) || change_little(planes, values)) ||
+        !share(planes, column, &shared)) {
         return false;
     }
-    const uint32_t sizes = find_channel(planes, values[0], x, drop, &channels[0]) |
-                           find_channel(planes, values[1], x, drop, &channels[1]) |
-                           find_channel(planes, values[2], x, drop, &channels[2]);
-    if (sizes >> (drop - 1u) != 0) {
-        return false;
-    }
-    fxl_gradient *attributes = gradients->attributes;
-    for (uint32_t k = 0; k < 3; k++) {
-        attributes[k].at = (int64_t)channels[k].at;
-        attributes[k].down = channels[k].down;
-        gradients->shifts[k] = FXL_SHIFT_OF_WORDS;
-    }
-    attributes[0].at |= (int64_t)((uint64_t)(uint32_t)column << 32);
-    attributes[0].along = (int64_t)fxl_colours_both(channels[0].along, channels[2].along);
-    attributes[1].along = (int64_t)((uint32_t)channels[1].along << 2);
-    attributes[2].along = 0;
-    gradients->count = 3;
-    gradients->weight = constant;
-    gradients->weight_min[0] = gradients->weight_min[1] = 1;
+    const channel_words channels[3] = {channel_of_values(&shared, values[0]),
+                                       channel_of_values(&shared, values[1]),
+                                       channel_of_values(&shared, values[2])};
+    set_words(column, channels, gradients);
     return true;
 }

@@ -28,17 +28,24 @@ void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t 
 
 /* The gradients of a small triangle with a constant weight, in words. Where is_affine, that weight
  * is asked for; false otherwise if it changes a channel by more than FXL_AFFINE_ERROR_LIGHT. Also
- * false where the face is no triangle, or a channel changes by 128 levels a pixel or more:
- * *gradients is then undefined. Error in the triangle, beyond that, given the corners: 2^-25 (1 +
- * b) of a channel (corner_planes.h), and 2048 2^-24 level. */
+ * false where the face is no triangle, or where a corner's share of a pixel changes by 4 or more a
+ * pixel: *gradients is then undefined. Error in the triangle, beyond that, given the corners: 2^-25
+ * (1 + b) of a channel (corner_planes.h), and 2048 2^-22 level. */
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients);
 
-/* Such gradients. With k for red, green and blue, the lower words of attributes[k].at and .down are
- * channels in 8.24, modulo 2^32, in row 0 of a column of the face, and what a row adds. The column
- * is the upper word of attributes[0].at. The lower words of .along are what a column adds to
- * fxl_colour_words: attributes[0] to `both`, attributes[1] to `green`. */
-#define FXL_SHIFT_OF_WORDS 127 /* all three shifts; no others are above 64 */
+/* The same of a mapped face that is not lit, without its values. Also false where weights differ by
+ * more than 1/128 of the least one, and not is_affine. */
+bool fxl_corner_colours_unlit(const fxl_mapped_face *mapped, const fxl_corner_planes *planes,
+                              bool is_affine, fxl_gradients *gradients);
+
+/* Such gradients: words of two attributes, each 64 bits from the lower word on. Channels are in
+ * 10.22, modulo 2^32, in row 0 of a column of the face. What a column adds is in fxl_colour_words.
+ *
+ *   attributes[0]   at: red, the column      along: step, green_step   down: red, green
+ *   attributes[1]   at: green, blue          along: 0                  down: blue */
+#define FXL_SHIFT_OF_WORDS     127 /* all three shifts; no others are above 64 */
+#define FXL_GRADIENTS_OF_WORDS 2
 
 /* Whether gradients of colours at corners are in words. */
 static inline bool fxl_has_colour_words(const fxl_gradients *gradients)

@@ -126,17 +126,29 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 
 /* --- words ---------------------------------------------------------------------------------- */
 
-/* The channels of a face in words in one row, at its column. */
+/* The channels of a face in words in one row, at its column, and what a row adds. */
 typedef struct {
-    uint32_t channels[3];
+    uint32_t red, green, blue;
 } word_row;
+
+static inline uint32_t upper(int64_t words)
+{
+    return (uint32_t)((uint64_t)words >> 32);
+}
+
+static inline word_row down_of(const fxl_gradient *attributes)
+{
+    const word_row down = {(uint32_t)attributes[0].down, upper(attributes[0].down),
+                           (uint32_t)attributes[1].down};
+    return down;
+}
 
 static inline word_row row_of(const fxl_gradient *attributes, int32_t y)
 {
-    word_row row;
-    for (uint32_t k = 0; k < 3; k++) {
-        row.channels[k] = (uint32_t)attributes[k].at + (uint32_t)y * (uint32_t)attributes[k].down;
-    }
+    const word_row down = down_of(attributes);
+    const word_row row = {(uint32_t)attributes[0].at + (uint32_t)y * down.red,
+                          (uint32_t)attributes[1].at + (uint32_t)y * down.green,
+                          upper(attributes[1].at) + (uint32_t)y * down.blue};
     return row;
 }
 
@@ -145,17 +157,15 @@ static inline word_row row_of(const fxl_gradient *attributes, int32_t y)
 static inline void words_at(const fxl_gradient *attributes, const word_row *row, int32_t x,
                             fxl_colour_words *words)
 {
-    const uint32_t column = (uint32_t)((uint64_t)attributes[0].at >> 32);
-    const uint32_t skipped = (uint32_t)x - column;
-    words->both = fxl_colours_both((int32_t)row->channels[0], (int32_t)row->channels[2]) +
-                  skipped * words->step;
-    words->green = (row->channels[1] << 2) + skipped * words->green_step;
+    const uint32_t skipped = (uint32_t)x - upper(attributes[0].at);
+    words->both = fxl_colours_both((int32_t)row->red, (int32_t)row->blue) + skipped * words->step;
+    words->green = (row->green << 4) + skipped * words->green_step;
 }
 
 static inline void find_word_steps(const fxl_gradient *attributes, fxl_colour_words *words)
 {
     words->step = (uint32_t)attributes[0].along;
-    words->green_step = (uint32_t)attributes[1].along;
+    words->green_step = upper(attributes[0].along);
 }
 
 /* A part of a row. */
@@ -189,6 +199,7 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
     if (!fxl_has_colour_words(paint->gradients) || !is_opaque(paint)) {
         return false;
     }
+    const word_row down = down_of(attributes);
     find_word_steps(attributes, &words);
     fxl_scan_outline(points, count, band, scan);
     while ((trapezoid = fxl_scan_next_trapezoid(scan)) != NULL) {
@@ -206,9 +217,9 @@ bool fxl_paint_colour_polygon(const fxl_paint *paint, const fxl_screen_point *po
             fxl_edge_step(&a);
             fxl_edge_step(&b);
             pixels += band->stride;
-            for (uint32_t k = 0; k < 3; k++) {
-                row.channels[k] += (uint32_t)attributes[k].down;
-            }
+            row.red += down.red;
+            row.green += down.green;
+            row.blue += down.blue;
         }
     }
     return true;
