@@ -3,6 +3,8 @@
  * which must be equal. */
 #include "texture_rows.h"
 
+#include <string.h>
+
 #include "equality.h"
 #include "paint/depth_rows.h"
 #include "paint/plain_rows.h"
@@ -162,6 +164,36 @@ static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row,
     equality_case(is_same() && same);
 }
 
+typedef void holes_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                          int32_t x1, const fxl_hole_depths *depths);
+
+/* Pixels that are left out keep their depth. Which they are is seen where the same is painted over
+ * two backgrounds. */
+static void compare_holes(const fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1,
+                          holes_kernel *core, row_kernel *portable, uint32_t bytes)
+{
+    uint16_t cells[COLUMNS + 2];
+    const fxl_hole_depths depths = {any_32(), cells + 1, any_32()};
+    bool same = true;
+    memset(by_portable[2], 0x5A, sizeof by_portable[2]);
+    for (uint32_t i = 0; i < 2; i++) {
+        row->pixels = by_portable[1 + i] + 32;
+        portable(face, row, x0, x1);
+    }
+    for (uint32_t i = 0; i < COLUMNS + 2; i++) {
+        cells[i] = (uint16_t)i;
+    }
+    row->pixels = by_core[1] + 32;
+    core(face, row, x0, x1, &depths);
+    for (uint32_t i = 0; i < COLUMNS + 2; i++) {
+        const uint32_t at = 32 + (i - 1u) * bytes;
+        const bool drawn = memcmp(by_portable[1] + at, by_portable[2] + at, bytes) == 0;
+        same &= cells[i] == (drawn ? (depths.code + (i - 1u) * depths.step) >> 16 : i);
+    }
+    memset(by_portable[2], 0xA5, sizeof by_portable[2]);
+    equality_case(is_same() && same);
+}
+
 #endif
 
 /* The same texels, keyed, stippled or of 4 bits: the kernels are the same, the code of pixels is
@@ -175,7 +207,6 @@ static void compare_special(const fxl_segment_face *plain, fxl_paint_row *row, i
     }
     face.kind = (uint8_t)(FXL_TEXELS_KEYED + (any_32() >> 7) % 3u);
     face.form = 0;
-    face.table = NULL;
     face.palette = face.kind == FXL_TEXELS_4 ? palette : NULL;
     row->y = (int32_t)(any_32() >> 25);
     if (face.kind == FXL_TEXELS_KEYED) {
@@ -191,7 +222,10 @@ static void compare_special(const fxl_segment_face *plain, fxl_paint_row *row, i
     compare_row(&face, row, x0, x1, fxl_paint_segments_565, portable_paint_segments_565);
     compare_rows(&face, row, x0, x1, fxl_paint_rows_565, portable_paint_rows_565);
 #if FXL_HAS_DEPTH_ROWS
-    if (face.kind == FXL_TEXELS_4) {
+    if (FXL_TEXELS_HAVE_HOLES(face.kind)) {
+        compare_holes(&face, row, x0, x1, fxl_paint_holes, portable_paint_segments, 1);
+        compare_holes(&face, row, x0, x1, fxl_paint_holes_565, portable_paint_segments_565, 2);
+    } else {
         compare_runs(&face, row, x0, x1, fxl_paint_runs_565, portable_paint_segments_565);
         compare_runs(&face, row, x0, x1, fxl_paint_runs, portable_paint_segments);
     }

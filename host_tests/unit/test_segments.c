@@ -358,8 +358,9 @@ void test_each_16_columns_have_segments_of_their_own(void)
     TEST_ASSERT_TRUE(times[0] > 50 && times[2] > 50 && times[3] > 50 && times[4] > 50);
 }
 
-/* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits. */
-static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
+/* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits, in light that
+ * is the same everywhere or in none. */
+static void check_kind_in_light(const uint8_t *plain, int32_t x0, const uint8_t *colours)
 {
     TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
     TEST_ASSERT_NOT_EQUAL(FXL_TEXELS_PLAIN, face.kind);
@@ -368,11 +369,24 @@ static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
         const bool is_drawn =
             x >= x0 && (face.kind != FXL_TEXELS_KEYED || plain[x] != paint.level.key) &&
             (face.kind != FXL_TEXELS_STIPPLED || !fxl_is_stippled_away(paint.opacity, x, row.y));
-        TEST_ASSERT_EQUAL(!is_drawn         ? UNTOUCHED
-                          : colours != NULL ? colours[plain[x]]
-                                            : plain[x],
+        const uint8_t colour = colours != NULL && is_drawn ? colours[plain[x]] : plain[x];
+        TEST_ASSERT_EQUAL(!is_drawn             ? UNTOUCHED
+                          : paint.table != NULL ? paint.table[colour]
+                                                : colour,
                           row_pixels[x]);
     }
+}
+
+static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
+{
+    static uint8_t table[256];
+    for (uint32_t i = 0; i < sizeof table; i++) {
+        table[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    check_kind_in_light(plain, x0, colours);
+    paint.table = table;
+    check_kind_in_light(plain, x0, colours);
+    paint.table = NULL;
 }
 
 /* Texels that are keyed, stippled or of 4 bits are those that are plain, at every pixel. */
@@ -688,7 +702,7 @@ void test_other_faces_are_not_the_kernels(void)
     check_refused(true);
     paint.opacity = 15;
     paint.table = colours;
-    check_refused(true);
+    check_refused(false);
     paint.level.flags = FXL_TEXTURE_KEYED;
     paint.in_beam = colours;
     check_refused(true);

@@ -21,11 +21,13 @@
 #define PAINT_PIXELS fxl_paint_pixels
 #define PAINT_ROWS   fxl_paint_rows
 #define PAINT_RUNS   fxl_paint_runs
+#define PAINT_HOLES  fxl_paint_holes
 #define FIND_COLOURS NULL
 #else
 #define PAINT_PIXELS fxl_paint_pixels_565
 #define PAINT_ROWS   fxl_paint_rows_565
 #define PAINT_RUNS   fxl_paint_runs_565
+#define PAINT_HOLES  fxl_paint_holes_565
 #define FIND_COLOURS fxl_find_colours
 #endif
 
@@ -181,6 +183,49 @@ static void paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cel
     }
 }
 
+#if HAS_RUNS
+
+/* The same by a kernel. Returns false if none paints such pixels. Not inline: its record would be on
+ * the stack of others. */
+static __attribute__((noinline)) bool paint_holes_at_once(const surface_row *of, int32_t x0,
+                                                          int32_t x1, void *cells,
+                                                          const fxl_depth_line *line)
+{
+    const fxl_segment_face *segments = of->row->segments;
+    const fxl_hole_depths depths = {line->step, (uint16_t *)cells,
+                                    line->code - line->step * (uint32_t)x0};
+    if (!has_plain_rows(of->paint, segments) || !FXL_TEXELS_HAVE_HOLES(segments->kind) ||
+        !fxl_segments_suffice(segments, of->row, x0, x1)) {
+        return false;
+    }
+    if (segments->kind == FXL_TEXELS_STIPPLED) { /* what is seen through holes is often a hole */
+        const uint32_t pattern = segments->stipple >> (4u * ((uint32_t)of->row->y & 3u));
+        while (x0 < x1 && (pattern >> (x0 & 3) & 1u) == 0) {
+            x0++;
+        }
+        if (x0 == x1) {
+            return true;
+        }
+    }
+    PAINT_HOLES(segments, of->row, x0, x1, &depths);
+    return true;
+}
+
+#else
+
+static inline bool paint_holes_at_once(const surface_row *of, int32_t x0, int32_t x1, void *cells,
+                                       const fxl_depth_line *line)
+{
+    (void)of;
+    (void)x0;
+    (void)x1;
+    (void)cells;
+    (void)line;
+    return false;
+}
+
+#endif
+
 /* fxl_run_painter. */
 static inline __attribute__((always_inline)) void
 paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
@@ -188,6 +233,9 @@ paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line 
     const surface_row *of = (const surface_row *)with;
     if (of->depth->keeps != FXL_DEPTH_KEEPS_DRAWN) {
         PAINT_PIXELS(of->paint, of->row, x0, x1);
+        return;
+    }
+    if (paint_holes_at_once(of, x0, x1, cells, &line)) {
         return;
     }
     while (x0 < x1) {

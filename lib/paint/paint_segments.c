@@ -28,7 +28,7 @@ FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *
     uint32_t position = run->position, texel;
     for (const uint32_t end = x + count; x != end; x++, position += run->step) {
         if (fxl_special_texel(face, row, x, fxl_segment_place(face, position), false, &texel)) {
-            row->pixels[x] = (uint8_t)texel;
+            row->pixels[x] = (uint8_t)(face->table != NULL ? face->table[texel] : texel);
         }
     }
 }

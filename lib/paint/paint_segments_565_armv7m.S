@@ -8,6 +8,7 @@
 
 #define ROWS        fxl_paint_rows_565
 #define RUNS        fxl_paint_runs_565
+#define HOLES       fxl_paint_holes_565
 #define WIDE        1
 #define TABLE       SEGMENT_FACE_PALETTE
 #define PIXEL       18
@@ -20,6 +21,7 @@
     .section .text.fxl_paint_segments_565, "ax", %progbits
     .global fxl_paint_rows_565
 #if !FXL_IS_COMPACT
+    .global fxl_paint_holes_565
     .global fxl_paint_runs_565
 #endif
     .global fxl_paint_segments_565

@@ -8,6 +8,7 @@
 
 #define ROWS        fxl_paint_rows
 #define RUNS        fxl_paint_runs
+#define HOLES       fxl_paint_holes
 #define WIDE        0
 #define TABLE       SEGMENT_FACE_TABLE
 #define PIXEL       16
@@ -20,6 +21,7 @@
     .section .text.fxl_paint_segments, "ax", %progbits
     .global fxl_paint_rows
 #if !FXL_IS_COMPACT
+    .global fxl_paint_holes
     .global fxl_paint_runs
 #endif
     .global fxl_paint_segments

@@ -231,6 +231,9 @@
     ldr     r4, [sp, #F_LOG]
     ldrd    r1, r0, [sp, #F_ROW]
     cbz     r4, 1f
+    ldrb    r4, [r0, #SEGMENT_FACE_KIND]
+    cmp     r4, #3
+    beq     1f
     ldr     w_low, [sp, #F_W_LOW]
     adr     r4, .Lkept + 1
     str     r4, [sp, #F_BEGIN]

@@ -83,8 +83,7 @@
     cmp     r4, r7
     bne     .Lother_line
 .Lsame_line:
-    add     r4, sp, #F_STEPS
-    ldm     r4, {r2, r3, r8-r11}        /* step, the reciprocal, u_more, u, v_more, v */
+    ldm     sp, {r2, r3, r8-r11}        /* step, the reciprocal, u_more, u, v_more, v */
     line_at u, u_more, PAINT_ROW_U, F_U_LEFT
     line_at v, v_more, PAINT_ROW_V, F_V_LEFT
     ldr     last, [sp, #F_LAST]
@@ -113,8 +112,7 @@
     add     r9, r9, #0x8000
     add     r11, r11, #0x8000
     add     step, r5, r4, lsl #16
-    add     r4, sp, #F_STEPS
-    stm     r4, {r2, r3, r8-r11}
+    stm     sp, {r2, r3, r8-r11}
     b       .Lsame_line
 
 /* Less than 16 columns are left, or nothing. */

@@ -46,6 +46,22 @@ bool fxl_paint_runs_565(fxl_plain_runs *runs);
  * either, or pixels that are each divided. Pixels have 8 bits. */
 bool fxl_paint_lit_runs(fxl_plain_runs *runs);
 
+/* The codes of depth along a row, and its cells of 16 bits: the code of column x is code + x step,
+ * modulo 2^32. A cell has its upper half. */
+typedef struct {
+    uint32_t step;
+    uint16_t *cells; /* of column 0 */
+    uint32_t code;   /* of column 0 */
+} fxl_hole_depths;
+
+/* fxl_paint_segments of texels that are keyed or stippled. It keeps the depths of the pixels that
+ * are drawn. Requires a row and weights that fxl_segments_suffice takes. Only Armv7-M has it, where
+ * its code is not compiled for size. */
+void fxl_paint_holes(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1,
+                     const fxl_hole_depths *depths);
+void fxl_paint_holes_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+                         int32_t x1, const fxl_hole_depths *depths);
+
 /* A sum below the last row may be beyond what is bounded: then it wraps. */
 static inline void fxl_plain_rows_next(fxl_plain_rows *rows)
 {

@@ -4,6 +4,7 @@
  *
  *   ROWS         fxl_paint_rows, or the name that it has for such pixels
  *   RUNS         the same of fxl_paint_runs
+ *   HOLES        the same of fxl_paint_holes
  *   WIDE         0, or 1: pixels of 16 bits
  *   TABLE        where the face has the table of what texels of 8 bits become; null: texels are
  * pixels WHOLE        bytes of the code of 16 pixels with a table; PIXEL: of one of them
@@ -50,12 +51,14 @@
 #define F_PLAIN    168 /* of a clamped face: F_CODE of a plain one */
 #define F_SIZE     176
 
-/* The frame of rows of constant weight has in the place of F_FIRST: */
-#define F_LINE     128 /* the weight for which it has: how far coordinates are shifted, */
-#define F_U_LEFT   132
-#define F_V_LEFT   136
-#define F_STEPS    140 /* the step of a pixel and the reciprocal; those of 16 pixels of u, and what it is more
-                        * in the middle of them; of v */
+#define F_OF_16    F_SAVED /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
+
+/* The frame of rows of constant weight has in the places of the steps and of F_BEGIN: */
+#define F_STEPS    0  /* the step of a pixel and the reciprocal; those of 16 pixels of u, and what it is more
+                       * in the middle of them; of v */
+#define F_LINE     24 /* the weight for which it has these, and how far coordinates are shifted */
+#define F_U_LEFT   F_BEGIN
+#define F_V_LEFT   F_FIRST
 
 pixels  .req r0         /* the address before the 16 pixels whose last ones are the segment's */
 p       .req r1
@@ -83,6 +86,7 @@ v_more  .req r10
     adr     r4, .Lreturn + 1
     strd    r4, r1, [sp, #F_DONE]
     bl      .Lprepare
+.Lrow_alone:                            /* the row of F_ROW alone */
     cmp     r1, #0
     ldr     r4, [sp, #F_ROW]
     ldr     r5, [r4, #PAINT_ROW_PIXELS]
@@ -162,7 +166,21 @@ RUNS:
 #endif
 
 #include "special_texels_armv7m.h"
+#if !FXL_IS_COMPACT
+#include "holes_armv7m.h"
+#endif
 #include "clamped_texels_armv7m.h"
+
+/* r4: what paints pixels of a kind. */
+    .macro  special_code code
+    adr     r4, \code + 1
+    .if     !WIDE
+    cmp     r7, #0
+    it      ne
+    adrne   r4, \code\()_tabled + 1
+    .endif
+    b       .Lprepared
+    .endm
 
 /* What the frame has of the face in r0; r1 becomes whether its rows are lines. Keeps r2 and r3. */
     .align  2
@@ -193,11 +211,18 @@ RUNS:
     ldrb    r5, [r0, #SEGMENT_FACE_ROW_DROP]
     rsb     r4, r4, #32
     strd    r4, r5, [sp, #F_COLUMN]
-    adr     r4, .Lloop + 1
     movs    r5, #0
     ldrb    r6, [r0, #SEGMENT_FACE_KIND]
     cbnz    r6, .Lprepare_special
-3:  strd    r4, r5, [sp, #F_CODE]
+    adr     r4, .Lloop + 1
+    .if     WIDE
+    cmp     r7, #0
+    it      eq
+    adreq   r4, .Lcolours + 1
+    .endif
+3:
+.Lprepared:
+    strd    r4, r5, [sp, #F_CODE]
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
     adr     r5, .Lbegin + 1
@@ -218,24 +243,53 @@ RUNS:
     str     r4, [sp, #F_KIND]
 4:  bx      lr
 
-/* Texels of another kind, r6: code that takes any size. */
+/* Texels of another kind, r6: code that takes any size. r7: the table. */
 .Lprepare_special:
     cmp     r6, #2
     beq     1f
     bhi     2f
-    ldr     r6, [r0, #SEGMENT_FACE_LIGHT_MAX] /* the key */
-    str     r6, [sp, #F_TABLE]
-    adr     r4, .Lkeyed + 1
-    b       3b
-1:  adr     r4, .Lstippled + 1
-    b       3b
+    special_code .Lkeyed
+1:  special_code .Lstippled
 2:  cmp     r6, #4
-    beq     1f
-    adr     r4, .Lfour_bits + 1
-    b       3b
+    beq     .Lprepare_clamped
+
+/* Texels of 4 bits: the table of what each becomes, and code for the size. */
+    ldr     r1, [r0, #SEGMENT_FACE_IN_BEAM] /* the colours */
+    add     r8, sp, #F_OF_16
+    str     r8, [sp, #F_TABLE]
+    add     r9, r1, #16
+1:  ldrb    r4, [r1], #1
+    .if     WIDE
+    ldrh    r4, [r7, r4, lsl #1]
+    strh    r4, [r8], #2
+    .else
+    cbz     r7, 2f
+    ldrb    r4, [r7, r4]
+2:  strb    r4, [r8], #1
+    .endif
+    cmp     r1, r9
+    bne     1b
+    ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
+    ldrb    r6, [r0, #SEGMENT_FACE_ROW_DROP]
+    add     r6, r6, r4, lsl #1
+    cmp     r6, #16
+    bne     3f                          /* higher than wide */
+    subs    r4, #5
+    bmi     3f
+    ldr     r6, [sp, #(F_TEXELS + 4)]
+    lsr     r6, r6, #1
+    str     r6, [sp, #(F_TEXELS + 4)]
+    movs    r6, #FOUR_BITS
+    mul     r4, r4, r6
+    adr     r6, .Lfour_bits_5 + 1
+    add     r4, r4, r6
+    b       .Lprepared
+3:  adr     r4, .Lfour_bits + 1
+    b       .Lprepared
 
 /* A clamped face. Its segments are painted by the code of plain ones. */
-1:  ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
+.Lprepare_clamped:
+    ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
     subs    r4, #5
     cbz     r7, 1f
     movw    r5, #WHOLE

@@ -152,8 +152,7 @@ bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face)
     return is_common(paint) && paint->blend == NULL && paint->division != FXL_DIVIDE_1 &&
            find(paint, face) && /* paint_divided.h */
            (is_plain(paint, flags) ||
-            (paint->table == NULL &&
-             find_kind(paint, flags, paint->level.key, paint->in_beam == NULL, face)));
+            find_kind(paint, flags, paint->level.key, paint->in_beam == NULL, face));
 }
 
 bool fxl_segments_find_565(const fxl_paint *paint, fxl_segment_face *face)

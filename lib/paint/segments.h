@@ -54,8 +54,8 @@ extern "C" {
  * of its coordinates beyond those of U and V. */
 #define FXL_ROW_BITS 12
 
-/* What a pixel does with its texel. All but plain ones have neither a ramp nor a table; keyed and
- * stippled ones of 16 bits have texels of RGB565. */
+/* What a pixel does with its texel. All but plain ones have no ramp; keyed and stippled ones of 16
+ * bits have texels of RGB565. */
 enum {
     FXL_TEXELS_PLAIN = 0,
     FXL_TEXELS_KEYED = 1,    /* one texel is not drawn */
@@ -67,6 +67,9 @@ enum {
 
 /* Whether a texel itself is more than one of 8 or 16 bits that is drawn. */
 #define FXL_TEXELS_ARE_SPECIAL(kind) ((kind) != FXL_TEXELS_PLAIN && (kind) != FXL_TEXELS_CLAMPED)
+
+/* Whether the pixels of a kind may be left out. */
+#define FXL_TEXELS_HAVE_HOLES(kind) ((kind) == FXL_TEXELS_KEYED || (kind) == FXL_TEXELS_STIPPLED)
 
 /* What the kernel needs of a face. The steps are those of 16 columns; of light, the upper word. A
  * value's upper word times the reciprocal of the weight is a product of 64 bits, whose upper word,

@@ -20,6 +20,7 @@
 /* Leaves out F_BEFORE pixels of 16, of so many bytes of code each, from \first on. */
     .macro  go_special first, bytes
     ldr     r3, [sp, #(F_BEFORE + F_PUSHED)]
+    cbz     r3, \first
     ldr     r9, [sp, #(F_SHORT + F_PUSHED)]
     str     r9, [sp, #(F_BEFORE + F_PUSHED)]
     bic     r9, r3, #3
@@ -40,6 +41,12 @@
     ldr     pc, [sp, #F_NEXT]
     .endm
 
+    .macro  check_bytes first, bytes
+    .if     . - \first - 4 * \bytes
+    .error  "bytes of the code of a pixel"
+    .endif
+    .endm
+
 /* r3 = the number of the texel at the position; 12 bytes. */
     .macro  find_special
     lsr.w   r3, p, r8
@@ -56,6 +63,22 @@
     .endif
     .endm
 
+    .macro  load_of_16
+    .if     WIDE
+    ldrh.w  r3, [table, r3, lsl #1]
+    .else
+    ldrb.w  r3, [table, r3]
+    .endif
+    .endm
+
+    .macro  store_special i
+    .if     WIDE
+    strh.w  r3, [pixels, #(2 * \i)]
+    .else
+    strb.w  r3, [pixels, #\i]
+    .endif
+    .endm
+
     .macro  store_special_if condition, i
     it      \condition
     .if     WIDE
@@ -66,54 +89,82 @@
     add     p, step
     .endm
 
+/* Keyed texels. r10: the key. */
+    .macro  keyed label, tabled, bytes
     .align  2
-.Lkeyed:
+.Lkeyed\label:
     begin_special
-    go_special .Lkeyed_pixels, 26
+    ldr     r3, [sp, #(F_FACE + F_PUSHED)]
+    ldr     r10, [r3, #SEGMENT_FACE_LIGHT_MAX] /* the key */
+    go_special .Lkeyed_pixels\label, \bytes
     .align  2
-.Lkeyed_pixels:
+.Lkeyed_pixels\label:
     .irp i, 1, 2, 3, 4
     find_special
     load_special
-    cmp     r3, table
+    cmp     r3, r10
+    .if     \tabled
+    it      ne
+    ldrbne  r3, [table, r3]
+    .endif
     store_special_if ne, \i
     .endr
-    end_special .Lkeyed_pixels
+    check_bytes .Lkeyed_pixels\label, \bytes
+    end_special .Lkeyed_pixels\label
+    .endm
 
 /* r10: whether the pixel 4 n + i of the 16 is drawn, in bit i. */
-    .align  2
-.Lstippled:
-    begin_special
-    ldr     r3, [sp, #(F_ROW + F_PUSHED)]
+    .macro  find_pattern pushed
+    ldr     r3, [sp, #(F_ROW + \pushed)]
     ldrd    r9, r10, [r3, #PAINT_ROW_PIXELS] /* and y */
     sub     r9, pixels, r9
     ubfx    r9, r9, #WIDE, #2
     and     r10, r10, #3
     lsl     r10, r10, #2
-    ldr     r3, [sp, #(F_FACE + F_PUSHED)]
+    ldr     r3, [sp, #(F_FACE + \pushed)]
     ldr     r3, [r3, #SEGMENT_FACE_LIGHT_MAX] /* the pattern */
     lsr     r3, r3, r10
     and     r3, r3, #15
     orr     r3, r3, r3, lsl #4
     lsr     r10, r3, r9
-    go_special .Lstippled_pixels, 28
+    .endm
+
+/* A pixel that is not drawn takes 3 instructions. */
+    .macro  stippled label, tabled, bytes
     .align  2
-.Lstippled_pixels:
+.Lstippled\label:
+    begin_special
+    find_pattern F_PUSHED
+    go_special .Lstippled_pixels\label, \bytes
+    .align  2
+.Lstippled_pixels\label:
     .irp i, 1, 2, 3, 4
+    tst     r10, #(1 << (\i & 3))
+    beq.n   1f
     find_special
     load_special
-    tst     r10, #(1 << (\i & 3))
-    store_special_if ne, \i
+    .if     \tabled
+    ldrb.w  r3, [table, r3]
+    .endif
+    store_special \i
+1:  add     p, step
     .endr
-    end_special .Lstippled_pixels
+    check_bytes .Lstippled_pixels\label, \bytes
+    end_special .Lstippled_pixels\label
+    .endm
 
-/* r10: the colours. */
+    keyed   , 0, 26
+    stippled , 0, (28 + 0)
+    .if     !WIDE
+    keyed   _tabled, 1, 30
+    stippled _tabled, 1, 32
+    .endif
+
+/* Texels of 4 bits. table: what each of the 16 becomes. A texture of any size: */
     .align  2
 .Lfour_bits:
     begin_special
-    ldr     r3, [sp, #(F_FACE + F_PUSHED)]
-    ldr     r10, [r3, #SEGMENT_FACE_IN_BEAM] /* the colours */
-    go_special .Lfour_bits_pixels, (38 + 4 * WIDE)
+    go_special .Lfour_bits_pixels, 38
     .align  2
 .Lfour_bits_pixels:
     .irp i, 1, 2, 3, 4
@@ -123,16 +174,101 @@
     ite     cs
     lsrcs.w r3, r3, #4
     andcc.w r3, r3, #15
-    ldrb.w  r3, [r10, r3]
+    load_of_16
+    store_special \i
+    add     p, step
+    .endr
+    check_bytes .Lfour_bits_pixels, 38
+    end_special .Lfour_bits_pixels
+
+/* A texture of 2^log columns that is no higher. mask: half of the mask of rows; r7: how far a byte is
+ * shifted to the texel, r8: 4; r9: where `pixels` ends. */
+#define F_FEW_PUSHED 12
+#define FOUR_BITS    (164 + 8 * WIDE)   /* bytes of the code for a width */
+    .macro  four_bits log
+    .align  2
+.Lfour_bits_\log:
+    push    {r7-r9}
+    add     r9, pixels, #(16 << WIDE)
+    mov     r8, #4
+    ldr     r3, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    cbz     r3, .Lfour_bits_pixels_\log
+    ldr     r7, [sp, #(F_SHORT + F_FEW_PUSHED)]
+    str     r7, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    bic     r7, r3, #3
+    add     pixels, pixels, r7, lsl #WIDE
+    and     r3, r3, #3
+    movs    r7, #(26 + 2 * WIDE)
+    muls    r3, r7, r3
+    adr     r7, .Lfour_bits_pixels_\log + 1
+    add     r3, r3, r7
+    bx      r3
+    .align  2
+.Lfour_bits_pixels_\log:
+    .irp i, 1, 2, 3, 4
+    and.w   r3, mask, p, lsr #(17 - 2 * \log)
+    add.w   r3, r3, p, lsr #(33 - \log)
+    ldrb    r3, [texels, r3]
+    and.w   r7, r8, p, lsr #(30 - \log)
+    lsrs    r3, r7
+    and.w   r3, r3, #15
     .if     WIDE
     ldrh.w  r3, [table, r3, lsl #1]
-    strh.w  r3, [pixels, #(2 * \i)]
+    strh.n  r3, [pixels, #(2 * \i)]
     .else
-    strb.w  r3, [pixels, #\i]
+    ldrb    r3, [table, r3]
+    strb.n  r3, [pixels, #\i]
     .endif
     add     p, step
     .endr
-    end_special .Lfour_bits_pixels
+    check_bytes .Lfour_bits_pixels_\log, (26 + 2 * WIDE)
+    adds    pixels, #(4 << WIDE)
+    cmp     pixels, r9
+    bne     .Lfour_bits_pixels_\log
+    pop     {r7-r9}
+    ldr     pc, [sp, #F_NEXT]
+    .endm
+
+    four_bits 5
+    .org    .Lfour_bits_5 + FOUR_BITS
+    four_bits 6
+    .org    .Lfour_bits_5 + 2 * FOUR_BITS
+    four_bits 7
+    .org    .Lfour_bits_5 + 3 * FOUR_BITS
+    four_bits 8
+
+    .if     WIDE
+/* Plain texels of RGB565, of a texture of any size: all 16 pixels without a loop. */
+    .align  2
+.Lcolours:
+    push    {r7-r9}
+    ldrd    r7, r8, [sp, #(F_COLUMN + F_FEW_PUSHED)]
+    ldr     r3, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    cbz     r3, .Lcolours_pixels
+    ldr     r9, [sp, #(F_SHORT + F_FEW_PUSHED)]
+    str     r9, [sp, #(F_BEFORE + F_FEW_PUSHED)]
+    add     r3, r3, r3, lsl #2
+    adr     r9, .Lcolours_pixels + 1
+    add     r3, r9, r3, lsl #2
+    bx      r3
+    .align  2
+.Lcolours_pixels:
+    .irp i, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16
+    .if     \i == 5
+    check_bytes .Lcolours_pixels, 20
+    .endif
+    find_special
+    ldrh.w  r3, [texels, r3, lsl #1]
+    .if     \i < 16
+    strh.n  r3, [pixels, #(2 * \i)]
+    .else
+    strh    r3, [pixels, #(2 * \i)]!
+    .endif
+    add     p, step
+    .endr
+    pop     {r7-r9}
+    ldr     pc, [sp, #F_NEXT]
+    .endif
 
 /* clang-format on */
 
