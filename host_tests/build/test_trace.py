@@ -3,6 +3,7 @@
 
 import json
 import re
+import types
 
 import pytest
 from conftest import CHECKOUT, run_cli, run_make
@@ -225,7 +226,7 @@ def result(changes, monkeypatch, seeded=()):
             self.number = number
 
     results = iter(changes)
-    breaker = trace_break.Breaker(None, CHECKOUT, {})
+    breaker = trace_break.Breaker(types.SimpleNamespace(folder=CHECKOUT), {})
     monkeypatch.setattr(breaker, "check", lambda *_: None)
     monkeypatch.setattr(breaker, "try_change", lambda *_: {"change": "c", "result": next(results)})
     monkeypatch.setattr(trace_break, "tagged_mutants", lambda *_: [((number,), Mutant(number)) for number in range(40)])

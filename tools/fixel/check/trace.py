@@ -178,7 +178,7 @@ def break_all(rows, options):
     trees = trace_break.make_trees(scratch, options.cc, units, CHECKOUT, max(1, min(options.jobs, len(rows))))
     free, done = queue.SimpleQueue(), []
     for tree in trees:
-        free.put(trace_break.Breaker(tree, CHECKOUT, known))
+        free.put(trace_break.Breaker(tree, known))
 
     def work(row):
         breaker = free.get()

@@ -128,7 +128,7 @@ def suites_of(tests):
     return [Suite(file, names) for file, names in sorted(files.items())]
 
 
-def tagged_mutants(checkout, code):
+def tagged_mutants(folder, code):
     """[(key, mutant)] of the lines of tags, in an order that a change of one line does not change."""
     lines = {}
     for tag in code:
@@ -137,7 +137,7 @@ def tagged_mutants(checkout, code):
             lines.setdefault(tag.file, set()).update(range(tag.line, tag.last + 1))
     found = []
     for file, wanted in lines.items():
-        text = (checkout / file).read_text(encoding="utf-8")
+        text = (folder / file).read_text(encoding="utf-8")
         found += [(key, mutant) for key, mutant in survivors.keyed(mutate.mutants(file, text), text) if mutant.line in wanted]
     return sorted(found, key=lambda pair: survivors.place_of("trace", pair[0]))
 
@@ -145,8 +145,8 @@ def tagged_mutants(checkout, code):
 class Breaker:
     """Tries clauses in one tree."""
 
-    def __init__(self, tree, checkout, known):
-        self._tree, self._checkout, self._known = tree, checkout, known
+    def __init__(self, tree, known):
+        self._tree, self._known = tree, known
 
     def try_change(self, change, suites):
         """{"change", "result", "by"} of a bug or mutant; afterwards the tree is as it was."""
@@ -194,7 +194,7 @@ class Breaker:
             tried.append(self.try_change(Change(bug), suites))
             if tried[-1]["result"] == "killed":
                 return {"clause": id_, "shown": True, "by": tried[-1]["change"], "tried": tried}
-        mutants = [mutant for key, mutant in tagged_mutants(self._checkout, code) if key[:3] not in self._known]
+        mutants = [mutant for key, mutant in tagged_mutants(self._tree.folder, code) if key[:3] not in self._known]
         counted = killed = 0
         for mutant in mutants[:MOST]:
             tried.append(self.try_change(mutant, suites))
@@ -205,6 +205,12 @@ class Breaker:
             if counted == NEEDED[-1][0] or counted - killed > NEEDED[-1][0] - NEEDED[-1][1]:
                 break
         return {"clause": id_, "shown": False, "by": f"{killed} of {counted} mutants killed", "tried": tried}
+
+
+def is_seen_here(bug):
+    """Whether a bug is in code of the host: those of other cores are only seen by comparisons of kernels."""
+    return bug.file.endswith((".c", ".h")) and not library_mutants.KEPT.search(bug.file) and \
+        not (bug.tests and all(test.startswith("equality/") for test in bug.tests))
 
 
 def inputs(id_, code, suites, bugs, checkout, units, compiler):
@@ -218,7 +224,7 @@ def inputs(id_, code, suites, bugs, checkout, units, compiler):
 def one(breaker, row, kept, to, about):
     """The result of a row of the trace, as kept or new. about: (checkout, units, compiler)."""
     suites = suites_of(row["tests"])
-    bugs = [bug for bug in row["bugs"] if bug.file.endswith((".c", ".h")) and not library_mutants.KEPT.search(bug.file)]
+    bugs = list(filter(is_seen_here, row["bugs"]))
     if not suites:
         return {"clause": row["id"], "shown": False, "by": "no unit test of the host has it", "tried": []}
     checkout, units, compiler = about
