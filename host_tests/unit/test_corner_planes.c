@@ -120,7 +120,7 @@ void test_small_is_what_its_conditions_say(void)
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
         make_corners(unit_random() % 4 == 0 ? 5.0 : 0.2);
         const double w = corners.width, h = corners.height;
-        const bool has_size = fmin(w, h) >= 16384 && fmax(w, h) <= 64 * 65536;
+        const bool has_size = fmin(w, h) >= 16384 && fmax(w, h) <= FXL_WORDS_SIDE_MAX;
         const bool is_thin = twice_area() * 8 < w * h, is_line = twice_area() * 64 < w * h;
         const double z = fmax((double)corners.depths[0],
                               fmax((double)corners.depths[1], (double)corners.depths[2]));
@@ -138,7 +138,9 @@ void test_small_is_what_its_conditions_say(void)
         const bool is_steep = 1 - near / z > side;
         const bool expected = has_size && !is_line && !is_apart && (is_thin || !is_steep);
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&corners, &view.lens, &planes));
+        const bool is_for_words = is_thin || fmax(w, h) > 64 * 65536;
         TEST_ASSERT_TRUE(!expected || planes.is_thin == is_thin);
+        TEST_ASSERT_TRUE(!expected || planes.is_for_words == is_for_words);
         /* Whichever corner is the first. */
         const fxl_screen_corners turned = {
             {corners.points[1], corners.points[2], corners.points[0]},
@@ -148,7 +150,7 @@ void test_small_is_what_its_conditions_say(void)
             true,
             true};
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &view.lens, &planes));
-        small += expected;
+        small += expected && !is_for_words;
         thin += has_size && is_thin;
         apart += has_size && is_apart;
         steep += has_size && is_steep;
@@ -170,14 +172,17 @@ void test_the_box_counts_that_of_all_vertices(void)
                                       true};
     fxl_screen_corners large = small;
     TEST_ASSERT_TRUE(fxl_corner_planes_begin(&small, &view.lens, &planes));
+    TEST_ASSERT_FALSE(planes.is_for_words);
     large.width = (64 << 16) + 1;
+    TEST_ASSERT_TRUE(!fxl_corner_planes_begin(&large, &view.lens, &planes) || planes.is_for_words);
+    large.width = FXL_WORDS_SIDE_MAX + 1;
     TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &view.lens, &planes));
 }
 
-/* Whether the face is small, and not thin. */
+/* Whether the face is small. */
 static bool begins(void)
 {
-    return fxl_corner_planes_begin(&corners, &view.lens, &planes) && !planes.is_thin;
+    return fxl_corner_planes_begin(&corners, &view.lens, &planes) && !planes.is_for_words;
 }
 
 void test_depth_is_that_of_the_plane_through_the_corners(void)

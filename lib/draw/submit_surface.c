@@ -103,14 +103,6 @@ static bool has_few_texels(int32_t (*values)[3])
     return bits >> 23 == 0;
 }
 
-/* Whether pixels of a lit surface are those of fxl_paint.has_light_rows, all of the face, and need
- * not be divided: planes of words are for these alone. */
-static inline bool has_light_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
-{
-    return surface->texture == 0 && surface->opacity == 16 && surface->flags == FXL_SURFACE_LIT &&
-           surface->division != FXL_DIVIDE_1 && surfaces->beams == NULL;
-}
-
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_depth_finder *find_depth,
@@ -133,7 +125,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     polygon->is_in_beam = false;
     polygon->has_depth = find_depth != NULL;
     if (is_projected && find_linear != NULL && corners.count == 1 &&
-        has_light_alone(surfaces, surface) &&
+        fxl_has_light_alone(surfaces, surface) &&
         find_linear(&on_screen, &view->lens, corners.values[0], &polygon->gradients,
                     &polygon->depth)) {
         polygon->level = 0;
@@ -141,7 +133,7 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     }
     const bool is_small = is_projected &&
                           fxl_corner_planes_begin(&on_screen, &view->lens, &planes) &&
-                          !planes.is_thin;
+                          !planes.is_for_words;
     bool is_found = false;
     if (surface->flags & FXL_SURFACE_COLOURS) {
         const bool has_planes = is_small && surface->division != FXL_DIVIDE_1;

@@ -43,6 +43,14 @@ static inline void fxl_surface_light_of(const fxl_surfaces *surfaces, fxl_paint 
     paint->levels_less_1 = (uint8_t)(settings->levels - 1);
 }
 
+/* Whether pixels of a lit surface are those of fxl_paint.has_light_rows, all of the face, and need
+ * not be divided: planes of words are for these alone. */
+static inline bool fxl_has_light_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
+{
+    return surface->texture == 0 && surface->opacity == 16 && surface->flags == FXL_SURFACE_LIT &&
+           surface->division != FXL_DIVIDE_1 && surfaces->beams == NULL;
+}
+
 #define FXL_NO_SURFACE UINT16_MAX
 FXL_STATIC_ASSERT(FXL_SURFACES_MAX <= FXL_NO_SURFACE, "no surface has this number");
 

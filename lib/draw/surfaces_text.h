@@ -393,39 +393,53 @@ static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points
 #define DRAW_SMOOTH fxl_draw_smooth_outline_8
 #endif
 
-/* Draws a polygon by the kernel of smooth outlines, where it can: an opaque one that is in no beam,
- * front to back. What it needs of a paint is found here alone. Not inline: what it has would stay
- * on the stack of others. */
-static __attribute__((noinline)) fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces,
-                                                             fxl_workspace *workspace,
-                                                             const fxl_surface_polygon *polygon,
-                                                             const fxl_screen_point *points,
-                                                             uint32_t count, const fxl_band *band)
+/* Draws a polygon by the kernel of smooth outlines: an opaque one that is lit and in no beam, whose
+ * planes are in words, where the kernel can draw. What it needs of a paint is found here alone. Not
+ * inline: what it has would stay on the stack of others. */
+static __attribute__((noinline)) fxl_depth_drawn
+draw_words(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+           const fxl_surface_polygon *polygon, uint8_t colour, const fxl_screen_point *points,
+           uint32_t count, const fxl_band *band)
 {
-    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_smooth_outline smooth;
     fxl_paint paint;
-    if (surface->opacity != 16 || (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ||
-        polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface)) {
-        return FXL_DEPTH_NOT_DRAWN;
-    }
     fxl_surface_light_of(surfaces, &paint);
     paint.gradients = &polygon->gradients;
-    paint.colour = polygon->colour;
+    paint.colour = colour;
 #if FXL_TARGET_PIXEL_BITS == 16
     paint.of_565.palette = band->palette;
     mix_light(surfaces, &paint);
 #endif
-    if (!fxl_smooth_outline_begin(workspace->target_memory, &polygon->depth, &paint, band,
-                                  FXL_TARGET_PIXEL_BITS / 8, &smooth)) {
-        return FXL_DEPTH_NOT_DRAWN;
-    }
+    fxl_smooth_outline_set((const fxl_depth_head *)workspace->target_memory, &polygon->depth,
+                           &paint, band, FXL_TARGET_PIXEL_BITS / 8, &smooth);
     fxl_depth_drawn drawn = DRAW_SMOOTH(points, count, band, &smooth);
     if (drawn == FXL_DEPTH_NOT_CLEAR) {
         clear_under(workspace, points, count, band);
         drawn = DRAW_SMOOTH(points, count, band, &smooth);
     }
     return drawn;
+}
+
+/* Whether the kernel of smooth outlines can draw into a band. */
+static inline bool can_draw_smooth(const fxl_workspace *workspace, const fxl_band *band)
+{
+    return fxl_depth_outline_can_draw((const fxl_depth_head *)workspace->target_memory, band,
+                                      FXL_TARGET_PIXEL_BITS / 8);
+}
+
+/* Draws any polygon in words by that kernel, where it can. */
+static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                                          const fxl_surface_polygon *polygon,
+                                          const fxl_screen_point *points, uint32_t count,
+                                          const fxl_band *band)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    if (surface->opacity != 16 || (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ||
+        polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface) ||
+        !can_draw_smooth(workspace, band)) {
+        return FXL_DEPTH_NOT_DRAWN;
+    }
+    return draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);
 }
 
 #else
@@ -571,15 +585,87 @@ static __attribute__((noinline)) bool submit_mapped(const fxl_model_view *model_
         traversal, submit_polygons(model_view, face, traversal, find, of, &polygon, false), used);
 }
 
+#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+
+/* Whether what the clipper leaves of a mapped face is drawn at once, as one polygon, by the kernel
+ * of smooth outlines if its planes are in words. */
+static inline bool may_be_smooth(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
+                                 const fxl_traversal *traversal)
+{
+    return surfaces->light != NULL &&
+           fxl_has_light_alone(surfaces, &surfaces->set->surfaces[mapped->surface]) &&
+           traversal->display_list == NULL && traversal->mode != FXL_SUBMIT_MEASURE &&
+           traversal->clipper->next == NULL &&
+           can_draw_smooth(traversal->workspace, traversal->band);
+}
+
+/* Such a face, from its corners to its pixels. False if its planes are no words, or the kernel
+ * cannot scan it: then nothing is drawn or counted. */
+static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfaces,
+                                                       const fxl_mapped_face *mapped,
+                                                       const fxl_model_view *model_view,
+                                                       const fxl_face *face,
+                                                       const fxl_traversal *traversal)
+{
+    fxl_workspace *workspace = traversal->workspace;
+    const fxl_renderer *renderer = traversal->renderer;
+    const fxl_screen_polygon *screen = &workspace->screen;
+    fxl_counters *counters = traversal->counters;
+    const fxl_clip_result cut = fxl_first_polygon(model_view, face, traversal);
+    fxl_surface_polygon polygon;
+    fxl_screen_corners corners;
+    int32_t light[3];
+    if (cut > FXL_CLIP_CUT) {
+        return fxl_count_outcome(traversal, (fxl_outcome)1 << cut, 0);
+    }
+    if (!fxl_find_screen_corners(model_view, face, mapped->vertices, traversal, &corners)) {
+        return false;
+    }
+    surfaces->light_code->light_corners(surfaces, renderer, model_view->instance, mapped, light);
+    if (!FIND_LINEAR(&corners, &model_view->view->lens, light, &polygon.gradients,
+                     &polygon.depth)) {
+        return false;
+    }
+    const fxl_depth_drawn drawn = draw_words(surfaces, workspace, &polygon, face->material,
+                                             screen->points, screen->count, traversal->band);
+    if (drawn == FXL_DEPTH_NOT_DRAWN) {
+        return false;
+    }
+    if (drawn == FXL_DEPTH_DRAWN ||
+        fxl_outline_has_rows(screen, renderer->frame.view.lens.height)) {
+        counters->spilled += 1;
+    }
+    counters->drawn += 1;
+    if (cut == FXL_CLIP_CUT) {
+        counters->clipped += 1;
+    }
+    return true;
+}
+
+#endif
+
 /* fxl_shader_code.face. */
 static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     bool fitted;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
-    const fxl_mapped_surface of = {
-        surfaces, fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted), NULL, NULL,
-        false};
+    const fxl_renderer *renderer = traversal->renderer;
+    fxl_mapped_surface of = {surfaces, NULL, NULL, NULL, false};
+    if (surfaces->beams == NULL && renderer->target == &FXL_TARGET) {
+        const fxl_surface_set *set = surfaces->set;
+        const uint32_t number = set->face_map[face - renderer->scene->faces];
+        of.mapped = number != 0 ? &set->faces[number - 1] : NULL;
+    }
+    if (of.mapped == NULL) {
+        of.mapped = fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted);
+    }
+#if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
+    else if (may_be_smooth(surfaces, of.mapped, traversal) &&
+             draw_smooth_face(surfaces, of.mapped, model_view, face, traversal)) {
+        return true;
+    }
+#endif
     return of.mapped == NULL ? fitted : submit_mapped(model_view, face, traversal, &of);
 }
 

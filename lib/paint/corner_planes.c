@@ -95,7 +95,7 @@ static inline void locate(fxl_corner_planes *planes)
     }
 }
 
-/* Edges are at most 2^22 in 1/65536 pixel, so the area is at most 2^45; of a small face it is at
+/* Edges are below 2^23 in 1/65536 pixel, so the area is below 2^47; of a small face it is at
  * least 2^25, of a thin one 2^22. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
  * scaled to less than 2^31, so a product with r is at most 2^62. What is cut off a coefficient is
  * less than 2^-29 of the largest. */
@@ -105,8 +105,8 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
 {
     const fxl_screen_point *p = corners->points;
     const uint32_t width = (uint32_t)corners->width, height = (uint32_t)corners->height;
-    if (width - FXL_SMALL_SIDE_MIN > FXL_SMALL_SIDE_MAX - FXL_SMALL_SIDE_MIN ||
-        height - FXL_SMALL_SIDE_MIN > FXL_SMALL_SIDE_MAX - FXL_SMALL_SIDE_MIN) {
+    if (width - FXL_SMALL_SIDE_MIN > FXL_WORDS_SIDE_MAX - FXL_SMALL_SIDE_MIN ||
+        height - FXL_SMALL_SIDE_MIN > FXL_WORDS_SIDE_MAX - FXL_SMALL_SIDE_MIN) {
         return false;
     }
     const int32_t x1 = p[1].x - p[0].x, y1 = p[0].y - p[1].y;
@@ -115,11 +115,12 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
     planes->is_thin = false;
+    planes->is_for_words = width > FXL_SMALL_SIDE_MAX || height > FXL_SMALL_SIDE_MAX;
     if (planes->area << 3 < box) {
         if (planes->area << 6 < box) {
             return false;
         }
-        planes->is_thin = true;
+        planes->is_thin = planes->is_for_words = true;
     }
     if (!find_weights(corners, lens, planes)) {
         return false;

@@ -36,6 +36,7 @@ typedef struct {
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */
 #define FXL_SMALL_SIDE_MIN (1 << 14)
 #define FXL_SMALL_SIDE_MAX (64 << 16)
+#define FXL_WORDS_SIDE_MAX ((127 << 16) + (1 << 14)) /* of a face whose planes may be words */
 #define FXL_SMALL_SLOPES   16
 
 /* What all values of a small face share. */
@@ -54,7 +55,8 @@ typedef struct {
     uint32_t weight_most;
     int weight_exponent;
     bool is_triangle;
-    bool is_thin;           /* less than 1/16: for fxl_corner_planes_linear alone */
+    bool is_thin;           /* less than 1/16 */
+    bool is_for_words;      /* thin, or with a longer side: for fxl_corner_planes_linear alone */
     bool is_located;        /* the next two are found */
     uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
     bool has_weight;        /* the next three are found */
@@ -63,7 +65,8 @@ typedef struct {
     fxl_gradient weight;
 } fxl_corner_planes;
 
-/* Sets *planes. False where the face is not small: *planes is undefined then. A face is small if
+/* Sets *planes. False where the face is not small, nor for words: *planes is undefined then. A face
+ * is small if
  * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
  * - the triangle of the three corners fills at least 1/16 of the box,
  * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest,
@@ -71,9 +74,9 @@ typedef struct {
  *   largest one. So what the corners' rounding changes a depth by is below its resolution in 16
  * bits. Requires a box that reaches the screen of the lens.
  *
- * A thin face, whose triangle fills 1/128 to 1/16 of the box, is small too, whatever its slopes:
- * only fxl_corner_planes_linear takes it, if its 1/z changes by less than 1/4 of the largest one a
- * pixel.
+ * A thin face, whose triangle fills 1/128 to 1/16 of the box, whatever its slopes, and one with
+ * sides up to FXL_WORDS_SIDE_MAX, are for words: only fxl_corner_planes_linear takes them, a thin
+ * one if its 1/z changes by less than 1/4 of the largest one a pixel.
  */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes);

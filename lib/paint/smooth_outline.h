@@ -49,16 +49,12 @@ fxl_depth_drawn fxl_draw_smooth_outline_16(const fxl_screen_point *points, uint3
 
 #endif
 
-/* Prepares a polygon whose pixels have `pixel_bytes` bytes. Returns false if the kernel cannot draw
- * it: *smooth is undefined then. Requires paint->is_light_linear. */
-static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_plane *plane,
-                                            const fxl_paint *paint, const fxl_band *band,
-                                            uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+/* Prepares a polygon whose pixels have `pixel_bytes` bytes, and whose plane is in words. Requires
+ * light in words, and fxl_depth_outline_can_draw. */
+static inline void fxl_smooth_outline_set(const fxl_depth_head *head, const fxl_depth_plane *plane,
+                                          const fxl_paint *paint, const fxl_band *band,
+                                          uint32_t pixel_bytes, fxl_smooth_outline *smooth)
 {
-    const fxl_depth_head *head = (const fxl_depth_head *)memory;
-    if (!fxl_depth_is_in_words(plane) || !fxl_depth_outline_can_draw(head, band, pixel_bytes)) {
-        return false;
-    }
     const uint32_t code_row = band->width * (uint32_t)plane->gradient.along;
     smooth->cells = (uint16_t *)(uintptr_t)(head + 1);
     smooth->pixels = fxl_depth_outline_pixels(head, band, pixel_bytes);
@@ -87,6 +83,19 @@ static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_
         smooth->by.part_of_level = of->part_of_level;
         smooth->mixture = fxl_mixture_of_565(of->palette[paint->colour], of->dark);
     }
+}
+
+/* The same for any polygon. Returns false if the kernel cannot draw it: *smooth is undefined then.
+ * Requires paint->is_light_linear. */
+static inline bool fxl_smooth_outline_begin(const void *memory, const fxl_depth_plane *plane,
+                                            const fxl_paint *paint, const fxl_band *band,
+                                            uint32_t pixel_bytes, fxl_smooth_outline *smooth)
+{
+    const fxl_depth_head *head = (const fxl_depth_head *)memory;
+    if (!fxl_depth_is_in_words(plane) || !fxl_depth_outline_can_draw(head, band, pixel_bytes)) {
+        return false;
+    }
+    fxl_smooth_outline_set(head, plane, paint, band, pixel_bytes, smooth);
     return true;
 }
 

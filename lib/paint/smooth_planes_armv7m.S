@@ -84,9 +84,9 @@ fxl_find_smooth_planes:
     beq     .Lrefused
     sub     r6, r4, #1 << 14
     sub     r7, r5, #1 << 14
-    cmp     r6, #(64 << 16) - (1 << 14)
+    cmp     r6, #127 << 16          /* FXL_WORDS_SIDE_MAX, less the least */
     it      ls
-    cmpls   r7, #(64 << 16) - (1 << 14)
+    cmpls   r7, #127 << 16
     bhi     .Lrefused
 
     /* The edges: r8: x1, r9: y1, r10: x2, r11: y2; the area. */

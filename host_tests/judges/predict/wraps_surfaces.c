@@ -74,7 +74,7 @@ WRAPPED(bool, fxl_corner_planes_begin,
         (const fxl_screen_corners *corners, const fxl_lens *lens, fxl_corner_planes *planes))
 {
     const bool is_small = __real_fxl_corner_planes_begin(corners, lens, planes);
-    counted.small_faces += is_small;
+    counted.small_faces += is_small && !planes->is_for_words;
     return is_small;
 }
 
