@@ -36,6 +36,7 @@ static const oracle_claim *const claims[] = {
     &oracle_texel_every_8,
     &oracle_texel_affine,
     &oracle_light_level,
+    &oracle_corner_colour,
     &oracle_vertex_turned,
     &oracle_depth_16,
     &oracle_depth_32,

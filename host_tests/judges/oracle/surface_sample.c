@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* --- random samples ------------------------------------------------------------------------- */
 
@@ -114,26 +115,34 @@ int surface_sample_make_affine(surface_sample *sample)
     return sample->is_affine;
 }
 
-/* The pixel over a background; or a background of its own where the library refuses to draw. */
+/* Of RGB565. The colour of the sample's face is that of the background, so a face that is drawn
+ * without its surface counts as one that is not drawn. */
+static uint16_t palette[256] = {[255] = 0xFFFF};
+
+/* The pixel over a background of 0 or 255 in each byte; or that background where the library refuses to draw. */
 static int draw_over(fxl_renderer *renderer, const surface_sample *sample, uint8_t background)
 {
-    static uint8_t pixels[FXL_SCREEN_MAX];
+    static uint16_t pixels[FXL_SCREEN_MAX];
     const uint16_t width = renderer->frame.view.lens.width;
-    const fxl_band band = {.pixels = pixels,
+    const int is_wide = renderer->target->pixel_bits == 16;
+    const fxl_band band = {.pixels = (uint8_t *)pixels,
                            .width = width,
                            .stride = width,
                            .first_row = (uint16_t)sample->y,
-                           .rows = 1};
-    fxl_fill_band(&band, background);
-    return fxl_frame_begin(renderer, &sample->setup.pose) == FXL_OK &&
-                   fxl_frame_draw(renderer, &band) == FXL_OK
-               ? pixels[sample->x]
-               : background;
+                           .rows = 1,
+                           .palette = is_wide ? palette : NULL};
+    palette[sample->face.material] = palette[background];
+    memset(pixels, background, sizeof pixels);
+    if (fxl_frame_begin(renderer, &sample->setup.pose) != FXL_OK ||
+        fxl_frame_draw(renderer, &band) != FXL_OK) {
+        return background != 0 && is_wide ? 0xFFFF : background;
+    }
+    return is_wide ? pixels[sample->x] : band.pixels[sample->x];
 }
 
-int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
-                        const fxl_surface *surface, const fxl_direction normals[3],
-                        const fxl_light_settings *light)
+/* The set's faces: that of the sample. */
+static int draw(surface_sample *sample, fxl_surface_set *set, const fxl_light_settings *light,
+                const fxl_config *config, const fxl_painter *painter)
 {
     static fxl_renderer renderer;
     static fxl_surfaces surfaces;
@@ -142,28 +151,49 @@ int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
     static const uint16_t face_map[1] = {1};
     fxl_draw_entry order[2];
     const fxl_memory memory = {order, 2, NULL, 0, NULL, 0};
-    fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .normals = {0, 1, 2}};
-    for (int i = 0; i < 3; i++) {
-        mapped.texels[i] =
-            (fxl_texel){(int32_t)sample->values[i][0], (int32_t)sample->values[i][1]};
-    }
-    const fxl_surface_set set = {.textures = texture,
-                                 .surfaces = surface,
-                                 .faces = &mapped,
-                                 .face_map = face_map,
-                                 .normals = normals,
-                                 .texture_count = texture ? 1 : 0,
-                                 .surface_count = 1,
-                                 .face_count = 1,
-                                 .normal_count = normals ? 3 : 0};
+    set->face_map = face_map;
+    set->surface_count = set->face_count = 1;
     if (fxl_renderer_init_with(&renderer, &sample->scene, &sample->lens, &memory) != FXL_OK ||
-        fxl_attach_surfaces(&renderer, &surfaces, &set, FXL_SURFACES_OF(fxl_palette)) != FXL_OK ||
+        fxl_renderer_choose(&renderer, config) != FXL_OK ||
+        fxl_attach_surfaces(&renderer, &surfaces, set, painter) != FXL_OK ||
         (light && (fxl_attach_light(&renderer, &lamp, light) != FXL_OK ||
                    fxl_attach_lit(&renderer, &lit) != FXL_OK))) {
         return -1;
     }
     const int shown = draw_over(&renderer, sample, 0);
     return shown == draw_over(&renderer, sample, 255) ? shown : -1;
+}
+
+int surface_sample_draw(surface_sample *sample, const fxl_texture *texture,
+                        const fxl_surface *surface, const fxl_direction normals[3],
+                        const fxl_light_settings *light)
+{
+    const fxl_config config = fxl_config_default(1, 1); /* its target and its order alone */
+    fxl_mapped_face mapped = {.vertices = {0, 1, 2}, .normals = {0, 1, 2}};
+    for (int i = 0; i < 3; i++) {
+        mapped.texels[i] =
+            (fxl_texel){(int32_t)sample->values[i][0], (int32_t)sample->values[i][1]};
+    }
+    fxl_surface_set set = {.textures = texture,
+                           .surfaces = surface,
+                           .faces = &mapped,
+                           .normals = normals,
+                           .texture_count = texture ? 1 : 0,
+                           .normal_count = normals ? 3 : 0};
+    return draw(sample, &set, light, &config, FXL_SURFACES_OF(fxl_palette));
+}
+
+int surface_sample_draw_colours(surface_sample *sample, const uint32_t colours[3])
+{
+    const fxl_surface surface = {.flags = FXL_SURFACE_COLOURS, .opacity = 16};
+    fxl_config config = fxl_config_for(1, 1, &fxl_rgb565);
+    fxl_mapped_face mapped = {.vertices = {0, 1, 2}};
+    config.palette = palette;
+    for (int i = 0; i < 3; i++) {
+        mapped.texels[i] = (fxl_texel){(int32_t)colours[i], 0};
+    }
+    fxl_surface_set set = {.surfaces = &surface, .faces = &mapped};
+    return draw(sample, &set, NULL, &config, FXL_SURFACES_OF(fxl_rgb565));
 }
 
 /* --- exact arithmetic ------------------------------------------------------------------------- */

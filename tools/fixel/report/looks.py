@@ -20,6 +20,7 @@ LOOKS = {
     "backs": ("docs/looks/open.toml", "docs/looks/open_both.toml", 2),
     "facets": (f"{MODELS}/ball_textured.obj --flat", f"{MODELS}/ball_textured.obj --smooth 40", 2),
     "mean": (f"{MODELS}/plain_texture.glb --no-textures", f"{MODELS}/plain_texture.glb", 2),
+    "colours": (f"{MODELS}/vertex_colours.obj --palette", f"{MODELS}/vertex_colours.obj", 2),
     "dark": ("docs/looks/dark.toml", "docs/looks/lit.toml", 0),
     "decal": ("docs/looks/decal.toml --depth 16", "docs/looks/decal.toml --depth 32", 3),
 }

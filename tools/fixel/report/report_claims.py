@@ -52,6 +52,8 @@ CLAIMS = (
           "affine function of the three corners' points on the screen."),
     Claim("light_level", 1 / 256, "level", "The level of light that a pixel of a lit surface shows: how far it is from "
           "the exact light, given the lights, the corners and their normals."),
+    Claim("corner_colour", 0.34, "level", "The red, green and blue that a pixel of 16 bits shows of a face with colours at its "
+          "corners, divided every 16 columns or more often: how far they are from the exact ones."),
     Claim("depth_16", 1, "of its bound", "The face that a pixel shows with a depth buffer of 16 bits, of two that cover it: "
           "how much farther it is than the other, by the resolution of SPEC.md, section 10.6."),
     Claim("depth_32", 1, "of its bound", "The same with 32 bits."),

@@ -53,6 +53,7 @@ CLAIMS = tuple(Kind("oracle", *kind) for kind in (
     ("texel_every_8", 2_000_000, 50_000),
     ("texel_affine", 1_000_000, 50_000),
     ("light_level", 1_000_000, 50_000),
+    ("corner_colour", 1_000_000, 50_000),
     ("depth_16", 2_000_000, 50_000),
     ("depth_32", 2_000_000, 50_000)))
 STAGES = tuple(Kind("designs", *kind) for kind in (
