@@ -63,6 +63,20 @@ void test_divided_rows(uint32_t rounds)
         face.texels = texels;
         face.columns_mask = (1u << log_width) - 1u;
         face.rows_mask = ((1u << log_height) - 1u) << log_width;
+        face.kind = (uint8_t)((any_32() >> 7) % 6u);
+        face.v_drop = face.kind == FXL_TEXELS_PLAIN ? FXL_DIVIDED_V_BITS
+                                                    : (uint8_t)((any_32() >> 9) % 12u);
+        if (face.kind == FXL_TEXELS_4) {
+            face.colours = texels;
+        } else {
+            face.key = any_32() >> 9 & 1u ? any_32() >> 24 : any_32();
+        }
+        if (face.kind == FXL_TEXELS_CLAMPED) {
+            face.columns_mask = 16u - log_width;
+            face.v_drop = (uint8_t)(16u - log_width - log_height);
+            face.u_shift += (int32_t)((any_32() >> 6) % 4u);
+        }
+        row.y = (int32_t)(any_32() >> 25);
         compare(&face, &row, x0, x0 + 1 + (int32_t)((any_32() >> 7) % 63u));
     }
 }

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "paint/paint_divided.h"
+#include "paint/segments.h"
+#include "paint/texel_place.h"
 #include "unity.h"
 
 enum {
@@ -111,7 +113,9 @@ static void check_coordinate(uint32_t i, uint32_t log_width, uint32_t log_height
     TEST_ASSERT_EQUAL(COLUMNS, paint_row(row_pixels, 0, COLUMNS));
     for (int x = 0; x < COLUMNS; x++) {
         const double at = coordinate(i, x);
-        const double bound = ldexp(fabs(at), -25) + ldexp(1, i == 0 ? -16 : -9 - (int)log_width);
+        const double bound = ldexp(fabs(at), -25) + ldexp(1, i == 0           ? -16
+                                                              : log_width == 8 ? -13
+                                                                               : -9 - (int)log_width);
         TEST_ASSERT_TRUE(distance(at, row_pixels[x], i == 0 ? log_width : log_height) <= bound);
     }
 }
@@ -127,6 +131,83 @@ void test_texels_are_those_of_the_exact_coordinates(void)
             check_coordinate(1, log_width, log_height);
         }
     }
+}
+
+/* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits. */
+static void check_kind(const uint8_t *plain, const uint8_t *colours)
+{
+    TEST_ASSERT_EQUAL(COLUMNS, paint_row(row_pixels, 3, COLUMNS));
+    for (int32_t x = 0; x < COLUMNS; x++) {
+        const bool is_drawn = x >= 3 && (paint.level.flags == 0 || plain[x] != paint.level.key) &&
+                              !fxl_is_stippled_away(paint.opacity, x, row.y);
+        TEST_ASSERT_EQUAL(!is_drawn         ? UNTOUCHED
+                          : colours != NULL ? colours[plain[x]]
+                                            : plain[x],
+                          row_pixels[x]);
+    }
+}
+
+void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
+{
+    static uint8_t packed[TEXELS / 2], colours[16];
+    uint8_t plain[COLUMNS];
+    for (uint32_t n = 0; n < TEXELS; n++) {
+        texels[n] = (uint8_t)(any() % 16u);
+        packed[n / 2] = (uint8_t)(packed[n / 2] >> 4 | texels[n] << 4);
+    }
+    for (uint32_t i = 0; i < 16; i++) {
+        colours[i] = (uint8_t)(any() % UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 500; n++) {
+        choose_size(4 + n % 4, any() % 9u);
+        choose_face(29, 40);
+        row.y = (int32_t)(n % 7);
+        TEST_ASSERT_EQUAL(COLUMNS, paint_row(plain, 0, COLUMNS));
+        paint.level.flags = FXL_TEXTURE_KEYED;
+        paint.level.key = (uint8_t)(any() % 16u);
+        check_kind(plain, NULL);
+        paint.level.flags = 0;
+        paint.opacity = (uint8_t)(1u + n % 15u);
+        check_kind(plain, NULL);
+        paint.opacity = 16;
+        paint.level.texels = packed;
+        paint.level.colours = colours;
+        check_kind(plain, colours);
+        paint.level.texels = texels;
+        paint.level.colours = NULL;
+    }
+}
+
+/* How far a coordinate that is held within 2^log texels is outside of texel n; below 0: it is
+ * inside. */
+static double held_distance(double at, uint32_t n, uint32_t log)
+{
+    const double last = ldexp(1, (int)log) - 0.5;
+    return fabs((at < 0.5 ? 0.5 : at > last ? last : at) - n - 0.5) - 0.5;
+}
+
+void test_clamped_texels_are_held_within_the_texture(void)
+{
+    uint32_t beyond = 0;
+    for (uint32_t n = 0; n < 1000; n++) {
+        const uint32_t logs[2] = {FXL_DIVIDED_LOG_MIN + any() % 5u, any() % 9u};
+        choose_size(logs[0], logs[1]);
+        choose_face(27, 40);
+        paint.level.flags = FXL_TEXTURE_CLAMP;
+        for (uint32_t i = 0; i < 2; i++) {
+            for (uint32_t at = 0; at < 1u << (logs[0] + logs[1]); at++) {
+                texels[at] = (uint8_t)(i == 0 ? at & ((1u << logs[0]) - 1u) : at >> logs[0]);
+            }
+            const int32_t end = paint_row(row_pixels, 0, COLUMNS);
+            for (int x = 0; x < end; x++) {
+                const double at = coordinate(i, x);
+                TEST_ASSERT_TRUE(held_distance(at, row_pixels[x], logs[i]) <=
+                                 ldexp(fabs(at), -25) + ldexp(1, (int)logs[i] - 20));
+                beyond += at < 0 || at > ldexp(1, (int)logs[i]);
+            }
+        }
+    }
+    TEST_ASSERT_TRUE(beyond > 10000);
 }
 
 void test_a_part_of_a_row_is_as_in_the_row(void)
@@ -183,9 +264,15 @@ void test_other_faces_are_not_for_it(void)
     TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
     paint.division = FXL_DIVIDE_1;
     paint.opacity = 15;
+    TEST_ASSERT_TRUE(fxl_divided_find(&paint, &face));
+    paint.level.flags = FXL_TEXTURE_KEYED;
     TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
     paint.opacity = 16;
-    paint.level.flags = FXL_TEXTURE_KEYED;
+    TEST_ASSERT_TRUE(fxl_divided_find(&paint, &face));
+    paint.has_beams = true;
+    TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
+    paint.has_beams = false;
+    paint.level.flags = FXL_TEXTURE_KEYED | FXL_TEXTURE_CLAMP;
     TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
     paint.level.flags = 0;
     paint.ramp = texels;

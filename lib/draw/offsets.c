@@ -148,6 +148,9 @@ AT(fxl_divided_face, columns_mask, DIVIDED_FACE_TEXELS + 4);
 AT(fxl_divided_face, rows_mask, DIVIDED_FACE_TEXELS + 8);
 AT(fxl_divided_face, u_shift, DIVIDED_FACE_U_SHIFT);
 AT(fxl_divided_face, v_shift, DIVIDED_FACE_V_SHIFT);
+AT(fxl_divided_face, key, DIVIDED_FACE_KEY);
+AT(fxl_divided_face, kind, DIVIDED_FACE_KIND);
+AT(fxl_divided_face, v_drop, DIVIDED_FACE_V_DROP);
 
 AT(fxl_paint_row, weight, PAINT_ROW_WEIGHT);
 AT(fxl_paint_row, attributes[FXL_ATTRIBUTE_U], PAINT_ROW_U);

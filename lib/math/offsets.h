@@ -150,6 +150,9 @@
 #define DIVIDED_FACE_TEXELS       48 /* then columns_mask and rows_mask */
 #define DIVIDED_FACE_U_SHIFT      60
 #define DIVIDED_FACE_V_SHIFT      64
+#define DIVIDED_FACE_KEY          68 /* or the pattern, or the colours */
+#define DIVIDED_FACE_KIND         72
+#define DIVIDED_FACE_V_DROP       73
 
 /* fxl_paint_row */
 #define PAINT_ROW_WEIGHT   0

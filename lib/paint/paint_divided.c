@@ -1,8 +1,61 @@
 /* SPDX-License-Identifier: MIT */
 #include "paint_divided.h"
+#include "segments.h"
 
 #include "../math/arith.h"
 #include "../math/family.h"
+
+/* What a pixel does with its texel; returns false if it is more than one of the kinds. */
+static bool find_kind(const fxl_paint *paint, fxl_divided_face *face)
+{
+    const fxl_texture_level *level = &paint->level;
+    const uint32_t flags = level->flags;
+    const bool is_stippled = paint->opacity < 16, has_4_bits = level->colours != NULL;
+    if (flags == 0 && !is_stippled && !has_4_bits) {
+        face->kind = level->log_width == 8 ? (uint8_t)FXL_DIVIDED_WIDE : (uint8_t)FXL_TEXELS_PLAIN;
+        return true;
+    }
+    if ((flags & (flags - 1u)) != 0 || (flags != 0) + is_stippled + has_4_bits != 1 ||
+        paint->has_beams) {
+        return false;
+    }
+    if (has_4_bits) {
+        face->kind = FXL_TEXELS_4;
+        face->colours = level->colours;
+    } else if (is_stippled) {
+        face->kind = FXL_TEXELS_STIPPLED;
+        face->stipple = fxl_stipple_of(paint->opacity);
+    } else if (flags == FXL_TEXTURE_KEYED) {
+        face->kind = FXL_TEXELS_KEYED;
+        face->key = level->key;
+    } else {
+        face->kind = FXL_TEXELS_CLAMPED;
+    }
+    return true;
+}
+
+/* What leads from coordinates to a texel. u is U 2^shift / W in 16.16. */
+static void find_place(const fxl_paint *paint, fxl_divided_face *face)
+{
+    const fxl_texture_level *level = &paint->level;
+    const int8_t *shifts = paint->gradients->shifts;
+    const int log_width = level->log_width, log_height = (int)fxl_bit_length(level->rows_less_1);
+    int u_bits = FXL_DIVIDED_U_BITS, v_bits = FXL_DIVIDED_V_BITS;
+    face->texels = level->texels;
+    face->columns_mask = level->columns_less_1;
+    face->rows_mask = level->rows_less_1 << log_width;
+    if (face->kind == FXL_TEXELS_CLAMPED) {
+        u_bits = FXL_DIVIDED_SIZE_BITS - log_width;
+        v_bits = FXL_DIVIDED_SIZE_BITS - log_height - log_width;
+        face->columns_mask = 16u - (uint32_t)log_width;
+        face->v_drop = (uint8_t)(16 - log_height - log_width);
+    } else {
+        v_bits = log_width == 8 ? FXL_DIVIDED_V_BITS_WIDE : v_bits;
+        face->v_drop = (uint8_t)v_bits;
+    }
+    face->u_shift = shifts[FXL_ATTRIBUTE_U] + u_bits - 16 - 28;
+    face->v_shift = shifts[FXL_ATTRIBUTE_V] + v_bits - 16 - 28 + log_width;
+}
 
 bool fxl_divided_find(const fxl_paint *paint, fxl_divided_face *face)
 {
@@ -10,9 +63,9 @@ bool fxl_divided_find(const fxl_paint *paint, fxl_divided_face *face)
     const fxl_gradients *gradients = paint->gradients;
     const fxl_gradient *u = &gradients->attributes[FXL_ATTRIBUTE_U];
     const fxl_gradient *v = &gradients->attributes[FXL_ATTRIBUTE_V];
-    if (paint->division != FXL_DIVIDE_1 || level->texels == NULL || level->colours != NULL ||
-        level->flags != 0 || level->log_width < FXL_DIVIDED_LOG_MIN || paint->opacity != 16 ||
-        paint->ramp != NULL || paint->table != NULL || paint->is_replaced) {
+    if (paint->division != FXL_DIVIDE_1 || level->texels == NULL ||
+        level->log_width < FXL_DIVIDED_LOG_MIN || paint->ramp != NULL || paint->table != NULL ||
+        paint->is_replaced || !find_kind(paint, face)) {
         return false;
     }
     face->weight_slope = gradients->weight.along;
@@ -21,13 +74,7 @@ bool fxl_divided_find(const fxl_paint *paint, fxl_divided_face *face)
     face->weight_step = gradients->weight.along * 16;
     face->u_step = u->along * 16;
     face->v_step = v->along * 16;
-    face->texels = level->texels;
-    face->columns_mask = level->columns_less_1;
-    face->rows_mask = level->rows_less_1 << level->log_width;
-    /* u is U 2^shift / W in 16.16. */
-    face->u_shift = gradients->shifts[FXL_ATTRIBUTE_U] + FXL_DIVIDED_U_BITS - 16 - 28;
-    face->v_shift =
-        gradients->shifts[FXL_ATTRIBUTE_V] + FXL_DIVIDED_V_BITS - 16 - 28 + level->log_width;
+    find_place(paint, face);
     return true;
 }
 
@@ -102,19 +149,47 @@ static inline uint32_t quotient(uint32_t numerator, uint32_t denominator)
     return fxl_divide_half(numerator << more, denominator << more);
 }
 
-static void paint_words(const fxl_divided_face *face, pixel_words at, uint8_t *pixels,
-                        uint32_t count)
+static inline uint32_t held(int32_t coordinate)
 {
-    for (const uint8_t *end = pixels + count; pixels != end; pixels++) {
+    return coordinate < 0 ? 0 : coordinate > 0xFFFF ? 0xFFFFu : (uint32_t)coordinate;
+}
+
+/* The number of the texel at two coordinates. */
+static inline uint32_t place_of(const fxl_divided_face *face, int32_t u, int32_t v)
+{
+    if (face->kind == FXL_TEXELS_CLAMPED) {
+        return (held(v >> (FXL_DIVIDED_SIZE_BITS - 16)) >> face->v_drop & face->rows_mask) +
+               (held(u >> (FXL_DIVIDED_SIZE_BITS - 16)) >> face->columns_mask);
+    }
+    return ((uint32_t)v >> face->v_drop & face->rows_mask) +
+           ((uint32_t)u >> FXL_DIVIDED_U_BITS & face->columns_mask);
+}
+
+static inline void show(const fxl_divided_face *face, uint32_t place, uint32_t x, uint32_t y,
+                        uint8_t *pixel)
+{
+    if (face->kind == FXL_TEXELS_4) {
+        const uint32_t two = face->texels[place >> 1];
+        *pixel = face->colours[two >> (4u * (place & 1u)) & 15u];
+    } else if ((face->kind != FXL_TEXELS_KEYED || face->texels[place] != face->key) &&
+               (face->kind != FXL_TEXELS_STIPPLED ||
+                (face->stipple >> (4u * (y & 3u) + (x & 3u)) & 1u) != 0)) {
+        *pixel = face->texels[place];
+    }
+}
+
+static void paint_words(const fxl_divided_face *face, pixel_words at, const fxl_paint_row *row,
+                        uint32_t x, uint32_t count)
+{
+    for (const uint32_t end = x + count; x != end; x++) {
         /* The weight is at least 2^30, so the estimate is below 2^16. */
         const uint32_t estimate = quotient((1u << 30) - 1u, at.weight >> 16);
         const uint32_t square = (uint32_t)(fxl_multiply_u32(estimate * estimate, at.weight) >> 32);
         const int32_t inverse = (int32_t)((estimate << 15) - square); /* at most 2^30 */
         const int64_t u = fxl_multiply_s32(inverse, (int32_t)at.u);   /* below 2^62 */
         const int64_t v = fxl_multiply_s32(inverse, (int32_t)at.v);
-        const uint32_t column = (uint32_t)(u >> 32) >> FXL_DIVIDED_U_BITS & face->columns_mask;
-        const uint32_t start = (uint32_t)(v >> 32) >> FXL_DIVIDED_V_BITS & face->rows_mask;
-        *pixels = face->texels[start + column];
+        show(face, place_of(face, (int32_t)(u >> 32), (int32_t)(v >> 32)), x, (uint32_t)row->y,
+             row->pixels + x);
         at.weight += at.weight_step;
         at.u += at.u_step;
         at.v += at.v_step;
@@ -141,7 +216,7 @@ int32_t fxl_paint_divided(const fxl_divided_face *face, const fxl_paint_row *row
         words.weight += skip * words.weight_step;
         words.u += skip * words.u_step;
         words.v += skip * words.v_step;
-        paint_words(face, words, row->pixels + x0, count);
+        paint_words(face, words, row, (uint32_t)x0, count);
         x0 += (int32_t)count;
         from = to;
     }

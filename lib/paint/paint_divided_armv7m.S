@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* fxl_paint_divided for Armv7-M and Armv8-M Mainline. lib/paint/paint_divided.h states what it
- * requires and does. A pixel takes 15 instructions, a segment about 85 more. */
+ * requires and does. A pixel takes 15 instructions if the texels
+ * are plain and less than 256 a row, and 19 to 25 if not; a segment takes about 90 more. */
 #include "../math/family.h"
 #include "../math/offsets.h"
 
@@ -17,11 +18,14 @@
 #define FRAME_FACE   24
 #define FRAME_X      28 /* the next pixel; then the end of the pixels */
 #define FRAME_PIXELS 36 /* of column 0 */
-#define FRAME        40
+#define FRAME_Y      40 /* of the row; then the key, the colours, or the pattern of the pixels that are left */
+#define FRAME_OWN    44
+#define FRAME        48
 
 #define LEAST 0x40004000 /* FXL_DIVIDED_LEAST */
 #define U_BITS 18
 #define V_BITS 11
+#define SIZE_BITS 22 /* FXL_DIVIDED_SIZE_BITS */
 #define PIXEL  52 /* bytes of the code of a pixel */
 
 pixels  .req r0
@@ -97,9 +101,9 @@ fxl_paint_divided:
     sub     sp, #FRAME
     strd    r2, r3, [sp, #FRAME_X]
     str     r0, [sp, #FRAME_FACE]
-    ldr     r3, [r1, #PAINT_ROW_PIXELS]
-    str     r3, [sp, #FRAME_PIXELS]
     lsr     r12, r2, #4
+    ldrd    r2, r3, [r1, #PAINT_ROW_PIXELS] /* and y */
+    strd    r2, r3, [sp, #FRAME_PIXELS]
     begin   DIVIDED_FACE_WEIGHT_STEP, PAINT_ROW_WEIGHT, FRAME_WEIGHT
     begin   DIVIDED_FACE_U_STEP, PAINT_ROW_U, FRAME_U
     begin   DIVIDED_FACE_V_STEP, PAINT_ROW_V, FRAME_V
@@ -134,7 +138,11 @@ fxl_paint_divided:
     find_word v, v_step, DIVIDED_FACE_V_SHIFT, DIVIDED_FACE_V_STEP, DIVIDED_FACE_V_SLOPE, FRAME_V
 
     ldrd    r10, r11, [sp, #FRAME_X]
+    ldrb    r1, [r12, #DIVIDED_FACE_KIND]
     ands    r0, r10, #15
+    cmp     r1, #0
+    bne     .Lother_kind
+    cmp     r0, #0
     bne     .Lpartial
     add     r1, r10, #16
     cmp     r1, r11
@@ -168,6 +176,7 @@ fxl_paint_divided:
     .if     . - .Lpixels - 16 * PIXEL
     .error  "PIXEL is not the size of a pixel's code"
     .endif
+.Lsegment_end:
     ldrd    r0, r1, [sp, #FRAME_X]
     cmp     r0, r1
     bne     .Lsegment
@@ -200,6 +209,146 @@ fxl_paint_divided:
     ldm     r12, {texels, columns, rows}
     mvn     most, #0xC0000000
     bx      lr
+
+/* --- texels that are not plain, or 256 a row ------------------------------------------------- */
+
+/* The segment's pixels from r10 on, up to r11 at most; r0: how many it has before them; r12: the face. Pixels
+ * are counted in r10, from bit 8 on; below are the bits of v, by which a shift goes. */
+.Lother_kind:
+    mla     w, w_step, r0, w
+    mla     u, u_step, r0, u
+    mla     v, v_step, r0, v
+    rsb     r0, r0, #16
+    sub     r11, r11, r10
+    cmp     r11, r0
+    it      lo
+    movlo   r0, r11
+    add     r11, r10, r0
+    str     r11, [sp, #FRAME_X]
+    ldr     r3, [r12, #DIVIDED_FACE_KEY]
+    cmp     r1, #2
+    bne     1f
+    ldr     r11, [sp, #FRAME_Y]
+    and     r11, r11, #3
+    lsl     r11, r11, #2
+    lsr     r3, r3, r11
+    and     r3, r3, #15
+    orr     r3, r3, r3, lsl #4
+    orr     r3, r3, r3, lsl #8
+    orr     r3, r3, r3, lsl #16
+    and     r11, r10, #3
+    ror     r3, r3, r11
+    rbit    r3, r3                      /* the first pixel is in the uppermost bit */
+1:  str     r3, [sp, #FRAME_OWN]
+    ldrb    r3, [r12, #DIVIDED_FACE_V_DROP]
+    subs    r0, r0, #1
+    orr     lr, r3, r0, lsl #8
+    ldr     r0, [sp, #FRAME_PIXELS]
+    add     pixels, r0, r10
+    mov     r10, lr
+    mov     r11, r1
+    add     r12, r12, #DIVIDED_FACE_TEXELS
+    ldm     r12, {texels, columns, rows}
+    cmp     r11, #2
+    blo     .Lkeyed
+    beq     .Lstippled
+    cmp     r11, #4
+    blo     .Lfour_bits
+    beq     .Lclamped
+    b       .Lwide
+
+/* u in lr, v in r11; on to the next pixel. */
+    .macro  divide_pixel
+    lsr     r11, w, #16
+    mvn     r12, #0xC0000000
+    udiv    r11, r12, r11
+    mul     r12, r11, r11
+    umull   r12, lr, r12, w
+    add     w, w_step
+    rsb     r11, lr, r11, lsl #15
+    smull   r12, lr, r11, u
+    add     u, u_step
+    smull   r12, r11, r11, v
+    add     v, v_step
+    .endm
+
+/* r11 = the number of the texel. */
+    .macro  find_texel
+    and     lr, columns, lr, lsr #U_BITS
+    lsr     r11, r11, r10
+    and     r11, r11, rows
+    add     r11, lr
+    .endm
+
+    .macro  next_pixel first
+    subs    r10, r10, #256
+    bpl     \first
+    b       .Lsegment_end
+    .endm
+
+    .align  2
+.Lwide:
+    divide_pixel
+    find_texel
+    ldrb    r11, [texels, r11]
+    strb    r11, [pixels], #1
+    next_pixel .Lwide
+
+    .align  2
+.Lclamped:
+    divide_pixel
+    usat    lr, #16, lr, asr #(SIZE_BITS - 16)
+    usat    r11, #16, r11, asr #(SIZE_BITS - 16)
+    lsr     lr, lr, columns
+    lsr     r11, r11, r10
+    and     r11, r11, rows
+    add     r11, lr
+    ldrb    r11, [texels, r11]
+    strb    r11, [pixels], #1
+    next_pixel .Lclamped
+
+    .align  2
+.Lkeyed:
+    divide_pixel
+    find_texel
+    ldrb    r11, [texels, r11]
+    ldr     r12, [sp, #FRAME_OWN]
+    cmp     r11, r12
+    it      ne
+    strbne  r11, [pixels]
+    adds    pixels, #1
+    next_pixel .Lkeyed
+
+    .align  2
+.Lfour_bits:
+    divide_pixel
+    find_texel
+    lsrs    r11, r11, #1
+    ldrb    r11, [texels, r11]
+    ite     cs
+    lsrcs   r11, r11, #4
+    andcc   r11, r11, #15
+    ldr     r12, [sp, #FRAME_OWN]
+    ldrb    r11, [r12, r11]
+    strb    r11, [pixels], #1
+    next_pixel .Lfour_bits
+
+    .align  2
+.Lstippled:
+    ldr     r12, [sp, #FRAME_OWN]
+    lsls    r12, r12, #1
+    str     r12, [sp, #FRAME_OWN]
+    bcs     1f
+    add     w, w_step
+    add     u, u_step
+    add     v, v_step
+    adds    pixels, #1
+    b       2f
+1:  divide_pixel
+    find_texel
+    ldrb    r11, [texels, r11]
+    strb    r11, [pixels], #1
+2:  next_pixel .Lstippled
 
     narrow_word u, u_step, DIVIDED_FACE_U_SLOPE
     narrow_word v, v_step, DIVIDED_FACE_V_SLOPE

@@ -31,8 +31,7 @@ static bool is_common(const fxl_paint *paint)
     return level->texels != NULL && level->log_width >= FXL_SEGMENT_LOG_MIN;
 }
 
-/* The pixels that an opacity draws, as bits. */
-static uint32_t stipple_of(uint32_t opacity)
+uint32_t fxl_stipple_of(uint32_t opacity)
 {
     uint32_t pattern = 0;
     for (int32_t i = 0; i < 16; i++) {
@@ -141,7 +140,7 @@ FXL_APART bool find_kind(const fxl_paint *paint, uint32_t flags, uint32_t key, b
         face->key = key;
     } else {
         face->kind = FXL_TEXELS_STIPPLED;
-        face->stipple = stipple_of(paint->opacity);
+        face->stipple = fxl_stipple_of(paint->opacity);
     }
     return true;
 }

@@ -103,6 +103,9 @@ struct fxl_segment_face {
     uint8_t kind;         /* FXL_TEXELS_PLAIN and so on; others than that have form 0 */
 };
 
+/* The pixels that an opacity draws, as bits: `stipple`. */
+uint32_t fxl_stipple_of(uint32_t opacity);
+
 /* Prepares *face. Returns false if the kernel cannot paint this: *face is undefined then. */
 bool fxl_segments_find(const fxl_paint *paint, fxl_segment_face *face);
 
