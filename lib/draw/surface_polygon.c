@@ -5,6 +5,7 @@
 #include "surface_polygon.h"
 
 #include "../math/arith.h"
+#include "../math/family.h"
 #include "../math/memory.h"
 #include "scratch.h"
 #include "../paint/light_row.h"
@@ -31,6 +32,7 @@ FXL_STATIC_ASSERT(sizeof(fxl_gradient) == GRADIENT_WORDS * sizeof(uint32_t), "no
 FXL_STATIC_ASSERT(FXL_TEXTURE_LOG_MAX < 16, "bits of the first word");
 FXL_STATIC_ASSERT(offsetof(fxl_gradients, count) == offsetof(fxl_gradients, shifts) + 3,
                   "the second word");
+FXL_STATIC_ASSERT(offsetof(fxl_gradients, shifts) % sizeof(uint32_t) == 0, "it is copied as a word");
 FXL_STATIC_ASSERT(FXL_POLYGON_CAPACITY + (FIRST_WORDS + SURFACE_WORDS + UNIT_WORDS +
                                           GRADIENT_WORDS * (2 + FXL_ATTRIBUTES)) /
                                              2 <=
@@ -53,9 +55,11 @@ static uint32_t *put(uint32_t *to, const void *from, uint32_t words)
     return to + words;
 }
 
-static const uint32_t *get(const uint32_t *from, void *to, uint32_t words)
+/* In place, so that the compiler copies words: a call takes longer than what it copies. */
+FXL_ONCE const uint32_t *get(const uint32_t *from, void *to, uint32_t words)
 {
-    memcpy(to, from, words * sizeof *from);
+    __builtin_memcpy(__builtin_assume_aligned(to, sizeof *from),
+                     __builtin_assume_aligned(from, sizeof *from), words * sizeof *from);
     return from + words;
 }
 
@@ -112,14 +116,16 @@ uint32_t fxl_surface_polygon_read(const fxl_screen_polygon *record, fxl_surface_
     polygon->has_depth = (first & HAS_DEPTH) != 0;
     polygon->is_in_beam = (first & IN_BEAM) != 0;
     polygon->shade = (uint8_t)(first >> SHADE_AT);
-    from = get(from, gradients->shifts, 1);
+    from = get(from, (uint8_t *)gradients + offsetof(fxl_gradients, shifts), 1);
     polygon->is_evenly_lit = (first & EVENLY_LIT) != 0;
     polygon->light =
         (uint16_t)((first >> SHADE_AT) << 8 | (uint8_t)gradients->shifts[FXL_ATTRIBUTES - 1]);
     if (polygon->surface != FXL_NO_SURFACE) {
         from = get(from, gradients->weight_min, SURFACE_WORDS);
         from = get(from, &gradients->weight, GRADIENT_WORDS);
-        from = get(from, gradients->attributes, gradients->count * GRADIENT_WORDS);
+        for (uint32_t i = 0; i < gradients->count && i < FXL_ATTRIBUTES; i++) {
+            from = get(from, &gradients->attributes[i], GRADIENT_WORDS);
+        }
     }
     if (polygon->has_depth) {
         from = get(from, &polygon->depth.one, 1) + 1;
