@@ -297,7 +297,7 @@ one-file: ## write the library as fixel.h and fixel.c into build/one-file [OUT=]
 	@tools/setup.sh tools
 	@$(TOOL) one-file
 
-packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan into build/packages [ONLY= OUT=]
+packages: ## write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust into build/packages [ONLY= OUT=]
 	@tools/setup.sh tools
 	@$(TOOL) packages
 

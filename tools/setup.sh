@@ -27,7 +27,7 @@
 #   api     compiler for the host, and abidiff of libabigail
 #   docs    Doxygen (50 MB on disk); Python packages as for run
 #   anywhere the same as run, pico, riscv, api and docs, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library,
-#           and the builder of Arduino
+#           the builder of Arduino, cargo where Debian has one that is new enough, and libclang, by which a crate reads the headers of LVGL
 #
 # Debian packages come from this machine's own apt sources. Python packages are those of
 # requirements/*.txt and go into .venv; meshoptimizer and rp2040js are those of requirements/package-lock.json and go into .node. Where nothing is missing, set-up says nothing and
@@ -69,6 +69,11 @@ need_riscv() {
     printf '#include <math.h>\n' | riscv64-unknown-elf-gcc --specs=picolibc.specs -x c -E - >/dev/null 2>&1 ||
         need picolibc-riscv64-unknown-elf
     has qemu-system-riscv32 || need qemu-system-misc
+}
+# Debian 12 has cargo 1.63, which is too old for the crates: there a newer one is used if it is installed, and else they are not tested.
+need_cargo() {
+    has cargo || [ "$(. /etc/os-release; echo "$ID:$VERSION_ID")" = debian:12 ] || need cargo
+    ls /usr/lib/llvm-*/lib/libclang*.so* >/dev/null 2>&1 || need libclang-dev
 }
 need_gmp() { compiles gcc gmp.h || need libgmp-dev; }
 need_browser() { has chromium || need chromium; }
@@ -174,7 +179,8 @@ find_missing() {
         anywhere)
             need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has abidiff || need abigail-tools
             has doxygen || need doxygen; has avr-gcc || need gcc-avr
-            has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr ;;
+            has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr
+            need_cargo ;;
         *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs or anywhere" ;;
         esac
     done

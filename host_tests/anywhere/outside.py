@@ -34,6 +34,25 @@ def run(*command, folder=None, **changes):
     return done.stdout + done.stderr
 
 
+def need_cargo(version):
+    """Skips a test without this cargo or a later one, as (1, 85)."""
+    need("cargo")
+    found = re.search(r"cargo (\d+)\.(\d+)", run("cargo", "--version"))
+    if (int(found[1]), int(found[2])) < version:
+        pytest.skip(f"needs cargo {version[0]}.{version[1]} or later")
+
+
+def cargo(*words, folder, **changes):
+    """What cargo printed; a test is not run where the registry of crates does not answer."""
+    done = subprocess.run(["cargo", *map(str, words)], cwd=folder, env=environment(CARGO_TERM_COLOR="never", **changes), stdin=subprocess.DEVNULL,
+                          text=True, capture_output=True, check=False)
+    said = done.stdout + done.stderr
+    if done.returncode and re.search(r"failed to (download|get|fetch|query)|Could not resolve|spurious network error", said):
+        pytest.skip("needs the registry of crates")
+    assert done.returncode == 0, said
+    return said
+
+
 def first_program(folder):
     """Writes the README's first program with its scene into a folder, and what prints its picture's CRC."""
     from fixel.report import examples

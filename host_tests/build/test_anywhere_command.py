@@ -30,6 +30,11 @@ def test_what_a_line_says(tmp_path, text, line):
     assert anywhere.line("p", found) == line, said
 
 
+def test_figures_of_tests_are_kept(tmp_path):
+    found, said = outcome_of(tmp_path, "def test_a(record_property): record_property('figure', '3 pixels')\ndef test_b(): pass\n")
+    assert found == {"passed": 2, "failed": 0, "needs": [], "figures": ["3 pixels"]}, said
+
+
 def test_parts_are_folders_and_make_test_has_none_of_them():
     found = anywhere.files()
     assert "packages/test_cmake" in found

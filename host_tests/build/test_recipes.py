@@ -19,7 +19,7 @@ from conftest import CHECKOUT
 CONTRIBUTING = (CHECKOUT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 RECIPES = CONTRIBUTING.split("\n## Recipes\n", 1)[1].split("\n## ", 1)[0]
 COMMAND = re.compile(r"`(git grep -lE '[^'`]*'(?: -- [^`]*)?)`")
-NAME = re.compile(r"`((?:[\w*-]+/)*(?:[\w*.-]+\.(?:c|h|S|py|toml|md|mk|txt|ld)|[\w-]+\*|Makefile)|(?:[\w-]+/)+)`|\]\(([\w./-]+)\)")
+NAME = re.compile(r"`((?:[\w*-]+/)*(?:[\w*.-]+\.(?:c|h|S|py|toml|md|mk|txt|ld|rs)|[\w-]+\*|Makefile)|(?:[\w-]+/)+)`|\]\(([\w./-]+)\)")
 # What no recipe names, though its command may find it: a pattern of files, and why. The text above the recipes says the same.
 NEVER_PLACES = {
     "CONTRIBUTING.md": "the recipes themselves",

@@ -66,7 +66,7 @@ ROOMS = {
         "api-check": ("fixel.package.api_check", "compare the public headers and functions with the last tag"),
         "one-file": ("fixel.package.one_file", "write the library as fixel.h and fixel.c"),
         "docs": ("fixel.package.docs", "write the reference of the public functions and types"),
-        "packages": ("fixel.package.packages", "write packages for Arduino, PlatformIO, ESP-IDF, Zephyr and Conan"),
+        "packages": ("fixel.package.packages", "write packages for Arduino, PlatformIO, ESP-IDF, Zephyr, Conan and Rust"),
     },
     "Shell and Makefile": {
         "completion": ("fixel.base.completion", "print a script that completes commands in bash or zsh"),

@@ -42,11 +42,11 @@ def run_file(file, folder):
 
 
 def outcome(code, report):
-    """{"passed", "failed": how many tests, "needs": the reasons of those that were not run}."""
+    """{"passed", "failed": how many tests, "needs": the reasons of those that were not run, "figures": what tests have measured}."""
     try:
         cases = list(xml.etree.ElementTree.parse(report).getroot().iter("testcase"))
     except (OSError, TypeError, xml.etree.ElementTree.ParseError):
-        return {"passed": 0, "failed": 1, "needs": []}
+        return {"passed": 0, "failed": 1, "needs": [], "figures": []}
     skipped = [case.find("skipped").get("message", "") for case in cases if case.find("skipped") is not None]
     failed = sum(case.find("failure") is not None or case.find("error") is not None for case in cases)
     strange = [reason for reason in skipped if not reason.startswith(NEEDS)]
@@ -54,7 +54,8 @@ def outcome(code, report):
     passed = len(cases) - len(skipped) - failed + len(strange)
     if code not in (0, NO_TESTS) and not failed:
         failed = 1
-    return {"passed": passed, "failed": failed, "needs": [reason for reason in skipped if reason.startswith(NEEDS)]}
+    figures = [each.get("value") for case in cases for each in case.iter("property") if each.get("name") == "figure"]
+    return {"passed": passed, "failed": failed, "needs": [reason for reason in skipped if reason.startswith(NEEDS)], "figures": figures}
 
 
 def line(name, found):
@@ -87,7 +88,7 @@ def command(options):
         output.write_json(options.json, results)
     print()
     for name, found in results.items():
-        print(line(name, found))
+        print("\n".join([line(name, found), *(f"    {figure}" for figure in found["figures"])]))
     passed, failed = (sum(found[what] for found in results.values()) for what in ("passed", "failed"))
     print(f"{passed} passed, {failed} failed, {sum(len(found['needs']) for found in results.values())} skipped")
     return 1 if failed else 0

@@ -8,7 +8,8 @@ from fixel.base import output
 from fixel.base.errors import ToolError
 from fixel.base.nearest import question
 from fixel.base.version import version
-from fixel.package import one_text
+from fixel.image import image
+from fixel.package import one_text, rust_bindings
 from fixel.report import examples
 
 TABLE = pathlib.Path(__file__).with_name("layouts.toml")
@@ -31,6 +32,13 @@ def texts(layout, one_file):
                   for header in sorted((one_text.LIB / "include" / "fixel").glob("*.h"))}
     if layout.get("example"):
         found[f"{layout['example']}/main.c"] = examples.PROGRAM.read_text(encoding="utf-8")
+    if layout.get("copy"):
+        folder = ROOT / layout["copy"]
+        found |= {file.relative_to(folder).as_posix(): file.read_text(encoding="utf-8") for file in sorted(folder.rglob("*")) if file.is_file()}
+    if layout.get("crate"):
+        bindings = rust_bindings.Bindings(one_file["fixel.h"])
+        found[f"{layout['crate']}/src/bindings.rs"] = bindings.text()
+        found[f"{source}/layouts.c"], found[f"{layout['crate']}/tests/layouts.rs"] = bindings.layouts()
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     return found
 
@@ -43,6 +51,8 @@ def write(layout, folder, one_file):
         output.write_file(folder / path, text)
     if layout.get("example"):
         examples.write_scene(folder / layout["example"])
+    if layout.get("image"):
+        output.write_file(folder / layout["image"], image.pack(examples.scene()))
     return len(found)
 
 

@@ -50,11 +50,16 @@ def draw_example(library, name):
     return pixels, palette
 
 
+def scene():
+    """The scene of the first program."""
+    return framing.compile_model(str(MODEL), framing=framing.PROGRAM)[0]
+
+
 def write_scene(folder):
     """Writes cube_scene.h into a folder; answers the scene."""
-    scene, _ = framing.compile_model(str(MODEL), framing=framing.PROGRAM)
-    (pathlib.Path(folder) / "cube_scene.h").write_text(c_scene.header(scene, "cube", MODEL.name), encoding="utf-8")
-    return scene
+    made = scene()
+    (pathlib.Path(folder) / "cube_scene.h").write_text(c_scene.header(made, "cube", MODEL.name), encoding="utf-8")
+    return made
 
 
 def draw(library, program=PROGRAM):

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""The crates fixel-sys and fixel: built and tested by cargo outside the checkout, and their pictures those of the library."""
+
+import hashlib
+import pathlib
+import re
+
+import numpy
+import pytest
+from PIL import Image
+
+from conftest import CHECKOUT, run_cli
+from fixel.base.version import version
+from fixel.check import frozen_frames
+from outside import cargo, first_program, need_cargo, run
+
+HERE = pathlib.Path(__file__).parent
+CARGO = (1, 82)     # as the manifests state
+
+
+@pytest.fixture(scope="module", name="crates")
+def fixture_crates(tmp_path_factory):
+    """The package, whose own tests have passed."""
+    need_cargo(CARGO)
+    folder = tmp_path_factory.mktemp("crates")
+    done = run_cli("packages", "--only", "rust", "--out", folder)
+    assert done.returncode == 0, done.stderr
+    return folder / "rust"
+
+
+@pytest.fixture(scope="module", name="tested")
+def fixture_tested(crates):
+    """What cargo test said of both crates."""
+    return cargo("test", "--workspace", folder=crates)
+
+
+def test_the_tests_of_the_crates_pass(tested, record_property):
+    """Unit tests, the records' sizes and places by both compilers, and each example of the documentation."""
+    counts = [int(count) for count in re.findall(r"^test result: ok\. (\d+) passed; 0 failed; 0 ignored", tested, re.MULTILINE)]
+    assert sum(counts) >= 50 and "test records_are_those_of_c ... ok" in tested and "FAILED" not in tested
+    record_property("figure", f"cargo test: {sum(counts)} passed")
+
+
+def test_there_is_no_warning(crates, tested):
+    assert "warning" not in tested
+    assert "warning" not in cargo("doc", "--no-deps", "-p", "fixel", folder=crates)
+
+
+def test_frames_are_the_frozen_ones(crates, tested, tmp_path):
+    assert "ok" in tested
+    done = run_cli("build", CHECKOUT / "scenes" / "plaza.toml", "-o", tmp_path / "plaza.fxls")
+    assert done.returncode == 0, done.stderr
+    cargo("run", "--example", "frames", "--", tmp_path / "plaza.fxls", tmp_path / "frames.raw", folder=crates)
+    drawn, frozen = (tmp_path / "frames.raw").read_bytes(), frozen_frames.load()["plaza"]["frames"]
+    assert len(drawn) == len(frozen) * 320 * 240
+    assert [hashlib.sha256(drawn[at:at + 320 * 240]).hexdigest()[:frozen_frames.DIGITS] for at in range(0, len(drawn), 320 * 240)] == frozen
+
+
+def test_the_picture_of_the_simulator_is_the_librarys(crates, tested, tmp_path):
+    """0 pixels differ outside of the text; the text is there."""
+    assert "ok" in tested
+    cargo("run", "--example", "turning", "--", tmp_path / "turning.png", folder=crates)
+    picture = numpy.asarray(Image.open(tmp_path / "turning.png").convert("RGB")).astype(int)
+    first_program(tmp_path)
+    run("gcc", "-O1", f"-I{CHECKOUT / 'lib' / 'include'}", "-I.", HERE / "turned.c", CHECKOUT / "build" / "host" / "libfixel.a", "-o", "turned", folder=tmp_path)
+    (tmp_path / "turned.raw").write_bytes(b"")
+    run("sh", "-c", "./turned >turned.raw", folder=tmp_path)
+    pixels = numpy.frombuffer((tmp_path / "turned.raw").read_bytes(), "<u2").reshape(240, 320).astype(int)
+    shown = picture[..., 0] >> 3 << 11 | picture[..., 1] >> 2 << 5 | picture[..., 2] >> 3
+    differ = shown != pixels
+    text = differ[8:20, 8:38]
+    assert picture.shape == (240, 320, 3) and len(set(pixels.flat)) >= 4
+    assert text.sum() > 30 and (shown[8:20, 8:38][text] == 0xFFFF).all(), "the text is white, over the picture"
+    assert differ.sum() == text.sum(), "pixels differ outside of the text"
+
+
+def test_every_public_function_is_declared(crates):
+    header = (crates / "fixel-sys" / "c" / "fixel.h").read_text(encoding="utf-8")
+    header = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
+    run("gcc", "-O1", "-c", "fixel.c", "-o", "fixel.o", folder=crates / "fixel-sys" / "c")
+    symbols = re.findall(r" [TDRB] (fxl_\w+)", run("nm", "fixel.o", folder=crates / "fixel-sys" / "c"))
+    (crates / "fixel-sys" / "c" / "fixel.o").unlink()
+    public = {name for name in (re.sub(r"_for_polygons_of_\d+$", "", symbol) for symbol in symbols) if re.search(rf"\b{name}\b", header)}
+    bindings = (crates / "fixel-sys" / "src" / "bindings.rs").read_text(encoding="utf-8")
+    declared = set(re.findall(r"pub (?:fn|static) (fxl_\w+)", bindings))
+    assert len(public) > 150 and declared == public
+
+
+def test_the_library_is_bare_and_never_panics_by_choice(crates):
+    for crate in ("fixel-sys", "fixel"):
+        manifest = (crates / crate / "Cargo.toml").read_text(encoding="utf-8")
+        assert f'version = "{version()}"' in manifest and "#![no_std]" in (crates / crate / "src" / "lib.rs").read_text(encoding="utf-8")
+    for file in (crates / "fixel" / "src").glob("*.rs"):
+        code = "\n".join(line for line in file.read_text(encoding="utf-8").splitlines() if not line.lstrip().startswith("//"))
+        assert not re.search(r"\.(unwrap|expect)\(|panic!|unreachable!|todo!|\b(f32|f64)\b|\balloc::", code), file.name
