@@ -51,7 +51,6 @@ static void any_corners(const fxl_lens *lens, fxl_screen_corners *corners)
     corners->width = most_x - least_x + (int32_t)(any_below(16) == 0 ? any_size(20) : 0);
     corners->height = most_y - least_y + (int32_t)(any_below(16) == 0 ? any_size(20) : 0);
     corners->is_triangle = any_below(64) != 0;
-    corners->is_on_screen = true;
 }
 
 static void any_light(int32_t light[3])

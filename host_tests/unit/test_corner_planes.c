@@ -71,7 +71,7 @@ static void make_corners(double spread)
     }
     corners.width = x[1] - x[0];
     corners.height = y[1] - y[0];
-    corners.is_triangle = corners.is_on_screen = true;
+    corners.is_triangle = true;
 }
 
 /* A point of the triangle. */
@@ -147,7 +147,6 @@ void test_small_is_what_its_conditions_say(void)
             {corners.depths[1], corners.depths[2], corners.depths[0]},
             corners.width,
             corners.height,
-            true,
             true};
         TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &view.lens, &planes));
         small += expected && !is_for_words;
@@ -168,7 +167,6 @@ void test_the_box_counts_that_of_all_vertices(void)
                                       {(int64_t)1 << 46, (int64_t)1 << 46, (int64_t)1 << 46},
                                       65536,
                                       65536,
-                                      true,
                                       true};
     fxl_screen_corners large = small;
     TEST_ASSERT_TRUE(fxl_corner_planes_begin(&small, &view.lens, &planes));

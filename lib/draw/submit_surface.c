@@ -51,12 +51,23 @@ static void find_even_light(const int32_t light[3], uint32_t *count, fxl_surface
     }
 }
 
-/* The gradients of a small face. Returns the level of its texture. */
-static uint8_t find_small(const fxl_surface *surface, const fxl_texture *texture,
-                          fxl_corner_planes *planes, fxl_gradient_corners *corners,
-                          bool is_on_screen, fxl_gradients *gradients)
+/* Whether all three corners are on the screen, not beside it. */
+static bool are_on_screen(const fxl_screen_corners *corners, const fxl_lens *lens)
 {
-    const bool is_affine = surface->division == FXL_AFFINE && is_on_screen;
+    for (uint32_t i = 0; i < 3; i++) {
+        const fxl_screen_point *point = &corners->points[i];
+        if (point->x < 0 || point->x > lens->width * 65536 || point->y < 0 ||
+            point->y > lens->height * 65536) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The gradients of a small face. Returns the level of its texture. */
+static uint8_t find_small(const fxl_texture *texture, fxl_corner_planes *planes,
+                          fxl_gradient_corners *corners, bool is_affine, fxl_gradients *gradients)
+{
     const bool has_levels = texture != NULL && texture->levels > 1;
     fxl_texel_density density;
     if (has_levels) {
@@ -134,22 +145,22 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
     const bool is_small = is_projected &&
                           fxl_corner_planes_begin(&on_screen, &view->lens, &planes) &&
                           !planes.is_for_words;
+    const bool is_affine =
+        is_small && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
     bool is_found = false;
     if (surface->flags & FXL_SURFACE_COLOURS) {
         const bool has_planes = is_small && surface->division != FXL_DIVIDE_1;
-        const bool is_affine =
-            has_planes && surface->division == FXL_AFFINE && on_screen.is_on_screen;
         is_found = surfaces->painter->find_colours(surfaces, mapped, has_planes ? &planes : NULL,
                                                    is_affine, &corners, &polygon->gradients);
     }
     /* What is divided at each pixel, or has more texels, keeps the exact planes. */
     const bool has_small_planes = is_small && surface->division != FXL_DIVIDE_1 &&
                                   (texture == NULL || has_few_texels(corners.values));
-    polygon->level = is_found           ? 0
-                     : has_small_planes ? find_small(surface, texture, &planes, &corners,
-                                                     on_screen.is_on_screen, &polygon->gradients)
-                                        : find_large(surface, texture, model_view, mapped,
-                                                     traversal, &corners, &polygon->gradients);
+    polygon->level = is_found ? 0
+                     : has_small_planes
+                         ? find_small(texture, &planes, &corners, is_affine, &polygon->gradients)
+                         : find_large(surface, texture, model_view, mapped, traversal, &corners,
+                                      &polygon->gradients);
     if (find_depth != NULL) {
         find_depth(model_view, face, traversal, is_small ? &planes : NULL, &polygon->depth);
     }

@@ -39,7 +39,7 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
     const fxl_light_settings *settings = &surfaces->light->settings;
     const fxl_direction *normals = surfaces->set->normals;
     const fxl_scene *scene = renderer->scene;
-    const uint32_t number = fxl_instance_number(scene, instance);
+    const uint32_t number = scene->placements != NULL ? fxl_instance_number(scene, instance) : 0;
     const fxl_placement_code *turned = fxl_placement_code_of(scene, number);
     const bool has_places = settings->point_count != 0 || settings->fog_far != 0;
     if (turned == NULL && !has_places) {

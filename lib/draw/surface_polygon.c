@@ -199,12 +199,6 @@ static inline void add_point(screen_box *box, const fxl_screen_point *point)
     box->bottom = point->y > box->bottom ? point->y : box->bottom;
 }
 
-static inline bool is_within(const screen_box *box, const fxl_lens *lens)
-{
-    return box->left >= 0 && box->right <= lens->width * 65536 && box->top >= 0 &&
-           box->bottom <= lens->height * 65536;
-}
-
 /* The corners of a triangle whose vertices are the given ones, where the clipper has projected all
  * of them, and they are in the cache: mostly. */
 static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
@@ -253,14 +247,13 @@ static inline bool have_box(fxl_screen_corners *corners, const screen_box *box, 
     return true;
 }
 
-static inline void begin_box(screen_box *box, const fxl_lens *lens, fxl_screen_corners *corners)
+static inline void begin_box(screen_box *box, const fxl_screen_corners *corners)
 {
     const fxl_screen_point *points = corners->points;
     box->left = box->right = points[0].x;
     box->top = box->bottom = points[0].y;
     add_point(box, &points[1]);
     add_point(box, &points[2]);
-    corners->is_on_screen = is_within(box, lens);
 }
 
 /* Any face. Not inline: what it has would stay on the stack of triangles. */
@@ -287,7 +280,7 @@ static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_v
             return false;
         }
     }
-    begin_box(&box, &model_view->view->lens, corners);
+    begin_box(&box, corners);
     for (uint32_t i = 0; count > 3 && i < count; i++) {
         fxl_screen_point point;
         fxl_q18_46 depth;
@@ -310,7 +303,7 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
     if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
         find_projected(model_view, face, vertices, corners)) {
         screen_box box;
-        begin_box(&box, &model_view->view->lens, corners);
+        begin_box(&box, corners);
         return have_box(corners, &box, true);
     }
     return find_corners(model_view, face, vertices, traversal, corners);

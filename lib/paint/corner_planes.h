@@ -30,7 +30,6 @@ typedef struct {
     fxl_q18_46 depths[3];
     int32_t width, height; /* of the box, in 1/65536 pixel */
     bool is_triangle;      /* the face has no other vertices */
-    bool is_on_screen;     /* the three corners are, not beside it */
 } fxl_screen_corners;
 
 /* The sides of the box of a small face: from 1/4 pixel to 64 pixels. */

@@ -22,13 +22,12 @@ static inline uint32_t sum_of(uint32_t a, uint32_t b)
 
 /* The light that travels along the direction. Both vectors are below 1 + 2^-26, so the sum is below
  * 2^61. Errors: the sum's shift 1, the product's 1. */
-static inline uint32_t from_direction(const fxl_light_settings *settings,
+static inline uint32_t from_direction(const fxl_direction *direction, fxl_q2_30 strength,
                                       const fxl_direction *normal)
 {
-    const fxl_direction *direction = &settings->direction;
     const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
                              (int64_t)normal->z * direction->z);
-    return facing > 0 ? fraction_of((uint32_t)settings->strength, (uint32_t)(facing >> 30)) : 0;
+    return facing > 0 ? fraction_of((uint32_t)strength, (uint32_t)(facing >> 30)) : 0;
 }
 
 /* The upper word of value * 2^shift, 0 <= shift <= 63, by words: cores have no shift of 64 bits. */
@@ -151,16 +150,21 @@ static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera 
 static inline fxl_q2_30 brightness_of(const fxl_light_settings *settings,
                                       const fxl_direction *normal)
 {
-    return (fxl_q2_30)sum_of((uint32_t)settings->ambient, from_direction(settings, normal));
+    return (fxl_q2_30)sum_of((uint32_t)settings->ambient,
+                             from_direction(&settings->direction, settings->strength, normal));
 }
 
 void fxl_light_corners_of(const fxl_light_settings *settings, const fxl_direction *normals,
                           const uint16_t numbers[3], int32_t values[3])
 {
-    const uint32_t levels_less_1 = settings->levels - 1u;
+    /* Copies, which the compiler knows that no value changes. */
+    const fxl_direction direction = settings->direction;
+    const fxl_q2_30 strength = settings->strength;
+    const uint32_t ambient = (uint32_t)settings->ambient, levels_less_1 = settings->levels - 1u;
     for (uint32_t i = 0; i < 3; i++) {
-        values[i] =
-            fxl_light_corner_level(brightness_of(settings, &normals[numbers[i]]), levels_less_1);
+        const uint32_t sum =
+            sum_of(ambient, from_direction(&direction, strength, &normals[numbers[i]]));
+        values[i] = fxl_light_corner_level((fxl_q2_30)sum, levels_less_1);
     }
 }
 

@@ -16,7 +16,7 @@
 face    .req r0
 bounds  .req r1             /* of the next face */
 entry   .req r3
-left    .req lr             /* faces still to be tested, including this one */
+left    .req lr             /* faces still to be tested, including the first of two */
 
     .section .text.fxl_front_faces, "ax", %progbits
     .global fxl_front_faces
@@ -28,7 +28,13 @@ fxl_front_faces:
     push    {r4-r11, lr}
     ldm     r2, {r4-r6}
     ldr     left, [sp, #COUNT]
-.Lface:
+    tst     left, #1
+    beq     .Lface
+    add     left, left, #1
+    b       .Lsecond
+
+/* Tests the next face. second: 1 of the second one of two. */
+    .macro  test_face name, second
     ldm     face, {r7-r9}
     ldrd    r10, r11, [bounds], #FACE_BOUNDS_SIZE
     smull   r7, r12, r7, r4
@@ -37,7 +43,7 @@ fxl_front_faces:
     adds    face, face, #FACE_SIZE
     cmp     r10, r7
     sbcs    r11, r11, r12
-    bge     .Lnext                          /* turned away */
+    bge     .Laway\name                     /* turned away */
     ldr     r7, [bounds, #FACE_BOUNDS_BOX_X - FACE_BOUNDS_SIZE]
     ldrd    r8, r9, [bounds, #FACE_BOUNDS_BOX_Y - FACE_BOUNDS_SIZE]
     sub     r7, r7, r4, lsl #1
@@ -48,9 +54,18 @@ fxl_front_faces:
     smlal   r10, r11, r8, r8
     smlal   r10, r11, r9, r9
     sub     r12, r12, left                  /* its number, and 0 beside it */
+    .if \second
+    add     r12, r12, #1
+    .endif
     stm     entry!, {r10-r12}
-.Lnext:
-    subs    left, left, #1
+.Laway\name:
+    .endm
+
+.Lface:
+    test_face _first, 0
+.Lsecond:
+    test_face _second, 1
+    subs    left, left, #2
     bne     .Lface
     mov     r0, entry
     pop     {r4-r11, pc}
