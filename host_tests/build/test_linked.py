@@ -50,6 +50,7 @@ def test_a_scene_without_tree_beams_and_clusters_links_nothing_of_them(build, tm
 
 
 def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_path):
+    """light 5.3."""
     source, program = tmp_path / "draw.c", tmp_path / "draw"
     call = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL)"
     for named, text in ((False, call), (True, call + " + fxl_attach_light(NULL, NULL, NULL)")):
@@ -67,6 +68,7 @@ def test_a_renderer_without_a_world_and_light_links_nothing_of_them(build, tmp_p
      "fxl_renderer_choose(NULL, &(fxl_config){.target = &fxl_palette_depth_16})", ("fxl_billboard", "fxl_sprite")),
     ("fxl_attach_billboards(NULL, NULL, NULL, FXL_SPRITES_OF(fxl_palette))", ("fxl_depth", "fxl_surface"))])
 def test_billboards_surfaces_and_depth_do_not_link_each_other(build, tmp_path, call, other):
+    """billboards 4.4, surfaces 6.4."""
     source, program = tmp_path / "draw.c", tmp_path / "draw"
     text = "fxl_frame_begin(NULL, NULL) + fxl_renderer_init_with(NULL, &scene, NULL, NULL) + " + call
     source.write_text("#include <stddef.h>\n#include <fixel/all.h>\n" + PROGRAM.replace("NAME", text), encoding="utf-8")

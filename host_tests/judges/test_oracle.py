@@ -41,6 +41,7 @@ def test_pieces_are_watertight_but_where_rounding_turned_one_over(build):
 
 @pytest.mark.parametrize("clipper", ("half-spaces", "near", "near-box", "left", "triangles"))
 def test_no_gaps_by_any_clipper(build, clipper):
+    """clippers 7.2."""
     found = json.loads(oracle(build, "watertight", "--samples", 5_000, "--seed", 6, "--shard", 0,
                               "--clipper", clipper))
     assert found["gaps"] == 0

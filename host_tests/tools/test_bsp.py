@@ -201,6 +201,7 @@ def chain_of(edges):
 @settings(max_examples=25, deadline=None)
 @given(boxes)
 def test_faces_keep_to_their_sides_and_an_image_of_them_is_sound(drawn):
+    """bsp 2.4."""
     made = random_scene(drawn)
     counts = tree.plant(made, {0})
     model = made.models[-1]

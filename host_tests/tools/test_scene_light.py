@@ -63,6 +63,7 @@ def test_a_ramp_goes_from_dark_to_the_colour_itself(tmp_path):
 
 
 def test_what_has_no_shade_keeps_its_colour_at_every_level(tmp_path):
+    """light 3.3."""
     scene = build(tmp_path, LIGHT + BOX + BOX + "shade = false\nlayer = 1\n")
     [lit], [plain] = colours_of(scene, 0), colours_of(scene, 1)
     assert lit != plain and scene.palette[lit] == scene.palette[plain]
@@ -84,7 +85,7 @@ def nearest(palette, colour):
 
 
 def test_levels_are_the_nearest_entries(tmp_path):
-    """Where the palette has no room for every shade, too."""
+    """Where the palette has no room for every shade, too. light 3.3."""
     colours = ", ".join(f'"#{i * 5 % 256:02x}{i * 37 % 256:02x}{i * 91 % 256:02x}"' for i in range(90))
     scene = build(tmp_path, LIGHT + f'[[objects]]\nsolid = "floor"\ncells = [10, 10]\nposition = [0, -1, 5]\ncolours = [{colours}]\n')
     assert len(colours_of(scene)) == 90

@@ -25,6 +25,7 @@ static void expect_centre(const exact_place *wanted, const fxl_point *actual, lo
     TEST_ASSERT_NEAR(wanted->centre[2], actual->z, bound);
 }
 
+/* orientation 3.1 */
 void test_a_wheel_goes_with_its_car(void)
 {
     const fxl_point car = {Q16(10), 0, Q16(-3)}, wheel = {Q16(1), Q16(0.5), Q16(2)};
@@ -42,6 +43,7 @@ void test_a_wheel_goes_with_its_car(void)
 }
 
 /* A centre is exact but for one rounding, with any scale. */
+/* orientation 3.1 */
 void test_a_centre_is_within_half_a_unit(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
@@ -62,6 +64,7 @@ void test_a_centre_is_within_half_a_unit(void)
 }
 
 /* docs/extras/orientation.md, section 3: the bound by depth. */
+/* orientation 3.2 */
 void test_a_chain_of_eight_is_within_its_bound(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {

@@ -26,6 +26,7 @@ static bool holds(const fxl_beam *beam, fxl_point point)
     return true;
 }
 
+/* beams 1.3 */
 void test_a_window_has_a_plane_for_each_side_and_its_own(void)
 {
     fxl_beam beam;
@@ -35,6 +36,7 @@ void test_a_window_has_a_plane_for_each_side_and_its_own(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_check(&beam));
 }
 
+/* beams 1.2 */
 void test_what_the_light_reaches_through_the_window_is_inside(void)
 {
     fxl_beam beam;
@@ -69,6 +71,7 @@ void test_the_length_of_a_direction(void)
 }
 
 /* A sphere that touches the beam may lie in it; one that is 2^-13 unit away does not. */
+/* beams 2.2 */
 void test_a_sphere_beside_a_beam(void)
 {
     const fxl_beam beam = {.kind = FXL_BEAM_DIRECTION,
@@ -83,6 +86,7 @@ void test_a_sphere_beside_a_beam(void)
 }
 
 /* A sphere that lies behind any one of a beam's planes is not reached. */
+/* beams 1.2 */
 void test_every_plane_of_a_beam_limits_it(void)
 {
     fxl_beam beam = {.kind = FXL_BEAM_DIRECTION, .from = {0, -FXL_Q2_30_ONE, 0}};
@@ -100,6 +104,7 @@ void test_every_plane_of_a_beam_limits_it(void)
 }
 
 /* Light that travels along an axis shines on faces that are turned the other way. */
+/* beams 1.4 */
 void test_what_the_sun_shines_on(void)
 {
     for (int travel = 0; travel < 6; travel++) {
@@ -127,6 +132,7 @@ void test_a_face_that_is_barely_turned_to_a_lamp(void)
 }
 
 /* A face is turned to a lamp that is before its plane: along each axis, to a unit. */
+/* beams 1.4 */
 void test_what_a_lamp_shines_on(void)
 {
     const fxl_beam beam = {.kind = FXL_BEAM_POINT, .from = {Q16(3), Q16(-5), Q16(7)}};
@@ -146,6 +152,7 @@ void test_what_a_lamp_shines_on(void)
 }
 
 /* The least that a face may be turned to the light is one unit of 2^-46. */
+/* beams 1.4 */
 void test_a_face_that_is_barely_turned_to_the_light(void)
 {
     const fxl_direction normal = {FXL_Q2_30_ONE, 1,
@@ -160,6 +167,7 @@ void test_a_face_that_is_barely_turned_to_the_light(void)
 }
 
 /* The margin is 4 units of 2^-16, for normals that are a little too long. */
+/* beams 2.2 */
 void test_the_margin_of_a_sphere_beside_a_beam(void)
 {
     for (int sign = -1; sign <= 1; sign += 2) {
@@ -175,6 +183,7 @@ void test_the_margin_of_a_sphere_beside_a_beam(void)
     }
 }
 
+/* beams 1.3 */
 void test_a_direction_makes_a_shaft(void)
 {
     const fxl_direction down = {Q30(0.6), Q30(-0.8), 0};
@@ -188,6 +197,7 @@ void test_a_direction_makes_a_shaft(void)
 }
 
 /* The way round of a window does not matter. */
+/* beams 1.3 */
 void test_a_window_may_be_wound_either_way(void)
 {
     fxl_point turned[4];
@@ -256,6 +266,7 @@ static void expect_refused(fxl_status status, const fxl_point *light, const fxl_
     TEST_ASSERT_EQUAL_MEMORY(&before, &beam, sizeof before);
 }
 
+/* beams 1.3 */
 void test_what_makes_no_beam_is_refused(void)
 {
     static const fxl_point off = {Q16(8192), 0, 0};
@@ -292,6 +303,7 @@ void test_what_makes_no_beam_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_beam_check(NULL));
 }
 
+/* beams 1.1 */
 void test_a_beam_of_a_table_is_checked(void)
 {
     fxl_beam good, beam;

@@ -85,6 +85,7 @@ static int lit_pixels(const uint8_t *pixels)
 }
 
 /* From above: the lid is lit in its middle, its border is not, and dark is what was there. */
+/* beams 2.1 */
 void test_what_lies_in_the_beam_is_lit(void)
 {
     const fxl_pose above = {{0, Q16(4), 0}, 0, DEGREES(-90), 0};
@@ -104,6 +105,7 @@ void test_what_lies_in_the_beam_is_lit(void)
 }
 
 /* Under the lid the beam passes through faces that are turned away from the lamp. */
+/* beams 2.1 */
 void test_what_is_turned_away_stays_dark(void)
 {
     const fxl_pose below = {{0, Q16(-4), 0}, 0, DEGREES(90), 0};
@@ -168,6 +170,7 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
 }
 
 /* Near to far, the pieces of a face are drawn as far to near. */
+/* beams 4.1 */
 void test_near_to_far_gives_the_same_pixels(void)
 {
     choice reverse = choice_sorted;
@@ -224,6 +227,7 @@ void test_what_makes_no_light_is_refused(void)
 /* A comb whose teeth all cross two sides of the beam: its parts need more corners than there is
  * memory for. The loader does not check that faces are convex. Such a face is drawn whole and
  * dark, and counts as refused. */
+/* beams 4.4 */
 void test_what_has_no_room_is_drawn_dark(void)
 {
     static fxl_point comb[FXL_FACE_VERTICES_MAX - 5];
@@ -278,6 +282,7 @@ void test_a_face_of_too_many_corners_is_refused(void)
 }
 
 /* Beams that leave room for triangles alone: a face of four corners is refused wherever it is. */
+/* beams 4.3 */
 void test_every_face_must_fit_the_beams(void)
 {
     static fxl_beam narrow[2];
@@ -305,6 +310,7 @@ void test_every_face_must_fit_the_beams(void)
 
 /* No memory is of use for beams that would cut a triangle into polygons of too many vertices. Each
  * plane of the first beam adds a vertex at most, each plane of the other beams two. */
+/* beams 4.3 */
 void test_beams_that_leave_no_room_for_a_triangle(void)
 {
     static fxl_beam several[FXL_BEAMS_MAX + 1];

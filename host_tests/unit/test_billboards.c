@@ -158,6 +158,7 @@ static uint32_t expect_sprite(double scale)
     return shown;
 }
 
+/* billboards 2.1, 3.1 */
 void test_a_pixel_shows_the_texel_at_its_centre(void)
 {
     uint32_t shown = 0;
@@ -174,6 +175,7 @@ void test_a_pixel_shows_the_texel_at_its_centre(void)
 }
 
 /* The scale of a placement is that of the sprite; where it turns to does not matter. */
+/* billboards 2.1 */
 void test_a_turned_instance_scales_its_sprite(void)
 {
     const fxl_pose pose = ahead(Q16(-9));
@@ -200,6 +202,7 @@ static uint32_t count_sprite(uint8_t frame[HEIGHT][WIDTH])
 }
 
 /* The cube at the origin is before the sprite at z = 10 for one eye and behind it for the other. */
+/* billboards 1.2 */
 void test_what_is_nearer_covers_what_is_farther(void)
 {
     fxl_pose pose = ahead(Q16(-4));
@@ -219,6 +222,7 @@ void test_what_is_nearer_covers_what_is_farther(void)
     TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] >= 100);
 }
 
+/* billboards 3.2 */
 void test_the_key_is_not_drawn(void)
 {
     const fxl_pose pose = ahead(Q16(5));
@@ -230,6 +234,7 @@ void test_the_key_is_not_drawn(void)
 }
 
 /* The same picture in 1, 4 and 8 bits. */
+/* billboards 3.2 */
 void test_sprites_of_every_format(void)
 {
     static const uint8_t one[] = {0xA0, 0x40}, four[] = {0x10, 0x10, 0x01, 0x00},
@@ -257,6 +262,7 @@ void test_sprites_of_every_format(void)
 /* --- bands, lists, cores ------------------------------------------------------------------------
  */
 
+/* billboards 4.1 */
 void test_bands_lists_and_workspaces_change_no_pixel(void)
 {
     const uint16_t steps[] = {1, 2, 3, 8, 12};
@@ -282,6 +288,7 @@ void test_bands_lists_and_workspaces_change_no_pixel(void)
     TEST_ASSERT_TRUE(spilled > 0 && listed > 0 && shown > 0);
 }
 
+/* billboards 4.1 */
 void test_another_core_draws_a_band(void)
 {
     const fxl_pose pose = ahead(Q16(-4));
@@ -296,6 +303,7 @@ void test_another_core_draws_a_band(void)
 /* --- what is counted and refused
  * ------------------------------------------------------------------ */
 
+/* billboards 2.2, 2.3 */
 void test_near_far_and_sides_leave_sprites_out(void)
 {
     static const struct {
@@ -335,6 +343,7 @@ void test_near_far_and_sides_leave_sprites_out(void)
 }
 
 /* A sprite of less than a pixel shows where it covers a pixel's centre. */
+/* billboards 2.2 */
 void test_a_sprite_far_away_covers_a_pixel_or_none(void)
 {
     uint32_t shown = 0;
@@ -366,6 +375,7 @@ static void expect_refusal(fxl_status status, const char *what, uint32_t index)
     setUp();
 }
 
+/* combinations 1.1 */
 void test_a_wrong_billboard_is_refused(void)
 {
     start(0);
@@ -444,6 +454,7 @@ void test_null_pointers_are_refused(void)
 }
 
 /* The picture of a moved centre is that of the middle, moved by as much, in whole pixels here. */
+/* billboards 2.1 */
 void test_an_off_centre_lens_shows_the_same_sprite(void)
 {
     uint32_t shown = 0, differing = 0;

@@ -156,6 +156,7 @@ static void expect_depth_of_stand_in(const way *into)
     TEST_ASSERT_TRUE(shown > 100 && hidden > 20);
 }
 
+/* billboards 4.2 */
 void test_a_billboard_has_the_depth_of_its_instance(void)
 {
     expect_depth_of_stand_in(&ways[1]);
@@ -163,6 +164,7 @@ void test_a_billboard_has_the_depth_of_its_instance(void)
 }
 
 /* With a blended surface depth goes far to near, and in two passes. */
+/* billboards 4.2 */
 void test_depth_with_blended_surfaces(void)
 {
     surface.flags = FXL_SURFACE_BLEND;
@@ -271,6 +273,7 @@ void test_a_moved_renderer_draws_the_same(void)
 }
 
 /* Taken away, the method and its memory are as before. */
+/* combinations 1.4 */
 void test_billboards_are_taken_away(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-6)}, 0, 0, 0};

@@ -60,6 +60,7 @@ static fxl_pose shuffle(void)
 
 /* Cubes that pass through each other are cut where a third cube's planes are, but two that move
  * are not cut by each other: those are kept apart. */
+/* bsp 1.2, 2.2, 3.1 */
 void test_what_a_ray_sees_first_is_seen(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 100;
@@ -88,6 +89,7 @@ void test_what_a_ray_sees_first_is_seen(void)
 /* Two cubes that move lie behind the tree's, in one of its leaves, apart from each other: the
  * nearer hides the farther, in pieces or whole. Whole ones that stick out of the leaf may be hidden
  * by the tree's cube. */
+/* bsp 3.1, 3.6 */
 void test_two_cubes_in_one_leaf(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 500;
@@ -171,6 +173,7 @@ void test_any_bands_and_any_list_give_the_same_frame(void)
     TEST_ASSERT_TRUE(spilled > rounds / 20 && held > rounds / 20);
 }
 
+/* bsp 2.3 */
 void test_near_to_far_is_the_reverse_of_far_to_near(void)
 {
     choice reverse = choice_tree;
@@ -189,6 +192,7 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
 }
 
 /* Cut or not, a pixel of a convex object is drawn once: no gap, and nothing twice. */
+/* bsp 3.2, 3.3, 3.4, 3.5 */
 void test_pieces_leave_no_gap_and_do_not_overlap(void)
 {
     choice count_all = choice_tree;
@@ -224,6 +228,7 @@ void test_pieces_leave_no_gap_and_do_not_overlap(void)
 /* --- room -------------------------------------------------------------------- */
 
 /* Byte by byte more: nothing is written behind it, and what has no room is counted and whole. */
+/* bsp 3.7 */
 void test_any_room_for_pieces(void)
 {
     uint32_t last = 2;
@@ -278,6 +283,7 @@ void test_room_for_the_walk(void)
 
 /* --- counting, and scenes of another kind ------------------------------------- */
 
+/* bsp 4.2 */
 void test_counters_are_those_of_any_method(void)
 {
     uint32_t drawn = 0;
@@ -311,6 +317,7 @@ static fxl_clip_result end_with_second(const fxl_model_view *model_view, fxl_cli
 
 /* A face whose second polygon is refused is refused; one that has none is drawn. Each is counted
  * once, as by any method, whether it is cut into pieces or not. */
+/* bsp 4.2 */
 void test_a_face_whose_second_polygon_is_refused(void)
 {
     static const fxl_clipper clipper = {.clip = fxl_clip_by_view, .next = end_with_second};
@@ -344,6 +351,7 @@ void test_a_face_whose_second_polygon_is_refused(void)
     TEST_ASSERT_TRUE(pieces_refused > UNIT_REPEAT / 200);
 }
 
+/* bsp 2.1 */
 void test_without_a_tree_it_is_drawn_by_distance(void)
 {
     fxl_pose pose = shuffle();
@@ -359,6 +367,7 @@ void test_without_a_tree_it_is_drawn_by_distance(void)
 }
 
 /* The tree's object behind the eye, one that moves before it; and layers below and above. */
+/* bsp 2.1 */
 void test_other_layers_and_a_tree_out_of_sight(void)
 {
     const fxl_pose pose = {{0, 0, Q16(14)}, 0, 0, 0};

@@ -21,6 +21,7 @@ static void expect(fxl_status status, const char *what, uint32_t index)
     made = bsp_make();
 }
 
+/* bsp 1.1 */
 void test_a_sound_tree(void)
 {
     expect(FXL_OK, NULL, 0);
@@ -30,6 +31,7 @@ void test_a_sound_tree(void)
     expect(FXL_OK, NULL, 0);
 }
 
+/* formats 1.7 */
 void test_whose_it_is(void)
 {
     made->tiny->scene.bsp_instance = TINY_INSTANCES;
@@ -76,6 +78,7 @@ void test_counts(void)
     expect(FXL_OK, NULL, 0);
 }
 
+/* formats 1.7 */
 void test_planes(void)
 {
     made->nodes[3].reserved = 1;
@@ -93,6 +96,7 @@ void test_planes(void)
 }
 
 /* 8 units of 2^-16 off is near enough, the least bit more is not. */
+/* formats 1.7 */
 void test_faces_lie_on_the_plane(void)
 {
     const uint64_t one = (uint64_t)FXL_Q2_30_ONE * 65536u, most = (uint64_t)8 << 30;
@@ -134,6 +138,7 @@ void test_each_vertex_of_a_face_lies_on_the_plane(void)
     }
 }
 
+/* formats 1.7 */
 void test_spheres(void)
 {
     made->nodes[3].radius = -1;
@@ -200,6 +205,7 @@ void test_a_sphere_that_lacks_one_corner(void)
     }
 }
 
+/* bsp 1.1, formats 1.7 */
 void test_every_face_has_one_node(void)
 {
     made->nodes[1].first_face = 2;
@@ -212,6 +218,7 @@ void test_every_face_has_one_node(void)
     expect(FXL_E_INDEX, "BSP node", 5);
 }
 
+/* bsp 1.1, formats 1.7 */
 void test_links(void)
 {
     made->nodes[0].parent = 0;
@@ -238,6 +245,7 @@ void test_links(void)
 }
 
 /* A chain of nodes without faces, behind each other: as deep as may be, and one deeper. */
+/* formats 1.7 */
 void test_depth(void)
 {
 #ifndef UNIT_ON_TARGET

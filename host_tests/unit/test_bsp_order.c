@@ -43,6 +43,7 @@ static void draw(uint8_t *frame, const fxl_pose *pose, uint32_t rows)
 
 /* Cubes on layers 0, 1 and 2, the tree's on each of them in turn, each hiding some of the one
  * before. Near to far the layers come in reverse, and the same pixels win. */
+/* bsp 2.1, 2.3 */
 void test_layers_come_in_reverse_near_to_far(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -166,6 +167,7 @@ void test_pieces_are_lit(void)
 
 /* Cubes on the planes of the tree and not across them stay whole: the memory that is used is that
  * of the faces that face the eye, 12 bytes each and 16 for each of their vertices. */
+/* bsp 3.5 */
 void test_what_touches_a_plane_is_not_cut(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
@@ -205,6 +207,7 @@ static uint32_t used_by(const fxl_point *centre, const fxl_pose *pose)
 
 /* The first cube has no room for its parts, and is whole; what it had taken is free again for the
  * second. */
+/* bsp 3.7 */
 void test_what_a_failed_cut_took_is_free_again(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);

@@ -120,6 +120,7 @@ enum {
 static const fxl_plane left = {{759250125, 0, 759250125}, 0};
 static fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 
+/* clippers 1.3 */
 void test_in_the_world(void)
 {
     static struct {
@@ -140,6 +141,7 @@ void test_in_the_world(void)
     expect_both_ends();
 }
 
+/* clippers 1.3 */
 void test_in_the_view(void)
 {
     static struct {
@@ -163,6 +165,7 @@ void test_in_the_view(void)
     expect_both_ends();
 }
 
+/* clippers 1.3 */
 void test_by_half_spaces(void)
 {
     static struct {

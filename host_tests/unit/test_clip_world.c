@@ -61,6 +61,7 @@ void test_cases_of_one_plane(void)
     }
 }
 
+/* clippers 1.2 */
 void test_texture_is_cut_by_the_same_fraction(void)
 {
     static const plane_polygon square = {4, {-3, 0, 1, 0, 1, 4, -3, 4}};
@@ -122,6 +123,7 @@ static fxl_vertex random_vertex(fxl_q16_16 limit)
 
 /* The two neighbours walk the edge a-b in opposite directions; the vertex that
  * neither had before must be one and the same. */
+/* clippers 7.4 */
 void test_neighbours_get_the_same_vertex(void)
 {
     int cut = 0;

@@ -322,6 +322,7 @@ void test_what_a_clipper_answers_is_counted(void)
 /* The two outlines are less than a hundredth of a pixel apart (near is 1/16, focal
  * 24 pixels), so a pixel differs only on an edge, with the other colour next to
  * it, and seldom. */
+/* clippers 4.3 */
 void test_both_clippers_draw_the_same_frames(void)
 {
     const int rounds = UNIT_REPEAT / 50;

@@ -45,6 +45,7 @@ static void expect_projected(void)
 }
 
 /* The clippers of the view and of the world count where they are given an account. */
+/* clippers 4.2 */
 void test_all_count_what_they_work_out(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
@@ -117,6 +118,7 @@ void test_the_guard_band_is_counted(void)
 
 /* A vertex beyond the guard band is tried against it, then all three vertices against all planes;
  * then the left plane, which alone has one outside, measures all three. */
+/* clippers 4.4 */
 void test_what_is_beyond_the_guard_band_is_counted(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);
@@ -190,6 +192,7 @@ static void spoil(const fxl_clipper *clipper)
 
 /* A clipper makes its planes for the first face of a frame, and uses them for the others: spoilt,
  * they leave nothing of a face that crosses near, until the next frame. */
+/* clippers 4.2 */
 void test_planes_are_made_once_a_frame(void)
 {
     fxl_view view = clip_random_view(WIDTH, HEIGHT);

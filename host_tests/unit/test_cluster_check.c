@@ -21,6 +21,7 @@ static void expect(fxl_status status, const char *what, uint32_t index)
     made = cluster_make();
 }
 
+/* formats 1.8 */
 void test_sound_clusters(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
@@ -65,6 +66,7 @@ void test_scenes_without_clusters(void)
     TEST_ASSERT_NULL(scene->cluster_code);
 }
 
+/* formats 1.8 */
 void test_counts(void)
 {
     made->tiny->scene.clusters = NULL;
@@ -101,6 +103,7 @@ void test_which_models_have_some(void)
 }
 
 /* The sphere of cluster 0 about (-1, 0, 0): its vertices are (-1, +-1, +-1). */
+/* formats 1.8 */
 void test_spheres(void)
 {
     made->clusters[0].radius = 92681; /* sqrt(2) is more than 92681.9 */
@@ -129,6 +132,7 @@ void test_spheres(void)
     expect(FXL_E_RANGE, "cluster", 2);
 }
 
+/* formats 1.8 */
 void test_cones(void)
 {
     made->clusters[0].axis.x -= 8;
@@ -153,6 +157,7 @@ void test_cones(void)
 
 /* The normals of cluster 1 are 45 degrees off its axis. So a cone of 45 degrees is the widest, with
  * a cutoff of 1/2. */
+/* formats 1.8 */
 void test_cutoffs(void)
 {
     made->clusters[1].cutoff = 0x7FFFFFFFu;
@@ -191,6 +196,7 @@ void test_no_clusters_with_a_tree(void)
 
 /* Each vertex alone lies outside of its cluster's sphere: one of each corner of the first face, and
  * those that only a later face has. */
+/* formats 1.8 */
 void test_every_vertex_is_in_the_sphere(void)
 {
     for (int i = 0; i < 4; i++) {

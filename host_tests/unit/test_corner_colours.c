@@ -153,7 +153,7 @@ void test_channels_divided_at_each_pixel(void)
 
 /* Between two divisions a channel is 0.3 of a level off at most, and rounded down by less than
  * 1/32. */
-/* SPEC 9.8 */
+/* SPEC 9.8, surfaces 1.4 */
 void test_channels_of_triangles(void)
 {
     draw_random_faces(true, FXL_DIVIDE_16, 0.34);
@@ -219,6 +219,7 @@ void test_channels_of_triangles_of_few_pixels(void)
 
 /* One colour at all corners is the palette's entry of that colour: the upper bits of each channel.
  */
+/* rgb565 2.4 */
 void test_one_colour_at_all_corners(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -259,6 +260,7 @@ void test_light_at_the_corners(void)
 }
 
 /* The same pixels in one band and in bands of five rows, and with a depth buffer. */
+/* rgb565 3.6 */
 void test_bands_and_depth_change_no_pixel(void)
 {
     for (uint32_t i = 0; i < ROUNDS; i++) {
@@ -285,6 +287,7 @@ void test_bands_and_depth_change_no_pixel(void)
 }
 
 /* Stipple leaves pixels out, and blending mixes them, each by the rule of any surface. */
+/* surfaces 4.2 */
 void test_opacity_and_blending(void)
 {
     uint32_t left_out = 0, drawn = 0;
@@ -321,6 +324,7 @@ static fxl_status status_of(quad_scene *quad, uint32_t bits)
     return fxl_surfaces_check(&quad->set, &quad->scene, bits, NULL);
 }
 
+/* surfaces 1.4 */
 void test_what_the_check_refuses(void)
 {
     quad_scene *quad = make(false, 0, FXL_DIVIDE_16);

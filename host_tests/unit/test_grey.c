@@ -46,6 +46,7 @@ static uint32_t dither(uint32_t x, uint32_t y)
     return sum;
 }
 
+/* formats 4.1 */
 void test_luma(void)
 {
     uint32_t i;
@@ -80,16 +81,19 @@ static void assert_levels(uint32_t highest)
     }
 }
 
+/* formats 4.2 */
 void test_every_colour_at_every_place_on_16_greys(void)
 {
     assert_levels(15);
 }
 
+/* formats 4.3 */
 void test_every_colour_at_every_place_on_2_greys(void)
 {
     assert_levels(1);
 }
 
+/* formats 4.2 */
 void test_every_colour_at_every_place_on_4_greys(void)
 {
     assert_levels(3);
@@ -105,6 +109,7 @@ void test_256_greys_are_not_dithered(void)
     }
 }
 
+/* formats 4.3 */
 void test_the_pattern_of_half_and_of_a_quarter(void)
 {
     static const char *half = "#.#.#.#.\n.#.#.#.#\n#.#.#.#.\n.#.#.#.#\n"
@@ -130,6 +135,7 @@ void test_the_pattern_of_half_and_of_a_quarter(void)
     }
 }
 
+/* formats 4.4 */
 void test_the_pattern_repeats_every_8_pixels(void)
 {
     uint32_t colour;

@@ -31,6 +31,7 @@ static void start(fxl_pose *eye)
     eye->pitch = FXL_DEGREES(-12);
 }
 
+/* overlay 1.4 */
 void test_the_picture_is_that_of_every_board(void)
 {
     const fxl_band whole = {.pixels = pixels[0], .width = WIDTH, .stride = WIDTH, .first_row = 0,
@@ -42,6 +43,7 @@ void test_the_picture_is_that_of_every_board(void)
     TEST_ASSERT_EQUAL_HEX32(PICTURE, unit_crc32(pixels[0], sizeof pixels));
 }
 
+/* overlay 1.1 */
 void test_bands_have_the_pixels_of_the_whole(void)
 {
     fxl_pose eye;

@@ -52,6 +52,7 @@ static void expect_level(const fxl_light_settings *of, double exact, uint32_t le
     TEST_ASSERT_TRUE(level <= floor((exact + bound) * top + 0.5));
 }
 
+/* light 2.2, 2.3, 2.4, 2.5 */
 void test_brightness_is_that_of_the_definition(void)
 {
     uint32_t between = 0;
@@ -79,6 +80,7 @@ void test_brightness_is_that_of_the_definition(void)
 }
 
 /* At the ends of the ranges: the farthest corners of the world, the shortest and longest ranges. */
+/* light 2.2, 2.3, 2.4 */
 void test_brightness_at_the_ends_of_the_ranges(void)
 {
     const int32_t end = FXL_COORDINATE_MAX;
@@ -101,6 +103,7 @@ void test_brightness_at_the_ends_of_the_ranges(void)
     }
 }
 
+/* light 2.5 */
 void test_levels_are_the_nearest(void)
 {
     TEST_ASSERT_EQUAL_UINT32(0, fxl_light_level(0, 2));
@@ -151,6 +154,7 @@ static exact_vector normal_of(uint32_t colour)
 }
 
 /* One cube, convex or sorted: each pixel has the level of its face, by the definition. */
+/* light 2.1, 3.1 */
 void test_each_face_has_its_level(void)
 {
     uint32_t seen = 0;
@@ -195,6 +199,7 @@ void test_each_face_has_its_level(void)
 
 /* A part of a face has the level of the whole face, whose indices follow those of the part. Goes on
  * until a light is found by which the part alone would have another level. */
+/* light 2.1 */
 void test_a_part_has_the_level_of_the_whole_face(void)
 {
     uint32_t apart = 0;
@@ -223,6 +228,7 @@ void test_a_part_has_the_level_of_the_whole_face(void)
 }
 
 /* An instance that is turned and scaled: its faces' normals and middles are, too. */
+/* light 2.1 */
 void test_light_follows_placements(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 50; round++) {
@@ -264,6 +270,7 @@ void test_light_follows_placements(void)
 }
 
 /* A beam's lit colours are those of the colours that the light gives. */
+/* light 5.1 */
 void test_light_goes_with_beams(void)
 {
     uint8_t *const room = memory_of.beams;
@@ -317,6 +324,7 @@ void test_light_goes_with_beams(void)
 }
 
 /* Bands that two workspaces draw in turn, as two cores do: the light belongs to both. */
+/* light 5.2 */
 void test_cores_share_the_light(void)
 {
     static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];
@@ -359,6 +367,7 @@ static void expect_refused(fxl_status status, const fxl_light_settings *of)
     TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
 }
 
+/* formats 1.11 */
 void test_settings_out_of_range_are_refused(void)
 {
     static const fxl_renderer none;
@@ -406,6 +415,7 @@ void test_settings_out_of_range_are_refused(void)
 }
 
 /* A palette of greys has each level of each grey; of two equal entries the first is taken. */
+/* light 3.2 */
 void test_a_ramp_of_greys_is_exact(void)
 {
     static uint8_t palette[768], made[256 * 5];

@@ -74,6 +74,7 @@ static void expect_ends(const fxl_clip_line *line, int x0, int x1, double u0, do
     TEST_ASSERT_NEAR(line->to.carried[0], u1 * 65536, 1);
 }
 
+/* clippers 1.2 */
 void test_an_end_is_moved_and_what_it_carries(void)
 {
     fxl_volume volume = square();

@@ -98,6 +98,7 @@ void test_missing_tables_are_refused(void)
     expect(FXL_E_COUNT, "motion table", 0);
 }
 
+/* formats 1.10 */
 void test_motions_take_the_keys_in_turn(void)
 {
     make();
@@ -111,6 +112,7 @@ void test_motions_take_the_keys_in_turn(void)
     expect(FXL_E_COUNT, "motion key table", 0);
 }
 
+/* formats 1.10 */
 void test_keys_are_in_order(void)
 {
     make();
@@ -124,6 +126,7 @@ void test_keys_are_in_order(void)
     expect(FXL_E_INDEX, "motion key", 3);
 }
 
+/* formats 1.10 */
 void test_reserved_fields_are_checked(void)
 {
     make();
@@ -139,6 +142,7 @@ void test_reserved_fields_are_checked(void)
     expect(FXL_E_RESERVED, "motion", 1);
 }
 
+/* motion 4.1 */
 void test_a_key_is_within_the_extent(void)
 {
     make();
@@ -158,6 +162,7 @@ void test_a_key_is_within_the_extent(void)
     expect(FXL_E_RANGE, "motion key", 2);
 }
 
+/* formats 1.10 */
 void test_numbers_of_a_motion_are_in_range(void)
 {
     make();
@@ -186,6 +191,7 @@ void test_numbers_of_a_motion_are_in_range(void)
 }
 
 /* A motion without a parent reaches its extent, its circle, its sphere and the slack. */
+/* motion 4.2 */
 void test_no_frame_leaves_the_world(void)
 {
     const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
@@ -201,6 +207,7 @@ void test_no_frame_leaves_the_world(void)
 }
 
 /* A circle adds to x and to z, each by itself, and not to y. */
+/* motion 4.2 */
 void test_the_circle_of_a_motion_reaches_along_x_and_z(void)
 {
     const fxl_q16_16 room = FXL_COORDINATE_MAX - 2 * TINY_RADIUS - FXL_PLACEMENT_SLACK;
@@ -219,6 +226,7 @@ void test_the_circle_of_a_motion_reaches_along_x_and_z(void)
 }
 
 /* With a parent the places add up, times the parent's scale. */
+/* motion 4.2 */
 void test_a_chain_stays_in_the_world(void)
 {
     make();
@@ -239,6 +247,7 @@ void test_a_chain_stays_in_the_world(void)
     expect(FXL_E_RANGE, "motion", 1);
 }
 
+/* motion 4.3 */
 void test_the_scales_of_a_chain_are_in_range(void)
 {
     make();
@@ -261,6 +270,7 @@ void test_the_scales_of_a_chain_are_in_range(void)
 }
 
 /* Eight parents are allowed, nine are not: a scene of ten instances of one model. */
+/* formats 1.10, motion 2.5 */
 void test_a_chain_has_at_most_eight_parents(void)
 {
     static fxl_instance many[10];

@@ -66,6 +66,7 @@ void test_turned_by_nothing_it_is_the_identity(void)
 }
 
 /* An object that is turned so looks where the camera looks: its columns are the camera's rows. */
+/* orientation 1.1 */
 void test_angles_are_those_of_the_camera(void)
 {
     const fxl_pose pose = {{0, 0, 0}, DEGREES(30), DEGREES(-50), DEGREES(110)};
@@ -89,6 +90,7 @@ void test_quarter_turns_are_exact(void)
     }
 }
 
+/* orientation 1.1 */
 void test_angles_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -101,6 +103,7 @@ void test_angles_are_within_four_units(void)
 }
 
 /* Yaw is a turn about y, pitch one about -x, roll one about z. */
+/* orientation 1.2 */
 void test_an_axis_turns_as_the_angles_do(void)
 {
     const fxl_angle angle = DEGREES(37);
@@ -114,6 +117,7 @@ void test_an_axis_turns_as_the_angles_do(void)
     expect_near(&roll, &o, 4);
 }
 
+/* orientation 1.2 */
 void test_an_axis_is_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -128,6 +132,7 @@ void test_an_axis_is_within_four_units(void)
     }
 }
 
+/* orientation 1.2 */
 void test_a_half_turn_about_an_axis(void)
 {
     fxl_orientation o = by_axis((fxl_point){0, 0, 5}, 0x80000000u);
@@ -147,6 +152,7 @@ void test_looking_along_z_turns_nothing(void)
 }
 
 /* Also where direction and up are nearly parallel. */
+/* orientation 1.3 */
 void test_look_at_is_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -168,6 +174,7 @@ void test_look_at_is_within_four_units(void)
     }
 }
 
+/* orientation 1.3 */
 void test_directions_without_a_turn_are_refused(void)
 {
     const fxl_point zero = {0, 0, 0}, up = {0, 3, 0}, down = {0, -5, 0}, far = {1 << 30, 0, 0};
@@ -189,6 +196,7 @@ void test_directions_without_a_turn_are_refused(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &o, sizeof o);
 }
 
+/* orientation 1.4 */
 void test_a_product_is_the_nearest_rotation(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {
@@ -203,6 +211,7 @@ void test_a_product_is_the_nearest_rotation(void)
 }
 
 /* b is the first turn: a yawed model that was rolled before. */
+/* orientation 1.4 */
 void test_the_second_factor_turns_first(void)
 {
     const fxl_orientation yaw = by_angles(DEGREES(40), 0, 0), roll = by_angles(0, 0, DEGREES(70));
@@ -213,6 +222,7 @@ void test_the_second_factor_turns_first(void)
 
 /* Each product is made orthonormal again, so no chain leaves the range. The drift from the exact
  * turn is below 1.5 units a product. */
+/* orientation 1.4 */
 void test_a_million_products_stay_in_range(void)
 {
     const int count = UNIT_REPEAT * 10;

@@ -56,6 +56,7 @@ static fxl_pose random_pose(void)
 }
 
 /* Where there is no line, the frame is that of the painter's algorithm; in bands it is the same. */
+/* wire 3.4 */
 void test_lines_lie_over_the_usual_picture(void)
 {
     const uint16_t steps[] = {1, 2, 3, 8, 12};
@@ -81,6 +82,7 @@ void test_lines_lie_over_the_usual_picture(void)
 }
 
 /* A cube before another leaves nothing of it within its faces and edges. */
+/* wire 3.1 */
 void test_edges_behind_a_face_are_hidden(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
@@ -104,6 +106,7 @@ void test_edges_behind_a_face_are_hidden(void)
 
 /* The front face alone, of 16 pixels a side: its edges are on whole pixels, the lower one below the
  * last row that the face reaches. */
+/* wire 3.1 */
 void test_a_face_and_its_outline(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-3)}, 0, 0, 0};
@@ -123,6 +126,7 @@ void test_a_face_and_its_outline(void)
 }
 
 /* So near that the face fills the screen: there is no edge within it. */
+/* wire 3.2 */
 void test_sides_of_the_screen_are_no_edges(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-1.5)}, 0, 0, 0};

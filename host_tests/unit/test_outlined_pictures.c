@@ -86,6 +86,7 @@ static uint32_t count_of(const uint8_t *frame, uint8_t from, uint8_t to)
 
 /* Where there is no line, the picture is the one without outlines. Lines are where they are without
  * surfaces. */
+/* wire 3.1 */
 void test_surfaces_have_the_lines_of_flat_faces(void)
 {
     draw(OUTLINES | SURFACES, all);
@@ -116,6 +117,7 @@ void test_a_billboard_is_drawn_in_its_turn(void)
 }
 
 /* A line has the colour of the style through the palette, and is where it is in bytes. */
+/* wire 3.4 */
 void test_lines_in_rgb565(void)
 {
     for (uint32_t set = 0; set < OUTLINES; set++) {
@@ -130,6 +132,7 @@ void test_lines_in_rgb565(void)
 }
 
 /* Bands and display lists of any size, and another core's workspace. */
+/* wire 3.3 */
 void test_deliveries(void)
 {
     static uint64_t memory[64];

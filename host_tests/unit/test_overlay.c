@@ -116,6 +116,7 @@ static int32_t any(void)
                        : unit_between(-12, 40);
 }
 
+/* overlay 1.1, 1.2, 1.4 */
 void test_rectangles_and_borders_are_what_they_say(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {
@@ -160,6 +161,7 @@ static void want_line(int64_t x0, int64_t y0, int64_t x1, int64_t y1)
     }
 }
 
+/* overlay 1.2, 2.1 */
 void test_lines_follow_their_rule_in_either_direction(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {
@@ -179,6 +181,7 @@ void test_lines_follow_their_rule_in_either_direction(void)
     }
 }
 
+/* overlay 2.1 */
 void test_a_line_has_both_its_ends(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, line(3, 7, 3, 7, 1));
@@ -270,6 +273,7 @@ static void expect_text(const fxl_text_style *style, const char *text, const cha
     expect_wanted();
 }
 
+/* overlay 4.1 */
 void test_text_is_what_is_drawn_here(void)
 {
     const fxl_text_style style = {&fxl_font_5x7, 5, 0}, fixed = {&fxl_font_5x7, 6, 6};
@@ -290,6 +294,7 @@ void test_text_is_what_is_drawn_here(void)
 }
 
 /* Two characters of one pixel: one begins right of the pen, one left of it. */
+/* overlay 4.1 */
 void test_a_character_may_begin_beside_the_pen(void)
 {
     static const uint8_t bits[] = {0x80};
@@ -310,6 +315,7 @@ void test_a_character_may_begin_beside_the_pen(void)
 }
 
 /* The same text through its sprites. */
+/* overlay 4.2 */
 void test_text_anywhere_is_its_characters_side_by_side(void)
 {
     static const uint8_t mask[2] = {0, 8};
@@ -346,6 +352,7 @@ void test_text_anywhere_is_its_characters_side_by_side(void)
     }
 }
 
+/* overlay 4.4 */
 void test_every_character_of_the_font_is_another(void)
 {
     TEST_ASSERT_EQUAL(95, fxl_font_5x7.count);
@@ -364,6 +371,7 @@ void test_every_character_of_the_font_is_another(void)
     }
 }
 
+/* overlay 4.2 */
 void test_a_cell_measures_its_width(void)
 {
     const fxl_text_style fixed = {&fxl_font_5x7, 6, 9};
@@ -387,6 +395,7 @@ static void expect_refused_by_all(fxl_status status, const fxl_band *wrong)
 }
 
 /* Everything at once, in a band of some columns: the pixels of the band of all of them. */
+/* overlay 1.1 */
 void test_a_band_of_some_columns(void)
 {
     static const uint8_t row[2] = {0xA5, 0x3C};
@@ -428,6 +437,7 @@ void test_a_band_of_some_columns(void)
     }
 }
 
+/* overlay 1.3 */
 void test_bands_that_are_none_are_refused(void)
 {
     const fxl_band bad[] = {{.pixels = drawn[1], .width = 0, .stride = STRIDE, .first_row = 0,

@@ -74,6 +74,7 @@ static uint32_t expect_pixel(uint32_t x, uint32_t y)
 
 /* Before, between and after the bands; with a display list that holds some of the faces, or none.
  */
+/* pick 2.1, 2.2, 2.5 */
 void test_a_pick_is_the_pixel_that_was_drawn(void)
 {
     static const choice *const methods[] = {&choice_sorted, &choice_box, &choice_spans,
@@ -101,6 +102,7 @@ void test_a_pick_is_the_pixel_that_was_drawn(void)
     TEST_ASSERT_EQUAL_UINT32(7, seen);
 }
 
+/* pick 2.1 */
 void test_picks_that_cannot_be_are_refused(void)
 {
     fxl_picked picked = {1, 2, 3};
@@ -118,6 +120,7 @@ void test_picks_that_cannot_be_are_refused(void)
 }
 
 /* By the definition, in double. */
+/* pick 1.1, 1.2 */
 void test_points_of_the_world_are_where_double_says(void)
 {
     uint32_t seen = 0;
@@ -169,6 +172,7 @@ void test_points_of_the_world_are_where_double_says(void)
 }
 
 /* The last places on a screen, and the first off it. */
+/* pick 1.3 */
 void test_the_edge_of_the_screen(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};

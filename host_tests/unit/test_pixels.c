@@ -127,6 +127,7 @@ static void assert_converted(const fxl_band *band)
 }
 
 /* The last byte of a row is filled up with zeros, also after seven ones. */
+/* pixels 1.1 */
 void test_seven_white_pixels(void)
 {
     static const uint8_t white[3] = {255, 255, 255};
@@ -141,6 +142,7 @@ void test_seven_white_pixels(void)
     }
 }
 
+/* pixels 1.1, 1.5 */
 void test_every_width_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -156,6 +158,7 @@ void test_every_width_at_every_place_of_a_word(void)
     }
 }
 
+/* pixels 1.2 */
 void test_every_width_of_rgb565_at_every_place_of_a_word(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -176,6 +179,7 @@ void test_every_width_of_rgb565_at_every_place_of_a_word(void)
 }
 
 /* Some columns: those of the band of all of them, the dither too. */
+/* formats 4.4, pixels 1.3 */
 void test_some_columns(void)
 {
     for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
@@ -205,6 +209,7 @@ void test_some_columns(void)
 }
 
 /* Every colour has the entry that a palette with its three bytes has. */
+/* pixels 1.2 */
 void test_greys_of_rgb565(void)
 {
     static const uint32_t highests[] = {1, 15, 254, 255};
@@ -227,6 +232,7 @@ void test_greys_of_rgb565(void)
 }
 
 /* Rows that are one run, and rows in which one pixel is another: at each place of a block. */
+/* pixels 1.5 */
 void test_a_pixel_within_a_run(void)
 {
     const fxl_band band = {.pixels = frame, .width = 48, .stride = 48, .first_row = 0, .rows = 1};
@@ -244,6 +250,7 @@ void test_a_pixel_within_a_run(void)
     assert_converted(&band);
 }
 
+/* pixels 1.2 */
 void test_bits_that_no_pixel_has_are_zero(void)
 {
     const fxl_band band = {.pixels = frame, .width = 5, .stride = 5, .first_row = 0, .rows = 2};
@@ -259,6 +266,7 @@ void test_bits_that_no_pixel_has_are_zero(void)
     TEST_ASSERT_EACH_EQUAL_HEX8(0x03, out, 5);
 }
 
+/* pixels 1.2 */
 void test_sizes(void)
 {
     static const size_t sizes[] = {340, 340, 170, 90, 30, 34};

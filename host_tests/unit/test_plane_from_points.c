@@ -4,6 +4,7 @@
 
 #include "unit.h"
 
+/* clippers 3.4 */
 void test_the_normal_points_to_where_they_run_clockwise(void)
 {
     const fxl_point a = {Q16(1), Q16(2), Q16(7)}, right = {Q16(4), Q16(2), Q16(7)},
@@ -77,6 +78,7 @@ static void expect_bound(const fxl_point *a, const fxl_point *b, const fxl_point
                      fxl_plane_distance(&plane, c) >= -near);
 }
 
+/* clippers 3.4 */
 void test_any_three_points(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 4; i++) {

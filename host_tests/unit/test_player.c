@@ -12,6 +12,7 @@ static bool step(fxl_player *viewer, uint32_t keys)
     return clamped;
 }
 
+/* formats 1.3 */
 void test_forward_speeds_up_moves_and_rubs(void)
 {
     fxl_player viewer = {0};
@@ -66,6 +67,7 @@ void test_turning_wraps(void)
     TEST_ASSERT_EQUAL_HEX32(0xC0000000u, viewer.pose.roll);
 }
 
+/* formats 1.3 */
 void test_each_key_turns_its_own_angle(void)
 {
     fxl_player viewer = {0};
@@ -78,6 +80,7 @@ void test_each_key_turns_its_own_angle(void)
     TEST_ASSERT_EQUAL_HEX32(FXL_ANGLE_QUARTER, viewer.pose.yaw);
 }
 
+/* formats 1.3 */
 void test_keys_of_a_pair_cancel(void)
 {
     fxl_player viewer = {.pose = {{1, 2, 3}, 4, 5, 6}}, before = viewer;

@@ -154,6 +154,7 @@ static void assert_every_format_and_height(void)
     }
 }
 
+/* pixels 2.1, 2.2 */
 void test_frames_arrive_whole_in_every_format_and_height(void)
 {
     assert_every_format_and_height();
@@ -228,6 +229,7 @@ void test_rows_of_rgb565_from_elsewhere(void)
 }
 
 /* The band that is drawn while another is sent; the frame after it, too. */
+/* pixels 2.1 */
 void test_a_band_is_drawn_while_another_is_sent(void)
 {
     const fxl_band *band;
@@ -255,6 +257,7 @@ void test_a_band_is_drawn_while_another_is_sent(void)
     TEST_ASSERT_EQUAL(8, wires.count);
 }
 
+/* pixels 2.4 */
 void test_rows_from_elsewhere(void)
 {
     fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = 8};
@@ -281,6 +284,7 @@ void test_rows_from_elsewhere(void)
 }
 
 /* Rows from elsewhere take the buffer in which a band without a format lies. */
+/* pixels 2.4 */
 void test_rows_from_elsewhere_between_bands(void)
 {
     const fxl_band rows = {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0,
@@ -299,6 +303,7 @@ void test_rows_from_elsewhere_between_bands(void)
     TEST_ASSERT_EQUAL(WIDTH, taken);
 }
 
+/* pixels 2.3 */
 void test_a_transfer_that_fails_ends_the_frame(void)
 {
     const fxl_pose pose = pose_number(0);
@@ -411,6 +416,7 @@ void test_a_pump_that_was_never_set_up(void)
 }
 
 /* The macro for static memory is what the function says. */
+/* pixels 2.2 */
 void test_the_memory_of_a_pump(void)
 {
     const fxl_pixel_format *const formats[] = {&fxl_pixels_rgb565, &fxl_pixels_rgb332,

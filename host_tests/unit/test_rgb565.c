@@ -48,6 +48,7 @@ static void check_against_palette(void)
 
 /* --- texels ------------------------------------------------------------------------------ */
 
+/* rgb565 1.4 */
 void test_texels_are_those_of_a_palette(void)
 {
     for (uint8_t division = FXL_DIVIDE_16; division <= FXL_AFFINE; division++) {
@@ -98,6 +99,7 @@ void test_opacity_changes_no_colour(void)
     }
 }
 
+/* surfaces 3.1 */
 void test_the_second_level_is_found(void)
 {
     walls_make_texture(FXL_TEXTURE_8);
@@ -107,6 +109,7 @@ void test_the_second_level_is_found(void)
     check_against_palette();
 }
 
+/* rgb565 1.4, surfaces 4.1 */
 void test_a_texel_of_the_key_is_not_drawn(void)
 {
     walls.surface[0].division = FXL_DIVIDE_1; /* the kernel rounds in another unit */
@@ -127,6 +130,7 @@ void test_a_texel_of_the_key_is_not_drawn(void)
     TEST_ASSERT_GREATER_THAN(2, holes);
 }
 
+/* rgb565 1.3 */
 void test_indices_take_their_colour_of_the_palette(void)
 {
     static const uint8_t colours[16] = {30,  41,  52, 63, 74, 85, 96, 107,
@@ -154,6 +158,7 @@ void test_indices_take_their_colour_of_the_palette(void)
 }
 
 /* Indices have a key of their own, whose colour other indices may have too. */
+/* surfaces 4.1 */
 void test_an_index_of_the_key_is_not_drawn(void)
 {
     static uint16_t shown[HEIGHT * WIDTH];
@@ -210,6 +215,7 @@ void test_bands_and_lists_change_no_pixel(void)
     }
 }
 
+/* rgb565 1.2 */
 void test_no_other_byte_is_written(void)
 {
     static uint16_t wide[HEIGHT * (WIDTH + 3)];
@@ -228,6 +234,7 @@ void test_no_other_byte_is_written(void)
     }
 }
 
+/* rgb565 1.1 */
 void test_bytes_are_swapped_for_a_display(void)
 {
     uint16_t two[2][3] = {{0x1234, 0xF00D, 0x5555}, {0xABCD, 1, 0x7777}};
@@ -240,6 +247,7 @@ void test_bytes_are_swapped_for_a_display(void)
 
 /* --- what is refused ----------------------------------------------------------------------- */
 
+/* rgb565 2.3, 3.3 */
 void test_surfaces_of_the_wrong_kind_are_refused(void)
 {
     TEST_ASSERT_EQUAL(FXL_E_RESERVED,
@@ -271,6 +279,7 @@ void test_surfaces_of_the_wrong_kind_are_refused(void)
 }
 
 /* A band of pixels has a palette. */
+/* rgb565 3.2 */
 void test_bands_of_the_wrong_kind_are_refused(void)
 {
     fxl_band band = band_of(walls.pixels, 0, HEIGHT);
@@ -293,6 +302,7 @@ void test_bands_of_the_wrong_kind_are_refused(void)
 
 /* A band with a palette has pixels of 16 bits, and the target of a byte would draw into half of them.
  */
+/* rgb565 3.2 */
 void test_a_target_of_bytes_refuses_a_band_with_a_palette(void)
 {
     fxl_band band = band_of(walls.pixels, 0, HEIGHT);
@@ -307,6 +317,7 @@ void test_a_target_of_bytes_refuses_a_band_with_a_palette(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&walls.renderer, &band));
 }
 
+/* rgb565 1.2, 3.1 */
 void test_flat_frames_need_no_surfaces(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&walls.renderer, &walls_eye, walls.indexed, WIDTH));

@@ -65,6 +65,7 @@ static int sum(int above, int beneath, int largest)
 }
 
 /* Without a number it is half. */
+/* rgb565 2.2 */
 void test_sixteenths_of_each_channel(void)
 {
     for (uint8_t sixteenths = 0; sixteenths <= 16; sixteenths++) {
@@ -74,11 +75,13 @@ void test_sixteenths_of_each_channel(void)
     }
 }
 
+/* rgb565 2.3 */
 void test_channels_are_added_up_to_the_largest(void)
 {
     check_blend(FXL_SURFACE_ADD, sum);
 }
 
+/* rgb565 2.1 */
 void test_light_takes_a_part_of_each_channel(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(64)];
@@ -183,6 +186,7 @@ static void assert_walls(uint16_t dark, double brightness)
     TEST_ASSERT_TRUE(brightness < 1 || (seen[0] > 300 && seen[1] > 300));
 }
 
+/* rgb565 2.1, 3.4 */
 void test_flat_faces_lose_a_part_of_each_channel(void)
 {
     static const fxl_target *const targets[] = {&fxl_rgb565, &fxl_rgb565_depth_16,
@@ -231,6 +235,7 @@ static void draw_white_wall(const fxl_light_settings *settings)
 }
 
 /* Light between the corners is not of the ramp's few levels alone. */
+/* rgb565 2.1 */
 void test_light_is_smooth_between_two_levels(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
@@ -253,6 +258,7 @@ void test_light_is_smooth_between_two_levels(void)
 }
 
 /* At the corner that the map has not, light would be twice that of full light. */
+/* rgb565 2.1 */
 void test_light_beyond_the_corners_is_held(void)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];

@@ -60,6 +60,7 @@ void test_null_is_refused(void)
     (void)opened;
 }
 
+/* formats 1.5 */
 void test_misaligned_memory_is_refused(void)
 {
     static uint32_t workspace[TINY_WORDS + 1];
@@ -78,6 +79,7 @@ void test_every_truncation_is_refused(void)
     }
 }
 
+/* formats 1.5 */
 void test_every_flipped_bit_is_refused(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -115,6 +117,7 @@ void test_any_contents_end_in_a_status(void)
     }
 }
 
+/* formats 1.1 */
 void test_head(void)
 {
     expect_word(FXL_E_MAGIC, AT_MAGIC, 0x4C584653u);
@@ -133,6 +136,7 @@ void test_head(void)
     expect_half(FXL_E_SIZE, AT_SECTION_COUNT, 0xFFFF);
 }
 
+/* formats 1.1 */
 void test_size_of_the_image(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -148,6 +152,7 @@ void test_size_of_the_image(void)
     expect_word(FXL_E_OFFSET, AT_SIZE, size - 4);
 }
 
+/* formats 1.5 */
 void test_the_checksum_comes_before_the_contents(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -176,6 +181,7 @@ static tiny_image *image_with_centre(fxl_q16_16 x, fxl_q16_16 y)
     return image;
 }
 
+/* formats 1.1 */
 void test_the_target_that_an_image_asks_for(void)
 {
     for (uint32_t wanted = 0; wanted < 256; wanted++) {
@@ -269,6 +275,7 @@ void test_offsets_of_every_table(void)
     }
 }
 
+/* formats 1.2 */
 void test_counts_of_every_table(void)
 {
     static const struct {
@@ -300,6 +307,7 @@ void test_one_entry_too_many_reaches_outside(void)
 }
 
 /* Of the sections' entries: kinds rise, none comes twice, and each says whether it is needed. */
+/* formats 1.2 */
 void test_entries_of_the_table_of_sections(void)
 {
     for (uint32_t i = 0; i < TINY_SECTIONS; i++) {
@@ -329,6 +337,7 @@ void test_an_image_has_one_path(void)
 }
 
 /* The bytes that rounding adds behind a section are 0. */
+/* formats 1.2 */
 void test_padding_is_zero(void)
 {
     tiny_image *image = tiny_image_make(false);
@@ -345,6 +354,7 @@ void test_padding_is_zero(void)
 }
 
 /* A section of a later version: passed over if it is not needed, whatever its length. */
+/* formats 1.2 */
 void test_a_section_that_is_not_known(void)
 {
     static const uint32_t bytes[3] = {1, 2, 3};

@@ -39,6 +39,7 @@ static void entry_word(fxl_status status, uint32_t table, uint32_t at, uint32_t 
 }
 
 /* The settings are those of the image, to the last member. */
+/* formats 1.11 */
 void test_light_is_used_in_place(void)
 {
     tiny_image *image = make();
@@ -107,6 +108,7 @@ void test_light_and_ramp_go_together(void)
     without(SECTION_RAMP, "ramp");
 }
 
+/* formats 1.11 */
 void test_tables_of_light_are_checked(void)
 {
     light_word(FXL_E_COUNT, AT_LIGHT + 4, 0);
@@ -121,6 +123,7 @@ void test_tables_of_light_are_checked(void)
     light_word(FXL_E_OFFSET, AT_RAMP, 0x7FFFFFF0u);
 }
 
+/* formats 1.11 */
 void test_numbers_of_light_are_checked(void)
 {
     entry_word(FXL_E_RANGE, AT_LIGHT, 0, FXL_Q2_30_ONE + 1);

@@ -96,6 +96,7 @@ void test_motions_their_keys_and_placements_go_together(void)
     }
 }
 
+/* formats 1.9 */
 void test_tables_of_placements_are_checked(void)
 {
     placement_word(FXL_E_COUNT, AT_PLACEMENTS + 4, 0);
@@ -122,6 +123,7 @@ void test_there_are_no_more_motions_than_placements(void)
     expect_opening(FXL_E_COUNT, image);
 }
 
+/* formats 1.9 */
 void test_entries_are_checked(void)
 {
     entry_word(FXL_E_PLACEMENT, AT_PLACEMENTS, 4, 5);

@@ -176,6 +176,7 @@ void test_the_least_weight_that_a_face_takes(void)
     }
 }
 
+/* surfaces 2.2 */
 void test_a_pixel_does_not_depend_on_where_a_row_begins(void)
 {
     choose_size(5, 5);
@@ -326,7 +327,7 @@ void test_every_weight_reads_texels_of_the_texture_alone(void)
 
 /* A row has the segments that the weights at the ends of each 16 columns allow: the pixels of 16
  * columns are those that a face with such segments alone has there. */
-/* SPEC 9.2 */
+/* SPEC 9.2, surfaces 2.1 */
 void test_each_16_columns_have_segments_of_their_own(void)
 {
     uint32_t times[5] = {0};
@@ -426,7 +427,7 @@ void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
 
 /* Texels that do not repeat are those that fxl_paint_pixels shows without a kernel, to within what
  * both round: a texel beside it at most, and few of them. */
-/* SPEC 9.5 */
+/* SPEC 9.5, surfaces 1.1 */
 void test_clamped_texels_are_held_within_the_texture(void)
 {
     uint32_t unlike = 0, beyond = 0;
@@ -480,7 +481,7 @@ void test_divided_pixels_are_as_without_a_kernel(void)
 
 /* A chord is off by at most 0.3 of a unit from the exact value, and by 0.075 with
  * FXL_DIVIDE_8, whatever the face. */
-/* SPEC 9.2 */
+/* SPEC 9.2, surfaces 2.1 */
 void test_the_rule_bounds_the_error_of_a_chord(void)
 {
     static const int32_t sizes[] = {16, 8, 4};
@@ -632,6 +633,7 @@ static uint32_t paint_trapezoid(const fxl_plain_rows *whole, uint8_t pixels[ROWS
 }
 
 /* Neither the band nor what is cut off a face changes a pixel. */
+/* surfaces 2.2 */
 void test_bands_and_clips_change_no_pixel(void)
 {
     static uint8_t all[ROWS][COLUMNS], parts[ROWS][COLUMNS];

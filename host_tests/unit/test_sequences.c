@@ -186,6 +186,7 @@ static void expect_different_pictures(const way *into)
     }
 }
 
+/* combinations 1.2 */
 void test_the_sequence_does_not_matter(void)
 {
     const uint32_t longest = UNIT_REPEAT > 10000 ? 4 : 2;
@@ -202,6 +203,7 @@ void test_the_sequence_does_not_matter(void)
 }
 
 /* A renderer that was initialised for the palette draws into the target that is chosen then. */
+/* combinations 1.5 */
 void test_a_target_is_chosen_after_init(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
@@ -235,6 +237,7 @@ void test_a_target_is_chosen_after_init(void)
 }
 
 /* RGB565 at an odd address, and bands of bytes, are refused, and no pixel is written. */
+/* rgb565 3.2 */
 void test_bands_that_are_not_of_the_target(void)
 {
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&made->scene, NULL));
@@ -337,6 +340,7 @@ void test_rectangles_that_are_none(void)
 }
 
 /* A refused frame changes no pixel, and what was refused can be detached. */
+/* combinations 1.2 */
 void test_after_a_refusal(void)
 {
     const way *into = &ways[0];
@@ -358,6 +362,7 @@ void test_after_a_refusal(void)
 }
 
 /* A painter draws into its own target alone. */
+/* combinations 1.3 */
 void test_another_painter_is_refused(void)
 {
     const way other = {&fxl_palette, FXL_SURFACES_OF(fxl_palette_depth_16),
@@ -412,6 +417,7 @@ void test_what_goes_with_a_tree(void)
     }
 }
 
+/* combinations 1.1 */
 void test_wrong_arguments(void)
 {
     fxl_renderer none;

@@ -35,6 +35,7 @@ static double distance(const fxl_point *point)
     return nearest;
 }
 
+/* collide 3.1 */
 void test_a_free_sphere_goes_all_the_way(void)
 {
     fxl_sphere sphere = {{Q16(3), 0, Q16(-4)}, Q16(0.5)};
@@ -48,6 +49,7 @@ void test_a_free_sphere_goes_all_the_way(void)
 }
 
 /* Straight into a face it stops before it; at an angle it keeps the part along the face. */
+/* collide 3.1 */
 void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
 {
     fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(0.5)};
@@ -65,6 +67,7 @@ void test_a_sphere_stops_at_a_face_and_slides_along_it(void)
 }
 
 /* What a push leaves, at faces, edges and corners of a cube, from every side. */
+/* collide 3.4 */
 void test_a_push_leaves_a_gap(void)
 {
     uint32_t pushed = 0;
@@ -99,6 +102,7 @@ void test_a_seam_does_not_push_aside(void)
 }
 
 /* Past an edge: the sphere rolls round it. */
+/* collide 3.2 */
 void test_a_sphere_goes_round_an_edge(void)
 {
     fxl_sphere sphere = {{Q16(1.25), 0, Q16(-4)}, Q16(0.5)};
@@ -111,6 +115,7 @@ void test_a_sphere_goes_round_an_edge(void)
 }
 
 /* Past edges that lie along the other axes: they push across themselves alone. */
+/* collide 3.4 */
 void test_an_edge_pushes_across_itself(void)
 {
     fxl_sphere sphere = {{Q16(-4), Q16(1.25), Q16(0.25)}, Q16(0.5)};
@@ -128,6 +133,7 @@ void test_an_edge_pushes_across_itself(void)
 
 /* The promise, at random: free after every call, and no cube between start and end of any step of
  * a walk of small moves; a large move is cut into such steps by itself. */
+/* collide 3.2, 3.3 */
 void test_no_sphere_is_ever_within_a_face(void)
 {
     slide_counts counts = {0, 0};
@@ -143,6 +149,7 @@ void test_no_sphere_is_ever_within_a_face(void)
 }
 
 /* Fast against a thin wall: the cube as a plate of 1/256. */
+/* collide 3.3 */
 void test_a_fast_sphere_does_not_pass_a_thin_wall(void)
 {
     for (uint32_t i = 0; i < 8; i++) {
@@ -164,6 +171,7 @@ void test_a_fast_sphere_does_not_pass_a_thin_wall(void)
 }
 
 /* In a corner there is no way on. */
+/* collide 3.1 */
 void test_a_sphere_within_a_face_may_stay(void)
 {
     fxl_sphere sphere = {{0, 0, 0}, Q16(1.25)}; /* in the middle of a cube */
@@ -175,6 +183,7 @@ void test_a_sphere_within_a_face_may_stay(void)
 
 /* A push leaves 12 units of 1/65536 between a sphere and a face: 4 that the face may be off its
  * plane, and 8. */
+/* collide 3.1 */
 void test_a_push_goes_as_far_as_the_radius_and_no_farther(void)
 {
     fxl_sphere deep = {{0, 0, Q16(-1) - 12}, Q16(0.5)}, deeper = {{0, 0, Q16(-1) - 11}, Q16(0.5)};
@@ -207,6 +216,7 @@ static void expect_refused(fxl_status status, const fxl_sphere *sphere, const fx
     TEST_ASSERT_EQUAL_MEMORY(&before, &slide, sizeof slide);
 }
 
+/* collide 3.4 */
 void test_slides_that_cannot_be_are_refused(void)
 {
     fxl_sphere sphere = {{0, 0, Q16(-4)}, Q16(1)};

@@ -62,6 +62,7 @@ static void place_all(fxl_q16_16 scale_most)
 }
 
 /* As of cubes that stand still: free after every call, however long the way. */
+/* collide 3.5 */
 void test_no_sphere_is_ever_within_a_turned_face(void)
 {
     slide_counts counts = {0, 0};
@@ -78,6 +79,7 @@ void test_no_sphere_is_ever_within_a_turned_face(void)
 }
 
 /* Straight into a face that is turned by half a right angle it stops there, a gap away. */
+/* collide 3.5 */
 void test_a_sphere_stops_at_a_turned_face(void)
 {
     const fxl_q2_30 diagonal = 759250125; /* 2^30 / sqrt(2) */
@@ -100,6 +102,7 @@ void test_a_sphere_stops_at_a_turned_face(void)
 
 /* A vertex off the plane of its face, much enlarged: a sphere before it keeps away from it. The
  * face has no neighbours, whose edges would keep the sphere away. */
+/* collide 3.5 */
 void test_a_vertex_off_its_plane_is_kept_away_from(void)
 {
     uint32_t pushed = 0;
@@ -138,6 +141,7 @@ void test_a_vertex_off_its_plane_is_kept_away_from(void)
     TEST_ASSERT_TRUE(pushed > 0);
 }
 
+/* collide 3.5 */
 void test_placements_that_cannot_be_are_refused(void)
 {
     const fxl_sphere sphere = {{Q16(5), 0, 0}, Q16(1)};

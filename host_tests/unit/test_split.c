@@ -58,12 +58,14 @@ static void split(const int *numbers, uint32_t count)
     TEST_ASSERT_EQUAL(FXL_SPLIT_BOTH, fxl_split_piece(&piece, &wall, &front, &back));
 }
 
+/* clippers 9.1 */
 void test_what_lies_on_one_side_is_left_alone(void)
 {
     expect_whole(FXL_SPLIT_FRONT, NUMBERS(1, 0, 3, 0, 3, 2));
     expect_whole(FXL_SPLIT_BACK, NUMBERS(-1, 0, -3, 0, -3, 2));
 }
 
+/* clippers 9.1 */
 void test_what_touches_belongs_to_its_own_side(void)
 {
     expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 3, 0, 3, 2));
@@ -77,6 +79,7 @@ void test_what_lies_in_the_plane_is_in_front(void)
     expect_whole(FXL_SPLIT_FRONT, NUMBERS(0, 0, 0, 5, 0, 2));
 }
 
+/* clippers 9.1, 9.2 */
 void test_a_square_is_halved(void)
 {
     split(NUMBERS(-4, 0, 4, 0, 4, 4, -4, 4));
@@ -92,6 +95,7 @@ void test_a_corner_is_cut_off(void)
 }
 
 /* Through vertices: each belongs to both parts, once. */
+/* clippers 9.1 */
 void test_a_vertex_on_the_plane_belongs_to_both(void)
 {
     split(NUMBERS(0, 4, 4, 0, 0, -4, -4, 0));
@@ -152,6 +156,7 @@ static double unit_of(int64_t distance)
     return (double)distance * 0x1p-30;
 }
 
+/* clippers 9.2 */
 void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
 {
     int asked = 0;
@@ -175,6 +180,7 @@ void test_a_crossing_lies_on_the_edge_and_on_the_plane(void)
 
 /* Halves go away from the end in front, where the fraction ends (1/2) and where it does not
  * (1/3 of 1.5 units, 1/10 of 5). */
+/* clippers 9.2 */
 void test_halves_go_away_from_the_front(void)
 {
     const struct {
@@ -215,6 +221,7 @@ void test_the_least_distance_divides(void)
 }
 
 /* Of both triangles beside an edge too, whichever way they walk it. */
+/* clippers 9.3 */
 void test_halves_are_the_same_for_both_sides(void)
 {
     const fxl_point ahead = {Q16(1), 3, 0}, behind = {Q16(-1), 0, 0}, third = {Q16(9), Q16(9), 0};
@@ -231,6 +238,7 @@ void test_halves_are_the_same_for_both_sides(void)
 
 /* Triangles on both sides of an edge, each walked its own way, and the same planes
  * turned about: one point, in all four parts and in all four of the other way. */
+/* clippers 9.3 */
 void test_neighbours_get_the_same_bits(void)
 {
     int asked = 0;

@@ -104,13 +104,14 @@ static void draw_random_faces(bool turned, uint8_t division, double tolerance)
 }
 
 /* At each pixel the level is the exact one, but for a 1/256 of a level. */
-/* SPEC 9.7 */
+/* SPEC 9.7, surfaces 5.2, 5.3 */
 void test_levels_divided_at_each_pixel(void)
 {
     draw_random_faces(false, FXL_DIVIDE_1, 1.0 / 256);
     TEST_ASSERT_TRUE(differing < compared / 1000);
 }
 
+/* surfaces 5.3 */
 void test_levels_divided_every_16_pixels(void)
 {
     draw_random_faces(false, FXL_DIVIDE_16, 0.5 + 1.0 / 256);
@@ -118,7 +119,7 @@ void test_levels_divided_every_16_pixels(void)
 }
 
 /* Corners and normals of an instance that has a placement; its corners are rounded in the world. */
-/* SPEC 9.7 */
+/* SPEC 9.7, surfaces 5.1 */
 void test_levels_of_turned_faces(void)
 {
     draw_random_faces(true, FXL_DIVIDE_1, 1.0 / 128);
@@ -168,6 +169,7 @@ void test_light_goes_over_textures(void)
 /* Light that is the same at all corners makes of each texel what its level of the ramp says, in
  * every pixel, whatever the division and the kernel; but FXL_DIVIDE_1 and patterns of pixels have a
  * kernel for unlit texels alone: of those, the pixels and the level. */
+/* surfaces 5.2 */
 void test_even_light_is_one_level(void)
 {
     static uint8_t texels[1024], unlit[QUAD_WIDTH * QUAD_HEIGHT];
@@ -205,6 +207,7 @@ void test_even_light_is_one_level(void)
 }
 
 /* Without a light a lit surface has its colour; taken away, it has it again. */
+/* combinations 1.4, surfaces 5.5 */
 void test_light_is_taken_and_left(void)
 {
     fxl_light_settings of = {.ramp = ramp, .levels = LEVELS};

@@ -109,6 +109,7 @@ static void move_somewhere(void)
 
 /* A face that is drawn whole for lack of memory is in front of what the billboard is in front of,
  * and behind what that is behind. */
+/* bsp 3.8 */
 void test_a_billboard_is_in_the_leaf_of_its_centre(void)
 {
     uint32_t before = 0, behind = 0;
@@ -268,6 +269,7 @@ static void start_mapped(bool is_rgb565, uint32_t pieces, bool is_lit, uint32_t 
 
 /* A face that is cut to the leaves shows each pixel as the whole face does, bit for bit: turned or
  * not, lit or not. */
+/* surfaces 1.2, 6.1 */
 void test_a_cut_moves_no_texel(void)
 {
     uint32_t shown = 0, cut = 0;
@@ -311,6 +313,7 @@ static void draw_wide(uint16_t *to, uint32_t rows)
 }
 
 /* Bands and lists of any size show the same, in a palette and in RGB565. */
+/* surfaces 6.1 */
 void test_deliveries_of_surfaces_by_tree(void)
 {
     static uint16_t wide_again[PIXELS];

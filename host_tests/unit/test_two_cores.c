@@ -162,11 +162,13 @@ static void expect_the_frame_of_one(const fxl_order *order, const fxl_target *ta
     TEST_ASSERT_TRUE(whole >= SETS && whole <= 3 * SETS); /* other lists had no room for all */
 }
 
+/* rgb565 3.6, surfaces 6.3 */
 void test_by_distance(void)
 {
     expect_the_frame_of_one(&fxl_by_distance, &fxl_palette);
 }
 
+/* surfaces 6.3 */
 void test_by_distance_with_a_depth_buffer(void)
 {
     expect_the_frame_of_one(&fxl_by_distance, &fxl_palette_depth_16);

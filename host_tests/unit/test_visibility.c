@@ -89,6 +89,7 @@ void test_the_span_buffer_draws_the_same_picture(void)
 }
 
 /* Counted as they are written: each covered pixel once, others never. */
+/* spans 2.2 */
 void test_each_pixel_is_written_once(void)
 {
     const uint32_t rounds = UNIT_REPEAT / 200;
@@ -146,6 +147,7 @@ void test_front_to_back_is_the_exact_reverse(void)
 }
 
 /* The least pool splits bands, a larger one fewer, and the picture stays. */
+/* spans 3.1, 3.2 */
 void test_a_full_pool_splits_the_band(void)
 {
     const way sorted = {&choice_sorted, 0, 0};
@@ -172,6 +174,7 @@ void test_a_full_pool_splits_the_band(void)
 }
 
 /* Refused: too little room, none, or at an odd place; the renderer goes on as it was. */
+/* spans 3.3 */
 void test_refusals(void)
 {
     const way sorted = {&choice_sorted, 0, 0};
@@ -284,6 +287,7 @@ static bool is_low_enough(fxl_workspace *by, const fxl_screen_polygon *polygon,
 
 /* A target without room halves what is left of the band's part until there is room, the upper half
  * the larger. Each halving is counted. */
+/* spans 3.1 */
 void test_how_a_band_is_halved(void)
 {
     static const fxl_target picky = {.pixel_bits = 8,

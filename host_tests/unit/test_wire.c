@@ -42,12 +42,14 @@ static void expect_rows(const char *const *rows, int count)
     expect_rows((const char *const[]){__VA_ARGS__}, \
                 (int)(sizeof((const char *const[]){__VA_ARGS__}) / sizeof(char *)))
 
+/* wire 2.1, 2.2 */
 void test_a_flat_line(void)
 {
     draw(whole, at(1.5, 1.9), at(6.5, 3.1));
     EXPECT("", ".#", "..####"); /* y at the centres 1.5, 2.5 ..: 1.9 2.14 2.38 2.62 2.86 */
 }
 
+/* wire 2.1, 2.3 */
 void test_a_steep_line(void)
 {
     draw(whole, at(3, 0), at(1, 4));
@@ -55,6 +57,7 @@ void test_a_steep_line(void)
 }
 
 /* The centre where a line begins is its own, the one where it ends the next one's. */
+/* wire 2.2 */
 void test_centres_from_the_first_end_to_before_the_last(void)
 {
     draw(whole, at(0.5, 0.5), at(4.5, 0.5));
@@ -97,6 +100,7 @@ void test_a_line_between_rows(void)
     EXPECT("...#", "...#", "...#");
 }
 
+/* wire 2.4 */
 void test_either_way_is_the_same(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
@@ -128,6 +132,7 @@ static bool covers(const fxl_screen_point *a, const fxl_screen_point *b, int x, 
     return w > 0 ? over >= 0 && over < 65536 * w : over <= 0 && over > 65536 * w;
 }
 
+/* wire 2.2, 2.3 */
 void test_lines_are_what_the_rule_says(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 300; i++) {
@@ -214,6 +219,7 @@ static void assert_same_in_rgb565(void)
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT, fxl_wire_draw(&wire, &odd));
 }
 
+/* wire 1.2, 2.4 */
 void test_bands_and_both_clippers_draw_the_same(void)
 {
     int pixels = 0, clipped = 0;
@@ -242,6 +248,7 @@ void test_bands_and_both_clippers_draw_the_same(void)
 
 /* Without a placement an instance is drawn as one that has none. A cube that is a quarter turned looks
  * the same but for its colours. */
+/* wire 1.1 */
 void test_turned_cubes(void)
 {
     static fxl_placement placements[TINY_INSTANCES] = {FXL_PLACEMENT_NONE, FXL_PLACEMENT_NONE,
@@ -272,6 +279,7 @@ void test_turned_cubes(void)
 }
 
 /* A cube from the front: its four sides, in its colour. */
+/* wire 1.1 */
 void test_a_cube_from_the_front(void)
 {
     fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
@@ -288,6 +296,7 @@ void test_a_cube_from_the_front(void)
 
 /* From each side of a cube: the edges of the side that is turned to the eye, in its colour, and no
  * other's. */
+/* wire 1.1 */
 void test_every_side_of_a_cube(void)
 {
     static const struct {
@@ -313,6 +322,7 @@ void test_every_side_of_a_cube(void)
     }
 }
 
+/* wire 1.3 */
 void test_what_is_no_wireframe_is_refused(void)
 {
     fxl_pose pose = {{0, 0, Q16(-4)}, 0, 0, 0};
@@ -370,6 +380,7 @@ static bool keep_all(fxl_clip_line *line, const fxl_volume *volume, uint32_t *in
 
 /* An edge with an end behind the eye is refused, if the clipper leaves it: three of the four about
  * the face -z, seen from beside. */
+/* wire 1.2 */
 void test_edges_behind_the_eye_are_refused(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);

@@ -78,6 +78,7 @@ void test_a_sorted_model_may_not_join_the_layer_of_a_tree(void)
 }
 
 /* Cubes that come and go about the tree: as in a scene made anew, whose workspace is smaller. */
+/* world 2.1 */
 void test_a_tree_cuts_what_comes_and_goes(void)
 {
     static fxl_renderer anew;
@@ -122,6 +123,7 @@ void test_a_tree_cuts_what_comes_and_goes(void)
 }
 
 /* What the tree cuts, and what a beam then splits, keeps the colours of its instance. */
+/* light 5.1 */
 void test_pieces_have_the_colours_of_their_instance(void)
 {
     static fxl_world_colours colours;

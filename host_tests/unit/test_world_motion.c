@@ -53,6 +53,7 @@ static void attach(fxl_renderer *renderer, int number, const fxl_scene *scene)
 }
 
 /* The frames are those of the player's scene, while other instances of the world come and go. */
+/* world 2.5 */
 void test_a_world_moves_as_its_motions_say(void)
 {
     static fxl_renderer plain;
@@ -89,6 +90,7 @@ void test_a_world_moves_as_its_motions_say(void)
 
 /* The player would point the world's scene to its own copies: the world's changes would be drawn no
  * more, until one of them pointed it back. */
+/* world 2.5 */
 void test_no_motion_begins_on_the_scene_of_a_world(void)
 {
     const fxl_world_memory room = world_memory();

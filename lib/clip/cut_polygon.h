@@ -33,7 +33,7 @@ static inline uint32_t fxl_cut_bit(fxl_q18_46 distance, uint32_t vertex)
 /* Emits what an edge contributes: its first vertex if that is inside, then the crossing if one
  * end is inside and the other outside. An inside end that lies on the plane is that crossing
  * already. False when the polygon is full. */
-/* SPEC 4.7 */
+/* SPEC 4.7, clippers 1.3 */
 static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross *cross,
                                 uint32_t bits, uint32_t current, uint32_t count)
 {
@@ -63,6 +63,7 @@ static inline bool fxl_cut_edge(fxl_cut *cut, fxl_cut_copy *copy, fxl_cut_cross 
 /* Of bits those are set whose vertex of in, which has count of them, counts as inside. On
  * FXL_CLIP_CUT cut->count of out are written, and nothing else of it; else what it has means
  * nothing. */
+/* clippers 1.3 */
 static inline fxl_clip_result fxl_cut_polygon(fxl_cut *cut, fxl_cut_copy *copy,
                                               fxl_cut_cross *cross, uint32_t bits, uint32_t count)
 {

@@ -11,6 +11,7 @@ uint64_t fxl_intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 }
 
 /* |to - from| is below 2^62. */
+/* clippers 1.2 */
 fxl_q18_46 fxl_intersection_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
 {
     uint64_t part = fxl_multiply_high(fxl_magnitude(to - from), fraction);
@@ -18,6 +19,7 @@ fxl_q18_46 fxl_intersection_part(fxl_q18_46 from, fxl_q18_46 to, uint64_t fracti
 }
 
 /* |to - from| is below 2^32. */
+/* clippers 1.2 */
 fxl_q16_16 fxl_intersection_varying(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 {
     int64_t extent = (int64_t)to - from;
@@ -55,7 +57,7 @@ static fxl_q18_46 interpolate(fxl_q18_46 from, fxl_q18_46 to, uint64_t fraction)
     return to < from ? from - (int64_t)part : from + (int64_t)part;
 }
 
-/* SPEC 4.7 */
+/* SPEC 4.7, clippers 7.2 */
 void fxl_intersect_edge(const fxl_view_point *from, const fxl_view_point *to,
                         const fxl_q18_46 *inside, const fxl_q18_46 *outside, fxl_view_point *point)
 {

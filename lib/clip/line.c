@@ -126,6 +126,7 @@ static bool is_less(const wide *a, const wide *b)
 
 /* The next `bits` bits of rest / whole, the highest first; *rest becomes the remainder. Requires
  * rest < whole < 2^127. */
+/* clippers 3.4 */
 static uint64_t quotient_bits(wide *remainder, const wide *whole, unsigned bits)
 {
     uint64_t quotient = 0;
@@ -184,6 +185,7 @@ static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negati
     return fxl_magnitude(*moved) < limit;
 }
 
+/* clippers 3.4 */
 fxl_line_relation fxl_line_meet_plane(const fxl_view_point *first, const fxl_view_point *second,
                                       const fxl_half_space *plane, fxl_line_meeting *meeting)
 {

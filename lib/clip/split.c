@@ -9,6 +9,7 @@
  * from| is below 2^31, so the part below 2^62 is good to 2 units of 2^-31, downward. The
  * rounding adds 2^-25 more than a half, so that a half counts as one whether or not the fraction
  * is exact. */
+/* clippers 9.2 */
 static fxl_q16_16 along(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 {
     int64_t extent = (int64_t)to - from;
@@ -19,6 +20,7 @@ static fxl_q16_16 along(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
 
 /* The difference of the distances is the plane's normal times the difference of two points, so
  * it is below 2^61. */
+/* clippers 9.2 */
 fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
                          fxl_q18_46 behind_distance)
 {
@@ -47,6 +49,7 @@ static bool append_point(const fxl_point *point, fxl_q18_46 distance, fxl_piece 
 }
 
 /* Returns on which sides a piece has points off the plane: bit 1 in front, bit 2 behind. */
+/* clippers 9.1 */
 static unsigned sides(const fxl_piece *in, const fxl_plane *plane)
 {
     unsigned seen = 0;
@@ -57,6 +60,7 @@ static unsigned sides(const fxl_piece *in, const fxl_plane *plane)
     return seen;
 }
 
+/* clippers 9.1, 9.3 */
 fxl_split_result fxl_split_piece(const fxl_piece *in, const fxl_plane *plane, fxl_piece *front,
                                  fxl_piece *back)
 {

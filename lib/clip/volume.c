@@ -8,6 +8,7 @@
  * normal and coordinates below 2^61. With v = 2^32 high + low the sum is 2^32 (normal . high) +
  * normal . low. The first bracket is below 2^60, the second below 2^63, and 2^32 is divisible by
  * 2^30. Components that are 0, as most are, cost no product. */
+/* clippers 2.1 */
 fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
 {
     int64_t high = 0, low = 0;
@@ -58,6 +59,7 @@ static void set_depths(fxl_volume *volume, fxl_q18_46 near_z, fxl_q18_46 far_z)
     volume->planes[FXL_PLANE_FAR] = farthest;
 }
 
+/* clippers 2.3 */
 void fxl_volume_from_sides(const fxl_view_frustum *sides, fxl_q16_16 focal, uint32_t screen,
                            fxl_volume *volume)
 {
@@ -86,6 +88,7 @@ void fxl_volume_from_lens(const fxl_lens *lens, uint32_t screen, fxl_volume *vol
     fxl_volume_from_sides(&sides, lens->focal, screen, volume);
 }
 
+/* clippers 2.1 */
 fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 bottom,
                                   fxl_q16_16 top, fxl_q16_16 near_z, fxl_q16_16 far_z,
                                   fxl_volume *volume)
@@ -109,6 +112,7 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
 
 /* The sum of a unit vector's components is at most sqrt(3) 2^30 < 2^31, and a plane's distance
  * is below 2^62. */
+/* clippers 2.1 */
 void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
 {
     half_space->normal = plane->normal;

@@ -78,6 +78,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 }
 
 /* A piece, or a face that is dark as a whole, to the shader that has its faces split, or to the next one. */
+/* beams 4.1 */
 static bool emit(const lighting *of, fxl_pieces *pieces, const fxl_face *face,
                  const fxl_point *points, uint32_t count, bool is_lit)
 {
@@ -90,6 +91,7 @@ static bool emit(const lighting *of, fxl_pieces *pieces, const fxl_face *face,
 
 /* Front to back, the pieces come in reverse order. If rounding has made the pieces need more
  * memory than there is, the face is drawn whole and dark, and counts as refused. */
+/* beams 4.1, 4.4 */
 static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                   const fxl_point *points, uint32_t count)
 {
@@ -137,6 +139,7 @@ static fxl_shader *build(const fxl_beam_set *set, uint8_t *workspace)
     return &of->shader.shader;
 }
 
+/* beams 4.3 */
 static fxl_status check(const fxl_scene *scene, const fxl_beam *beams, uint32_t beam_count)
 {
     if (beam_count < 1 || beam_count > FXL_BEAMS_MAX) {

@@ -30,6 +30,7 @@ static fxl_q18_46 scaled(fxl_q16_16 length, fxl_q16_16 scale)
  * the focal lengths (SPEC.md, section 4.2), which is rounded to 2^-30; the rest of the product is
  * cut off: a unit of 2^-46. The focal lengths are below 2^29 and the length below 2^60, so the
  * products are below 2^59 and 2^62. */
+/* billboards 2.1 */
 static fxl_q18_46 in_view(const fxl_view *view, fxl_q18_46 length)
 {
     const fxl_q16_16 focal = view->lens.focal, drawn = fxl_view_drawn_focal(view);
@@ -43,6 +44,7 @@ static fxl_q18_46 in_view(const fxl_view *view, fxl_q18_46 length)
 
 /* Left and top, right and bottom. False where a corner is out of the range of screen coordinates.
  * A coordinate of the view is below 2^61, a side below 2^60: sums are below 2^62. */
+/* billboards 2.1 */
 static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
                          const fxl_billboard *billboard, fxl_q16_16 scale,
                          fxl_screen_point *corners)
@@ -60,12 +62,14 @@ static bool find_corners(const fxl_view *view, const fxl_view_point *centre,
            fxl_project_visible(&view->projection, &right_bottom, &corners[1]) == FXL_OK;
 }
 
+/* billboards 2.2 */
 static bool is_beside_screen(const fxl_lens *lens, const fxl_screen_point *corners)
 {
     return corners[1].x <= 0 || corners[0].x >= lens->width * 65536 || corners[1].y <= 0 ||
            corners[0].y >= lens->height * 65536;
 }
 
+/* billboards 4.1 */
 static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
 {
     const int32_t first = fxl_first_centre_from(corners[0].y);
@@ -79,6 +83,7 @@ static fxl_rows rows_of(const fxl_screen_point *corners, uint32_t height)
 }
 
 /* Into the display list or into the band. One that reaches no row goes nowhere. */
+/* billboards 4.1 */
 static fxl_outcome emit(const fxl_traversal *traversal, uint32_t model,
                         const fxl_screen_point *corners, fxl_q18_46 distance)
 {
@@ -108,6 +113,7 @@ static fxl_outcome emit(const fxl_traversal *traversal, uint32_t model,
 }
 
 /* What becomes of an instance that shows a billboard. */
+/* billboards 2.2, 2.3 */
 static fxl_outcome submit_sprite(const fxl_traversal *traversal, uint32_t number, uint32_t model,
                                  const fxl_billboard *billboard)
 {
@@ -165,6 +171,7 @@ const fxl_order fxl_by_distance_with_billboards = {.submit = submit};
 
 /* --- attaching -------------------------------------------------------------------------- */
 
+/* combinations 1.1 */
 static fxl_status check(const fxl_renderer *renderer, const fxl_billboards *billboards,
                         const fxl_billboard_set *set, const fxl_sprite_painter *painter)
 {
@@ -183,6 +190,7 @@ static fxl_status check(const fxl_renderer *renderer, const fxl_billboards *bill
 }
 
 /* The order with billboards stands in the place of that without. */
+/* combinations 1.4 */
 static void change_order(fxl_renderer *renderer, const fxl_order *from, const fxl_order *to)
 {
     if (renderer->order == from) {
@@ -190,6 +198,7 @@ static void change_order(fxl_renderer *renderer, const fxl_order *from, const fx
     }
 }
 
+/* billboards 4.4 */
 fxl_status fxl_attach_billboards(fxl_renderer *renderer, fxl_billboards *billboards,
                                  const fxl_billboard_set *set, const fxl_sprite_painter *painter)
 {

@@ -9,6 +9,7 @@ static bool has_attachments(const fxl_renderer *renderer)
            (renderer->shader != NULL && renderer->shader->rank != FXL_SHADER_TARGET);
 }
 
+/* combinations 1.5 */
 FXL_COLD fxl_status fxl_renderer_choose(fxl_renderer *renderer, const fxl_config *config)
 {
     if (renderer == NULL) {

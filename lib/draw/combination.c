@@ -20,6 +20,7 @@ static bool reaches_nothing(const fxl_shader *shader, const fxl_scene *scene,
 
 const fxl_shader_code fxl_mark = {.reaches = reaches_nothing};
 
+/* combinations 1.4 */
 void fxl_renderer_attach(fxl_renderer *renderer, uint32_t rank, fxl_shader *shader)
 {
     fxl_renderer_set_shader(renderer, rank, shader);
@@ -56,6 +57,7 @@ static bool has_movers(const fxl_scene *scene)
     return count > 1;
 }
 
+/* beams 6.5 */
 static bool has_texels_565(const fxl_surfaces *surfaces)
 {
     for (uint32_t i = 0; surfaces != NULL && i < surfaces->set->texture_count; i++) {
@@ -104,6 +106,7 @@ static uint32_t parts_of(const fxl_renderer *renderer)
            bit_if(true, FXL_HAS_TARGET);
 }
 
+/* beams 6.5, combinations 1.2 */
 FXL_COLD const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 {
     const uint32_t parts = parts_of(renderer);
@@ -117,6 +120,7 @@ FXL_COLD const fxl_conflict *fxl_find_conflict(const fxl_renderer *renderer)
 
 /* --- what goes together --------------------------------------------------------------------- */
 
+/* combinations 1.2 */
 fxl_status fxl_check_combination(fxl_renderer *renderer)
 {
     fxl_surfaces *surfaces = (fxl_surfaces *)(uintptr_t)fxl_surfaces_of(renderer);

@@ -147,7 +147,7 @@ void fxl_depth_clear_all(fxl_workspace *workspace, const fxl_band *band, uint32_
     fxl_depth_clear(workspace, band, band->first_row, band->first_row + band->rows, cell_bytes);
 }
 
-/* SPEC 10.5 */
+/* SPEC 10.5, surfaces 4.4 */
 static void draw_pass(const fxl_renderer *renderer, fxl_workspace *workspace, const fxl_band *band,
                       uint8_t pass)
 {

@@ -21,6 +21,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
  * is below 2^62. The instance lies within the world, so scale * (row . box) * 2^-46 is below 2^31,
  * and after the first shift the product is below 2^55. Errors: half a unit of the first shift is
  * 2^21 of 2^46 with a scale of 2^24, half a unit of the box; the second shift makes it one. */
+/* light 2.1 */
 static int32_t turn_middle(const fxl_direction *row, const fxl_point *box, fxl_q16_16 scale)
 {
     const int64_t sum =
@@ -29,6 +30,7 @@ static int32_t turn_middle(const fxl_direction *row, const fxl_point *box, fxl_q
 }
 
 /* The box of a face, of a part that of the whole face. */
+/* light 2.1 */
 static fxl_point box_of(const fxl_scene *scene, const fxl_model *model, const fxl_face *face)
 {
     const fxl_point *vertices = &scene->vertices[model->first_vertex];
@@ -43,6 +45,7 @@ static fxl_point box_of(const fxl_scene *scene, const fxl_model *model, const fx
 
 /* A face of an instance in the world. Coordinates are within FXL_COORDINATE_MAX, so doubled ones
  * are below 2^30, but for the rounding of a placement. */
+/* light 2.1 */
 static void place_face(const fxl_scene *scene, const fxl_instance *instance, const fxl_face *face,
                        fxl_lit_place *place)
 {
@@ -80,6 +83,7 @@ static const fxl_light_settings *settings_of(const fxl_shader *shader)
 }
 
 /* In a palette: the entry of the ramp. */
+/* light 3.1 */
 static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
                       const fxl_instance *instance, const fxl_face *face, uint8_t full)
 {
@@ -89,6 +93,7 @@ static uint8_t colour(const fxl_shader *shader, const fxl_traversal *traversal,
 }
 
 /* In RGB565: the same colour, of which a part is left. */
+/* light 3.1, 5.1 */
 static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
                      const fxl_instance *instance, const fxl_face *face, uint8_t full)
 {
@@ -97,6 +102,7 @@ static uint8_t shade(const fxl_shader *shader, const fxl_traversal *traversal,
     return full;
 }
 
+/* light 5.2, 5.3 */
 fxl_status fxl_attach_light(fxl_renderer *renderer, fxl_light *light,
                             const fxl_light_settings *settings)
 {

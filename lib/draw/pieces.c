@@ -4,6 +4,7 @@
 #include "../view/outcode.h"
 #include "submit.h"
 
+/* beams 4.2 */
 void fxl_pieces_begin(fxl_pieces *pieces, const fxl_traversal *traversal)
 {
     pieces->traversal = traversal;
@@ -62,6 +63,7 @@ bool fxl_submit_split_piece(const fxl_shader *by, fxl_pieces *pieces, const fxl_
                         : fxl_submit_piece(pieces, points, count, colour);
 }
 
+/* beams 4.2 */
 bool fxl_pieces_end(fxl_pieces *pieces)
 {
     return fxl_count_outcome(pieces->traversal, pieces->outcome, pieces->used);

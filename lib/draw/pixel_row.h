@@ -25,6 +25,7 @@ static inline void fxl_fill_pixels(fxl_pixel *pixel, fxl_pixel *end, fxl_filling
     fxl_fill_row(pixel, end, filling);
 }
 
+/* rgb565 3.2 */
 static inline fxl_status fxl_check_band(const fxl_band *band)
 {
     (void)band;

@@ -333,6 +333,7 @@ void fxl_frame_fill(const fxl_renderer *renderer, const fxl_band *band, uint8_t 
     renderer->target->fill(band, colour);
 }
 
+/* rgb565 3.2 */
 static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 {
     return band->width == lens->width && fxl_band_is_within(band, lens->width, lens->height);
@@ -340,11 +341,13 @@ static bool is_band_of(const fxl_lens *lens, const fxl_band *band)
 
 /* Whether a band's pixels are as wide as those that the renderer draws: a renderer has a palette of
  * 16 bits where its target is RGB565, and a band has one where its pixels are of 16 bits. */
+/* rgb565 3.2 */
 static bool has_pixels_of(const fxl_renderer *renderer, const fxl_band *band)
 {
     return !band->palette == !renderer->palette;
 }
 
+/* rgb565 3.6 */
 fxl_status fxl_frame_draw_with(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band)
 {

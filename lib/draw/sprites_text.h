@@ -44,6 +44,7 @@ static inline void *cells_of(const sprite_place *place, uint32_t row)
     return NULL;
 }
 
+/* billboards 3.2 */
 static inline bool is_visible(const sprite_place *place, void *cells, int32_t x)
 {
     (void)place;
@@ -52,6 +53,7 @@ static inline bool is_visible(const sprite_place *place, void *cells, int32_t x)
     return true;
 }
 
+/* billboards 4.2 */
 static inline void keep(const sprite_place *place, void *cells, int32_t x)
 {
     (void)place;
@@ -76,6 +78,7 @@ typedef struct {
 /* The plane at a distance, above 0, that is parallel to the screen. Its depth is off relatively by
  * less than 2^-28. near_z has units of 2^-16 and the distance of 2^-46, so near_z / distance is the
  * ratio of the mantissas times 2^(30 + the difference of the exponents). */
+/* billboards 4.2 */
 static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plane *plane)
 {
     const fxl_real near_z = fxl_real_of((uint32_t)lens->near_z, 0);
@@ -87,6 +90,7 @@ static void find_plane(const fxl_lens *lens, fxl_q18_46 distance, fxl_depth_plan
 
 /* The code of a plane that is parallel to the screen: that of every pixel. The sum is modulo 2^32,
  * as the bias of the farthest octave is below 0. */
+/* billboards 4.2 */
 static uint32_t code_of(fxl_depth_scale scale, const fxl_depth_plane *plane)
 {
     fxl_depth_octave octave;
@@ -136,6 +140,7 @@ static inline void keep(const sprite_place *place, void *cells, int32_t x)
 
 #endif
 
+/* billboards 3.2 */
 static inline void paint_row(fxl_billboard_row *row, const void *with)
 {
     const sprite_place *place = (const sprite_place *)with;

@@ -19,6 +19,7 @@ bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
 }
 
 /* The values of a face's attributes at its corners. */
+/* surfaces 1.2 */
 static uint32_t find_values(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
                             const fxl_mapped_face *mapped, const fxl_traversal *traversal,
                             int32_t (*values)[3])
@@ -114,6 +115,7 @@ static bool has_few_texels(int32_t (*values)[3])
     return bits >> 23 == 0;
 }
 
+/* surfaces 6.1 */
 void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mapped,
                       const fxl_model_view *model_view, const fxl_face *face,
                       const fxl_traversal *traversal, fxl_depth_finder *find_depth,
@@ -185,6 +187,7 @@ static const fxl_shader *beams_of(const fxl_surfaces *surfaces, const fxl_scene 
 
 /* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's,
  * draw faces in their own colours. */
+/* surfaces 6.2 */
 static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_face *face,
                                         const fxl_renderer *renderer)
 {
@@ -234,6 +237,7 @@ static bool take_piece(fxl_pieces *pieces, const fxl_point *points, uint32_t cou
 }
 
 /* Beams split the face, or the piece of it, and give the pieces back. */
+/* beams 6.1 */
 bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                         const fxl_point *points, uint32_t count)
 {
@@ -277,6 +281,7 @@ const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
     return model_view;
 }
 
+/* combinations 1.1, 1.3, surfaces 6.4 */
 fxl_status fxl_attach_surfaces(fxl_renderer *renderer, fxl_surfaces *surfaces,
                                const fxl_surface_set *set, const fxl_painter *painter)
 {

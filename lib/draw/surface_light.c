@@ -10,7 +10,7 @@
 
 /* A corner of a face of an instance in the world. Points of the world are within
  * FXL_COORDINATE_MAX, so doubled ones are below 2^30. */
-/* SPEC 9.7 */
+/* SPEC 9.7, surfaces 5.1 */
 static void place_corner(const fxl_scene *scene, const fxl_instance *instance, uint32_t number,
                          const fxl_placement_code *turned, uint32_t vertex, fxl_point *middle)
 {
@@ -31,7 +31,7 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
  * face. */
-/* SPEC 9.7 */
+/* SPEC 9.7, surfaces 5.1 */
 static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
                           const fxl_instance *instance, const fxl_mapped_face *mapped,
                           int32_t values[3])
@@ -64,6 +64,7 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
 
 static const fxl_surface_light_code code = {light_corners};
 
+/* surfaces 5.5 */
 fxl_status fxl_attach_lit(fxl_renderer *renderer, fxl_lit_surfaces *lit)
 {
     if (renderer == NULL) {

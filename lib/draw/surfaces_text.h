@@ -120,7 +120,7 @@ paint_row(void *with, const fxl_paint *paint, const fxl_paint_row *row, int32_t 
 }
 
 /* Returns true if it is known that the polygon reaches a row of the band. */
-/* SPEC 10.5 */
+/* SPEC 10.5, surfaces 4.4 */
 static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
                           const fxl_surface_polygon *polygon, const fxl_screen_point *points,
                           uint32_t count, const fxl_band *band)

@@ -57,6 +57,7 @@ size_t fxl_workspace_size(const fxl_renderer *renderer)
     return of.scratch + of.face_list + of.clipper + of.raster;
 }
 
+/* surfaces 6.3 */
 FXL_COLD fxl_status fxl_workspace_init(fxl_workspace *workspace, const fxl_renderer *renderer,
                                        void *memory, size_t memory_size)
 {

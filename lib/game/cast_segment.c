@@ -15,6 +15,7 @@ static uint64_t part_of(fxl_q18_46 start, fxl_q18_46 end)
     return end == 0 ? UINT64_MAX : fxl_fraction((uint64_t)start, (uint64_t)(start - end));
 }
 
+/* collide 2.1, 2.2 */
 static void try_instance(const fxl_scene *scene, uint16_t number, const fxl_point *from,
                          const fxl_point *to, nearest_hit *nearest)
 {
@@ -50,6 +51,7 @@ static fxl_q16_16 between(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction)
     return from + (fxl_q16_16)fxl_round_shift(fxl_multiply_su32(to - from, fraction), 31);
 }
 
+/* collide 2.3 */
 fxl_status fxl_cast_segment(const fxl_scene *scene, const fxl_point *start, const fxl_point *end,
                             fxl_hit *hit)
 {

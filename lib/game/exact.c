@@ -10,6 +10,7 @@ static int64_t minor(int32_t a, int32_t b, int32_t c, int32_t d)
 
 /* *high and *low gain factor * value, |factor| <= 2^61, |value| <= 2^30 + 2^7, as 2^32 high + low.
  * Each call adds less than 2^59 + 2^37 to *high and less than 2^32 to *low. */
+/* collide 2.1 */
 static void add_product(int64_t factor, int32_t value, int64_t *high, uint64_t *low)
 {
     const int64_t lower = fxl_multiply_su32(value, (uint32_t)factor);
@@ -17,6 +18,7 @@ static void add_product(int64_t factor, int32_t value, int64_t *high, uint64_t *
     *low += (uint32_t)lower;
 }
 
+/* collide 2.1 */
 int fxl_determinant_sign(const fxl_point *a, const fxl_point *b, const fxl_point *c)
 {
     int64_t high = 0;
@@ -30,6 +32,7 @@ int fxl_determinant_sign(const fxl_point *a, const fxl_point *b, const fxl_point
 
 /* The vertices go clockwise as seen from the front, in left-handed axes: a line from front to back
  * has every edge on the side where the determinant is not above 0. */
+/* collide 2.1 */
 bool fxl_line_is_within(const fxl_face_place *face, const fxl_point *from,
                         const fxl_point *direction)
 {

@@ -35,6 +35,7 @@ typedef struct {
     fxl_point turned[FXL_FACE_VERTICES_MAX]; /* of an instance that is turned: in the world */
 } fxl_face_place;
 
+/* collide 2.3 */
 static inline void fxl_place_face(fxl_face_place *place, const fxl_scene *scene,
                                   const fxl_instance *instance, uint32_t number)
 {

@@ -14,6 +14,7 @@ typedef struct {
 } key_place;
 
 /* The number of the last key that is not after a frame. The first key is at frame 0. */
+/* motion 2.1 */
 static uint32_t last_key_at(const fxl_motion_key *keys, uint32_t count, uint32_t frame)
 {
     uint32_t low = 0, high = count;
@@ -30,18 +31,21 @@ static uint32_t last_key_at(const fxl_motion_key *keys, uint32_t count, uint32_t
 
 /* a + difference * part / whole, rounded once. |difference| <= 2^31 and part < whole <= 10^6, so
  * the product is below 2^51 and the quotient below 2^31. Wraps for angles. Error: half a unit. */
+/* motion 2.1 */
 static uint32_t between(uint32_t a, int32_t difference, uint32_t part, uint32_t whole)
 {
     return a + (uint32_t)fxl_divide_round(fxl_multiply_s64(difference, part), whole);
 }
 
 /* Coordinates and scales are below 2^30, and so are their differences in magnitude below 2^31. */
+/* motion 2.1 */
 static int32_t coordinate_between(int32_t a, int32_t b, uint32_t part, uint32_t whole)
 {
     return (int32_t)between((uint32_t)a, b - a, part, whole);
 }
 
 /* Angles take the short way. */
+/* motion 2.1 */
 static fxl_angle angle_between(fxl_angle a, fxl_angle b, uint32_t part, uint32_t whole)
 {
     return between(a, (int32_t)(b - a), part, whole);
@@ -61,6 +65,7 @@ static void interpolate(const fxl_motion_key *a, const fxl_motion_key *b, uint32
 }
 
 /* Where the keys are in a frame. After the last key the motion stays there, or repeats. */
+/* motion 2.2 */
 static void place_by_keys(const fxl_motion *motion, const fxl_motion_key *keys, uint32_t frame,
                           key_place *place)
 {
@@ -83,11 +88,13 @@ static void place_by_keys(const fxl_motion *motion, const fxl_motion_key *keys, 
 }
 
 /* radius * sine, rounded: at most 2^30 * 2^31. Error: 0.5 + 0.52 * 2^-31 * radius < 0.76 unit. */
+/* motion 2.3 */
 static int32_t on_circle(fxl_q16_16 radius, int64_t sine)
 {
     return (int32_t)fxl_round_shift(fxl_multiply_s64(radius, sine), 31);
 }
 
+/* motion 2.3 */
 static void add_circle(const fxl_motion *motion, uint32_t frame, fxl_point *centre)
 {
     const fxl_angle angle = motion->circle + frame * motion->circle_step;
@@ -96,6 +103,7 @@ static void add_circle(const fxl_motion *motion, uint32_t frame, fxl_point *cent
 }
 
 /* Orientation: the angles after the spin. Either alone where the other turns nothing. */
+/* motion 2.4 */
 static void orient(const fxl_motion *motion, const key_place *place, uint32_t frame,
                    fxl_orientation *orientation)
 {
@@ -120,6 +128,7 @@ static void orient(const fxl_motion *motion, const key_place *place, uint32_t fr
     (void)status;
 }
 
+/* motion 1.2, 2.5 */
 static void play_one(const fxl_motion_player *player, uint32_t number, uint32_t frame)
 {
     const fxl_motion *motion = &player->set.motions[number];
@@ -143,6 +152,7 @@ static void play_one(const fxl_motion_player *player, uint32_t number, uint32_t 
     }
 }
 
+/* motion 1.2 */
 void fxl_motion_play(const fxl_motion_player *player, uint32_t frame)
 {
     for (uint32_t i = 0; i < player->set.motion_count; i++) {
@@ -157,6 +167,7 @@ static bool is_aligned(const fxl_motion_set *set, const fxl_motion_memory *memor
            fxl_is_aligned(memory->placements, FXL_WORD);
 }
 
+/* motion 1.1, 1.3, world 2.5 */
 fxl_status fxl_motion_begin(fxl_motion_player *player, const fxl_motion_set *set, fxl_scene *scene,
                             const fxl_motion_memory *memory)
 {

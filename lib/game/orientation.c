@@ -46,6 +46,7 @@ static int64_t product(const split_row *a, const split_row *b)
  * C C' - I is above 2^-22 in magnitude.
  * Error: at most 0.501 unit of 2^-30 an entry. So a row is at most
  * sqrt(3) * 0.501 = 0.87 unit off unit length, and two rows are 1.74 units off a right angle. */
+/* orientation 1.4 */
 FXL_COLD static void orthonormalise(const wide_matrix *matrix, fxl_orientation *orientation)
 {
     split_row rows[3];
@@ -121,6 +122,7 @@ static int64_t widened(fxl_q2_30 entry)
 /* The camera's rows are the columns. The camera's entries are at most 1.7 units off; each row and
  * column of them is then off by at most 1.7 sqrt(3). With C = R + e, the nearest rotation is
  * R + (e - R e' R) / 2, of which an entry is at most (1.7 + 3 * 1.7) / 2 = 3.4 units. */
+/* orientation 1.1 */
 FXL_COLD fxl_status fxl_orientation_from_angles(fxl_angle yaw, fxl_angle pitch, fxl_angle roll,
                                                 fxl_orientation *orientation)
 {
@@ -164,6 +166,7 @@ static bool is_rotation(const fxl_orientation *orientation)
 /* Two rows of a checked orientation are within 2^-28, and the third is within 2^-26 a component of
  * their cross product. So no eigenvalue of A A' - I is above 2^-24, nor of B B' - I; of the product
  * none is above 2^-23 (1 + 2^-24). */
+/* orientation 1.4 */
 FXL_COLD fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl_orientation *b,
                                              fxl_orientation *product)
 {
@@ -186,6 +189,7 @@ FXL_COLD fxl_status fxl_orientation_multiply(const fxl_orientation *a, const fxl
 /* scale * length in 16.16, for a length of at most 2^61 in units of 2^-46 and a scale of at most
  * 2^24. The length is split at 2^30, so that each product is below 2^56. Rounded once: error half
  * a unit. */
+/* orientation 3.1 */
 static int64_t scaled(fxl_q18_46 length, fxl_q16_16 scale)
 {
     const int64_t high = length >> 30;
@@ -201,6 +205,7 @@ static bool below_2_to_30(const fxl_point *point)
            fxl_within(point->z, limit);
 }
 
+/* orientation 3.1, 3.2 */
 FXL_COLD fxl_status fxl_placement_attach(const fxl_point *parent_centre,
                                          const fxl_placement *parent, const fxl_point *child_centre,
                                          const fxl_placement *child, fxl_point *centre,
@@ -277,6 +282,7 @@ FXL_COLD static void cross(const int64_t a[3], const int64_t b[3], int64_t out[3
  * is at most 2^62, and so is sin times a. Bound of an entry before it is made orthonormal: the
  * cosine and the sine are 0.52 unit of 2^-31 off, the axis 1 unit, t 1.5 units: below 3.3 units of
  * 2^-31, which is 1.65 units of 2^-30. */
+/* orientation 1.2 */
 FXL_COLD fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle angle,
                                               fxl_orientation *orientation)
 {
@@ -309,6 +315,7 @@ FXL_COLD fxl_status fxl_orientation_from_axis(const fxl_point *axis, fxl_angle a
 
 /* The columns are right, up and forward. right is up cross forward: the cross product of integers
  * is exact, so that its direction is as good where the two are nearly parallel. */
+/* orientation 1.3 */
 FXL_COLD fxl_status fxl_orientation_look_at(const fxl_point *direction, const fxl_point *up,
                                             fxl_orientation *orientation)
 {

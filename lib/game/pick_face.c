@@ -42,6 +42,7 @@ static probe *probe_of(const fxl_renderer *renderer)
 
 /* --- what covers the pixel ------------------------------------------------------------------ */
 
+/* pick 2.2 */
 static bool covers(probe *of, const fxl_screen_polygon *screen)
 {
     fxl_scan *scan = &of->renderer->workspace.work.scan;
@@ -61,6 +62,7 @@ static bool is_polygon(fxl_clip_result result)
 }
 
 /* The polygons of a face, from one on, to the first that covers the pixel. */
+/* pick 2.2 */
 static fxl_clip_result find_covering(probe *of, const fxl_model_view *model_view,
                                      fxl_clipper_work *work, fxl_screen_polygon *screen,
                                      fxl_clip_result result)
@@ -135,6 +137,7 @@ static void begin_second(probe *of, comparison *both)
     copy_cell(of->cell, (const uint8_t *)&both->cell_before, both->cell_bytes);
 }
 
+/* pick 2.4 */
 static bool is_shown(const probe *of, const comparison *both)
 {
     return both->over_0 != 0 || of->pixel != UINT32_MAX;
@@ -147,6 +150,7 @@ static void name(probe *of, uint32_t instance, uint32_t face)
     of->found.colour = of->colour;
 }
 
+/* pick 2.3 */
 static void name_face(probe *of, const fxl_instance *instance, const fxl_face *face)
 {
     const fxl_scene *scene = of->renderer->scene;
@@ -216,6 +220,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
 /* --- billboards ----------------------------------------------------------------------------- */
 
 /* The entry of the palette that a pixel shows: in RGB565 the first of its colour. */
+/* pick 2.3 */
 static uint8_t colour_of(const probe *of, uint32_t pixel)
 {
     const uint16_t *palette = of->band.palette;
@@ -230,6 +235,7 @@ static uint8_t colour_of(const probe *of, uint32_t pixel)
 }
 
 /* fxl_sprite_painter.paint: one column of the record. */
+/* billboards 4.3 */
 static void paint_sprite(const fxl_renderer *renderer, fxl_workspace *workspace,
                          const fxl_screen_point *points, const fxl_band *band)
 {
@@ -253,6 +259,7 @@ static void paint_sprite(const fxl_renderer *renderer, fxl_workspace *workspace,
 }
 
 /* fxl_billboard_code.instance. */
+/* billboards 4.3 */
 static bool take_instance(const fxl_traversal *traversal, const fxl_draw_entry *entry)
 {
     probe *of = probe_of(traversal->renderer);
@@ -342,6 +349,7 @@ static void forget_faces(fxl_workspace *workspace)
 
 /* Draws all faces of the frame into the band: none is taken from the display list, and none is
  * counted. */
+/* pick 2.2 */
 static void draw_frame(probe *of)
 {
     fxl_renderer *renderer = of->renderer;
@@ -393,6 +401,7 @@ static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *pic
     *picked = of.found;
 }
 
+/* pick 2.1, 2.5 */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked)
 {
     if (renderer == NULL) {
@@ -414,11 +423,13 @@ fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_pic
 }
 
 /* Whether a projected point lies on the screen: 0 <= x < width, 0 <= y < height. */
+/* pick 1.3 */
 static bool is_on_screen(const fxl_lens *lens, const fxl_screen_point *at)
 {
     return at->x >= 0 && at->x < lens->width * 65536 && at->y >= 0 && at->y < lens->height * 65536;
 }
 
+/* pick 1.1, 1.2 */
 fxl_status fxl_find_on_screen(const fxl_view *view, const fxl_point *point, fxl_screen_place *place)
 {
     if (view == NULL || point == NULL || place == NULL) {

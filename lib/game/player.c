@@ -6,6 +6,7 @@
 #include "fixel/player.h"
 
 /* +1 for the plus key, -1 for the minus key, 0 for neither or both. */
+/* formats 1.3 */
 static int32_t key_sign(uint32_t keys, uint32_t plus, uint32_t minus)
 {
     return ((keys & plus) != 0) - ((keys & minus) != 0);
@@ -35,6 +36,7 @@ static fxl_q16_16 slow_down(fxl_q16_16 speed, fxl_q16_16 friction)
 }
 
 /* A step of a player who walks, or who flies. */
+/* formats 1.3 */
 static fxl_status step(fxl_player *viewer, uint32_t keys, const fxl_motion_limits *limits,
                        bool *clamped, bool flies)
 {

@@ -24,6 +24,7 @@ typedef struct {
  * long, O n . O w differs from n . w by 22 2^-28 of |w|, so by less than R / 2^22. The rounded
  * normal adds 0.87 units and the two rounded points 0.87 each. The turned normal is at most 1 + 12
  * 2^-28 long. */
+/* collide 3.5 */
 static tolerance tolerance_of(const fxl_scene *scene, const fxl_instance *instance)
 {
     const uint32_t number = fxl_instance_number(scene, instance);
@@ -67,6 +68,7 @@ static fxl_point nearest_of_edge(const fxl_point *a, const fxl_point *b)
     return nearest;
 }
 
+/* collide 3.1 */
 static void keep(contact *nearest, fxl_q16_16 distance, const fxl_point *away, uint32_t length)
 {
     if (distance < nearest->distance) {
@@ -77,6 +79,7 @@ static void keep(contact *nearest, fxl_q16_16 distance, const fxl_point *away, u
 }
 
 /* The edges of a face that a sphere reaches into. */
+/* collide 3.2 */
 static void touch_edges(const fxl_face_place *face, const fxl_sphere *sphere, contact *nearest)
 {
     const fxl_point origin = {0, 0, 0};
@@ -96,6 +99,7 @@ static void touch_edges(const fxl_face_place *face, const fxl_sphere *sphere, co
 
 /* A face that the sphere may reach into. The height of the centre is at most
  * |normal| (radius + skew) where it does: the bound is below 2^55. */
+/* collide 3.2 */
 static void touch_face(const fxl_face_place *face, const fxl_sphere *sphere,
                        const tolerance *of_face, contact *nearest)
 {
@@ -115,6 +119,7 @@ static void touch_face(const fxl_face_place *face, const fxl_sphere *sphere,
     }
 }
 
+/* collide 3.1 */
 static contact find_contact(const fxl_scene *scene, const fxl_sphere *sphere)
 {
     contact nearest = {INT32_MAX, {0, 0, 0}, 0, 0, FXL_HIT_NONE, 0};
@@ -155,6 +160,7 @@ static int64_t scaled(int32_t component, int32_t by, uint32_t length)
 }
 
 /* Moves the sphere so far away from a contact that it is free of that face. */
+/* collide 3.4 */
 static void push(fxl_sphere *sphere, const contact *from)
 {
     /* A sphere on an edge has no direction away from it; upward will do. */
@@ -168,6 +174,7 @@ static void push(fxl_sphere *sphere, const contact *from)
 }
 
 /* Whether two positions are at most the radius apart. */
+/* collide 3.3 */
 static bool is_near(const fxl_point *a, const fxl_point *b, fxl_q16_16 radius)
 {
     fxl_point between;
@@ -176,6 +183,7 @@ static bool is_near(const fxl_point *a, const fxl_point *b, fxl_q16_16 radius)
 }
 
 /* One step; false where the sphere stays. */
+/* collide 3.1 */
 static bool step(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *by, fxl_slide *slide)
 {
     fxl_sphere moved = *sphere;
@@ -201,6 +209,7 @@ static bool step(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *by
 
 /* Steps of at most half the radius. The square root is rounded, so a step may be 1/2 unit longer.
  */
+/* collide 3.3 */
 static uint32_t steps_of(const fxl_point *move, fxl_q16_16 radius)
 {
     return 2 * fxl_square_root(fxl_square_of(move)) / (uint32_t)radius + 1;
@@ -213,6 +222,7 @@ static int32_t part_after(int32_t move, uint32_t number, uint32_t count)
     return fxl_divide_down(fxl_multiply_su32(move, number), count);
 }
 
+/* collide 3.1 */
 fxl_status fxl_slide_sphere(const fxl_scene *scene, fxl_sphere *sphere, const fxl_point *move,
                             fxl_slide *slide)
 {

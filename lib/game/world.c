@@ -32,6 +32,7 @@ uint32_t fxl_world_group(const fxl_world *world, uint32_t place)
                : FXL_WORLD_HIDDEN_TURNED;
 }
 
+/* world 1.1 */
 bool fxl_world_has_room(const fxl_world *world, bool turned)
 {
     const uint32_t *counts = world->counts;
@@ -61,12 +62,14 @@ static void read_place(const fxl_world *world, uint32_t place, fxl_world_entry *
     entry->slot = memory->slots[place].holder;
 }
 
+/* world 1.4 */
 void fxl_world_put(fxl_world *world, uint32_t group, const fxl_world_entry *entry)
 {
     FXL_ASSERT(fxl_world_has_room(world, fxl_world_is_turned(group)));
     write_place(world, place_in(world, group, world->counts[group]++), entry);
 }
 
+/* world 1.4 */
 void fxl_world_take(fxl_world *world, uint32_t place, fxl_world_entry *entry)
 {
     const uint32_t group = fxl_world_group(world, place);
@@ -80,6 +83,7 @@ void fxl_world_take(fxl_world *world, uint32_t place, fxl_world_entry *entry)
     }
 }
 
+/* world 2.1 */
 void fxl_world_publish(fxl_world *world)
 {
     const fxl_world_memory *memory = &world->memory;
@@ -155,6 +159,7 @@ static fxl_status check(const fxl_scene *scene, const fxl_world_memory *memory)
 
 /* Takes the scene's instances over. Those without a placement come last to first, so that they lie
  * in the table in the order that they have in the scene. */
+/* world 1.1 */
 static void take_over(fxl_world *world, const fxl_scene *scene)
 {
     const uint32_t first_turned = unturned(scene);
@@ -215,6 +220,7 @@ static fxl_renderer **find(fxl_world *world, const fxl_renderer *renderer)
     return NULL;
 }
 
+/* world 2.4 */
 fxl_status fxl_world_attach(fxl_world *world, fxl_renderer *renderer)
 {
     if (world == NULL) {
@@ -255,6 +261,7 @@ fxl_renderer **fxl_world_find_attached(fxl_world *world, const fxl_renderer *ren
     return place;
 }
 
+/* world 2.4 */
 fxl_status fxl_world_detach(fxl_world *world, fxl_renderer *renderer)
 {
     fxl_status status;

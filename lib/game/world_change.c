@@ -6,6 +6,7 @@
 
 /* --- handles --------------------------------------------------------------------------- */
 
+/* world 1.2 */
 static bool is_valid(const fxl_world *world, fxl_handle handle)
 {
     if (world == NULL) {
@@ -20,6 +21,7 @@ static uint32_t place_of(const fxl_world *world, fxl_handle handle)
     return world->memory.slots[handle.slot].place;
 }
 
+/* world 1.2 */
 fxl_handle fxl_world_handle_at(const fxl_world *world, uint32_t instance)
 {
     fxl_handle handle = {0, 0};
@@ -57,6 +59,7 @@ bool fxl_world_is_shown(const fxl_world *world, fxl_handle handle)
 /* --- what may be changed --------------------------------------------------------------- */
 
 /* Whether an attached renderer may read the scene for the frame that it draws. */
+/* world 2.3 */
 static bool is_drawn(const fxl_world *world)
 {
     for (uint32_t i = 0; i < FXL_WORLD_RENDERERS_MAX; i++) {
@@ -70,6 +73,7 @@ static bool is_drawn(const fxl_world *world)
 }
 
 /* Whether the instance of a handle may be changed at all. */
+/* world 1.5 */
 static fxl_status check_change(const fxl_world *world, fxl_handle handle)
 {
     if (is_drawn(world)) {
@@ -101,6 +105,7 @@ static bool may_be_with_bsp(const fxl_world *world, const fxl_instance *instance
 }
 
 /* Whether an instance that is not turned lies within the world. */
+/* world 2.2 */
 static bool lies_in_world(const fxl_instance *instance, fxl_q16_16 radius)
 {
     const int64_t limit = (int64_t)FXL_COORDINATE_MAX - radius;
@@ -169,6 +174,7 @@ fxl_status fxl_world_spawn(fxl_world *world, const fxl_instance *instance,
     return FXL_OK;
 }
 
+/* world 1.2 */
 fxl_status fxl_world_remove(fxl_world *world, fxl_handle handle)
 {
     if (world == NULL) {
@@ -203,6 +209,7 @@ static void regroup(fxl_world *world, fxl_handle handle, uint32_t group,
     fxl_world_publish(world);
 }
 
+/* world 1.3 */
 static fxl_status set_shown(fxl_world *world, fxl_handle handle, bool shown)
 {
     if (world == NULL) {
@@ -258,6 +265,7 @@ fxl_status fxl_world_move(fxl_world *world, fxl_handle handle, const fxl_point *
     return replace(world, handle, &changed);
 }
 
+/* world 1.3 */
 fxl_status fxl_world_set_model(fxl_world *world, fxl_handle handle, uint16_t model)
 {
     if (world == NULL) {
@@ -272,6 +280,7 @@ fxl_status fxl_world_set_model(fxl_world *world, fxl_handle handle, uint16_t mod
     return replace(world, handle, &changed);
 }
 
+/* world 1.3 */
 fxl_status fxl_world_set_layer(fxl_world *world, fxl_handle handle, uint8_t layer)
 {
     if (world == NULL) {

@@ -51,6 +51,7 @@ void fxl_world_put(fxl_world *world, uint32_t group, const fxl_world_entry *entr
 void fxl_world_take(fxl_world *world, uint32_t place, fxl_world_entry *entry);
 
 /* Counts a call that is refused; answers its status. */
+/* world 1.5 */
 static inline fxl_status fxl_world_refuse(fxl_world *world, fxl_status status)
 {
     world->refused_calls += 1;

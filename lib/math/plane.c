@@ -68,6 +68,7 @@ bool fxl_unit_cross(const fxl_point *a, const fxl_point *b, fxl_direction *unit)
     return normalise(&normal, unit);
 }
 
+/* clippers 3.4 */
 fxl_status fxl_plane_from_points(const fxl_point *a, const fxl_point *b, const fxl_point *c,
                                  fxl_plane *plane)
 {

@@ -76,6 +76,7 @@ static bool append(const fxl_bsp_cutter *cutter, vertex_ring *to, uint32_t verte
 }
 
 /* The points of a face in the world. Within FXL_COORDINATE_MAX, because the scene is checked. */
+/* bsp 3.2 */
 static void place_face(const fxl_point *vertices, const uint16_t *indices, const fxl_face *face,
                        const fxl_instance *instance, fxl_point *points)
 {
@@ -88,6 +89,7 @@ static void place_face(const fxl_point *vertices, const uint16_t *indices, const
 }
 
 /* Makes the faces that face the eye into pieces at the root. */
+/* bsp 3.2 */
 static bool take_faces(fxl_bsp_cutter *cutter, const fxl_instance *instance, const fxl_point *eye,
                        uint32_t entry)
 {
@@ -134,6 +136,7 @@ static bool same(const fxl_point *a, const fxl_point *b)
 }
 
 /* Inserts an intersection into a piece that has the edge a b. */
+/* bsp 3.4 */
 static bool share_with(fxl_bsp_cutter *cutter, fxl_bsp_item *item, const fxl_point *a,
                        const fxl_point *b, const fxl_point *crossing)
 {
@@ -159,6 +162,7 @@ static bool share_with(fxl_bsp_cutter *cutter, fxl_bsp_item *item, const fxl_poi
 
 /* Inserts an intersection into every piece of the instance that has the edge and is not at the
  * node. The node cuts its own pieces itself. */
+/* bsp 3.4 */
 static bool share(fxl_bsp_cutter *cutter, uint32_t node, const fxl_point *a, const fxl_point *b,
                   const fxl_point *crossing)
 {
@@ -184,6 +188,7 @@ static bool append_intersection(fxl_bsp_cutter *cutter, const split_plane *by, u
 
 /* Divides the outline of an item into its part in front and its part behind. Vertices move to
  * the part that they belong to; vertices on the plane are duplicated. */
+/* bsp 3.3 */
 static bool divide(fxl_bsp_cutter *cutter, const split_plane *by, const fxl_bsp_item *item,
                    vertex_ring parts[2])
 {
@@ -213,6 +218,7 @@ static bool divide(fxl_bsp_cutter *cutter, const split_plane *by, const fxl_bsp_
 }
 
 /* Returns where a piece on one side of a node goes next: a node or a leaf. */
+/* bsp 3.5 */
 static uint32_t next_place(const split_plane *by, bool behind)
 {
     uint32_t below = behind ? by->node->back : by->node->front;
@@ -220,6 +226,7 @@ static uint32_t next_place(const split_plane *by, bool behind)
 }
 
 /* Sends a piece at the node to one side, or cuts it and sends a part to each side. */
+/* bsp 3.3 */
 static bool cut_piece(fxl_bsp_cutter *cutter, const split_plane *by, fxl_bsp_item *item)
 {
     bool ahead = false, behind = false;
@@ -254,6 +261,7 @@ static bool cut_piece(fxl_bsp_cutter *cutter, const split_plane *by, fxl_bsp_ite
 }
 
 /* Returns the lowest number of a node that has pieces; FXL_IN_LEAF where no node has any. */
+/* bsp 3.5 */
 static uint32_t next_node(const fxl_bsp_cutter *cutter)
 {
     uint32_t lowest = FXL_IN_LEAF;
@@ -264,6 +272,7 @@ static uint32_t next_node(const fxl_bsp_cutter *cutter)
     return lowest;
 }
 
+/* bsp 3.3 */
 static bool cut_all(fxl_bsp_cutter *cutter)
 {
     const fxl_scene *scene = cutter->scene;

@@ -47,6 +47,7 @@ static fxl_bsp_item *item_of(const fxl_bsp_parts *parts, uint32_t number)
 
 /* Adds an item to its leaf, last in the order of drawing: at the end of the list, or at its
  * beginning where the list is drawn in reverse. */
+/* bsp 3.5, 3.6 */
 static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
                           bool reverse)
 {
@@ -65,6 +66,7 @@ static void put_into_leaf(const fxl_scene *scene, const fxl_bsp_parts *parts, ui
 }
 
 /* Clips a whole face that faces the eye. Returns its outcome. */
+/* bsp 4.2 */
 static fxl_outcome outcome_of(const fxl_model_view *model_view, const fxl_face *face,
                               const fxl_traversal *traversal)
 {
@@ -139,6 +141,7 @@ static void count_faces(const fxl_traversal *traversal, const fxl_draw_entry *en
 }
 
 /* Returns the leaf that holds a point of the world. */
+/* bsp 3.7 */
 static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
 {
     const fxl_point *centre = &scene->instances[scene->bsp_instance].centre;
@@ -154,6 +157,7 @@ static uint32_t leaf_of(const fxl_scene *scene, const fxl_point *point)
     }
 }
 
+/* bsp 3.8 */
 bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_draw_entry *entry)
 {
     const fxl_billboards *billboards = renderer->billboards;
@@ -165,6 +169,7 @@ bool fxl_bsp_shows_billboard(const fxl_renderer *renderer, const fxl_draw_entry 
  * half of the height less the anchor, by the instance's scale. A centre is often on the ground, and
  * so on no side of it. A height is below 2^29 and lies within the radius, which the scale leaves
  * within FXL_COORDINATE_MAX. */
+/* bsp 3.8 */
 static fxl_point middle_of(const fxl_renderer *renderer, const fxl_draw_entry *entry)
 {
     const fxl_scene *scene = renderer->scene;
@@ -181,6 +186,7 @@ static fxl_point middle_of(const fxl_renderer *renderer, const fxl_draw_entry *e
 
 /* An instance that is drawn whole, in the leaf of a point. number: of the instances that the
  * workspace has room for. */
+/* bsp 3.7 */
 static void put_whole(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32_t number,
                       const fxl_point *point, uint32_t entry, bool reverse)
 {
@@ -190,6 +196,7 @@ static void put_whole(const fxl_scene *scene, const fxl_bsp_parts *parts, uint32
     put_into_leaf(scene, parts, number, reverse);
 }
 
+/* bsp 3.1, 3.2 */
 void fxl_bsp_cut_movers(const fxl_traversal *traversal, fxl_bsp_workspace *workspace)
 {
     const fxl_renderer *renderer = traversal->renderer;
@@ -260,6 +267,7 @@ static fxl_direction normal_of(const fxl_scene *scene, const fxl_instance *insta
     return turned != NULL ? turned->normal(scene, of, face) : face->normal;
 }
 
+/* bsp 4.2 */
 static bool submit_bsp_piece(const fxl_traversal *traversal, const fxl_bsp_parts *parts,
                              const fxl_bsp_item *item)
 {
@@ -311,6 +319,7 @@ static bool submit_item(const fxl_traversal *traversal, fxl_bsp_workspace *works
     return fitted;
 }
 
+/* bsp 3.6 */
 bool fxl_submit_bsp_leaf(const fxl_traversal *traversal, fxl_bsp_workspace *workspace,
                          uint32_t leaf, fxl_bsp_resume_point *place)
 {

@@ -12,6 +12,7 @@
 #define SIDE 256
 
 /* fxl_target.draw_band. All workspaces draw with the outlines of the renderer. */
+/* wire 3.4 */
 static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspace,
                             const fxl_band *band)
 {
@@ -19,6 +20,7 @@ static fxl_status draw_band(const fxl_renderer *renderer, fxl_workspace *workspa
     return fxl_painted_target(renderer)->draw_band(renderer, workspace, band);
 }
 
+/* wire 3.2 */
 static bool are_beside(fxl_q16_16 a, fxl_q16_16 b, int32_t size)
 {
     const fxl_q16_16 end = size * 65536 - SIDE;
@@ -28,12 +30,14 @@ static bool are_beside(fxl_q16_16 a, fxl_q16_16 b, int32_t size)
 /* A coordinate in the rows that a polygon reaches: its vertices are at most half a pixel outside of
  * them. Other rows need not be drawn: a band, or a display list, may pass over the polygon there.
  */
+/* wire 3.3 */
 static fxl_q16_16 within(fxl_q16_16 y, int32_t first, int32_t end)
 {
     return y < first * 65536 ? first * 65536 : y >= end * 65536 ? end * 65536 - 1 : y;
 }
 
 /* Requires a polygon that reaches a row. */
+/* wire 3.1 */
 static void draw_edges(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                        const fxl_band *band)
 {
@@ -59,6 +63,7 @@ static void draw_edges(fxl_workspace *workspace, const fxl_screen_point *points,
 
 /* fxl_target.flat. A polygon that is filled in another colour is changed in the workspace. A
  * clipper that has not cut the whole face keeps its colour there. */
+/* wire 3.1 */
 static bool paint(fxl_workspace *workspace, const fxl_screen_polygon *polygon, const fxl_band *band)
 {
     const fxl_outlines *outlines = (const fxl_outlines *)workspace->target_memory;

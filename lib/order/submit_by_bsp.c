@@ -46,6 +46,7 @@ uint32_t fxl_bsp_workspace_size(const fxl_scene *scene)
 }
 
 /* Finds the entries of the layer in the order, and the entry of the BSP's instance among them. */
+/* bsp 2.1 */
 static void find_layer(const fxl_traversal *traversal, fxl_bsp_workspace *workspace)
 {
     const fxl_scene *scene = traversal->renderer->scene;
@@ -102,6 +103,7 @@ static bool is_same_sphere(const fxl_bsp_node *a, const fxl_bsp_node *b)
 /* Returns the planes that a node's sphere may cross. The last result is kept, so equal spheres
  * in a row are tested once. The loader has checked that both coordinates together are within
  * FXL_COORDINATE_MAX. */
+/* bsp 4.1 */
 static uint32_t planes_of(bsp_traversal *walk, uint32_t number)
 {
     const fxl_view *view = walk->model_view->view;
@@ -126,6 +128,7 @@ static uint32_t planes_of(bsp_traversal *walk, uint32_t number)
 /* Tells whether nothing in the subtree of a node is visible; then its faces are counted. If the
  * whole subtree is inside the frustum, no node of it is tested again. A node's sphere lies within
  * that of the node above, so it is the same sphere if its radius is the same. */
+/* bsp 4.1 */
 static bool is_invisible(bsp_traversal *walk, uint32_t number)
 {
     const fxl_scene *scene = walk->scene;
@@ -158,6 +161,7 @@ static bool is_invisible(bsp_traversal *walk, uint32_t number)
 }
 
 /* Submits the faces of a node that face the eye, from place->index on, and counts the others. */
+/* bsp 2.3 */
 static bool submit_faces(bsp_traversal *walk, fxl_bsp_resume_point *place)
 {
     const fxl_bsp_node *node = &walk->scene->bsp_nodes[place->node];
@@ -190,11 +194,13 @@ static bool submit_faces(bsp_traversal *walk, fxl_bsp_resume_point *place)
 
 /* Tells whether the traversal visits the front subtree of a node first. Far to near, it visits
  * first the side on which the eye is not. */
+/* bsp 2.2, 2.3 */
 static bool visits_front_first(const bsp_traversal *walk, uint32_t node)
 {
     return (walk->sides[node / 32] >> (node & 31) & 1u) == walk->reverse;
 }
 
+/* bsp 2.2 */
 static void step(fxl_bsp_resume_point *place, uint32_t node, uint32_t phase)
 {
     place->node = (uint16_t)node;
@@ -204,6 +210,7 @@ static void step(fxl_bsp_resume_point *place, uint32_t node, uint32_t phase)
 }
 
 /* Goes up to the next node that is not finished. Returns false where there is none. */
+/* bsp 2.2 */
 static bool go_up(const bsp_traversal *walk, fxl_bsp_resume_point *place)
 {
     uint32_t node = place->node, from;
@@ -256,6 +263,7 @@ static bool work_at(bsp_traversal *walk, fxl_bsp_resume_point *place, bool *more
 
 /* Traverses from *place to the end of the BSP without a stack: each node stores its parent.
  * Returns false where the traversal was stopped. */
+/* bsp 2.2 */
 static bool submit_nodes(bsp_traversal *walk, fxl_bsp_resume_point *place)
 {
     do {
@@ -319,6 +327,7 @@ static bool submit_other(const fxl_traversal *traversal, const fxl_draw_entry *e
                               : fxl_submit_any_instance(traversal, entry);
 }
 
+/* bsp 2.1 */
 bool fxl_submit_by_bsp(const fxl_traversal *traversal)
 {
     const fxl_renderer *renderer = traversal->renderer;

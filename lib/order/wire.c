@@ -13,6 +13,7 @@
 #include "../view/view.h"
 #include "fixel/wire.h"
 
+/* wire 1.3 */
 fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens *lens,
                          fxl_wire_clipper clipper)
 {
@@ -31,6 +32,7 @@ fxl_status fxl_wire_init(fxl_wire *wire, const fxl_scene *scene, const fxl_lens 
     return FXL_OK;
 }
 
+/* wire 1.3 */
 fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
 {
     if (wire == NULL) {
@@ -56,6 +58,7 @@ fxl_status fxl_wire_begin(fxl_wire *wire, const fxl_pose *pose)
 }
 
 /* transform -> clip -> project -> pixels. */
+/* wire 1.2 */
 static void draw_edge(fxl_wire *wire, const fxl_point *from, const fxl_point *to, uint8_t colour,
                       const fxl_band *band)
 {
@@ -100,6 +103,7 @@ static void place_face(const fxl_scene *scene, uint32_t number, const fxl_face *
     }
 }
 
+/* wire 1.1 */
 static void draw_instance(fxl_wire *wire, uint32_t number, const fxl_band *band)
 {
     const fxl_scene *scene = wire->scene;
@@ -122,6 +126,7 @@ static void draw_instance(fxl_wire *wire, uint32_t number, const fxl_band *band)
     }
 }
 
+/* wire 1.1 */
 fxl_status fxl_wire_draw(fxl_wire *wire, const fxl_band *band)
 {
     if (wire == NULL || band == NULL || band->pixels == NULL) {
@@ -162,6 +167,7 @@ typedef struct {
 
 /* The first pixel whose centre is not before a coordinate. So the pixels with centres from a
  * (included) to b (excluded) are first_centre(a) .. first_centre(b) - 1. */
+/* wire 2.2 */
 static int32_t first_centre(int32_t coordinate)
 {
     return (coordinate + 32767) >> 16; /* ceil(c / 2^16 - 1/2) */
@@ -172,6 +178,7 @@ static int32_t first_centre(int32_t coordinate)
  * 65536) length + (centre - from) rise. The first term is below 2^30 2^30; the second, between
  * two points of the line, is below 2^29 2^30. The sum is positive, because the point lies on the
  * line and no point lies beyond -4095 pixels. */
+/* wire 2.2 */
 static int32_t pixel_at(const major_line *line, int32_t along, int64_t *left)
 {
     const int32_t length = line->to - line->from; /* below 2^30 */
@@ -187,6 +194,7 @@ static int32_t pixel_at(const major_line *line, int32_t along, int64_t *left)
 
 /* Draws from pixel to pixel: across changes by rise / length, at most one pixel. The length is
  * below 2^30, so a pixel is below 2^46. */
+/* wire 2.3, 2.4 */
 static void draw_pixels(const major_line *line, int32_t first, int32_t end, bool upright,
                         uint8_t colour, const fxl_band *band)
 {
@@ -211,6 +219,7 @@ static int32_t lesser(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
+/* wire 2.1 */
 void fxl_wire_line(const fxl_screen_point *start, const fxl_screen_point *end, uint8_t colour,
                    const fxl_band *band)
 {

@@ -17,6 +17,7 @@ typedef struct {
 
 /* Begins at the centre of a pixel, which lies on the side: from <= centre < end. Both products are
  * below 2^29 2^16, and both quotients below 2^32, since the length is at least 1. */
+/* billboards 3.1 */
 static inline void fxl_begin_walk(fxl_texel_walk *walk, fxl_q16_16 from, fxl_q16_16 end,
                                   int32_t pixel, uint32_t texels)
 {
@@ -28,6 +29,7 @@ static inline void fxl_begin_walk(fxl_texel_walk *walk, fxl_q16_16 from, fxl_q16
 }
 
 /* The next pixel. Both rests are below length. */
+/* billboards 3.1 */
 static inline void fxl_take_step(fxl_texel_walk *walk)
 {
     walk->texel += walk->step;
@@ -39,6 +41,7 @@ static inline void fxl_take_step(fxl_texel_walk *walk)
 }
 
 /* The pixels of low <= pixel < high whose centres lie in from <= centre < end. */
+/* billboards 3.1 */
 static inline fxl_rows fxl_pixels_between(fxl_q16_16 from, fxl_q16_16 end, int32_t low,
                                           int32_t high)
 {

@@ -6,6 +6,7 @@
 #include "fixel/billboards.h"
 #include "sprite_texel.h"
 
+/* formats 1.13 */
 static bool lies_in(uint32_t place, uint64_t bytes, uint32_t size)
 {
     return place <= size && bytes <= size - place;
@@ -13,6 +14,7 @@ static bool lies_in(uint32_t place, uint64_t bytes, uint32_t size)
 
 /* Whether a sprite lies within the pixels of the image. A picture of 65535 x 65535 pixels has less
  * than 2^32 bytes. */
+/* billboards 5.1, formats 1.13 */
 static fxl_status make_sprite(const fxl_scene_billboard *from, const fxl_scene_billboards *image,
                               fxl_sprite *to)
 {
@@ -37,6 +39,7 @@ static fxl_status make_sprite(const fxl_scene_billboard *from, const fxl_scene_b
     return FXL_OK;
 }
 
+/* billboards 5.1 */
 FXL_COLD fxl_status fxl_billboards_open(const fxl_scene_image *image, fxl_sprite *sprites,
                                         fxl_billboard *boards, uint32_t capacity,
                                         fxl_billboard_set *set, fxl_scene_fault *fault)
@@ -86,6 +89,7 @@ static bool is_side(fxl_q16_16 side, fxl_q16_16 anchor)
     return side >= 1 && side <= FXL_BILLBOARD_SIDE_MAX && anchor >= 0 && anchor <= side;
 }
 
+/* billboards 1.2 */
 static FXL_COLD fxl_status check_billboard(const fxl_billboard *billboard)
 {
     const fxl_sprite *sprite = billboard->sprite;
@@ -106,6 +110,7 @@ static FXL_COLD fxl_status check_billboard(const fxl_billboard *billboard)
 }
 
 /* The square of the greater part of a side, below 2^58. */
+/* billboards 1.1 */
 static uint64_t square_beyond(fxl_q16_16 side, fxl_q16_16 anchor)
 {
     const fxl_q16_16 rest = side - anchor;
@@ -114,6 +119,7 @@ static uint64_t square_beyond(fxl_q16_16 side, fxl_q16_16 anchor)
 }
 
 /* The radius is below 2^31, so its square is below 2^62. */
+/* billboards 1.1 */
 static FXL_COLD fxl_status check_model(const fxl_model *model, const fxl_billboard *billboard)
 {
     const uint32_t radius = (uint32_t)model->radius;

@@ -133,6 +133,7 @@ int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gra
 /* --- segments ------------------------------------------------------------------------------- */
 
 /* At least number * 2^exponent, and at most 2^-30 of it more. Requires 0 < number < 2^63. */
+/* surfaces 2.1 */
 static fxl_real bound_of(uint64_t number, int exponent)
 {
     const int drop = (int)fxl_bit_length(number) - 32;

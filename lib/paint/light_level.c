@@ -14,6 +14,7 @@ static inline uint32_t fraction_of(uint32_t a, uint32_t b)
 }
 
 /* A sum of brightness, held to 1. */
+/* light 2.4 */
 static inline uint32_t sum_of(uint32_t a, uint32_t b)
 {
     const uint32_t sum = a + b;
@@ -22,6 +23,7 @@ static inline uint32_t sum_of(uint32_t a, uint32_t b)
 
 /* The light that travels along the direction. Both vectors are below 1 + 2^-26, so the sum is below
  * 2^61. Errors: the sum's shift 1, the product's 1. */
+/* light 2.2 */
 static inline uint32_t from_direction(const fxl_direction *direction, fxl_q2_30 strength,
                                       const fxl_direction *normal)
 {
@@ -73,6 +75,7 @@ static uint32_t root_reciprocal(uint32_t value)
  * square that of the vector. It is scaled to 2^62 to 2^64; the dot by the root of that, to at most
  * 2^62 (1 + 2^-26), of which the upper word is 2^30 times the cosine and the vector's scaled
  * length, in units of 2^32. Errors: of the root 2^-25, which is 32, of the upper words 2. */
+/* light 2.3 */
 static uint32_t cosine(int64_t dot, uint64_t square)
 {
     const unsigned shift = zeros_of(square) & ~1u;
@@ -83,6 +86,7 @@ static uint32_t cosine(int64_t dot, uint64_t square)
 /* 1 - square / range_square, of 0 < square < range_square <= 2^60. Both are scaled so that the
  * divisor is from 2^31 to 2^32. The estimate of 2^62 / divisor has 16 bits; Newton's step leaves
  * the square of its error, below 2^-29. Errors: 2 of that, 2 of the upper words. */
+/* light 2.3 */
 static uint32_t fading(uint64_t square, uint64_t range_square)
 {
     const unsigned shift = zeros_of(range_square);
@@ -101,6 +105,7 @@ static uint32_t fading(uint64_t square, uint64_t range_square)
  * light behind the face is left out first. Within the range squares are below 2^60, and a sum that
  * is less than range_square too. Errors: cosine 34, fading 4, two products 2. */
 __attribute__((noinline)) /* in place, a face turned away takes 12 instructions more */
+/* light 2.3 */
 static uint32_t
 from_point(const fxl_point_light *light, const fxl_lit_place *place)
 {
@@ -127,6 +132,7 @@ from_point(const fxl_point_light *light, const fxl_lit_place *place)
 
 /* What fog leaves of the light: 1 before fog_near, 0 beyond fog_far. Coordinates of the face's
  * middle from the eye, doubled, are below 2^31 + 2, so the depth is below 2^62. Error: 1. */
+/* light 2.4 */
 static int64_t through_fog(const fxl_light_settings *settings, const fxl_camera *camera,
                            const fxl_point *middle)
 {
@@ -187,6 +193,7 @@ fxl_q2_30 fxl_light_brightness(const fxl_light_settings *settings, const fxl_cam
 }
 
 /* The ramp of a palette. A program that has its ramp in flash does not call it. */
+/* light 3.2 */
 fxl_status fxl_light_make_ramp(const uint8_t *palette, const uint8_t *dark, uint32_t levels,
                                uint8_t *ramp)
 {

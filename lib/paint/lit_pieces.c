@@ -90,12 +90,14 @@ static fxl_lit_piece *new_piece(fxl_lit_pieces *of, bool is_lit)
 }
 
 /* Returns the distance of a point: 0 where it lies on the plane. */
+/* beams 3.1 */
 static fxl_q18_46 distance_of(const fxl_plane *plane, const fxl_point *point)
 {
     fxl_q18_46 distance = fxl_plane_distance(plane, point);
     return fxl_within(distance, ON_PLANE) ? 0 : distance;
 }
 
+/* beams 3.2 */
 static bool are_on_opposite_sides(fxl_q18_46 a, fxl_q18_46 b)
 {
     return (a > 0 && b < 0) || (a < 0 && b > 0);
@@ -110,6 +112,7 @@ static fxl_point intersect(const fxl_point *a, const fxl_point *b, fxl_q18_46 a_
 
 /* Inserts an intersection into every piece that has the edge between a and b, in either
  * direction. */
+/* beams 3.4 */
 static bool insert_between(fxl_lit_pieces *of, const fxl_point *a, const fxl_point *b,
                            const fxl_point *crossing)
 {
@@ -139,6 +142,7 @@ static bool insert_between(fxl_lit_pieces *of, const fxl_point *a, const fxl_poi
 
 /* Cuts an edge that lies in a plane by the later planes of the beam. A neighbour that shares the
  * edge and lies in front of the plane is cut in the same places. */
+/* beams 3.4, 3.6 */
 static bool follow_edge(fxl_lit_pieces *of, fxl_point a, fxl_point b, const fxl_beam *beam,
                         uint32_t next_plane)
 {
@@ -195,6 +199,7 @@ static bool append_row(fxl_lit_pieces *of, uint16_t corner, uint32_t count, bool
 
 /* Divides a piece that has corners on both sides. The piece begins with a corner in front, so
  * the loop ends with that corner. */
+/* beams 3.3 */
 static bool part_corners(fxl_lit_pieces *of, const fxl_lit_piece *piece, const fxl_plane *plane,
                          fxl_lit_piece *front, fxl_lit_piece *back)
 {
@@ -262,6 +267,7 @@ static outcome part(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_plane *p
 }
 
 /* Cuts a piece by one plane of a beam. */
+/* beams 3.2, 3.5 */
 static outcome cut(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *beam, uint32_t number)
 {
     const fxl_plane plane = fxl_beam_plane_at(beam, number);
@@ -288,6 +294,7 @@ static outcome cut(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *bea
 }
 
 /* Cuts a piece by all planes of a beam, keeping the part inside. */
+/* beams 2.3 */
 static outcome cut_by_beam(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_beam *beam)
 {
     for (uint32_t i = 0; i < beam->plane_count; i++) {
@@ -299,6 +306,7 @@ static outcome cut_by_beam(fxl_lit_pieces *of, fxl_lit_piece *piece, const fxl_b
     return WHOLE;
 }
 
+/* beams 2.1 */
 bool fxl_lit_split(fxl_lit_pieces *to, const fxl_beam *beams, uint32_t beam_count,
                    const fxl_direction *normal, const fxl_point *points, uint32_t count)
 {

@@ -41,6 +41,7 @@ static inline bool is_within(const colour_run *run, int32_t count)
     return ((ends[0] | ends[2] | ends[1] >> 1) >> (FRACTION + 5)) == 0;
 }
 
+/* rgb565 2.4 */
 static inline uint32_t hold(int32_t channel, int32_t most)
 {
     return (uint32_t)(channel < 0 ? 0 : channel > most ? most : channel) >> FRACTION;
@@ -53,6 +54,7 @@ static inline bool is_opaque(const fxl_paint *paint)
 
 /* The colour of any channels with FRACTION bits, over the one beneath. Not inline: few faces have
  * such pixels, and it takes many bytes. */
+/* rgb565 2.4 */
 static __attribute__((noinline)) void show(const fxl_paint *paint, const fxl_paint_row *row,
                                            int32_t x, const int32_t channels[3])
 {

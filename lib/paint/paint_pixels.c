@@ -7,7 +7,7 @@
 /* --- pixels --------------------------------------------------------------------------------- */
 
 /* What a beam and what is beneath make of a colour. */
-/* SPEC 9.6 */
+/* SPEC 9.6, surfaces 4.3 */
 static inline uint8_t replaced(const fxl_paint *paint, uint8_t colour, uint8_t beneath)
 {
     colour = paint->in_beam != NULL ? paint->in_beam[colour] : colour;
@@ -19,7 +19,7 @@ static inline uint8_t replaced(const fxl_paint *paint, uint8_t colour, uint8_t b
 }
 
 /* A pixel whose attributes are known. */
-/* SPEC 9.6 */
+/* SPEC 9.6, beams 6.4 */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
                                const int32_t values[FXL_ATTRIBUTES])
 {
@@ -81,6 +81,7 @@ static inline void paint_repeated(const fxl_paint *paint, const linear_pixels *o
 }
 
 /* Opaque pixels of the face's colour, lit. Both loops read the ramp only within its levels. */
+/* surfaces 5.2 */
 static void paint_lights(const fxl_paint *paint, const fxl_paint_row *row, int32_t x0, int32_t x1,
                          const fxl_light_run *run)
 {
@@ -127,6 +128,7 @@ static void paint_linear(const fxl_paint *paint, const fxl_paint_row *row, int32
 /* --- the kernel ----------------------------------------------------------------------------- */
 
 /* Pixels that the kernel has painted, in a beam. */
+/* beams 6.2, 6.3 */
 static void put_in_beam(const uint8_t *in_beam, uint8_t *pixel, const uint8_t *end)
 {
     for (; pixel != end; pixel++) {

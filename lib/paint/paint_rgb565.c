@@ -6,6 +6,7 @@
 #include "rgb565_colour.h"
 
 /* The colour of a texel. False: it is the key. */
+/* beams 6.2, rgb565 1.3, 1.4 */
 static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_t *colour)
 {
     const fxl_texture_level *level = &paint->level;
@@ -24,6 +25,7 @@ static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_
 /* How much of 256 parts of a colour light leaves. light: in 16.16 levels, and a half. Held within
  * the ramp and with 8 bits after the point it is below 2^14, and 2^24 times the part of a level at
  * most: that is 2^16 / (levels - 1), whose rounding costs 1/8 of 1/256. */
+/* rgb565 2.1 */
 static inline uint32_t part_of_light(const fxl_paint *paint, int32_t light)
 {
     const int32_t most = paint->levels_less_1 << 16;
@@ -33,6 +35,7 @@ static inline uint32_t part_of_light(const fxl_paint *paint, int32_t light)
 }
 
 /* A pixel whose attributes are known. */
+/* surfaces 4.1 */
 static inline void paint_pixel(const fxl_paint *paint, const fxl_paint_row *row, int32_t x,
                                const int32_t values[FXL_ATTRIBUTES])
 {

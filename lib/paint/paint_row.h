@@ -83,6 +83,7 @@ typedef struct {
 
 /* The columns first..first + 2^log - 1, divided at both ends. A step is rounded down by less than a
  * unit, so the last pixel is off by less than 16 units of 1/65536. */
+/* surfaces 2.2 */
 static void paint_segment(const fxl_paint *paint, const fxl_paint_row *row, int32_t first,
                           unsigned log, int32_t x0, int32_t x1, divided_column *at)
 {

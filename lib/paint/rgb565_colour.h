@@ -25,6 +25,7 @@ static inline uint32_t fxl_spread_565(uint32_t colour)
 /* (colour * sixteenths + beneath * (16 - sixteenths)) / 16 of each channel, rounded down. The sum
  * is 16 times a channel's largest value at most: in the uppermost place below 63 * 2^25. Requires
  * sixteenths <= 16. */
+/* rgb565 2.2 */
 static inline uint16_t fxl_blend_565(uint32_t colour, uint32_t beneath, uint32_t sixteenths)
 {
     const uint32_t sum =
@@ -34,6 +35,7 @@ static inline uint16_t fxl_blend_565(uint32_t colour, uint32_t beneath, uint32_t
 }
 
 /* One channel of a + b, or the largest value. Both are of 16 bits, so the sum is below 2^17. */
+/* rgb565 2.3 */
 static inline uint32_t fxl_add_channel_565(uint32_t a, uint32_t b, uint32_t channel)
 {
     const uint32_t sum = (a & channel) + (b & channel);
@@ -49,6 +51,7 @@ static inline uint16_t fxl_add_565(uint32_t a, uint32_t b)
 
 /* One channel of dark + (colour - dark) * part / 256, rounded to nearest, halves upward. Channels
  * are below 2^16 and parts at most 2^8, so the sum is below 2^24 + 2^18. */
+/* rgb565 2.1 */
 static inline uint32_t fxl_mix_channel_565(uint32_t colour, uint32_t dark, uint32_t part,
                                            uint32_t channel)
 {
@@ -58,6 +61,7 @@ static inline uint32_t fxl_mix_channel_565(uint32_t colour, uint32_t dark, uint3
 }
 
 /* Requires part <= 256. */
+/* rgb565 3.4 */
 static inline uint16_t fxl_mix_565(uint32_t colour, uint32_t dark, uint32_t part)
 {
     return (uint16_t)(fxl_mix_channel_565(colour, dark, part, FXL_RED_565) |
@@ -104,6 +108,7 @@ static inline uint32_t fxl_half_part_565(uint32_t levels_less_1)
 
 /* The number of the entry of a palette that is nearest to a colour: by the sum of the squared
  * differences; of those at the same distance the first. */
+/* light 3.2 */
 static inline uint8_t fxl_nearest_colour(const uint8_t *palette, const int32_t *colour)
 {
     int32_t least = 3 * 255 * 255 + 1;
@@ -125,6 +130,7 @@ static inline uint8_t fxl_nearest_colour(const uint8_t *palette, const int32_t *
 /* The number of the entry that is nearest to from + (to - from) * part / whole, each of the three
  * rounded to nearest, halves upward. Requires 0 <= part <= whole, 1 <= whole <= 63. The quotient's
  * numerator is below 2 * 255 * 63 + 64; its offset makes it positive. */
+/* light 3.2 */
 static inline uint8_t fxl_mix_colours(const uint8_t *palette, const uint8_t *from,
                                       const uint8_t *to, int32_t part, int32_t whole)
 {

@@ -31,6 +31,7 @@ typedef struct {
 
 /* The values at column number `segment` of those that are multiples of 2^log. Steps are multiples
  * of 16: exact. */
+/* surfaces 2.2 */
 static inline void begin(const fxl_segment_face *face, const fxl_paint_row *row, uint32_t log,
                          uint32_t segment, segment_values *at)
 {

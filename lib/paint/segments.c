@@ -57,6 +57,7 @@ static void find_light(const fxl_paint *paint, fxl_segment_face *face)
 
 /* The least weights: those of the rule, and from which on no product is shifted to the left.
  * Returns whether there is a weight that suffices. */
+/* surfaces 2.1 */
 static bool find_least(const fxl_paint *paint, fxl_segment_face *face)
 {
     const bool is_line = face->is_constant && paint->ramp == NULL;

@@ -129,6 +129,7 @@ static inline int32_t fxl_segments_least(const fxl_segment_face *face)
 
 /* Whether the weight is large enough at both ends of all 16 columns of a part of a row. It is
  * linear, so it suffices to look at the first end and the last. */
+/* surfaces 2.1 */
 static inline bool fxl_segments_suffice(const fxl_segment_face *face, const fxl_paint_row *row,
                                         int32_t x0, int32_t x1)
 {

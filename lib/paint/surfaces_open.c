@@ -10,12 +10,14 @@ FXL_STATIC_ASSERT(FXL_TEXTURES_MAX == FXL_SCENE_TABLE_MAX, "docs/formats.md, sec
 
 #define COLOURS_4 16u /* of a texture of 4 bits */
 
+/* surfaces 3.1 */
 static uint32_t level_side(uint32_t log_side, uint32_t level, uint32_t log_least)
 {
     return 1u << (log_side > level + log_least ? log_side - level : log_least);
 }
 
 /* Bytes of the texels of all levels: at most 9 times 2^17. */
+/* formats 1.12 */
 static uint32_t texel_bytes(const fxl_scene_texture *texture)
 {
     const bool is_4 = texture->format == FXL_TEXTURE_4;
@@ -27,6 +29,7 @@ static uint32_t texel_bytes(const fxl_scene_texture *texture)
     return texture->format == FXL_TEXTURE_565 ? 2 * texels : texels >> is_4;
 }
 
+/* formats 1.12 */
 static bool lies_in(uint32_t place, uint32_t bytes, uint32_t size)
 {
     return place <= size && bytes <= size - place;
@@ -48,6 +51,7 @@ static FXL_COLD fxl_status check_place(const fxl_scene_texture *texture, uint32_
     return texture->colours == 0 ? FXL_OK : FXL_E_RESERVED;
 }
 
+/* formats 1.12 */
 static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, fxl_texture *to)
 {
     memset(to, 0, sizeof *to);
@@ -62,6 +66,7 @@ static void make_texture(const fxl_scene_texture *from, const uint8_t *texels, f
     to->key_565 = from->key_565;
 }
 
+/* formats 1.12 */
 FXL_COLD fxl_status fxl_surfaces_open(const fxl_scene_image *image, fxl_texture *textures,
                                       uint32_t capacity, fxl_surface_set *set,
                                       fxl_scene_fault *fault)
@@ -116,6 +121,7 @@ static const frame_kind of_565 = {
     FXL_TEXTURE_565, FXL_SURFACE_LIT | FXL_SURFACE_BLEND | FXL_SURFACE_ADD | FXL_SURFACE_COLOURS,
     true};
 
+/* surfaces 1.3 */
 static FXL_COLD fxl_status check_texture(const fxl_texture *texture, const frame_kind *kind)
 {
     const bool is_565 = texture->format == FXL_TEXTURE_565;
@@ -138,6 +144,7 @@ static FXL_COLD fxl_status check_texture(const fxl_texture *texture, const frame
     return is_565 && ((uintptr_t)texture->texels & 1u) != 0 ? FXL_E_ALIGNMENT : FXL_OK;
 }
 
+/* rgb565 2.3, 3.3 */
 static FXL_COLD fxl_status check_surface(const fxl_surface_set *set, const fxl_surface *surface,
                                          const frame_kind *kind)
 {
@@ -163,6 +170,7 @@ static FXL_COLD fxl_status check_surface(const fxl_surface_set *set, const fxl_s
 /* Whether three points of a model are on one line. Coordinates are within 2 * 8191 world units, so
  * differences are at most 32764 units, below 2^31, and a difference of two products of them is
  * below 2^63. */
+/* surfaces 1.2 */
 static bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
 {
     const int64_t x1 = b->x - (int64_t)a->x, y1 = b->y - (int64_t)a->y, z1 = b->z - (int64_t)a->z;
@@ -186,6 +194,7 @@ static FXL_COLD fxl_status check_texels(const fxl_mapped_face *mapped, bool are_
     return FXL_OK;
 }
 
+/* surfaces 1.4 */
 static FXL_COLD fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
                                       const fxl_model *model, const fxl_mapped_face *mapped)
 {

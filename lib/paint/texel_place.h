@@ -7,13 +7,14 @@
 
 /* Whether an opacity draws a pixel: of a square of 4 x 4 those whose number is below it. Neighbours
  * in number are far apart, so the pattern is even at every opacity. */
-/* SPEC 9.6 */
+/* SPEC 9.6, surfaces 4.2 */
 static inline bool fxl_is_stippled_away(uint32_t opacity, int32_t x, int32_t y)
 {
     static const uint8_t stipple[16] = {0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
     return opacity < 16 && stipple[4 * (y & 3) + (x & 3)] >= opacity;
 }
 
+/* surfaces 1.1 */
 static inline uint32_t fxl_limited(int32_t coordinate, uint32_t last)
 {
     return coordinate < 0 ? 0 : (uint32_t)coordinate > last ? last : (uint32_t)coordinate;
@@ -32,7 +33,7 @@ static inline uint32_t fxl_texel_place(const fxl_texture_level *level, int32_t i
 }
 
 /* A texel of 8 or 4 bits: its palette index. */
-/* SPEC 9.5 */
+/* SPEC 9.5, surfaces 1.1 */
 static inline uint8_t fxl_texel_index(const fxl_texture_level *level, uint32_t place)
 {
     if (level->colours != NULL) {

@@ -36,6 +36,7 @@ uint64_t fxl_texel_area(int32_t (*values)[3])
     return fxl_magnitude(u1 * v2 - u2 * v1);
 }
 
+/* surfaces 3.2 */
 static int64_t least_depth(const fxl_gradient_corners *face)
 {
     const fxl_view_point *corners = face->corners;
@@ -59,7 +60,7 @@ bool fxl_texel_density_find(const fxl_gradient_corners *face, const fxl_view *vi
     return true;
 }
 
-/* SPEC 9.4 */
+/* SPEC 9.4, surfaces 3.2 */
 uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_density *density,
                                  fxl_gradients *gradients)
 {
@@ -84,6 +85,7 @@ uint8_t fxl_texture_level_choose(const fxl_texture *texture, const fxl_texel_den
     return (uint8_t)level;
 }
 
+/* surfaces 3.1 */
 void fxl_texture_level_find(const fxl_texture *texture, uint32_t number, fxl_texture_level *level)
 {
     const uint32_t least = fxl_level_least(texture);

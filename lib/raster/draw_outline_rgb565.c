@@ -7,6 +7,7 @@
 #define FXL_FILL_TRAPEZOID       fxl_fill_trapezoid_rgb565
 #define FXL_COLOUR               uint16_t
 
+/* rgb565 3.1 */
 static void fill_span(const fxl_active_edges *edges, const fxl_span *span, const fxl_band *band,
                       uint16_t colour)
 {

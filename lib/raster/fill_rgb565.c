@@ -4,6 +4,7 @@
 #include "fill.h"
 
 /* Two pixels are one aligned word, but for the first and the last one. */
+/* rgb565 1.2 */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
 {
     if (pixel != end && ((uintptr_t)pixel & 2u) != 0) {
@@ -18,6 +19,7 @@ void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
 
 #if !FXL_KERNELS_ARMV6M && !FXL_KERNELS_ARMV7M
 
+/* rgb565 1.2 */
 void fxl_fill_trapezoid_rgb565(const fxl_band *band, const fxl_trapezoid *trapezoid,
                                uint16_t colour)
 {

@@ -12,6 +12,7 @@ static void set_pixel(const fxl_band *band, int32_t x, int32_t y, uint8_t colour
     }
 }
 
+/* wire 2.2, 2.3 */
 void fxl_draw_line_pixels(fxl_line_pixels *line, int32_t first, int32_t end, uint8_t colour,
                           const fxl_band *band)
 {

@@ -26,6 +26,7 @@ static fxl_direction direction_of(const fxl_beam *beam)
     return travel;
 }
 
+/* beams 1.4 */
 bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl_direction *normal)
 {
     if (beam->kind == FXL_BEAM_DIRECTION) {
@@ -38,6 +39,7 @@ bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl
 
 /* A normal is at most 1 + 2^-29 long. So the distance of a vertex at the radius differs by at
  * most radius + 2^-14 from that of the centre: 28375 * 2^-29 < 2^-14. */
+/* beams 1.2, 2.2 */
 bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius)
 {
     const int64_t reach = ((int64_t)radius + 4) * FXL_Q2_30_ONE; /* below 2^62 */
@@ -50,6 +52,7 @@ bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 
     return true;
 }
 
+/* beams 1.2 */
 static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam_count)
 {
     uint32_t planes = 0;
@@ -62,6 +65,7 @@ static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam
 /* Each corner of a piece is a corner of the face, or lies where a plane's line meets the border
  * of a convex part; it meets that twice. Each plane of the first beam cuts the part that the
  * plane before left, and gives each part one corner more than it takes. */
+/* beams 4.3 */
 FXL_COLD bool fxl_beams_fit(const fxl_beam *beams, uint32_t beam_count, uint32_t face_vertices)
 {
     return face_vertices + planes_from(beams, 0, beam_count) + planes_from(beams, 1, beam_count) <=
@@ -76,6 +80,7 @@ static bool is_unused(const fxl_beam_plane *plane)
            plane->distance_low == 0 && plane->distance_high == 0;
 }
 
+/* beams 1.1 */
 FXL_COLD fxl_status fxl_beam_check(const fxl_beam *beam)
 {
     if (beam == NULL) {
@@ -156,6 +161,7 @@ static void store(fxl_beam *beam, const fxl_plane *plane)
 
 /* Makes the plane through a corner that holds the direction of the light there and a side of the
  * window. */
+/* beams 1.3 */
 static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t count, uint32_t i,
                        fxl_plane *plane)
 {
@@ -172,6 +178,7 @@ static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t c
 }
 
 /* Makes the window's own plane, with its normal away from the light. */
+/* beams 1.3 */
 static bool window_plane(const fxl_beam *beam, const fxl_point *window, fxl_plane *plane)
 {
     if (fxl_plane_from_points(&window[0], &window[1], &window[2], plane) != FXL_OK) {
@@ -188,6 +195,7 @@ static bool window_plane(const fxl_beam *beam, const fxl_point *window, fxl_plan
 }
 
 /* kind and x, y, z as the beam has them: where its light is, or which way it travels. */
+/* beams 1.3 */
 static fxl_status through_window(uint8_t kind, int32_t x, int32_t y, int32_t z,
                                  const fxl_point *window, uint32_t count, fxl_beam *beam)
 {

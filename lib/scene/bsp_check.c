@@ -10,6 +10,7 @@
  * other object's, so that nothing else is to be clipped to the tree with it. It has no
  * clusters, because the nodes take its faces in turn. What is
  * clipped to it, the other objects of its layer, is convex. */
+/* formats 1.7 */
 static FXL_COLD fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (scene->bsp_instance >= scene->instance_count) {
@@ -38,6 +39,7 @@ static FXL_COLD fxl_status check_owner(const fxl_scene *scene, fxl_scene_fault *
     return FXL_OK;
 }
 
+/* formats 1.7 */
 static FXL_COLD fxl_status check_plane(const fxl_bsp_node *node)
 {
     if (node->reserved != 0) {
@@ -52,6 +54,7 @@ static FXL_COLD fxl_status check_plane(const fxl_bsp_node *node)
 /* Whether all vertices of a face lie on the node's plane, to within FXL_BSP_PLANARITY_MAX. A
  * vertex is below 2^30 in each coordinate, so its height is below 2^61, and the difference is
  * below 2^62. */
+/* formats 1.7 */
 static bool lies_on(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
                     const fxl_bsp_node *node)
 {
@@ -94,6 +97,7 @@ static bool sphere_in_range(const fxl_scene *scene, const fxl_bsp_node *node)
 
 /* Whether the node's sphere holds the node's faces and lies within its parent's sphere. The node
  * of the parent's number is taken for the parent; check_links checks that it is. */
+/* formats 1.7 */
 static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_t number)
 {
     const fxl_bsp_node *node = &scene->bsp_nodes[number];
@@ -116,6 +120,7 @@ static bool sphere_holds(const fxl_scene *scene, const fxl_model *model, uint32_
 }
 
 /* Checks planes, spheres and faces. The nodes take the model's faces in turn. */
+/* bsp 1.1, formats 1.7 */
 static FXL_COLD fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const fxl_model *model = &scene->models[scene->instances[scene->bsp_instance].model];
@@ -150,6 +155,7 @@ static FXL_COLD fxl_status check_nodes(const fxl_scene *scene, fxl_scene_fault *
 /* Traverses the tree in pre-order, without a stack. Each step down must be to the next number, so
  * the traversal ends. Each step up is to the parent, from which a step down was made. At the end
  * every node must have been visited. */
+/* bsp 1.1, formats 1.7 */
 static FXL_COLD fxl_status check_links(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const fxl_bsp_node *nodes = scene->bsp_nodes;

@@ -13,6 +13,7 @@ static inline fxl_q18_46 fxl_bsp_distance(const fxl_bsp_node *node)
 
 /* Whether a point is in front of a node's plane. The point is relative to the centre of the BSP
  * instance; each coordinate is below 2^30. Exact: see fxl_dot. */
+/* bsp 1.2 */
 static inline bool fxl_bsp_is_front(const fxl_bsp_node *node, const fxl_point *point)
 {
     return fxl_dot(&node->normal, point->x, point->y, point->z) > fxl_bsp_distance(node);

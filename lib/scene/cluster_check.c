@@ -52,6 +52,7 @@ static bool centre_is_among(const cluster_faces *in)
 
 /* Whether all vertices lie in the sphere. Each coordinate of a model is below 2^30, so differences
  * are below 2^31 and the sum is below 3 * 2^62. Exact. */
+/* formats 1.8 */
 static bool sphere_holds(const cluster_faces *in)
 {
     const fxl_point *centre = &in->cluster->centre;
@@ -85,6 +86,7 @@ static int64_t dot_units(const fxl_direction *a, const fxl_direction *b)
  *
  * rest is |axis|^2 - K in units of 2^-60. along is normal . axis in units of 2^-30, rounded down.
  * |normal|^2 is at most 1 + 2^-28, hence the addition. All are below 2^61. */
+/* formats 1.8 */
 static bool faces_away(const cluster_faces *in, const fxl_face *face)
 {
     const fxl_cluster *cluster = in->cluster;
@@ -105,6 +107,7 @@ static FXL_COLD fxl_status check_sphere(const cluster_faces *in)
     return sphere_holds(in) ? FXL_OK : FXL_E_RADIUS;
 }
 
+/* formats 1.8 */
 static FXL_COLD fxl_status check_cone(const cluster_faces *in)
 {
     const fxl_cluster *cluster = in->cluster;
@@ -129,6 +132,7 @@ static FXL_COLD fxl_status check_cone(const cluster_faces *in)
 }
 
 /* Checks the cluster whose first face within the model is the stated one. */
+/* formats 1.8 */
 static FXL_COLD fxl_status check_cluster(const fxl_scene *scene, const fxl_model *model,
                                          uint32_t first, const fxl_cluster *cluster)
 {

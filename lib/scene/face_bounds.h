@@ -20,6 +20,7 @@ static inline void fxl_widen(int32_t value, int32_t *low, int32_t *high)
 
 /* The bounding box of a face: minimum + maximum of each coordinate. A model's vertices are below
  * 2^30, so the sums are below 2^31. */
+/* formats 1.6 */
 static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *indices,
                                      uint32_t count)
 {
@@ -38,6 +39,7 @@ static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *
 
 /* The distance of the face's plane from the model's origin, along the normal, in units of 2^-46.
  * Each coordinate is below 2^30: see fxl_dot. */
+/* formats 1.6 */
 static inline fxl_q18_46 fxl_face_height(const fxl_point *vertices, const uint16_t *indices,
                                          const fxl_face *face)
 {

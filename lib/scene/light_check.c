@@ -10,6 +10,7 @@ static bool is_fraction(fxl_q2_30 value)
     return value >= 0 && value <= FXL_Q2_30_ONE;
 }
 
+/* formats 1.11 */
 static bool is_fog(const fxl_light_settings *settings)
 {
     return (settings->fog_near == 0 && settings->fog_far == 0) ||
@@ -17,12 +18,14 @@ static bool is_fog(const fxl_light_settings *settings)
             settings->fog_far <= FXL_FAR_MAX);
 }
 
+/* formats 1.11 */
 static bool is_point_light(const fxl_point_light *light)
 {
     return fxl_point_in_range(&light->position) && light->range >= 1 &&
            light->range <= FXL_COORDINATE_MAX && is_fraction(light->strength);
 }
 
+/* formats 1.11 */
 fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *fault)
 {
     if (settings == NULL) {
@@ -45,6 +48,7 @@ fxl_status fxl_light_check(const fxl_light_settings *settings, fxl_scene_fault *
                : fxl_fault_at(fault, "light", 0, FXL_E_NORMAL);
 }
 
+/* formats 1.11 */
 void fxl_light_settings_of(const fxl_scene_light *light, fxl_light_settings *settings)
 {
     const fxl_light_base *base = light->base;

@@ -7,11 +7,13 @@
 #include "scene_check.h"
 #include "placement_code.h"
 
+/* motion 4.3 */
 static bool is_scale(fxl_q16_16 scale)
 {
     return scale >= FXL_SCALE_MIN && scale <= FXL_SCALE_MAX;
 }
 
+/* formats 1.10 */
 static bool motion_is_plain(const fxl_motion *motion, uint32_t number)
 {
     return motion->repeats <= 1 && motion->reserved == 0 && motion->parent <= number;
@@ -19,6 +21,7 @@ static bool motion_is_plain(const fxl_motion *motion, uint32_t number)
 
 /* The largest |coordinate| of a motion's place: that of its keys, and the radius along x and z.
  * Below 2^31. */
+/* motion 4.2 */
 static void local_extent(const fxl_motion *motion, int64_t extent[3])
 {
     extent[0] = (int64_t)motion->extent.x + motion->radius;
@@ -26,6 +29,7 @@ static void local_extent(const fxl_motion *motion, int64_t extent[3])
     extent[2] = (int64_t)motion->extent.z + motion->radius;
 }
 
+/* motion 4.1 */
 static bool extents_in_range(const fxl_motion *motion)
 {
     const int64_t limit = ((int64_t)1 << 30) - 1;
@@ -39,6 +43,7 @@ static bool extents_in_range(const fxl_motion *motion)
 }
 
 /* A key within what its motion states. */
+/* motion 4.1 */
 static bool key_in_range(const fxl_motion *motion, const fxl_motion_key *key)
 {
     return fxl_within(key->centre.x, motion->extent.x) &&
@@ -47,6 +52,7 @@ static bool key_in_range(const fxl_motion *motion, const fxl_motion_key *key)
            key->scale <= motion->scale_high;
 }
 
+/* formats 1.10 */
 static FXL_COLD fxl_status check_keys(const fxl_motion_set *set, const fxl_motion *motion,
                                       fxl_scene_fault *fault)
 {
@@ -85,12 +91,14 @@ static uint32_t chain_of(const fxl_motion_set *set, const fxl_motion *motion,
 
 /* scale * length / 2^16, rounded up, and what the rounding of an orientation and a centre adds:
  * less than for fxl_placement_radius. Below 2^40. */
+/* motion 4.2 */
 static int64_t reach_of(fxl_q16_16 scale, int64_t length)
 {
     return (fxl_multiply_s64(scale, length) + 65535) / 65536 + FXL_PLACEMENT_SLACK;
 }
 
 /* |place|, rounded up. Components below 2^30. */
+/* motion 4.2 */
 static int64_t length_of(const int64_t place[3])
 {
     const uint64_t square = (uint64_t)(place[0] * place[0]) + (uint64_t)(place[1] * place[1]) +
@@ -100,6 +108,7 @@ static int64_t length_of(const int64_t place[3])
 
 /* Whether every frame keeps the instance in the world, and every scale in its range. reach bounds
  * how far the centre and the sphere are from the first parent's place. */
+/* motion 4.2, 4.3 */
 static bool chain_in_world(const fxl_motion *const *chain, uint32_t count, fxl_q16_16 radius)
 {
     int64_t low = chain[0]->scale_low, high = chain[0]->scale_high, reach = 0;
@@ -119,6 +128,7 @@ static bool chain_in_world(const fxl_motion *const *chain, uint32_t count, fxl_q
            root[2] + reach <= FXL_COORDINATE_MAX;
 }
 
+/* formats 1.10 */
 static FXL_COLD fxl_status check_motion(const fxl_motion_set *set, uint32_t number,
                                         fxl_q16_16 radius, fxl_scene_fault *fault)
 {

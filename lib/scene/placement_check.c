@@ -116,6 +116,7 @@ bool fxl_placement_places_are_in_range(const fxl_scene *scene)
     return true;
 }
 
+/* formats 1.9 */
 FXL_COLD fxl_status fxl_placement_check_all(const fxl_scene *scene, uint32_t *number)
 {
     const fxl_placement *placement = scene->placements;

@@ -16,6 +16,7 @@ static bool count_in(uint32_t count, uint32_t low, uint32_t high)
     return count >= low && count <= high;
 }
 
+/* formats 1.4 */
 static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     if (!count_in(scene->vertex_count, 3, FXL_SCENE_VERTICES_MAX)) {
@@ -36,6 +37,7 @@ static FXL_COLD fxl_status check_counts(const fxl_scene *scene, fxl_scene_fault 
     return FXL_OK;
 }
 
+/* formats 1.5 */
 static FXL_COLD fxl_status check_faces(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->face_count; i++) {
@@ -73,6 +75,7 @@ static FXL_COLD fxl_status check_indices(const fxl_scene *scene, const fxl_model
 
 /* Models take the vertices and the faces in turn, without gap or overlap. So all models
  * together are as long as the tables, and no longer. */
+/* formats 1.4 */
 static FXL_COLD fxl_status check_models(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t vertex = 0, face = 0;
@@ -134,6 +137,7 @@ static bool sum_in_range(fxl_q16_16 vertex, fxl_q16_16 centre)
     return fxl_within((int64_t)vertex + centre, FXL_COORDINATE_MAX);
 }
 
+/* formats 1.4 */
 static FXL_COLD fxl_status check_placed_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const uint32_t end = fxl_first_turned(scene);
@@ -153,6 +157,7 @@ static FXL_COLD fxl_status check_placed_vertices(const fxl_scene *scene, fxl_sce
 }
 
 /* Turned instances. Their vertices lie in their spheres, because check_radii checks the models. */
+/* formats 1.9 */
 static FXL_COLD fxl_status check_placements(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t number = 0;
@@ -170,6 +175,7 @@ static FXL_COLD fxl_status check_placements(const fxl_scene *scene, fxl_scene_fa
 }
 
 /* A model may have no instance, so its vertices are checked too: against twice the range. */
+/* formats 1.5 */
 static FXL_COLD fxl_status check_vertices(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     const int64_t limit = 2 * (int64_t)FXL_COORDINATE_MAX;
@@ -185,6 +191,7 @@ static FXL_COLD fxl_status check_vertices(const fxl_scene *scene, fxl_scene_faul
 
 /* Vertices lie within twice the range, so each square is below 2^60 and the sum is below
  * 2^62. A radius is below 2^31, so its square is below 2^62. Exact. */
+/* formats 1.5 */
 static FXL_COLD fxl_status check_radii(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     for (uint32_t i = 0; i < scene->model_count; i++) {
@@ -240,6 +247,7 @@ static FXL_COLD fxl_status check_normals(const fxl_scene *scene, fxl_scene_fault
     return FXL_OK;
 }
 
+/* formats 1.6 */
 static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, const fxl_face *face,
                               const fxl_face_bounds *key)
 {
@@ -251,6 +259,7 @@ static bool face_bounds_match(const fxl_scene *scene, const fxl_model *model, co
 }
 
 /* Sorted models take the face bounds in turn. */
+/* formats 1.6 */
 static FXL_COLD fxl_status check_face_bounds(const fxl_scene *scene, fxl_scene_fault *fault)
 {
     uint32_t first = 0;

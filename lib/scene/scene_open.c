@@ -34,6 +34,7 @@ static FXL_COLD fxl_status check_lens(const fxl_image_header *head, fxl_lens *le
 }
 
 /* Lens, start pose and motion limits. */
+/* formats 1.1 */
 static FXL_COLD fxl_status check_settings(const fxl_image_header *head, fxl_scene_image *opened,
                                           fxl_scene_fault *fault)
 {
@@ -170,6 +171,7 @@ static void open_sections(const fxl_image_header *head, fxl_scene_image *opened)
     opened->billboards.pixel_bytes = count_of(head, SECTION_SPRITE_PIXELS);
 }
 
+/* formats 1.5 */
 FXL_COLD fxl_status fxl_scene_open(const void *image, size_t size, fxl_scene_image *opened,
                                    fxl_scene_fault *fault)
 {

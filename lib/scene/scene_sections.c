@@ -10,6 +10,7 @@
 
 #define MAGIC 0x534C5846u /* "FXLS" */
 
+/* formats 1.1 */
 static FXL_COLD fxl_status check_envelope(const fxl_image_header *head, size_t size)
 {
     if (size < sizeof *head) {
@@ -51,6 +52,7 @@ typedef struct {
     bool is_exact;
 } place;
 
+/* formats 1.2 */
 static FXL_COLD fxl_status check_entry(const fxl_image_section *one, const place *next)
 {
     if (one->kind <= next->kind) {
@@ -65,6 +67,7 @@ static FXL_COLD fxl_status check_entry(const fxl_image_section *one, const place
 }
 
 /* The bytes that rounding added behind a section are 0. */
+/* formats 1.2 */
 static bool is_padded(const fxl_image_header *head, uint32_t end, uint32_t rounded)
 {
     for (uint32_t i = end; i < rounded; i++) {
@@ -78,6 +81,7 @@ static bool is_padded(const fxl_image_header *head, uint32_t end, uint32_t round
 /* The section's place and length, after which *next is that of the one behind it. A count of at
  * most 2^24 times the size of an entry, at most 256 bytes, is below 2^33. The image's size and each
  * place are multiples of four, so that an end that lies within the image also does so rounded. */
+/* formats 1.2 */
 static FXL_COLD fxl_status check_place(const fxl_image_header *head, const fxl_image_section *one,
                                        place *next)
 {
@@ -141,6 +145,7 @@ FXL_STATIC_ASSERT(SECTION_KINDS <= 32, "a bit a kind");
 #define BIT(kind) ((uint32_t)1 << (kind))
 
 /* Which sections there must be, and which go together. */
+/* formats 1.2 */
 static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     static const struct {
@@ -180,6 +185,7 @@ static FXL_COLD fxl_status check_presence(const fxl_image_header *head, fxl_scen
 }
 
 /* Counts that go with others, and numbers of the header that go with a section. */
+/* formats 1.2 */
 static FXL_COLD fxl_status check_counts(const fxl_image_header *head, fxl_scene_fault *fault)
 {
     if (count_of(head, SECTION_PALETTE) != 256) {

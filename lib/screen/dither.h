@@ -14,6 +14,7 @@ extern "C" {
 const uint8_t *fxl_dither_row(uint32_t y);
 
 /* Returns the level of an entry of fxl_grey_table, below 128 * 256. */
+/* formats 4.3, pixels 1.3 */
 static inline uint32_t fxl_dithered(uint32_t entry, const uint8_t *dither, uint32_t x)
 {
     return (entry + dither[x & 7u]) >> 7;
@@ -21,6 +22,7 @@ static inline uint32_t fxl_dithered(uint32_t entry, const uint8_t *dither, uint3
 
 /* The level, 0..highest, of a pixel of a row: a palette index of prepared pixels, or a colour of
  * RGB565. */
+/* formats 4.2 */
 static inline uint32_t fxl_dithered_pixel(const fxl_pixels *pixels, const void *row, bool is_wide,
                                           uint32_t highest, const uint8_t *dither, uint32_t x)
 {

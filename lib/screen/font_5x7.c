@@ -165,6 +165,7 @@ static const fxl_glyph glyphs[] = {
 
 FXL_STATIC_ASSERT(sizeof rows / sizeof rows[0] == sizeof glyphs / sizeof glyphs[0], "95 each");
 
+/* overlay 4.4 */
 const fxl_font fxl_font_5x7 = {.bits = rows[0],
                                .glyphs = glyphs,
                                .count = sizeof glyphs / sizeof glyphs[0],

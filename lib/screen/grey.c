@@ -23,11 +23,13 @@ static const uint8_t offsets[8][8] = {
     {T(63), T(31), T(55), T(23), T(61), T(29), T(53), T(21)},
 };
 
+/* formats 4.3 */
 const uint8_t *fxl_dither_row(uint32_t y)
 {
     return offsets[y & 7u];
 }
 
+/* formats 4.1 */
 uint8_t fxl_luma(const uint8_t *colour)
 {
     const uint32_t sum =
@@ -43,6 +45,7 @@ static uint32_t entry_of(const uint8_t *colour, uint32_t highest)
     return fxl_luma(colour) * highest * STEPS / 255u;
 }
 
+/* formats 4.2 */
 void fxl_grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
 {
     for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
@@ -51,6 +54,7 @@ void fxl_grey_table(uint16_t *table, const uint8_t *palette, uint32_t highest)
 }
 
 /* A channel as a byte, rounded to nearest: 255 c / 31 and 255 c / 63. A test computes all of them. */
+/* pixels 1.2 */
 uint16_t fxl_grey_of_rgb565(uint16_t colour, uint32_t highest)
 {
     const uint32_t red = colour >> 11, green = colour >> 5 & 63u, blue = colour & 31u;
@@ -60,6 +64,7 @@ uint16_t fxl_grey_of_rgb565(uint16_t colour, uint32_t highest)
     return (uint16_t)entry_of(bytes, highest);
 }
 
+/* formats 4.2 */
 uint8_t fxl_grey_level(uint16_t entry, uint32_t x, uint32_t y)
 {
     return (uint8_t)fxl_dithered(entry, fxl_dither_row(y), x);

@@ -18,6 +18,7 @@ typedef struct {
  * across + k rise / length, so its pixel there is floor((2 k rise + length) / (2 length)) beyond
  * across. Coordinates are below 2^29, so k, rise and length are below 2^30, and the numerator is
  * below 2^61 + 2^30. The quotient is at most |rise|. */
+/* overlay 2.1 */
 static void draw_part(const pixel_line *line, bool upright, int32_t low, int32_t high,
                       uint8_t colour, const fxl_band *band)
 {
@@ -37,11 +38,13 @@ static void draw_part(const pixel_line *line, bool upright, int32_t low, int32_t
     fxl_draw_line_pixels(&pixels, part.first, part.end, colour, band);
 }
 
+/* overlay 1.2 */
 static bool in_range(int32_t a, int32_t b)
 {
     return fxl_within(a, FXL_LINE_COORDINATE_MAX) && fxl_within(b, FXL_LINE_COORDINATE_MAX);
 }
 
+/* overlay 1.2 */
 fxl_status fxl_draw_line(const fxl_band *band, int32_t x0, int32_t y0, int32_t x1, int32_t y1,
                          uint8_t colour)
 {
@@ -68,6 +71,7 @@ fxl_status fxl_draw_line(const fxl_band *band, int32_t x0, int32_t y0, int32_t x
     return FXL_OK;
 }
 
+/* overlay 1.3 */
 fxl_status fxl_overlay_check(const fxl_band *band)
 {
     if (band == NULL || band->pixels == NULL) {
@@ -83,6 +87,7 @@ fxl_status fxl_overlay_check(const fxl_band *band)
 }
 
 /* The columns of a stretch that the band has. */
+/* overlay 1.1 */
 static fxl_stretch clip_columns(const fxl_band *band, int64_t x, int64_t width)
 {
     return fxl_clip_stretch(x, width, band->first_column,
@@ -97,6 +102,7 @@ static size_t place_of(const fxl_band *band, int32_t row, int32_t column)
 }
 
 /* Pixels of a row of the band, at least one. */
+/* overlay 1.3 */
 static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *columns, uint8_t colour)
 {
     if (band->palette != NULL) {
@@ -112,6 +118,7 @@ static void fill_row(const fxl_band *band, int32_t row, const fxl_stretch *colum
     }
 }
 
+/* overlay 1.1 */
 static void fill(const fxl_band *band, int64_t x, int64_t y, int64_t width, int64_t height,
                  uint8_t colour)
 {
@@ -123,6 +130,7 @@ static void fill(const fxl_band *band, int64_t x, int64_t y, int64_t width, int6
     }
 }
 
+/* overlay 1.1, 1.4 */
 fxl_status fxl_draw_rectangle(const fxl_band *band, int32_t x, int32_t y, int32_t width,
                               int32_t height, uint8_t colour)
 {

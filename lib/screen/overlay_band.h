@@ -15,6 +15,7 @@ typedef struct {
 
 /* The part of `count` pixels from `at` on that lies within low <= pixel < high. Empty, first ==
  * end, if there is none. Takes any int32_t at and count, and more; sums stay below 2^63. */
+/* overlay 1.1 */
 static inline fxl_stretch fxl_clip_stretch(int64_t at, int64_t count, int32_t low, int32_t high)
 {
     const int64_t end = at + count;

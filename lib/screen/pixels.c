@@ -15,6 +15,7 @@ fxl_status fxl_pixels_init(fxl_pixels *pixels, const fxl_pixel_format *format,
     return FXL_OK;
 }
 
+/* pixels 1.2 */
 size_t fxl_pixels_size(const fxl_pixel_format *format, uint16_t width, uint16_t rows)
 {
     if (format == NULL || format->rows == 0) {

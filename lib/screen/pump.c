@@ -30,6 +30,7 @@ static bool is_in_range(const fxl_pump_config *config)
             (config->pixels->format != NULL && config->rows % config->pixels->format->rows == 0));
 }
 
+/* pixels 2.2 */
 size_t fxl_pump_memory_size(const fxl_pump_config *config)
 {
     if (config == NULL || !is_in_range(config)) {
@@ -82,6 +83,7 @@ static bool is_set_up(const fxl_pump *pump)
 }
 
 /* Sets the band that begins with a row. */
+/* pixels 2.2 */
 static void set_band(fxl_pump *pump, uint32_t first_row)
 {
     const uint32_t left = pump->config.height - first_row;
@@ -110,6 +112,7 @@ const fxl_band *fxl_pump_band(const fxl_pump *pump)
     return pump != NULL && pump->is_begun && pump->band.rows > 0 ? &pump->band : NULL;
 }
 
+/* pixels 2.3 */
 static fxl_status fail(fxl_pump *pump)
 {
     pump->is_begun = false;
@@ -117,6 +120,7 @@ static fxl_status fail(fxl_pump *pump)
 }
 
 /* Starts to send the free buffer, and frees the other one. */
+/* pixels 2.1 */
 static fxl_status start(fxl_pump *pump, uint16_t first_row, uint16_t rows)
 {
     const uint8_t *bytes = pump->buffers[pump->free_buffer];
@@ -153,6 +157,7 @@ fxl_status fxl_pump_send(fxl_pump *pump)
 }
 
 /* pixel: in bytes. */
+/* pixels 2.4 */
 static void copy_rows(uint8_t *to, const fxl_band *from, size_t pixel)
 {
     for (uint32_t row = 0; row < from->rows; row++) {
@@ -161,6 +166,7 @@ static void copy_rows(uint8_t *to, const fxl_band *from, size_t pixel)
     }
 }
 
+/* pixels 2.4 */
 fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows)
 {
     if (pump == NULL || rows == NULL || rows->pixels == NULL || rows->rows == 0) {
@@ -191,6 +197,7 @@ fxl_status fxl_pump_send_rows(fxl_pump *pump, const fxl_band *rows)
     return status;
 }
 
+/* pixels 2.3 */
 fxl_status fxl_pump_wait(fxl_pump *pump)
 {
     if (pump == NULL) {

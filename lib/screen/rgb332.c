@@ -4,6 +4,7 @@
 #include "../raster/columns.h"
 
 /* The upper bits of each colour: it loses less than 32/255 of red and green, 64/255 of blue. */
+/* pixels 1.1 */
 static void prepare(uint16_t *entries, const uint8_t *palette)
 {
     for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++, palette += 3) {

@@ -8,6 +8,7 @@
 
 /* The upper bits of each colour: it loses less than 8/255 of red and blue, 4/255 of green. The
  * bytes stand in the table as they are sent, whatever the byte order of the core. */
+/* pixels 1.1 */
 static void prepare(uint16_t *entries, const uint8_t *palette, uint32_t high, uint32_t low)
 {
     uint8_t *bytes = (uint8_t *)entries;
@@ -85,6 +86,7 @@ static void convert_low(const fxl_pixels *pixels, const fxl_band *band, uint8_t 
 const fxl_pixel_format fxl_pixels_rgb565 = {16, 1, prepare_high, convert_high};
 const fxl_pixel_format fxl_pixels_rgb565_low = {16, 1, prepare_low, convert_low};
 
+/* rgb565 1.1 */
 void fxl_swap_rgb565(const fxl_band *band)
 {
     uint16_t *row = (uint16_t *)(void *)band->pixels;

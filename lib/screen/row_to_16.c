@@ -9,6 +9,7 @@
 #define BLOCK 16u /* pixels that are looked at together */
 
 /* Whether the pixels of a block, aligned to four, are all of one colour. */
+/* pixels 1.5 */
 static bool is_uniform(const uint8_t *pixels)
 {
     const fxl_word *words = (const fxl_word *)(const void *)pixels;
@@ -26,6 +27,7 @@ static void fill(uint16_t *out, uint16_t colour)
     }
 }
 
+/* pixels 1.5 */
 void fxl_row_to_16(const uint8_t *pixels, uint32_t count, const uint16_t *table, uint16_t *out)
 {
     const uint8_t *end = pixels + count;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "overlay_band.h"
 
+/* overlay 4.3 */
 static bool has(const fxl_font *font, uint32_t character)
 {
     return character >= font->first && character < (uint32_t)font->first + font->count;
@@ -16,18 +17,21 @@ static fxl_status check(const char *text, const fxl_text_style *style)
     return font->first + font->count <= 256 && has(font, font->unknown) ? FXL_OK : FXL_E_RANGE;
 }
 
+/* overlay 4.3 */
 static const fxl_glyph *glyph_of(const fxl_font *font, char character)
 {
     const uint32_t code = (uint8_t)character;
     return &font->glyphs[(has(font, code) ? code : font->unknown) - font->first];
 }
 
+/* overlay 4.2 */
 static uint32_t advance_of(const fxl_text_style *style, const fxl_glyph *glyph)
 {
     return style->cell != 0 ? style->cell : glyph->advance;
 }
 
 /* The pen may go beyond 32 bits only after 2^23 characters of a line, and never beyond 64. */
+/* overlay 4.1 */
 fxl_status fxl_draw_text(const fxl_band *band, int32_t x, int32_t y, const char *text,
                          const fxl_text_style *style)
 {
@@ -61,6 +65,7 @@ fxl_status fxl_draw_text(const fxl_band *band, int32_t x, int32_t y, const char 
     return FXL_OK;
 }
 
+/* overlay 4.2 */
 fxl_status fxl_measure_text(const char *text, const fxl_text_style *style, fxl_text_size *size)
 {
     const fxl_status status = size == NULL ? FXL_E_ARGUMENT : check(text, style);

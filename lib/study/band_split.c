@@ -2,6 +2,7 @@
 #include "../math/arith.h"
 #include "target_spans.h"
 
+/* spans 3.1, 3.2 */
 fxl_status fxl_band_split_draw(const fxl_renderer *renderer, fxl_workspace *workspace,
                                const fxl_band *band, fxl_band_begin *begin)
 {

@@ -34,6 +34,7 @@ FXL_STATIC_ASSERT((FXL_PLANES_ALL & FXL_VERTEX_BEYOND_GUARD_BAND) == 0 &&
 
 /* Returns the cache entry for a vertex. *is_new tells that it held another vertex; then only its
  * tag has been changed so far. */
+/* clippers 4.3 */
 static inline fxl_cached_vertex *fxl_clip_common_entry(const fxl_model_view *model_view,
                                                        uint32_t number, bool *is_new)
 {
@@ -97,6 +98,7 @@ static inline fxl_clip_result fxl_clip_common_to_screen(const fxl_model_view *mo
 }
 
 /* Takes a face to the screen. cut_by: the bits of clip_flags for which a face must be cut. */
+/* clippers 4.3 */
 static inline fxl_clip_result fxl_clip_common_face(const fxl_model_view *model_view,
                                                    const fxl_face *face, fxl_screen_polygon *screen,
                                                    const fxl_clip_steps *steps, unsigned cut_by)

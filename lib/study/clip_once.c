@@ -66,6 +66,7 @@ static fxl_q18_46 distance(const pass *state, int plane, uint32_t vertex)
 /* Finds the last plane through which an edge enters, and the first through which it leaves.
  * Returns false for an invisible edge: one that lies outside one plane, or leaves before it
  * enters. */
+/* clippers 3.1 */
 static bool find_intersections(const pass *state, uint32_t from, uint32_t to,
                                fxl_plane_intersection *enter, fxl_plane_intersection *leave)
 {
@@ -147,6 +148,7 @@ static bool find_end(pass *state, int plane, bool inward, fxl_varying_vertex *en
     return true;
 }
 
+/* clippers 3.1 */
 static bool find_corner(pass *state, int plane, int other, fxl_varying_vertex *corner)
 {
     int first = plane < other ? plane : other, second = plane ^ other ^ first;
@@ -172,6 +174,7 @@ static bool find_corner(pass *state, int plane, int other, fxl_varying_vertex *c
 /* Finds where a line in a plane leaves the frustum, if its end is not visible: through a plane
  * that the end is outside of. Where rounding hides that plane, the line leaves at its end; there
  * the outline passes the corner exactly or to within rounding. */
+/* clippers 3.1 */
 static fxl_plane_intersection find_leave(const pass *state, const fxl_varying_vertex *at,
                                          const fxl_varying_vertex *end, uint32_t met)
 {
@@ -270,6 +273,7 @@ static uint32_t find_exit(const pass *state)
 
 /* Finds the visible part of the line in which a plane cuts the polygon, where neither end is
  * visible. Returns false where no part is visible. */
+/* clippers 3.1 */
 static bool find_visible_part(const pass *state, int plane, const fxl_varying_vertex *from,
                               const fxl_varying_vertex *to, fxl_plane_intersection *enter,
                               fxl_plane_intersection *leave)
@@ -328,6 +332,7 @@ static void append_corners_alone(pass *state)
 }
 
 /* Sets the bits of vertices that count as outside by the sliver rule. */
+/* clippers 3.3 */
 static void apply_sliver(pass *state)
 {
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
@@ -371,6 +376,7 @@ static void start_pass(pass *state, fxl_clip_once_workspace *workspace)
     }
 }
 
+/* clippers 3.1 */
 fxl_clip_result fxl_clip_once(const fxl_varying_polygon *in, const fxl_normalised *frustum,
                               fxl_clip_once_workspace *workspace,
                               const fxl_varying_polygon **result)

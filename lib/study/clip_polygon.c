@@ -8,6 +8,7 @@
  * round. So the loop starts after a vertex that the rule cannot change: one that is outside, or
  * inside by at least the sliver. Where there is none, all vertices are barely inside and none
  * follows one that is outside. */
+/* clippers 3.3 */
 uint32_t fxl_inside_bits(const fxl_q18_46 *distances, uint32_t count, fxl_q18_46 sliver)
 {
     uint32_t bits = 0, start = 0, at;

@@ -12,6 +12,7 @@
  * of two distances from one plane is the plane's normal times the difference of two points, so
  * it is below 2^61. Both terms are cut to the 32 highest bits of the difference, which errs by
  * at most two units. */
+/* clippers 7.4 */
 static fxl_q1_31 intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 {
     FXL_ASSERT(inside >= 0 && outside < 0);
@@ -41,6 +42,7 @@ static inline void copy(const fxl_cut *cut, uint32_t from, uint32_t to)
     out->vertices[to] = in->vertices[from];
 }
 
+/* clippers 7.4 */
 static inline void cross(const fxl_cut *cut, uint32_t inside, uint32_t outside, uint32_t to)
 {
     const fxl_polygon *in = (const fxl_polygon *)cut->in;

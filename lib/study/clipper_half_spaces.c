@@ -9,6 +9,7 @@
 #include "clip_common.h"
 #include "clip_polygon.h"
 
+/* clippers 4.2 */
 static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 {
     return (fxl_volume_workspace *)model_view->clipper_workspace;
@@ -43,6 +44,7 @@ static fxl_varying_polygon *input(const fxl_model_view *model_view)
     return &workspace_of(model_view)->clip.polygons[0];
 }
 
+/* clippers 4.2 */
 static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_polygon *in,
                            unsigned any, const fxl_varying_polygon **result)
 {

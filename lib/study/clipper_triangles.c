@@ -39,6 +39,7 @@ static bool is_on_screen(const fxl_lens *lens, const fxl_cached_vertex *vertex)
 }
 
 /* Differences are below 2^27, so each product is below 2^54. */
+/* clippers 4.4 */
 static bool has_area(const fxl_screen_point *a, const fxl_screen_point *b,
                      const fxl_screen_point *c)
 {
@@ -67,6 +68,7 @@ static bool next_piece(const fxl_model_view *model_view, fxl_fan_workspace *work
 
 /* Begins the next triangle of the fan. A triangle that lies wholly on the screen is written to
  * screen at once; then the result is true. */
+/* clippers 4.4 */
 static bool begin_triangle(const fxl_model_view *model_view, fxl_fan_workspace *workspace,
                            fxl_screen_polygon *screen)
 {

@@ -30,6 +30,7 @@ static fxl_status project(const fxl_model_view *model_view, const fxl_view_point
 
 /* A polygon that no plane cut is the face itself. Then the projected vertices in the vertex
  * cache are the result. */
+/* clippers 4.4 */
 fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_face *face,
                                   fxl_clipper_work *work, fxl_screen_polygon *screen)
 {

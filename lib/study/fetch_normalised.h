@@ -41,6 +41,7 @@ static inline fxl_status project(const fxl_model_view *model_view, const fxl_vie
 }
 
 /* Makes the frustum of a frame, when the first face of the frame needs it; then clips the face. */
+/* clippers 4.2 */
 static inline fxl_clip_result clip_in_frustum(const fxl_model_view *model_view,
                                               const fxl_face *face, fxl_screen_polygon *screen,
                                               const fxl_clip_steps *steps)

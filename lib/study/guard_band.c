@@ -17,6 +17,7 @@ static fxl_volume_workspace *workspace_of(const fxl_model_view *model_view)
 /* Fetches a vertex as the default clipper does. A vertex that is outside of a side which the
  * scan clips is tested against the guard band. The test uses the position of the vertex alone,
  * so all faces that share the vertex agree. */
+/* clippers 4.4 */
 static fxl_cached_vertex *fetch(const fxl_model_view *model_view, uint32_t number)
 {
     fxl_cached_vertex *entry = &model_view->entries[number & model_view->mask];
@@ -59,6 +60,7 @@ static fxl_clip_result cut(const fxl_model_view *model_view, const fxl_varying_p
     return fxl_clip_polygon_by_volume(in, by, &workspace->volume, &workspace->clip, result);
 }
 
+/* clippers 4.4 */
 fxl_clip_result fxl_clip_with_guard_band(const fxl_model_view *model_view, const fxl_face *face,
                                          unsigned screen, fxl_screen_polygon *polygon)
 {

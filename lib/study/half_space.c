@@ -4,6 +4,7 @@
 
 #include "clip_polygon.h"
 
+/* clippers 1.1 */
 fxl_clip_result fxl_clip_to_half_space(const fxl_varying_polygon *in, const fxl_half_space *plane,
                                        fxl_clip_stats *stats, fxl_varying_polygon *out,
                                        fxl_q18_46 *distances)
@@ -33,6 +34,7 @@ fxl_clip_result fxl_clip_polygon_by_volume(const fxl_varying_polygon *in, uint32
     return fxl_clip_polygon_by_planes(in, any, 0, measure, volume, workspace, result);
 }
 
+/* clippers 1.1 */
 fxl_clip_result fxl_clip_to_volume(const fxl_varying_polygon *in, const fxl_volume *volume,
                                    fxl_clip_workspace *workspace,
                                    const fxl_varying_polygon **result)

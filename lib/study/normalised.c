@@ -27,6 +27,7 @@ typedef struct {
     uint8_t shift;
 } factor;
 
+/* clippers 2.2 */
 static factor factor_of(uint64_t part, uint64_t whole)
 {
     factor of = {(uint32_t)1 << 31, 0};
@@ -46,6 +47,7 @@ static fxl_q2_30 scale(fxl_q2_30 entry, const factor *by)
     return (fxl_q2_30)fxl_round_shift((int64_t)entry * (int64_t)by->mantissa, 31);
 }
 
+/* clippers 2.2 */
 static fxl_normalised_row row_of(const fxl_direction *axis, const factor *by)
 {
     fxl_normalised_row row = {{scale(axis->x, by), scale(axis->y, by), scale(axis->z, by)},
@@ -61,6 +63,7 @@ static fxl_q18_46 scale_depth(int64_t depth, const factor *by)
 
 /* inset * factor / along. along is the component of depth in the side plane's unit normal. The
  * result is the inset in the scale of the sum z + x. The product has at most 48 bits. */
+/* clippers 2.2 */
 static fxl_q18_46 scale_inset(fxl_q16_16 inset, const factor *by, fxl_q2_30 along)
 {
     uint64_t product = (uint64_t)inset * by->mantissa;
@@ -75,6 +78,7 @@ static fxl_q18_46 scale_inset(fxl_q16_16 inset, const factor *by, fxl_q2_30 alon
     return down > 0 ? fxl_round_shift(quotient, (unsigned)down) : quotient * ((int64_t)1 << -down);
 }
 
+/* clippers 2.2 */
 void fxl_normalised_from_camera(const fxl_camera *camera, const fxl_lens *lens,
                                 fxl_normalised *frustum)
 {
@@ -129,6 +133,7 @@ void fxl_normalised_point(const fxl_normalised *frustum, const fxl_point *point,
 }
 
 /* Sums are below 2^62, and an inset below 2^49. */
+/* clippers 2.2 */
 uint32_t fxl_normalised_code(const fxl_normalised *frustum, const fxl_view_point *point)
 {
     fxl_q18_46 x_room = point->z - frustum->x_inset;
@@ -179,6 +184,7 @@ fxl_clip_result fxl_clip_polygon_by_normalised(const fxl_varying_polygon *in, ui
     return fxl_clip_polygon_by_planes(in, any, 0, measure, frustum, workspace, result);
 }
 
+/* clippers 7.1 */
 fxl_clip_result fxl_clip_normalised(const fxl_varying_polygon *in, const fxl_normalised *frustum,
                                     fxl_clip_workspace *workspace,
                                     const fxl_varying_polygon **result)

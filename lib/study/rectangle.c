@@ -7,6 +7,7 @@
 #include "../clip/intersection.h"
 
 /* How far a point lies inside a border. Coordinates are below 2^28, so this is below 2^29. */
+/* clippers 3.5 */
 static fxl_q18_46 border_distance(const fxl_rectangle *rectangle, int border,
                                   const fxl_screen_point *point)
 {
@@ -80,6 +81,7 @@ static inline fxl_clip_result by_border(const void *with, int border, const void
     return result;
 }
 
+/* clippers 3.5 */
 fxl_clip_result fxl_clip_to_rectangle(const fxl_screen_polygon *in, const fxl_rectangle *rectangle,
                                       fxl_rectangle_work *work, const fxl_screen_polygon **result)
 {

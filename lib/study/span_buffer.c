@@ -21,6 +21,7 @@ fxl_span_buffer *fxl_span_buffer_make(void *memory, uint32_t size, uint16_t heig
     return buffer;
 }
 
+/* spans 3.1 */
 void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band)
 {
     FXL_ASSERT((uint8_t *)(buffer->rows + band->rows) <= (uint8_t *)buffer->pool);
@@ -35,6 +36,7 @@ void fxl_span_buffer_begin(fxl_span_buffer *buffer, const fxl_band *band)
 
 /* Inserts a new interval at *link, before the interval there. Returns false where the pool is
  * full. */
+/* spans 2.1 */
 static inline bool insert(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, uint32_t x1)
 {
     uint32_t number = buffer->unused;
@@ -53,6 +55,7 @@ static inline bool insert(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, 
 
 /* Draws the uncovered pixels from the interval's end to x1, and merges all intervals that it
  * then touches into it. */
+/* spans 2.1 */
 static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1, uint8_t *pixels,
                           uint32_t four)
 {
@@ -74,6 +77,7 @@ static inline void extend(fxl_span_buffer *buffer, fxl_covered *at, uint32_t x1,
 
 /* Draws and covers pixels x0 <= x < x1 of a row. The first interval of the row is *link and the
  * first pixel *pixels; x0 < x1. Returns false where the pool is full. */
+/* spans 2.2, 2.3 */
 static inline bool cover(fxl_span_buffer *buffer, uint16_t *link, uint32_t x0, uint32_t x1,
                          uint8_t *pixels, uint32_t four)
 {

@@ -32,6 +32,7 @@ typedef struct {
 } fxl_span_buffer;
 
 /* How many intervals always suffice for one row of this width in pixels. */
+/* spans 3.3 */
 #define FXL_SPAN_BUFFER_ROW(width) ((FXL_CAST(uint32_t, width) + 1u) / 2u)
 
 /* Size in bytes for bands of so many rows and a pool of so many intervals. */

@@ -127,6 +127,7 @@ static fxl_q18_46 shifted(const weight *of, unsigned shift)
  * from the inside end on the screen, it is s z0 / (s z0 + (1 - s) z1). Both weights are brought
  * to 62 bits. The outside weight keeps at least one bit, because a distance is at least a unit
  * and a depth 2^37. */
+/* clippers 3.2 */
 static uint64_t fraction_in_space(fxl_q18_46 inside, fxl_q18_46 z_inside, fxl_q18_46 outside,
                                   fxl_q18_46 z_outside)
 {

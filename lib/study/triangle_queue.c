@@ -8,6 +8,7 @@
 #define MASK (FXL_TRIANGLE_QUEUE - 1u)
 
 /* A border at most doubles the triangles that wait, so four borders make at most 16. */
+/* clippers 3.2 */
 static void cut_flats(fxl_triangle_workspace *workspace, int border, uint16_t extent)
 {
     fxl_clip_stats stats = workspace->stats;

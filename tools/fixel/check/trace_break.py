@@ -63,6 +63,7 @@ class Tree(library_mutants.Tree):
         super().__init__(folder, compiler)
         self.compiler.remove("-fPIC")
         self.units = units
+        self._symbols = {}
         shutil.rmtree(folder, ignore_errors=True)
         for name in COPIED:
             shutil.copytree(checkout / name, folder / name)
@@ -75,6 +76,16 @@ class Tree(library_mutants.Tree):
 
     def _notes(self, source):
         return self.units / source.with_suffix(".d")
+
+    def linked(self, sources, suites):
+        """Those of the sources that the programs of some suites link."""
+        names = set().union(*(self._names(self.units / suite.name) for suite in suites))
+        return [source for source in sources if self._names(self.units / source.with_suffix(".o")) & names]
+
+    def _names(self, file):
+        if file not in self._symbols:
+            self._symbols[file] = library_mutants.symbols(file)
+        return self._symbols[file]
 
     def built(self, name, suffix):
         return self.units / f"{name}{suffix}"
@@ -155,7 +166,7 @@ class Breaker:
         changed = []
         try:
             file.write_text(change.apply(good), encoding="utf-8")
-            sources = tree.dependents(change.file)
+            sources = tree.linked(tree.dependents(change.file), suites)
             for source in sources:
                 if tree.compile(source):
                     return {"change": str(change), "result": "does not compile"}
