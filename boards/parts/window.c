@@ -37,6 +37,7 @@ static window_frame *back_frame(void)
     return (window_frame *)(void *)(fxl_window + window.slots[window.back]);
 }
 
+/* formats 3.3 */
 bool window_invited(void)
 {
     return LOAD(header()->invitation) == WINDOW_INVITATION;
@@ -49,6 +50,7 @@ uint32_t window_keys(void)
 
 /* Waits until the viewer wants more frames than are finished. The difference is taken modulo
  * 2^32: a viewer requests fewer than 2^31 frames at once. */
+/* formats 3.3 */
 static void await_request(void)
 {
     while (LOAD(header()->requested) - window.finished - 1u >= 0x80000000u) {
@@ -58,6 +60,7 @@ static void await_request(void)
 }
 
 /* Every byte between a slot's beginning and the next one's is its own. */
+/* formats 3.1 */
 static bool place_slots(const panel_format *format)
 {
     const uint32_t pixels = (uint32_t)format->width * format->height; /* <= 2^20 */
@@ -69,6 +72,7 @@ static bool place_slots(const panel_format *format)
     return window.slots[1] + size <= (uintptr_t)fxl_window_size;
 }
 
+/* formats 3.1 */
 static panel_answer open(const panel_format *format)
 {
     window_header *shared = header();
@@ -96,6 +100,7 @@ static panel_answer open(const panel_format *format)
     return PANEL_READY;
 }
 
+/* formats 3.2 */
 static bool begin(uint32_t number, const fxl_pose *pose)
 {
     back_frame()->number = number;
@@ -113,6 +118,7 @@ static bool flush(uint16_t x, uint16_t y, uint16_t width, uint16_t height, const
     return true;
 }
 
+/* formats 3.2 */
 static bool end(const fxl_counters *counters, uint32_t clamped, uint64_t instructions)
 {
     window_header *shared = header();

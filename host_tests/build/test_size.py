@@ -193,7 +193,7 @@ def test_the_firmwares_figure_is_not_below_what_a_run_shows(build):
 
 @pytest.mark.parametrize("core", ["cortex-m0", "cortex-m3"])
 def test_a_flat_program_in_rgb565_links_at_most_3_kib_more(build, tmp_path, core):
-    """At -Os, which is where a byte counts."""
+    """At -Os, which is where a byte counts. rgb565 3.7."""
     program = tmp_path / "first.c"
     wide = linked_size.in_rgb565(linked_size.first_program())
     program.write_text(wide, encoding="utf-8")
@@ -215,6 +215,7 @@ def test_a_flat_program_in_rgb565_links_at_most_3_kib_more(build, tmp_path, core
 
 
 def test_the_first_program_links_a_part_of_the_library(build):
+    """world 1.4."""
     subprocess.run(["make", "lib", "CORE=cortex-m3"], cwd=build.parent, check=True, capture_output=True)
     file = build / "lib" / "cortex-m3" / "libfixel.a"
     linked, whole = linked_size.measure("cortex-m3", file, CROSS), sizes.archive_size(file, CROSS)

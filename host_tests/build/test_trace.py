@@ -129,6 +129,10 @@ def test_a_tag_of_a_test_is_about_that_test():
         ("beams 2.1", "build/test_b.py::test_beam")]
 
 
+def test_other_comments_are_no_tags():
+    assert tags.c_code("lib/a.c", "/* IEEE 802.3, reflected. */\n/* SPEC 1.1 says why. */ int a;\n", PAGES) == []
+
+
 def test_tags_of_modules():
     text = "# beams 2.1\ndef f():\n    pass\n\n\ndef g():\n    # SPEC 1.1\n    pass\n    # SPEC 1.2\n    pass\n"
     assert [(tag.id, tag.line, tag.last) for tag in tags.python_code("a.py", text, PAGES)] == [
@@ -167,11 +171,19 @@ def test_a_mistake_is_named_with_its_place(root, capsys, file, old, new, words):
 
 @pytest.mark.parametrize("file, old, new, words", [
     ("lib/a.c", "/* SPEC 1.1 */", "/* SPEK 1.1 */", "lib/a.c:1: the tag 'SPEK 1.1' is no list of clauses"),
+    ("lib/a.c", "SPEC 1.2, beams 2.1", "SPEC 1.2 and 1.1", "lib/a.c:11: the tag 'SPEC 1.2 and 1.1' is no list of clauses"),
     ("lib/a.c", "SPEC 1.2, beams 2.1", "SPEC 1.2, beems 2.1", "lib/a.c:11: the tag 'SPEC 1.2, beems 2.1' is no list of clauses"),
     ("host_tests/unit/test_a.c", "void test_sum", "static void sum", "host_tests/unit/test_a.c:1: the tag is above no test")])
 def test_a_tag_that_cannot_be_read_is_refused(root, capsys, file, old, new, words):
     change(root, file, old, new)
     with pytest.raises(ToolError, match=re.escape(words)):
+        traced(root, capsys)
+
+
+def test_a_judge_is_no_code_of_the_library(root, capsys):
+    (root / "host_tests/judges/reference").mkdir(parents=True)
+    (root / "host_tests/judges/reference/sum.c").write_text("/* SPEC 1.1 */\nint sum(void)\n{\n}\n")
+    with pytest.raises(ToolError, match="sum.c:1: the tag 'SPEC 1.1' is in a judge"):
         traced(root, capsys)
 
 

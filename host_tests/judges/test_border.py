@@ -40,6 +40,7 @@ def judged(build, folder, inset, clipper="view"):
 
 @pytest.mark.parametrize("clipper", ["view", "world", "once"])
 def test_a_border_of_background_is_told(build, tmp_path, clipper):
+    """accuracy 4.1."""
     background, verdict = judged(build, tmp_path, ', inset = "4/65536"', clipper)
     assert min(background) > 1000
     for empty, frame in zip(background, verdict["frames"]):

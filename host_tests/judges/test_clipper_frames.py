@@ -62,6 +62,7 @@ def bound(scene, clipper):
 @pytest.mark.parametrize("scene, clipper", sampled("clippers", [(name, clipper) for name in (*SCENES, "spot") for clipper in CLIPPERS], 30),
                          indirect=["scene"])
 def test_double_explains_every_pixel(build, scene, clipper, tmp_path):
+    """accuracy 4.2."""
     counted, whole = drawn(build, scene, clipper, tmp_path / "whole.fxld")
     assert counted["drawn"] > 0 and counted["refused"] == 0
     verdict = tmp_path / "verdict.json"

@@ -95,6 +95,7 @@ def result(built, tmp_path_factory):
 
 
 def test_every_claim_is_measured(result):
+    """accuracy 3.1."""
     _, report, done = result
     assert [claim["id"] for claim in report["claims"]] == [
         "matrix_entry", "matrix_entry_instance", "orientation_angles", "orientation_axis", "orientation_look_at",
@@ -300,6 +301,7 @@ def test_merging():
 
 
 def test_false_claims_fail(built, tmp_path):
+    """accuracy 3.1."""
     false = ["vertex_unclipped", "coverage"]
     build = build_with_oracle(tmp_path / "build", *false)
     done = run_report(build, tmp_path / "out", "--scene", "scenes/tiny.toml", samples=100)

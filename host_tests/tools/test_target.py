@@ -43,6 +43,7 @@ def pixel_bits(drawn):
     (CHECKOUT / "examples/cube/cube.obj", Target("rgb565", depth="16"), (16, 16, False)),
 ])
 def test_a_scene_asks_for_what_is_asked_for(tmp_path, source, asked, expected):
+    """rgb565 3.5."""
     assert asked_of(image.load(built(tmp_path, source, asked))) == expected
 
 
@@ -139,7 +140,7 @@ ADDED = 'view = { %s }\n[[objects]]\nsolid = "tile"\nposition = [0, -1, 5]\nblen
 
 
 def test_frames_of_a_palette_cannot_show_texels_of_rgb565(tmp_path):
-    """One sentence names both, and the way out; so it does of an image that is built already."""
+    """One sentence names both, and the way out; so it does of an image that is built already. rgb565 3.5."""
     way_out = "leave PIXELS= out, or give PIXELS=rgb565 or bits = 8 in the texture$"
     for scene, name in ((TEXELS, '"stones"'), (built(tmp_path, TEXELS), "0")):
         with pytest.raises(ToolError, match=f"PIXELS=palette: frames of a palette cannot show texels of RGB565 .texture {name}., "

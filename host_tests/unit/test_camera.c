@@ -79,7 +79,7 @@ void test_pitch_comes_before_roll(void)
     expect_row("right", 0, half, -half, camera.axes.right);
 }
 
-/* SPEC 4.2 */
+/* SPEC 4.2, accuracy 1.1 */
 void test_every_entry_is_within_two_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT; i++) {

@@ -183,6 +183,7 @@ static bool begins(void)
     return fxl_corner_planes_begin(&corners, &view.lens, &planes) && !planes.is_for_words;
 }
 
+/* accuracy 5.1.1 */
 void test_depth_is_that_of_the_plane_through_the_corners(void)
 {
     uint32_t checked = 0;
@@ -319,7 +320,7 @@ static void check_attributes(int first, uint32_t count, bool is_affine, uint32_t
     }
 }
 
-/* SPEC 9.1.1 */
+/* SPEC 9.1.1, accuracy 5.1.1 */
 void test_attributes_are_those_of_the_corners(void)
 {
     uint32_t checked = 0, constant = 0, affine = 0;

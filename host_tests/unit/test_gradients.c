@@ -113,7 +113,7 @@ void tearDown(void)
 {
 }
 
-/* SPEC 9.1 */
+/* SPEC 9.1, accuracy 5.1 */
 void test_attributes_are_those_of_the_point_that_is_seen(void)
 {
     uint32_t checked = 0, tight = 0;
@@ -147,6 +147,7 @@ void test_attributes_are_those_of_the_point_that_is_seen(void)
     TEST_ASSERT_GREATER_THAN(checked / 9, tight); /* the bound says something */
 }
 
+/* accuracy 5.1 */
 void test_the_volume_is_exact_but_for_rounding(void)
 {
     const double one = 70368744177664.0;
@@ -229,6 +230,7 @@ static void check_least_weight_of_8(double exact)
 
 /* Over a segment of 16 pixels a line through its ends is off by at most 0.3 of a unit, and
  * its ends are below 2^29 (gradients.c). The bound is at most a step of its own above that. */
+/* accuracy 5.2 */
 void test_the_least_weight_is_what_its_two_conditions_ask_for(void)
 {
     uint32_t by_bend = 0, by_far = 0, least = 0;

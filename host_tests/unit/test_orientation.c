@@ -90,7 +90,7 @@ void test_quarter_turns_are_exact(void)
     }
 }
 
-/* orientation 1.1 */
+/* accuracy 1.2, orientation 1.1 */
 void test_angles_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 3; i++) {
@@ -196,7 +196,7 @@ void test_directions_without_a_turn_are_refused(void)
     TEST_ASSERT_EQUAL_MEMORY(&before, &o, sizeof o);
 }
 
-/* orientation 1.4 */
+/* accuracy 1.2, orientation 1.4 */
 void test_a_product_is_the_nearest_rotation(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 10; i++) {

@@ -314,6 +314,25 @@ void test_a_character_may_begin_beside_the_pen(void)
     expect_wanted();
 }
 
+/* overlay 4.3 */
+void test_a_byte_that_the_font_has_not_is_the_unknown_character(void)
+{
+    static const uint8_t bits[] = {0x80};
+    static const fxl_glyph glyphs[] = {
+        {.first_byte = 0, .width = 1, .height = 1, .left = 2, .top = 1, .advance = 4},
+        {.first_byte = 0, .width = 1, .height = 1, .left = 0, .top = 0, .advance = 3}};
+    static const fxl_font font = {
+        .glyphs = glyphs, .bits = bits, .first = 'a', .count = 2, .unknown = 'b', .line_height = 3};
+    const fxl_text_style style = {&font, 5, 0};
+    const char text[] = {'a' - 1, 'a', 'c', (char)0xFF, 0}; /* one before the first, one behind the last */
+    TEST_ASSERT_EQUAL(FXL_OK, text_at(2, FIRST + 1, text, &style));
+    want(2, FIRST + 1, 5);
+    want(2 + 3 + 2, FIRST + 2, 5);
+    want(2 + 3 + 4, FIRST + 1, 5);
+    want(2 + 3 + 4 + 3, FIRST + 1, 5);
+    expect_wanted();
+}
+
 /* The same text through its sprites. */
 /* overlay 4.2 */
 void test_text_anywhere_is_its_characters_side_by_side(void)

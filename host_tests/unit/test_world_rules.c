@@ -139,7 +139,7 @@ void test_nothing_changes_while_a_frame_is_drawn(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_remove(&world, fxl_world_handle(0)));
 }
 
-/* world 2.3 */
+/* world 2.3, 2.4 */
 void test_a_renderer_draws_once_it_is_attached(void)
 {
     static fxl_renderer others[FXL_WORLD_RENDERERS_MAX];

@@ -149,7 +149,7 @@ void fxl_find_corner(const fxl_model_view *model_view, uint32_t number,
 /* A vertex between the near and the far plane, in the view and on the screen, or beside it. False:
  * it cannot be projected. Which planes the model view leaves out, and what a cache of few vertices
  * displaced, changes nothing. */
-/* SPEC 9.3 */
+/* SPEC 9.3, surfaces 2.3 */
 static bool find_on_screen(const fxl_model_view *model_view, uint32_t number,
                            const fxl_traversal *traversal, fxl_screen_point *point,
                            fxl_q18_46 *depth)

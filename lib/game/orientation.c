@@ -46,7 +46,7 @@ static int64_t product(const split_row *a, const split_row *b)
  * C C' - I is above 2^-22 in magnitude.
  * Error: at most 0.501 unit of 2^-30 an entry. So a row is at most
  * sqrt(3) * 0.501 = 0.87 unit off unit length, and two rows are 1.74 units off a right angle. */
-/* orientation 1.4 */
+/* accuracy 1.2, orientation 1.4 */
 FXL_COLD static void orthonormalise(const wide_matrix *matrix, fxl_orientation *orientation)
 {
     split_row rows[3];

@@ -38,6 +38,7 @@ static inline uint32_t largest_of(const int32_t values[3])
  * of which 31 or 32 are left after the largest one is scaled. The reciprocal is from 2^30 to 2^31,
  * and near_z is scaled to 2^31 to 2^32: the factor is from 2^29 to 2^31, and weights are below
  * 2^30. */
+/* accuracy 5.1.1 */
 static inline bool find_weights(const fxl_screen_corners *corners, const fxl_lens *lens,
                                 fxl_corner_planes *planes)
 {
@@ -164,6 +165,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
  * that no bits are added. What is cut off a step is less than 1/65536 of a unit of 2^-32, and less
  * than 2^26 of these in a column. *slope becomes the change a pixel along, in units of 2^(32 -
  * planes->exponent), rounded down: from -2^30 to 2^30. */
+/* accuracy 5.1.1 */
 static int plane_of(const fxl_corner_planes *planes, const int32_t values[3],
                     fxl_gradient *gradient, int32_t *slope)
 {

@@ -60,6 +60,7 @@ static void negate(fxl_block_vector *vector)
 }
 
 /* value / 2^drop, rounded down. */
+/* accuracy 5.1 */
 FXL_ONCE int64_t shifted_down(int64_t value, unsigned drop)
 {
     return value >> drop;
@@ -68,6 +69,7 @@ FXL_ONCE int64_t shifted_down(int64_t value, unsigned drop)
 /* factors[0] vectors[0] + factors[1] vectors[1] + factors[2] vectors[2]. The first factor is below
  * 2^30 and the others are below 2^31, so halves of the terms have a sum below 2^59 + 2 * 2^60.
  * Error: that of block, and one of 2^-58 of the largest term for each term. */
+/* accuracy 5.1 */
 static fxl_block_vector combine(const fxl_block_vector vectors[3], const int32_t factors[3])
 {
     int64_t x = 0, y = 0, z = 0;
@@ -93,6 +95,7 @@ static fxl_block_vector combine(const fxl_block_vector vectors[3], const int32_t
 /* --- gradients ------------------------------------------------------------------------------ */
 
 /* The columns and rows of which values are bounded: of pixels, and one more row. */
+/* accuracy 5.1 */
 static int32_t columns_of(const fxl_lens *lens)
 {
     return (int32_t)((lens->width + 15u) & ~15u);
@@ -216,6 +219,7 @@ static uint32_t times_part(uint32_t weight, uint32_t part)
  * 2^29, so that an end outside of the face does not overflow: w0^2 at least n 2^-29 twist, of which
  * the root's bound is a power of two. For n = 4 the first weight is that of 16 times 16^(-1/3), and
  * the second one half of it. */
+/* accuracy 5.2 */
 static void find_least_weights(const fxl_real *twist, const fxl_gradient *weight,
                                uint32_t weight_min[2])
 {
@@ -244,6 +248,7 @@ static void find_least_weights(const fxl_real *twist, const fxl_gradient *weight
  * is right if the first one is the larger of 16 and of 4, and 1.41423 of that of 4 is right for
  * both. A weight
  * of 2^31 may be less than what 16 columns ask for: then 1.58746 of that of 4. */
+/* accuracy 5.2 */
 void fxl_find_least_weights(const fxl_gradients *gradients, uint32_t division, uint32_t least[3])
 {
     const uint32_t of_16 = gradients->weight_min[0], of_4 = gradients->weight_min[1];

@@ -4,7 +4,7 @@
 #include "fill.h"
 
 /* Two pixels are one aligned word, but for the first and the last one. */
-/* rgb565 1.2 */
+/* rgb565 1.2, 3.7 */
 void fxl_fill_row_rgb565(uint16_t *pixel, uint16_t *end, uint16_t colour)
 {
     if (pixel != end && ((uintptr_t)pixel & 2u) != 0) {

@@ -29,6 +29,7 @@ static fxl_q1_31 intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
 
 /* from + (to - from) * fraction, rounded once. |to - from| is below 2^31, so
  * the product is below 2^62; the result lies between from and to. */
+/* accuracy 1.2 */
 static fxl_q16_16 interpolate(fxl_q16_16 from, fxl_q16_16 to, fxl_q1_31 fraction)
 {
     int64_t extent = (int64_t)to - from;

@@ -16,6 +16,7 @@ typedef struct {
     unsigned shift;
 } scaled_depth;
 
+/* accuracy 1.1 */
 static scaled_depth scale_depth(fxl_q18_46 z)
 {
     scaled_depth scaled;

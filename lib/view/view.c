@@ -128,6 +128,7 @@ static const sum_of_products matrix[3][3] = {
 /* A sum of two products, rounded once, to units of 2^(bits - 62). Error: half a unit. Every sum is
  * an entry of a rotation, so |a b| + |c d| <= 2^62 (1 + 2^-29), and adding the half of the rounding
  * does not overflow. */
+/* accuracy 1.1 */
 static int64_t sum(const int64_t *factors, const sum_of_products of, unsigned bits)
 {
     return fxl_round_shift(fxl_multiply_s64(factors[of[0]], factors[of[1]]) +

@@ -179,6 +179,7 @@ static double outline_shown(const ref_drawn *drawn, const judge_question *questi
     return judge_beneath_shown(beneath, &line);
 }
 
+/* accuracy 4.2 */
 double judge_explain(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                      size_t count, const judge_question *question)
 {
@@ -269,6 +270,7 @@ static double explain_by(const candidate *near, size_t count, const candidate *s
                 cost);
 }
 
+/* accuracy 4.2 */
 double judge_explain_by_depth(const ref_lens *lens, const ref_drawn *drawn, const judge_box *boxes,
                               size_t count, const judge_question *question, double resolution)
 {

@@ -23,6 +23,7 @@ static int is_steep(const surface_sample *sample, int attribute, int64_t exact)
            1024;
 }
 
+/* accuracy 5.3 */
 static oracle_outcome judge_texel(const oracle_input *input, FILE *words, oracle_verdict *verdict,
                                   uint8_t division)
 {

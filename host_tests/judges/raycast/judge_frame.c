@@ -61,6 +61,7 @@ static bool shows(const viewpoint *v, double x, double y, uint8_t colour)
     return colour_of(v->s, hit) == colour || (hit.found && world_shows(&v->s->world, &ray, colour));
 }
 
+/* accuracy 4.4 */
 static bool explained(const viewpoint *v, double x, double y, uint8_t colour)
 {
     for (int ring = 1; ring <= RINGS; ring++)
@@ -73,6 +74,7 @@ static bool explained(const viewpoint *v, double x, double y, uint8_t colour)
     return false;
 }
 
+/* accuracy 4.4 */
 void judge_frame(scene *s, const dump_frame *frame, verdict *v, uint8_t *pixels)
 {
     viewpoint view = viewpoint_of(s, frame);

@@ -15,8 +15,8 @@ import re
 from fixel.base.errors import ToolError
 from fixel.check import clauses
 
-CODE = ("lib", "boards", "firmware", "tools/fixel", "host_tests/judges/judge", "host_tests/judges/oracle",
-        "host_tests/judges/raycast")
+CODE = ("lib", "boards", "firmware", "tools/fixel", "host_tests/judges")
+JUDGED = "accuracy"     # the page that says what the judges do: their code is code of this page alone
 TESTS = "host_tests"
 C_SUFFIXES = (".c", ".h", ".S")
 C_TAG = re.compile(r"^[ \t]*/\*[ \t]*(\w+ \d+\.\d[\d., ;\w]*?)[ \t]*\*/[ \t]*$", re.MULTILINE)
@@ -38,6 +38,8 @@ class Tag:
 
 def _ids(text, pages, file, line):
     ids = clauses.ids_of(text, pages)
+    if ids is None and text.split(" ")[0] not in pages and not WORD.fullmatch(text):
+        return []       # a comment about something else
     if ids is None:
         raise ToolError(f"{file}:{line}: the tag '{text}' is no list of clauses such as 'SPEC 4.5, 4.6, beams 2.2'; the pages "
                         f"with clauses are {', '.join(sorted(pages))}")
@@ -49,7 +51,9 @@ def _places(pattern, text, pages, file):
     found = []
     for match in pattern.finditer(text):
         line = text.count("\n", 0, match.end()) + 1
-        found.append((line, _ids(match[1], pages, file, line)))
+        ids = _ids(match[1], pages, file, line)
+        if ids:
+            found.append((line, ids))
     return found
 
 
@@ -121,7 +125,12 @@ def read(root, pages):
         for path in _files(root, folder, (*C_SUFFIXES, ".py")):
             file, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
             if not path.name.startswith("test_"):
-                code += (python_code if path.suffix == ".py" else c_code)(file, text, pages)
+                found = (python_code if path.suffix == ".py" else c_code)(file, text, pages)
+                for tag in found if folder.startswith(TESTS) else []:
+                    if tag.id.split(" ")[0] != JUDGED:
+                        raise ToolError(f"{file}:{tag.line}: the tag '{tag.id}' is in a judge, whose code is that of clauses of "
+                                        f"{JUDGED} alone: tag the library's code, or the test")
+                code += found
     for path in _files(root, TESTS, (".c", ".py")):
         file, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
         if path.name.startswith("test_"):

@@ -99,6 +99,7 @@ def _scale_claim(claim, rows):
                   instructions_percent=percent, instructions_bound_percent=INSTRUCTIONS_PERCENT)
 
 
+# accuracy 3.1
 def judge(shards, frames, pixels, scales, build, fewer_asked):
     """claims[] of the report, in the order of the table. fewer_asked: the caller asked for fewer samples than the
     claims are about; otherwise a claim with too few samples fails."""

@@ -11,6 +11,7 @@ from fixel.base.errors import ToolError
 _CHUNK = 1024       # colours at a time
 
 
+# light 3.3
 def between(dark, full, level, top):
     """A level of a colour: dark at 0, full at top; to the nearest, halves upward, as fxl_light_make_ramp has it."""
     return tuple((2 * (a * (top - level) + b * level) + top) // (2 * top) for a, b in zip(dark, full))
@@ -57,6 +58,7 @@ def _shades(weights, light, glow):
     return shades
 
 
+# light 3.3
 def _level(made, lit, nearest, shades):
     """A level of the ramp: of what is lit the entry nearest to its shade, of any other its own."""
     return [shown for _, shown in sorted({**dict(enumerate(range(len(made)))), **dict(zip(lit, nearest.of_all(shades)))}.items())]

@@ -74,6 +74,7 @@ def _lens(top):
     return width, height, fov, near, far, inset, _centre(view, width, height, fov, inset)
 
 
+# rgb565 3.5
 def _target(top, scene):
     """How the scene asks to be drawn: pixels, depth buffer and order. visibility = "depth" means depth = 16."""
     view = top.table("view", _VIEW_KEYS)

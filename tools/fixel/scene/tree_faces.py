@@ -108,6 +108,7 @@ def _root(square):
     return 1 + isqrt(square - 1) if square else 0
 
 
+# bsp 2.4
 def check_sides(vertices, faces, nodes):
     """How far, in units of 2^-46, a vertex of a face lies on the wrong side of a plane that it is
     under: at most image_tree.PLANARITY_MAX << 30 in a sound tree."""
