@@ -228,6 +228,22 @@ def test_emissive_and_unlit_materials(tmp_path, entry, colour, unlit, note):
     assert any("emissive" in each for each in notes) == note
 
 
+@pytest.mark.parametrize("alphas, mode, note", [((0, 128), "BLEND", True), ((0, 255), "BLEND", False), ((0, 128), "MASK", False)])
+def test_alpha_between_clear_and_opaque_is_named_where_it_would_blend(tmp_path, alphas, mode, note):
+    image = png([[(200, 0, 0, alphas[0])] * 4 + [(0, 100, 0, alphas[1])] * 4] * 8)
+    data, blob = make(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=image)
+    data["materials"][0]["alphaMode"] = mode
+    _, notes = read(tmp_path, glb(data, blob))
+    assert any('1 x "an image\'s alpha between clear and opaque: from a half on it is opaque"' in each for each in notes) == note
+
+
+@pytest.mark.parametrize("colours, note", [([(255, 0, 0, 255), (0, 255, 0, 255)] * 2, True), ([(255, 255, 255, 255)] * 4, False)])
+def test_colours_of_vertices_that_multiply_an_image_are_named(tmp_path, colours, note):
+    _, notes = read(tmp_path, glb(*make(uvs=[(0, 0), (1, 0), (1, 1), (0, 1)], image=png([[(200, 0, 0)]]), colours=colours)))
+    assert any("the mean of a face's corners multiplies its image" in each for each in notes) == note
+    assert not any("each face has the mean" in each for each in notes)
+
+
 def test_an_emissive_colour_is_added_to_another_one_but_not_to_an_image(tmp_path):
     data, blob = make(material={"baseColorFactor": [0, 0.2158605, 0, 1]})
     data["materials"][0]["emissiveFactor"] = [1, 0, 0]

@@ -17,7 +17,7 @@ from fixel.model.gltf_nodes import Nodes
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.model.sources import Sources
 from fixel.model.stl import COORDINATE_LIMIT, exact
-from fixel.model.surface import MEAN_NOTE, WHITE, Surfaces
+from fixel.model.surface import MEAN_NOTE, TINT_NOTE, WHITE, Surfaces
 
 _CONVENTION = ("right-handed and counter-clockwise, as glTF is: z was negated and every outline reversed")
 # Of a place, a coordinate or a colour: the whole ones normalised, or as they are (KHR_mesh_quantization).
@@ -261,6 +261,8 @@ def read(path, name=None, progress=None, sources=None):
     reader.surfaces.give_corners(reader.corners + [None] * (len(reader.faces) - len(reader.corners)))
     if reader.surfaces.have_corners():
         notes.append(f"{name}: {MEAN_NOTE}")
+    if reader.surfaces.have_tinted_images():
+        notes.append(f"{name}: {TINT_NOTE}")
     if reader.left_out:
         notes.append(f"{name}: left out points and lines: {reader.left_out:,} primitives")
     left_out, more = gltf_left_out.notes(checked)

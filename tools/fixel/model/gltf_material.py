@@ -156,6 +156,8 @@ class Materials:
             self.checked.fail(where, f"alphaMode {gltf_check.quoted(mode)} is none of OPAQUE, MASK and BLEND: the file is damaged")
         image, *rest = self._texture(texture, where) if texture is not None else (None,)
         cutoff, = gltf_check.numbers(self.checked, {"alphaCutoff": [entry.get("alphaCutoff", 0.5)]}, "alphaCutoff", 1, where)
+        if mode == "BLEND" and image is not None and image.is_translucent():
+            self.left_out.add("an image's alpha between clear and opaque: from a half on it is opaque", where)
         material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), min(max(factor[3], 0.0), 1.0) if mode == "BLEND" else 1.0,
                             self._with_alpha(image, mode, factor[3], cutoff), is_unlit=keeps_colour,
                             is_two_sided=entry.get("doubleSided") is True, is_clear=mode != "OPAQUE")

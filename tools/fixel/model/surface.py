@@ -31,6 +31,7 @@ def mean_tint(colours):
 
 
 MEAN_NOTE = "the vertices have colours: each face has the mean of its corners' colours"
+TINT_NOTE = "vertices of faces with an image have colours: the mean of a face's corners multiplies its image"
 APART_MIN = 4       # of 255: corners whose colours differ by no more have one colour
 
 
@@ -83,6 +84,11 @@ class Surfaces:
     def have_corners(self):
         """Whether a face that shows no image has colours at its corners."""
         return any(own and (self.uvs[face] is None or self.materials[self.of_face[face]].image is None)
+                   for face, own in enumerate(self.corners))
+
+    def have_tinted_images(self):
+        """Whether a face that shows an image has colours at its corners."""
+        return any(own and self.uvs[face] is not None and self.materials[self.of_face[face]].image is not None
                    for face, own in enumerate(self.corners))
 
     def own_colour(self, face):

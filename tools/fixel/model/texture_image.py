@@ -18,6 +18,7 @@ FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
 EXIF_MAX, _EXIF = 64, b"Exif\0\0"
 COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
 PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
+_EDGE_SHARE = 1 / 20
 _CHUNK = 1024           # triangles at a time
 _STEPS = 8              # a triangle's mean has samples at this many places along an edge
 _ORIENTATION = 0x0112       # of Exif
@@ -54,6 +55,11 @@ class Texture:
             pixels[..., 3] = 255 if cutoff is None else np.where(pixels[..., 3] >= 255 * cutoff, 255, 0)
             return pixels
         return self if (self.pixels[..., 3] == 255).all() and (cutoff is None or cutoff <= 1) else self._once(("alpha", cutoff), make)
+
+    def is_translucent(self):
+        """Whether more than a few of its pixels, as edges have them, are neither clear nor opaque."""
+        alpha = self.pixels[..., 3]
+        return bool(np.count_nonzero((alpha > 0) & (alpha < 255)) > _EDGE_SHARE * alpha.size)
 
     def mirrored(self, across, down):
         """The image and its mirror image beside it, below it, or both."""
