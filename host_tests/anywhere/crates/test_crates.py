@@ -12,7 +12,7 @@ from PIL import Image
 from conftest import CHECKOUT, run_cli
 from fixel.base.version import version
 from fixel.check import frozen_frames
-from outside import cargo, first_program, need_cargo, run
+from outside import cargo, first_program, need, need_cargo, run
 
 HERE = pathlib.Path(__file__).parent
 CARGO = (1, 82)     # as the manifests state
@@ -46,14 +46,22 @@ def test_there_is_no_warning(crates, tested):
     assert "warning" not in cargo("doc", "--no-deps", "-p", "fixel", folder=crates)
 
 
-def test_frames_are_the_frozen_ones(crates, tested, tmp_path):
+def test_clippy_has_nothing_to_say(crates, tested):
+    need("cargo-clippy")
+    assert "ok" in tested and "warning" not in cargo("clippy", "--all-targets", folder=crates)
+
+
+@pytest.mark.parametrize("name, size, count", [("plaza", 320 * 240, 120), ("lit", 320 * 240, 1), ("room", 160 * 120, 1)])
+def test_frames_are_the_frozen_ones(crates, tested, tmp_path, name, size, count):
+    """Flat, lit, and textured with light at the corners. In the last two things move, which the example does not: their first frame."""
     assert "ok" in tested
-    done = run_cli("build", CHECKOUT / "scenes" / "plaza.toml", "-o", tmp_path / "plaza.fxls")
+    done = run_cli("build", CHECKOUT / "scenes" / f"{name}.toml", "-o", tmp_path / "scene.fxls")
     assert done.returncode == 0, done.stderr
-    cargo("run", "--example", "frames", "--", tmp_path / "plaza.fxls", tmp_path / "frames.raw", folder=crates)
-    drawn, frozen = (tmp_path / "frames.raw").read_bytes(), frozen_frames.load()["plaza"]["frames"]
-    assert len(drawn) == len(frozen) * 320 * 240
-    assert [hashlib.sha256(drawn[at:at + 320 * 240]).hexdigest()[:frozen_frames.DIGITS] for at in range(0, len(drawn), 320 * 240)] == frozen
+    cargo("run", "--example", "frames", "--", tmp_path / "scene.fxls", tmp_path / "frames.raw", folder=crates)
+    drawn, frozen = (tmp_path / "frames.raw").read_bytes(), frozen_frames.load()[name]["frames"]
+    assert len(drawn) == len(frozen) * size and count <= len(frozen)
+    hashes = [hashlib.sha256(drawn[at:at + size]).hexdigest()[:frozen_frames.DIGITS] for at in range(0, count * size, size)]
+    assert hashes == frozen[:count]
 
 
 def test_the_picture_of_the_simulator_is_the_librarys(crates, tested, tmp_path):

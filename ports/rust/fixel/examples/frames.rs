@@ -8,7 +8,7 @@
 use std::error::Error;
 use std::io::Write;
 
-use fixel::{target, Config, Renderer, Scene};
+use fixel::{target, Config, Error as Refused, Light, LightSettings, LitSurfaces, Renderer, Scene, SurfaceSet, Surfaces, Texture};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let names: Vec<String> = std::env::args().skip(1).collect();
@@ -29,7 +29,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scene = Scene::open(aligned)?;
     let (width, height) = scene.size();
     let mut memory = vec![0_u64; 1 << 16];
+    let mut textures = vec![Texture::EMPTY; 64];
+    let set = match SurfaceSet::open(&scene, &mut textures) {
+        Err(Refused::Argument) => None, // there are none
+        other => Some(other?),
+    };
+    let (mut surfaces, mut lit, mut light) = (Surfaces::new(), LitSurfaces::new(), Light::new());
     let mut renderer = Renderer::<target::Palette>::new(&scene, Config::of(&scene), &mut memory)?;
+    if let Some(set) = &set {
+        renderer.attach_surfaces(&mut surfaces, set)?;
+        renderer.attach_lit(&mut lit)?;
+    }
+    if let Some(settings) = LightSettings::of(&scene) {
+        renderer.attach_light(&mut light, &settings)?;
+    }
     let mut pixels = vec![0_u8; usize::from(width) * usize::from(height)];
     let mut file = std::fs::File::create(out)?;
     let start = [scene.start()];

@@ -64,7 +64,7 @@ pub use movable::{Drawn, Instance, MovableScene, Placement};
 pub use numbers::{degrees, ratio, rgb565, units, Orientation, Point, Pose};
 pub use renderer::{Config, Renderer};
 pub use scene::Scene;
-pub use surfaces::{Light, LightSettings, SurfaceSet, Surfaces, Texture};
+pub use surfaces::{Light, LightSettings, LitSurfaces, SurfaceSet, Surfaces, Texture};
 
 /// The version of the C library, as in `"0.9.0"`: that of the crate.
 ///

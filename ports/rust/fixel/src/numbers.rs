@@ -65,7 +65,7 @@ pub const fn degrees(n: i32) -> u32 {
 /// assert_eq!(fixel::rgb565(255, 0, 255), 0xF81F);
 /// ```
 pub const fn rgb565(red: u8, green: u8, blue: u8) -> u16 {
-    (red as u16 / 8) << 11 | (green as u16 / 4) << 5 | blue as u16 / 8
+    (red as u16 / 8) << 11 | (green as u16 / 4) << 5 | (blue as u16 / 8)
 }
 
 /// How an instance is turned.

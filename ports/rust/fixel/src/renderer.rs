@@ -10,7 +10,7 @@ use crate::frame::Frame;
 use crate::movable::{Drawn, Placement, Tables};
 use crate::numbers::{Point, Pose};
 use crate::scene::Scene;
-use crate::surfaces::{Light, LightSettings, SurfaceSet, Surfaces};
+use crate::surfaces::{Light, LightSettings, LitSurfaces, SurfaceSet, Surfaces};
 use crate::target::Target;
 
 /// What a renderer is made with.
@@ -238,9 +238,14 @@ impl<'a, T: Target> Renderer<'a, T> {
         Ok(())
     }
 
-    /// Shows the surfaces of a scene: textures and more. The record is memory of the caller's.
+    /// Shows the surfaces of the renderer's scene: textures and more. The record is memory of the caller's.
+    /// [`Error::Combination`]: they are another scene's.
     pub fn attach_surfaces(&mut self, surfaces: &'a mut Surfaces, set: &'a SurfaceSet<'_>) -> Result<(), Error> {
-        // SAFETY: both live for 'a.
+        // SAFETY: the scene lives for 'a.
+        if unsafe { (*self.raw.scene).faces } != set.faces {
+            return Err(Error::Combination);
+        }
+        // SAFETY: both live for 'a, and the set has an entry for each face of the scene.
         check(unsafe { sys::fxl_attach_surfaces(&mut self.raw, surfaces.0.as_mut_ptr(), &set.raw, T::surfaces()) })
     }
 
@@ -248,6 +253,12 @@ impl<'a, T: Target> Renderer<'a, T> {
     pub fn attach_light(&mut self, light: &'a mut Light, settings: &LightSettings<'a>) -> Result<(), Error> {
         // SAFETY: the record and the ramp live for 'a; the settings are copied.
         check(unsafe { sys::fxl_attach_light(&mut self.raw, light.0.as_mut_ptr(), &settings.raw) })
+    }
+
+    /// Has surfaces that are lit take the light at their corners. The record is memory of the caller's.
+    pub fn attach_lit(&mut self, lit: &'a mut LitSurfaces) -> Result<(), Error> {
+        // SAFETY: the record lives for 'a.
+        check(unsafe { sys::fxl_attach_lit(&mut self.raw, lit.0.as_mut_ptr()) })
     }
 
     fn movable(&self, instance: usize) -> Result<(Tables, sys::fxl_instance), Error> {

@@ -35,6 +35,8 @@ impl Texture {
 /// ```
 pub struct SurfaceSet<'a> {
     pub(crate) raw: sys::fxl_surface_set,
+    /// Those of the scene that the set belongs to: its map has an entry for each.
+    pub(crate) faces: *const sys::fxl_face,
     _memory: PhantomData<(&'a Scene<'a>, &'a [Texture])>,
 }
 
@@ -49,7 +51,7 @@ impl<'a> SurfaceSet<'a> {
             check(sys::fxl_surfaces_open(&scene.image, textures.as_mut_ptr().cast(), count, set.as_mut_ptr(), ptr::null_mut()))?;
             set.assume_init()
         };
-        Ok(SurfaceSet { raw, _memory: PhantomData })
+        Ok(SurfaceSet { raw, faces: scene.image.scene.faces, _memory: PhantomData })
     }
 }
 
@@ -69,6 +71,27 @@ impl Surfaces {
 }
 
 impl Default for Surfaces {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// What a renderer with smooth light on its surfaces keeps; the caller owns it.
+///
+/// ```
+/// let lit = fixel::LitSurfaces::new();
+/// # let _ = lit;
+/// ```
+pub struct LitSurfaces(pub(crate) MaybeUninit<sys::fxl_lit_surfaces>);
+
+impl LitSurfaces {
+    /// One that is attached to no renderer.
+    pub const fn new() -> Self {
+        LitSurfaces(MaybeUninit::zeroed())
+    }
+}
+
+impl Default for LitSurfaces {
     fn default() -> Self {
         Self::new()
     }

@@ -54,7 +54,7 @@ macro_rules! targets {
         impl $name {
             /// Words of 64 bits of a depth buffer for so many rows; 0 without one.
             pub const fn depth_words(width: u16, rows: u16) -> usize {
-                if $bits == 0 { 0 } else { 1 + (width as usize * rows as usize * ($bits / 8) + 7) / 8 }
+                if $bits == 0 { 0 } else { 1 + (width as usize * rows as usize * ($bits / 8)).div_ceil(8) }
             }
         }
     )*};

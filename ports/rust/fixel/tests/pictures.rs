@@ -60,6 +60,21 @@ fn areas_are_parts_of_the_picture_and_touch_nothing_else() -> Result<(), Error> 
 }
 
 #[test]
+fn a_picture_is_cleared_to_the_background() -> Result<(), Error> {
+    let scene = Scene::open(CUBE)?;
+    let mut memory = [0; 600];
+    let config = Config::of(&scene).background(77);
+    let mut renderer = Renderer::<target::Palette>::new(&scene, config, &mut memory)?;
+    let mut pixels = vec![1; WIDTH * HEIGHT];
+    renderer.render(&scene.start(), &mut pixels)?;
+    assert_eq!((pixels[0], pixels[WIDTH * HEIGHT - 1]), (77, 77));
+    let mut strip = [1; WIDTH];
+    renderer.begin(&scene.start())?.draw_rows(&mut strip, 0, 1)?;
+    assert_eq!(strip, [77; WIDTH]);
+    Ok(())
+}
+
+#[test]
 fn strips_are_a_drawable() -> Result<(), Error> {
     let scene = Scene::open(CUBE)?;
     let (palette, mut picture) = (scene.palette_565(), whole(&scene)?);
