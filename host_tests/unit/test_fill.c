@@ -49,6 +49,7 @@ void test_a_span_may_take_the_whole_row(void)
                   "..........");
 }
 
+/* SPEC 4.9 */
 void test_a_band_stays_within_its_stride(void)
 {
     fxl_band band = band_of_memory();

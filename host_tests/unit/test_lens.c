@@ -16,6 +16,7 @@ static fxl_status try_lens(uint16_t width, uint16_t height, fxl_angle fov, fxl_q
     return status;
 }
 
+/* SPEC 2.1 */
 void test_ninety_degrees_is_half_the_width(void)
 {
     fxl_lens lens = unit_lens(320, 240);

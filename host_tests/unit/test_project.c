@@ -37,6 +37,9 @@ void test_right_is_right_and_up_is_up(void)
     TEST_ASSERT_EQUAL_INT32(Q16(40), project(&lens, 0, V(1), V(2)).y);
     TEST_ASSERT_EQUAL_INT32(Q16(80), project(&lens, -V(7000), 0, V(14000)).x);
     TEST_ASSERT_EQUAL_INT32(Q16(200), project(&lens, 0, -V(7000), V(14000)).y);
+    /* far beside the screen */
+    TEST_ASSERT_EQUAL_INT32(Q16(960), project(&lens, V(10), 0, V(2)).x);
+    TEST_ASSERT_EQUAL_INT32(Q16(-680), project(&lens, 0, V(10), V(2)).y);
 }
 
 /* |offset - focal side / depth| <= 1/2 + 2^-31 |offset| + 2^-30, times 2^32

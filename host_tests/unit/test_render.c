@@ -61,6 +61,30 @@ static uint32_t accounted(const fxl_counters *c)
     return c->backfacing + c->outside + c->degenerate + c->refused + c->drawn;
 }
 
+/* Colours of the cube are 1 + the number of the face. */
+/* SPEC 6.2 */
+void test_faces_of_a_convex_model_come_by_number(void)
+{
+    const fxl_rows all = {0, HEIGHT};
+    tiny_scene *tiny = start(0);
+    uint32_t pairs = 0;
+    tiny->scene.instance_count = 1;
+    for (int number = 0; number < 4; number++) { /* from above four of its corners */
+        fxl_pose pose = {{number < 2 ? Q16(-3) : Q16(3), Q16(3), number % 3 == 0 ? Q16(-3) : Q16(3)},
+                         (uint32_t)number * DEGREES(90) + DEGREES(45), 0u - DEGREES(35), 0};
+        const fxl_display_list *drawn = &renderers[0].frame.display_list;
+        const fxl_screen_polygon *record;
+        uint32_t place = 0, before = 0;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderers[0], &pose));
+        while ((record = fxl_display_list_next(drawn, all, &place)) != NULL) {
+            TEST_ASSERT_TRUE(record->colour > before);
+            pairs += before > 0;
+            before = record->colour;
+        }
+    }
+    TEST_ASSERT_EQUAL_UINT32(4 * 2, pairs); /* three faces each */
+}
+
 void test_a_cube_ahead_is_a_square(void)
 {
     start(0);

@@ -130,7 +130,7 @@ void test_a_texel_of_the_key_is_not_drawn(void)
     TEST_ASSERT_GREATER_THAN(2, holes);
 }
 
-/* rgb565 1.3 */
+/* SPEC 9.5, rgb565 1.3 */
 void test_indices_take_their_colour_of_the_palette(void)
 {
     static const uint8_t colours[16] = {30,  41,  52, 63, 74, 85, 96, 107,

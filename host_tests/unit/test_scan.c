@@ -2,6 +2,7 @@
 /* The fill rule, as pictures and against its definition. */
 #include "picture.h"
 
+/* SPEC 1.1 */
 void test_whole_pixels(void)
 {
     CHECK_PICTURE(POINTS(1, 1, 5, 1, 5, 4, 1, 4),

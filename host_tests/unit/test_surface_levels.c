@@ -271,7 +271,7 @@ void test_an_affine_face_beyond_the_screen_is_divided(void)
 /* --- blending ------------------------------------------------------------------------------ */
 
 /* Three colours from QUAD_COLOUR on are blended; the one of the face is the first. */
-/* SPEC 9.6, surfaces 4.3 */
+/* SPEC 9.5, 9.6, surfaces 1.1, 4.3 */
 void test_colours_are_blended_with_those_beneath(void)
 {
     static uint8_t table[FXL_BLEND_TABLE_BYTES(3)], plain[16];

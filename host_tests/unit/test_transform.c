@@ -78,6 +78,7 @@ void test_a_step_along_an_axis_gives_a_column(void)
     TEST_ASSERT_EQUAL_INT64(camera.axes.forward.z, view.z);
 }
 
+/* SPEC 2.1 */
 void test_an_unturned_view_is_the_difference(void)
 {
     fxl_pose pose = {{Q16(-8191), Q16(100.5), 3}, 0, 0, 0};

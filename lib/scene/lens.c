@@ -20,7 +20,7 @@ static bool depth_in_range(fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset
            (uint32_t)inset <= FXL_INSET_MAX && 2 * inset < far_z - near_z;
 }
 
-/* SPEC 3.1, 4.2 */
+/* SPEC 2.1, 3.1, 4.2 */
 FXL_COLD fxl_status fxl_lens_from_fov(uint16_t width, uint16_t height, fxl_angle fov,
                                       fxl_q16_16 near_z, fxl_q16_16 far_z, fxl_q16_16 inset,
                                       fxl_lens *lens)

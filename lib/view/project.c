@@ -216,6 +216,7 @@ fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_p
     by.depth = (high >> 1) + (high & 1u);
     by.scale = scale_of(projection, by.depth);
     screen->x = projection->centre_x + offset_of(&by, view->x);
+    /* SPEC 1.1 */
     screen->y = projection->centre_y - offset_of(&by, view->y);
     return FXL_OK;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "model_view.h"
 
-/* SPEC 3.3, 4.6, clippers 1.4 */
+/* SPEC 2.1, 3.3, 4.6, clippers 1.4 */
 void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view)
 {
     FXL_ASSERT(fxl_point_in_range(point));
