@@ -146,6 +146,16 @@ def test_a_font_without_letters_of_ascii_is_written_whole(tmp_path):
     assert "none of the characters 32-126: those from 7 to 200 are written" in done.stderr and "2 characters" in done.stderr
 
 
+def test_a_font_whose_codes_are_all_above_255_is_numbered_anew(tmp_path):
+    text = HEAD + WIDE.replace("ENCODING 65", "ENCODING 57345") + QUESTION.replace("ENCODING 63", "ENCODING 945") + "ENDFONT\n"
+    font = bdf.parse(text, "x")
+    alone = bdf.parse(SOUND, "x")
+    assert font.glyphs == {32: alone.glyphs[63], 33: alone.glyphs[65]}
+    assert font.notes == ["x: all 2 characters have codes above 255: U+03B1 to U+E001, in turn, are written as 32 to 33"]
+    many = HEAD + "".join(QUESTION.replace("ENCODING 63", f"ENCODING {code}") for code in range(1000, 1300)) + "ENDFONT\n"
+    assert "all 300 characters have codes above 255: U+03E8 to U+04C7, in turn, are written as 32 to 255" in bdf.parse(many, "x").notes[0]
+
+
 @pytest.mark.parametrize("text, words", [
     ("", "is not a BDF font"),
     ("STARTFONT 2.1\n", "ENDFONT is missing"),

@@ -12,6 +12,7 @@ FILE_MAX = 16 << 20     # bytes
 SIDE_MAX = 255          # pixels of a character, of its advance and of a line
 OFFSET_MAX = 127        # of a picture from the pen and from the top of the line
 CODES = range(256)
+RENUMBERED = range(32, 256)     # the codes of a font's characters that has none of CODES
 
 
 @dataclass
@@ -112,6 +113,18 @@ def _glyph(lines):
     return code, box, Glyph(box[0], box[1], box[2], 0, advance, rows)
 
 
+def _renumber(font, boxes, name):
+    """Leaves the characters of CODES. A font that has none of these, of icons or of another script, gets others in turn."""
+    codes = sorted(font.glyphs)
+    kept = {code: code for code in codes if code in CODES}
+    if codes and not kept:
+        kept = dict(zip(codes, RENUMBERED))
+        font.notes.append(f"{name}: all {len(codes):,} characters have codes above 255: U+{codes[0]:04X} to U+{max(kept):04X}, in turn, "
+                          f"are written as {RENUMBERED[0]} to {max(kept.values())}")
+    font.glyphs = {new: font.glyphs[code] for code, new in kept.items()}
+    return {new: boxes[code] for code, new in kept.items()}
+
+
 def parse(text, name):
     """A Font from the text of a file."""
     lines, boxes, font = _Lines(text, name), {}, Font(None, None, {})
@@ -129,7 +142,7 @@ def parse(text, name):
         elif words[0] == "STARTCHAR":
             where = lines.where
             code, box, glyph = _glyph(lines)
-            if code in CODES:
+            if code >= 0:
                 if code in font.glyphs:
                     raise ToolError(f"{where}: character {code} is there a second time")
                 font.glyphs[code], boxes[code] = glyph, (where, box)
@@ -137,7 +150,7 @@ def parse(text, name):
         if not font.glyphs:
             raise ToolError(f"{name}: ENDFONT is missing, and there is no character, so the file is not whole")
         font.notes.append(f"{name}: ENDFONT is missing: the file may be cut off behind a character")
-    return _with_tops(font, bounds, boxes, name)
+    return _with_tops(font, bounds, _renumber(font, boxes, name), name)
 
 
 def _with_tops(font, bounds, boxes, name):
