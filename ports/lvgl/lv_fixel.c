@@ -17,6 +17,7 @@ typedef struct {
     fxl_renderer *renderer; /* null: there is none */
     fxl_pose pose, shown;   /* as set; as of the frame that was begun last */
     uint16_t *swapped;      /* the palette with its bytes swapped; null: not needed yet */
+    uint32_t swapped_in;    /* as counters.frames has it: the frame that it was made for */
     lv_fixel_counters_t counters;
     const char *refusal;
     bool is_begun;      /* a frame is */
@@ -74,8 +75,9 @@ static void follow_refresh(lv_event_t *event)
 static lv_fixel_t *widget_of(const lv_draw_task_t *task)
 {
     const lv_draw_dsc_base_t *base = task->draw_dsc;
-    return task->type == LV_DRAW_TASK_TYPE_FILL && base->user_data == &mark ? (lv_fixel_t *)base->obj
-                                                                            : NULL;
+    return task->type == LV_DRAW_TASK_TYPE_FILL && base->user_data == &mark
+               ? (lv_fixel_t *)base->obj
+               : NULL;
 }
 
 static bool is_transformed(const lv_draw_task_t *task)
@@ -155,15 +157,20 @@ static bool is_plain(const fxl_renderer *renderer)
            (renderer->shader == NULL || (extras != NULL && renderer->shader == extras->last));
 }
 
-/* The palette with the bytes of each colour swapped; null: there is no memory for it. */
+/* The palette with the bytes of each colour swapped, made once a frame; null: there is no memory
+ * for it. */
 static const uint16_t *swapped_palette(lv_fixel_t *widget)
 {
     if (widget->swapped == NULL) {
         widget->swapped = lv_malloc(FXL_PALETTE_COLOURS * sizeof(uint16_t));
+        widget->swapped_in = 0;
     }
-    for (uint32_t i = 0; widget->swapped != NULL && i < FXL_PALETTE_COLOURS; i++) {
-        const uint16_t colour = widget->renderer->palette[i];
-        widget->swapped[i] = (uint16_t)(colour << 8 | colour >> 8);
+    if (widget->swapped != NULL && widget->swapped_in != widget->counters.frames) {
+        widget->swapped_in = widget->counters.frames;
+        for (uint32_t i = 0; i < FXL_PALETTE_COLOURS; i++) {
+            const uint16_t colour = widget->renderer->palette[i];
+            widget->swapped[i] = (uint16_t)(colour << 8 | colour >> 8);
+        }
     }
     return widget->swapped;
 }
@@ -185,12 +192,13 @@ static fxl_status draw(lv_fixel_t *widget, const lv_draw_task_t *task, const lv_
         .first_column = (uint16_t)(area->x1 - task->area.x1),
         .columns = (uint16_t)lv_area_get_width(area),
     };
+    fxl_status status = begin_shown(widget);
     /* Colours of the palette are stored swapped. Others are swapped once the band is drawn. */
-    const uint16_t *swapped = is_swapped && is_plain(widget->renderer) ? swapped_palette(widget) : NULL;
+    const uint16_t *swapped =
+        is_swapped && is_plain(widget->renderer) ? swapped_palette(widget) : NULL;
     if (swapped != NULL) {
         band.palette = swapped;
     }
-    fxl_status status = begin_shown(widget);
     if (status == FXL_OK) {
         fxl_frame_fill(widget->renderer, &band, widget->renderer->frame.background);
         status = fxl_frame_draw(widget->renderer, &band);

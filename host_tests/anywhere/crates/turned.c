@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The last picture of ports/rust/fixel/examples/turning.rs without its text, by the library itself: RGB565 on standard output. */
+/* The last picture of ports/rust/fixel/examples/turning.rs without its text, by the library itself:
+ * RGB565 on standard output. */
 #include "cube_scene.h"
 #include <fixel/all.h>
 #include <stdio.h>

@@ -52,7 +52,8 @@ void begin_display(lv_color_format_t format)
     lv_display_t *display = lv_display_create(WIDTH, HEIGHT);
     lv_display_set_color_format(display, format);
     lv_display_set_flush_cb(display, flush);
-    lv_display_set_buffers(display, buffer.pixels, NULL, WIDTH * ROWS * pixel_bytes(), LV_DISPLAY_RENDER_MODE_PARTIAL);
+    lv_display_set_buffers(display, buffer.pixels, NULL, WIDTH * ROWS * pixel_bytes(),
+                           LV_DISPLAY_RENDER_MODE_PARTIAL);
 }
 
 void end_display(void)
@@ -102,7 +103,8 @@ fxl_status make_model(model_t *model, bool is_wide, uint16_t width, uint16_t hei
         model->scene.faces = model->faces;
         config.background = 17;
     }
-    return fxl_renderer_init(&model->renderer, &model->scene, &config, model->memory, sizeof model->memory);
+    return fxl_renderer_init(&model->renderer, &model->scene, &config, model->memory,
+                             sizeof model->memory);
 }
 
 void turn_model(model_t *model, uint32_t k)
@@ -123,7 +125,8 @@ static uint32_t expected_at(const void *pixels, size_t place)
         return ((const uint8_t *)pixels)[place];
     }
     const uint32_t pixel = ((const uint16_t *)pixels)[place];
-    return format_of_screen == LV_COLOR_FORMAT_RGB565_SWAPPED ? (pixel << 8 | pixel >> 8) & 0xFFFFu : pixel;
+    return format_of_screen == LV_COLOR_FORMAT_RGB565_SWAPPED ? (pixel << 8 | pixel >> 8) & 0xFFFFu
+                                                              : pixel;
 }
 
 static uint32_t shown_at(int32_t x, int32_t y)
@@ -132,7 +135,8 @@ static uint32_t shown_at(int32_t x, int32_t y)
     return pixel_bytes() == 1 ? at[0] : at[0] | (uint32_t)at[1] << 8;
 }
 
-long pixels_that_differ(model_t *model, const fxl_pose *eye, int32_t x, int32_t y, box_t within, const box_t *without, size_t count)
+long pixels_that_differ(model_t *model, const fxl_pose *eye, int32_t x, int32_t y, box_t within,
+                        const box_t *without, size_t count)
 {
     static uint16_t pixels[WIDTH * HEIGHT];
     const fxl_lens *lens = &model->renderer.frame.view.lens;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the tests of lv_fixel share: a memory display, a scene whose model turns, and its picture by the library alone. */
+/* What the tests of lv_fixel share: a memory display, a scene whose model turns, and its picture by
+ * the library alone. */
 #ifndef DASHBOARD_H
 #define DASHBOARD_H
 
@@ -7,7 +8,7 @@
 
 #define WIDTH      320
 #define HEIGHT     240
-#define ROWS       40  /* of the display's buffer */
+#define ROWS       40 /* of the display's buffer */
 #define VIEW_X     12
 #define VIEW_Y     25
 #define VIEW_W     200
@@ -26,7 +27,8 @@ void end_display(void);
 void refresh(void);
 bool canaries_are_intact(void);
 
-/* A renderer and its scene, of which there are two: the widget's, and the one that it is compared with. */
+/* A renderer and its scene, of which there are two: the widget's, and the one that it is compared
+ * with. */
 typedef struct {
     fxl_scene scene;
     fxl_placement placement;
@@ -50,9 +52,11 @@ typedef struct {
     int32_t x, y, end_x, end_y;
 } box_t;
 
-/* Draws the model as the library does, and counts the pixels of the display that differ from it within a box, but for those
- * in the boxes that are left out. at: where the picture is on the display. */
-long pixels_that_differ(model_t *model, const fxl_pose *eye, int32_t x, int32_t y, box_t within, const box_t *without, size_t count);
+/* Draws the model as the library does, and counts the pixels of the display that differ from it
+ * within a box, but for those in the boxes that are left out. at: where the picture is on the
+ * display. */
+long pixels_that_differ(model_t *model, const fxl_pose *eye, int32_t x, int32_t y, box_t within,
+                        const box_t *without, size_t count);
 
 /* Tests, each a line on standard output. */
 void test_dashboard(void);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* All tests of lv_fixel, and two programs whose sizes are compared: a dashboard with the widget, and with a plain one in its place. */
+/* All tests of lv_fixel, and two programs whose sizes are compared: a dashboard with the widget,
+ * and with a plain one in its place. */
 #include "dashboard.h"
 
 #include <stdio.h>
@@ -23,7 +24,8 @@ static void run_with(lv_obj_t *(*make_view)(lv_obj_t *parent))
 {
     lv_mem_monitor_t before, after;
     begin_display(LV_COLOR_FORMAT_RGB565);
-    lv_obj_t *label = lv_label_create(lv_screen_active()), *button = lv_button_create(lv_screen_active());
+    lv_obj_t *label = lv_label_create(lv_screen_active()),
+             *button = lv_button_create(lv_screen_active());
     lv_label_set_text(label, "speed 42");
     lv_obj_set_pos(button, 200, 180);
     lv_mem_monitor(&before);
@@ -31,7 +33,8 @@ static void run_with(lv_obj_t *(*make_view)(lv_obj_t *parent))
     lv_mem_monitor(&after);
     lv_obj_set_pos(view, VIEW_X, VIEW_Y);
     refresh();
-    printf("heap: %d bytes for the widget, screen %u\n", (int)(before.free_size - after.free_size), screen[VIEW_Y + 75][2 * (VIEW_X + 100)]);
+    printf("heap: %d bytes for the widget, screen %u\n", (int)(before.free_size - after.free_size),
+           screen[VIEW_Y + 75][2 * (VIEW_X + 100)]);
     end_display();
 }
 

@@ -129,6 +129,7 @@ def test_what_it_cannot_draw_is_refused_and_counted(said, record_property):
     for shift, mask in ((11, 31), (5, 63), (0, 31)):
         assert abs((int(found[5], 16) >> shift & mask) * 2 - (int(found[6], 16) >> shift & mask)) <= 2
     assert "d: rotation: 0 stored, refused yes: the layer is neither RGB565 nor L8" in said
+    assert "d: recoloured: 0 stored, refused yes: a widget that is recoloured is not drawn" in said
     assert "d: a layer with alpha: 0 stored, refused yes: the layer is neither RGB565 nor L8" in said
     assert figures(said, r"d: a whole layer at 50 %: (\d+) stored, (\d+) refused, (\d+) pixels are not half of the frame's colour") == [VIEW, 0, 0]
     record_property("figure", f"(d) opacity of 50 %: {refused} refused, {plain} of {all_of_them} pixels a plain rectangle")

@@ -9,7 +9,8 @@
 
 static model_t model, twin;
 static lv_obj_t *view, *label, *button;
-static const fxl_pose eye = {.position = {0, FXL_UNITS(2), FXL_UNITS(-8)}, .pitch = FXL_DEGREES(-12)};
+static const fxl_pose eye = {.position = {0, FXL_UNITS(2), FXL_UNITS(-8)},
+                             .pitch = FXL_DEGREES(-12)};
 static const box_t whole_view = {VIEW_X, VIEW_Y, VIEW_X + VIEW_W, VIEW_Y + VIEW_H};
 
 static box_t box_of(const lv_obj_t *obj)
@@ -24,14 +25,17 @@ static long size_of(box_t box)
     return (long)(box.end_x - box.x) * (box.end_y - box.y);
 }
 
-/* The dashboard: a widget with a label over it, and a button beside it, which covers a corner of it. */
+/* The dashboard: a widget with a label over it, and a button beside it, which covers a corner of
+ * it. */
 static void make_dashboard(lv_color_format_t format)
 {
     const bool is_wide = format != LV_COLOR_FORMAT_L8;
     begin_display(format);
-    const fxl_status made = make_model(&model, is_wide, VIEW_W, VIEW_H), twin_made = make_model(&twin, is_wide, VIEW_W, VIEW_H);
+    const fxl_status made = make_model(&model, is_wide, VIEW_W, VIEW_H),
+                     twin_made = make_model(&twin, is_wide, VIEW_W, VIEW_H);
     view = lv_fixel_create(lv_screen_active());
-    const fxl_status set = lv_fixel_set_renderer(view, &model.renderer, is_wide ? NULL : grey_palette[0]);
+    const fxl_status set =
+        lv_fixel_set_renderer(view, &model.renderer, is_wide ? NULL : grey_palette[0]);
     printf("made: %d %d %d\n", made, twin_made, set);
     lv_fixel_set_pose(view, &eye);
     lv_obj_set_pos(view, VIEW_X, VIEW_Y);
@@ -77,17 +81,23 @@ static void change_label(const char *name, const char *text)
     long changed_outside = 0, changed = 0;
     for (int32_t y = 0; y < HEIGHT; y++) {
         for (int32_t x = 0; x < WIDTH; x++) {
-            const bool has_changed = memcmp(&screen[y][2 * x], &before[y * 2 * WIDTH + 2 * x], 2) != 0;
+            const bool has_changed =
+                memcmp(&screen[y][2 * x], &before[y * 2 * WIDTH + 2 * x], 2) != 0;
             const bool is_inside = x >= box.x && x < box.end_x && y >= box.y && y < box.end_y;
             changed += has_changed;
             changed_outside += has_changed && !is_inside;
         }
     }
     const box_t without[] = {box, box_of(button)};
-    const long differ = pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
-    printf("%s: %u pixels stored by %u task, invalid %u, rectangle %ld, %ld changed, %ld outside, %ld differ, canaries %s\n", name,
-           stored() - stored_before, lv_fixel_get_counters(view).tasks - tasks, invalid, size_of(box), changed, changed_outside, differ,
-           canaries_are_intact() && model.before == twin.before && model.after == twin.after ? "intact" : "broken");
+    const long differ =
+        pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+    printf("%s: %u pixels stored by %u task, invalid %u, rectangle %ld, %ld changed, %ld outside, "
+           "%ld differ, canaries %s\n",
+           name, stored() - stored_before, lv_fixel_get_counters(view).tasks - tasks, invalid,
+           size_of(box), changed, changed_outside, differ,
+           canaries_are_intact() && model.before == twin.before && model.after == twin.after
+               ? "intact"
+               : "broken");
 }
 
 /* (a) 60 frames, (c) the pixels of one, and (b) the label alone. */
@@ -103,7 +113,8 @@ void test_dashboard(void)
         lv_obj_invalidate(view);
         refresh();
         const box_t without[] = {box_of(label), box_of(button)};
-        differ += pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+        differ +=
+            pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
         const uint32_t pixels = stored() - before;
         most = pixels > most ? pixels : most;
         least = pixels < least ? pixels : least;
@@ -115,12 +126,14 @@ void test_dashboard(void)
         last_crc = crc;
     }
     const lv_fixel_counters_t counters = lv_fixel_get_counters(view);
-    printf("a: %u frames, %u begun, %u tasks, %u different pictures, %ld pixels differ, %u refused\n", 60u, counters.frames, counters.tasks, distinct,
-           differ, counters.refused);
+    printf(
+        "a: %u frames, %u begun, %u tasks, %u different pictures, %ld pixels differ, %u refused\n",
+        60u, counters.frames, counters.tasks, distinct, differ, counters.refused);
     printf("c: %u to %u pixels stored of %u\n", least, most, VIEW_W * VIEW_H);
 
     change_label("b", "speed 43");
-    /* In a panel of its own size the label has no margin: LVGL draws its letters as far as a quarter of a line beyond it. */
+    /* In a panel of its own size the label has no margin: LVGL draws its letters as far as a
+     * quarter of a line beyond it. */
     const box_t box = box_of(label);
     lv_obj_t *panel = lv_obj_create(view);
     lv_obj_remove_style_all(panel);
@@ -133,7 +146,8 @@ void test_dashboard(void)
     end_display();
 }
 
-/* A container that cuts the widget on all four sides, and a widget that is larger and smaller than its picture. */
+/* A container that cuts the widget on all four sides, and a widget that is larger and smaller than
+ * its picture. */
 void test_clip(void)
 {
     static const struct {
@@ -154,8 +168,10 @@ void test_clip(void)
         lv_obj_invalidate(lv_screen_active());
         refresh();
         const box_t own = box_of(view), outer = box_of(container);
-        const box_t shown = {LV_MAX(own.x, outer.x), LV_MAX(own.y, outer.y), LV_MIN(own.end_x, outer.end_x), LV_MIN(own.end_y, outer.end_y)};
-        printf("clip: %ld pixels differ, %u stored of %ld\n", pixels_that_differ(&twin, &eye, own.x, own.y, shown, NULL, 0), stored() - before,
+        const box_t shown = {LV_MAX(own.x, outer.x), LV_MAX(own.y, outer.y),
+                             LV_MIN(own.end_x, outer.end_x), LV_MIN(own.end_y, outer.end_y)};
+        printf("clip: %ld pixels differ, %u stored of %ld\n",
+               pixels_that_differ(&twin, &eye, own.x, own.y, shown, NULL, 0), stored() - before,
                size_of(shown));
     }
     const uint32_t before = stored();
@@ -163,7 +179,9 @@ void test_clip(void)
     lv_obj_set_size(view, 40, 30);
     lv_obj_invalidate(lv_screen_active());
     refresh();
-    printf("clip: %ld pixels differ, %u stored of %d\n", pixels_that_differ(&twin, &eye, 34, 22, (box_t){34, 22, 74, 52}, NULL, 0), stored() - before, 40 * 30);
+    printf("clip: %ld pixels differ, %u stored of %d\n",
+           pixels_that_differ(&twin, &eye, 34, 22, (box_t){34, 22, 74, 52}, NULL, 0),
+           stored() - before, 40 * 30);
     printf("canaries %s\n", canaries_are_intact() ? "intact" : "broken");
     end_display();
 }
@@ -172,11 +190,15 @@ static void draw_format(const char *name, lv_color_format_t format, bool is_lit)
 {
     static fxl_light light, twin_light;
     static uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)];
-    const fxl_light_settings settings = {.ambient = FXL_Q2_30_ONE / 4, .strength = FXL_Q2_30_ONE / 2, .direction = {0, -FXL_Q2_30_ONE, 0},
-                                         .ramp = ramp, .levels = 2};
+    const fxl_light_settings settings = {.ambient = FXL_Q2_30_ONE / 4,
+                                         .strength = FXL_Q2_30_ONE / 2,
+                                         .direction = {0, -FXL_Q2_30_ONE, 0},
+                                         .ramp = ramp,
+                                         .levels = 2};
     make_dashboard(format);
     if (is_lit) {
-        printf("lit: %d %d\n", fxl_attach_light(&model.renderer, &light, &settings), fxl_attach_light(&twin.renderer, &twin_light, &settings));
+        printf("lit: %d %d\n", fxl_attach_light(&model.renderer, &light, &settings),
+               fxl_attach_light(&twin.renderer, &twin_light, &settings));
     }
     long differ = 0;
     const uint32_t before = stored();
@@ -186,9 +208,11 @@ static void draw_format(const char *name, lv_color_format_t format, bool is_lit)
         lv_obj_invalidate(view);
         refresh();
         const box_t without[] = {box_of(label), box_of(button)};
-        differ += pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+        differ +=
+            pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
     }
-    printf("%s: %ld pixels differ, %u stored, %u refused\n", name, differ, stored() - before, lv_fixel_get_counters(view).refused);
+    printf("%s: %ld pixels differ, %u stored, %u refused\n", name, differ, stored() - before,
+           lv_fixel_get_counters(view).refused);
     end_display();
 }
 
@@ -206,10 +230,13 @@ void test_formats(void)
     lv_fixel_set_renderer(view, &model.renderer, NULL);
     lv_fixel_set_pose(view, &eye);
     refresh();
-    printf("RGB565 in L8: %u stored, refused %s, %s\n", stored(), lv_fixel_get_counters(view).refused > 0 ? "yes" : "no", lv_fixel_get_refusal(view));
+    printf("RGB565 in L8: %u stored, refused %s, %s\n", stored(),
+           lv_fixel_get_counters(view).refused > 0 ? "yes" : "no", lv_fixel_get_refusal(view));
     make_model(&twin, false, VIEW_W, VIEW_H);
     grey_palette[200][1] = 3;
-    printf("no ramp: %d, no palette: %d", lv_fixel_set_renderer(view, &twin.renderer, grey_palette[0]), lv_fixel_set_renderer(view, &twin.renderer, NULL));
+    printf("no ramp: %d, no palette: %d",
+           lv_fixel_set_renderer(view, &twin.renderer, grey_palette[0]),
+           lv_fixel_set_renderer(view, &twin.renderer, NULL));
     memset(&twin.renderer, 0, sizeof twin.renderer);
     printf(", no renderer: %d\n", lv_fixel_set_renderer(view, &twin.renderer, NULL));
     end_display();
@@ -224,15 +251,18 @@ static long pixels_of(uint32_t colour)
         for (int32_t x = VIEW_X; x < VIEW_X + VIEW_W; x++) {
             bool is_left_out = false;
             for (size_t i = 0; i < 2; i++) {
-                is_left_out = is_left_out || (x >= without[i].x && x < without[i].end_x && y >= without[i].y && y < without[i].end_y);
+                is_left_out = is_left_out || (x >= without[i].x && x < without[i].end_x &&
+                                              y >= without[i].y && y < without[i].end_y);
             }
-            count += !is_left_out && (screen[y][2 * x] | (uint32_t)screen[y][2 * x + 1] << 8) == colour;
+            count +=
+                !is_left_out && (screen[y][2 * x] | (uint32_t)screen[y][2 * x + 1] << 8) == colour;
         }
     }
     return count;
 }
 
-/* (d) An opacity, a rotation and a layer with alpha are refused; what LVGL blends as a whole is drawn. */
+/* (d) An opacity, a rotation and a layer with alpha are refused; what LVGL blends as a whole is
+ * drawn. */
 void test_opacity(void)
 {
     make_dashboard(LV_COLOR_FORMAT_RGB565);
@@ -242,23 +272,37 @@ void test_opacity(void)
     lv_obj_set_style_opa(view, LV_OPA_50, 0);
     refresh();
     /* The background's colour, half of it over black: each channel rounded down or up. */
-    const uint32_t found = screen[VIEW_Y + 70][2 * (VIEW_X + 70)] | (uint32_t)screen[VIEW_Y + 70][2 * (VIEW_X + 70) + 1] << 8;
-    const long one_colour = pixels_of(found), all = VIEW_W * VIEW_H - size_of(box_of(label)) - 20 * 15;
-    printf("d: opacity of 50 %%: %u stored, %u refused, %ld of %ld pixels are a plain rectangle of %04x over %04x: %s\n", stored() - drawn,
-           lv_fixel_get_counters(view).refused, one_colour, all, found, palette[0], lv_fixel_get_refusal(view));
+    const uint32_t found = screen[VIEW_Y + 70][2 * (VIEW_X + 70)] |
+                           (uint32_t)screen[VIEW_Y + 70][2 * (VIEW_X + 70) + 1] << 8;
+    const long one_colour = pixels_of(found),
+               all = VIEW_W * VIEW_H - size_of(box_of(label)) - 20 * 15;
+    printf("d: opacity of 50 %%: %u stored, %u refused, %ld of %ld pixels are a plain rectangle of "
+           "%04x over %04x: %s\n",
+           stored() - drawn, lv_fixel_get_counters(view).refused, one_colour, all, found,
+           palette[0], lv_fixel_get_refusal(view));
     lv_obj_set_style_opa(view, LV_OPA_COVER, 0);
     lv_obj_set_style_transform_rotation(view, 100, 0);
     uint32_t refused = lv_fixel_get_counters(view).refused;
     refresh();
-    printf("d: rotation: %u stored, refused %s: %s\n", stored() - drawn, lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
+    printf("d: rotation: %u stored, refused %s: %s\n", stored() - drawn,
+           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
            lv_fixel_get_refusal(view));
     lv_obj_set_style_transform_rotation(view, 0, 0);
+    lv_obj_set_style_recolor(view, lv_color_white(), 0);
+    lv_obj_set_style_recolor_opa(view, LV_OPA_30, 0);
+    refused = lv_fixel_get_counters(view).refused;
+    refresh();
+    printf("d: recoloured: %u stored, refused %s: %s\n", stored() - drawn,
+           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
+           lv_fixel_get_refusal(view));
+    lv_obj_set_style_recolor_opa(view, LV_OPA_TRANSP, 0);
     lv_obj_set_style_radius(view, 20, 0);
     lv_obj_set_style_clip_corner(view, true, 0);
     lv_obj_set_style_opa_layered(view, LV_OPA_50, 0);
     refused = lv_fixel_get_counters(view).refused;
     refresh();
-    printf("d: a layer with alpha: %u stored, refused %s: %s\n", stored() - drawn, lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
+    printf("d: a layer with alpha: %u stored, refused %s: %s\n", stored() - drawn,
+           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
            lv_fixel_get_refusal(view));
     lv_obj_set_style_clip_corner(view, false, 0);
     refused = lv_fixel_get_counters(view).refused;
@@ -270,20 +314,24 @@ void test_opacity(void)
     const box_t box = box_of(label);
     for (int32_t y = 0; y < VIEW_H - 15; y++) {
         for (int32_t x = 0; x < VIEW_W - 20; x++) {
-            if (x + VIEW_X >= box.x && x + VIEW_X < box.end_x && y + VIEW_Y >= box.y && y + VIEW_Y < box.end_y) {
+            if (x + VIEW_X >= box.x && x + VIEW_X < box.end_x && y + VIEW_Y >= box.y &&
+                y + VIEW_Y < box.end_y) {
                 continue;
             }
             const uint8_t *at = &screen[VIEW_Y + y][2 * (VIEW_X + x)];
             const int32_t shown = at[0] | at[1] << 8, own = pixels[y * VIEW_W + x];
-            const int32_t off[] = {(shown >> 11) * 2 - (own >> 11), (shown >> 5 & 63) * 2 - (own >> 5 & 63), (shown & 31) * 2 - (own & 31)};
+            const int32_t off[] = {(shown >> 11) * 2 - (own >> 11),
+                                   (shown >> 5 & 63) * 2 - (own >> 5 & 63),
+                                   (shown & 31) * 2 - (own & 31)};
             for (size_t i = 0; i < 3; i++) {
                 worst = LV_MAX(worst, LV_ABS(off[i]));
             }
             differ += LV_ABS(off[0]) > 2 || LV_ABS(off[1]) > 2 || LV_ABS(off[2]) > 2;
         }
     }
-    printf("d: a whole layer at 50 %%: %u stored, %u refused, %ld pixels are not half of the frame's colour\n", stored() - drawn,
-           lv_fixel_get_counters(view).refused - refused, differ);
+    printf("d: a whole layer at 50 %%: %u stored, %u refused, %ld pixels are not half of the "
+           "frame's colour\n",
+           stored() - drawn, lv_fixel_get_counters(view).refused - refused, differ);
     printf("canaries %s\n", canaries_are_intact() ? "intact" : "broken");
     end_display();
 }
@@ -296,16 +344,20 @@ void test_snapshot(void)
     refresh();
     const uint32_t frames = lv_fixel_get_counters(view).frames;
     lv_draw_buf_t *shot = lv_snapshot_take(view, LV_COLOR_FORMAT_RGB565);
-    long differ = fxl_render(&twin.renderer, &eye, pixels, VIEW_W) == FXL_OK && shot != NULL ? 0 : 1000000;
+    long differ =
+        fxl_render(&twin.renderer, &eye, pixels, VIEW_W) == FXL_OK && shot != NULL ? 0 : 1000000;
     const box_t box = box_of(label);
     for (uint32_t y = 0; shot != NULL && y < VIEW_H; y++) {
         for (uint32_t x = 0; x < VIEW_W; x++) {
             const int32_t column = VIEW_X + (int32_t)x, row = VIEW_Y + (int32_t)y;
-            const bool is_label = column >= box.x && column < box.end_x && row >= box.y && row < box.end_y;
-            differ += !is_label && *(const uint16_t *)lv_draw_buf_goto_xy(shot, x, y) != pixels[y * VIEW_W + x];
+            const bool is_label =
+                column >= box.x && column < box.end_x && row >= box.y && row < box.end_y;
+            differ += !is_label &&
+                      *(const uint16_t *)lv_draw_buf_goto_xy(shot, x, y) != pixels[y * VIEW_W + x];
         }
     }
-    printf("snapshot: %ld pixels differ, %u begun, %s afterwards\n", differ, lv_fixel_get_counters(view).frames - frames,
+    printf("snapshot: %ld pixels differ, %u begun, %s afterwards\n", differ,
+           lv_fixel_get_counters(view).frames - frames,
            model.renderer.frame.state == FXL_FRAME_NONE ? "none" : "one");
     if (shot != NULL) {
         lv_draw_buf_destroy(shot);
@@ -358,17 +410,20 @@ void test_pick_and_pose(void)
             const lv_point_t point = {VIEW_X + x, VIEW_Y + y};
             fxl_picked own;
             fxl_frame_begin(&twin.renderer, &eye);
-            wrong += lv_fixel_pick(view, &point, &picked) != FXL_OK || fxl_pick_face(&twin.renderer, (uint16_t)x, (uint16_t)y, &own) != FXL_OK ||
+            wrong += lv_fixel_pick(view, &point, &picked) != FXL_OK ||
+                     fxl_pick_face(&twin.renderer, (uint16_t)x, (uint16_t)y, &own) != FXL_OK ||
                      own.instance != picked.instance || own.face != picked.face;
             on_model += picked.instance != FXL_PICK_NONE;
         }
     }
     const lv_point_t beside = {VIEW_X - 1, VIEW_Y};
-    printf("pick: %ld wrong, %ld on the model, early %d, beside %d\n", wrong, on_model, too_early, lv_fixel_pick(view, &beside, &picked));
+    printf("pick: %ld wrong, %ld on the model, early %d, beside %d\n", wrong, on_model, too_early,
+           lv_fixel_pick(view, &beside, &picked));
     click(VIEW_X + VIEW_W / 2, VIEW_Y + VIEW_H / 2);
     const uint16_t middle = clicked.instance;
     click(VIEW_X + 3, VIEW_Y + VIEW_H - 3);
-    printf("click: %u clicks, instance %u, then %s\n", clicks, middle, clicked.instance == FXL_PICK_NONE ? "none" : "one");
+    printf("click: %u clicks, instance %u, then %s\n", clicks, middle,
+           clicked.instance == FXL_PICK_NONE ? "none" : "one");
 
     lv_anim_t anim;
     lv_anim_init(&anim);
@@ -383,10 +438,12 @@ void test_pick_and_pose(void)
         refresh();
         const fxl_pose pose = lv_fixel_get_pose(view);
         const box_t without[] = {box_of(label), box_of(button)};
-        differ += pixels_that_differ(&twin, &pose, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+        differ +=
+            pixels_that_differ(&twin, &pose, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
     }
     const fxl_pose arrived = lv_fixel_get_pose(view);
-    printf("anim: %ld pixels differ, yaw %08x, %u frames for 20 refreshes\n", differ, arrived.yaw, lv_fixel_get_counters(view).frames - begun);
+    printf("anim: %ld pixels differ, yaw %08x, %u frames for 20 refreshes\n", differ, arrived.yaw,
+           lv_fixel_get_counters(view).frames - begun);
 
     lv_fixel_flight_t flight = {view, eye, eye};
     flight.from.yaw = FXL_DEGREES(350);
@@ -398,8 +455,8 @@ void test_pick_and_pose(void)
     const fxl_pose half = lv_fixel_get_pose(view);
     lv_fixel_anim_flight(&flight, 65536);
     const fxl_pose last = lv_fixel_get_pose(view);
-    printf("flight: %d %d, half yaw %d x %d\n", memcmp(&first, &flight.from, sizeof first), memcmp(&last, &flight.to, sizeof last),
-           (int32_t)half.yaw, half.position.x);
+    printf("flight: %d %d, half yaw %d x %d\n", memcmp(&first, &flight.from, sizeof first),
+           memcmp(&last, &flight.to, sizeof last), (int32_t)half.yaw, half.position.x);
     lv_obj_delete(view); /* and LVGL goes on without it */
     refresh();
     printf("deleted: no frame %s\n", model.renderer.frame.state == FXL_FRAME_NONE ? "yes" : "no");
