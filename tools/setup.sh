@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|rules|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -16,6 +16,7 @@
 #   format  clang-format
 #   fuzz    clang with its sanitizers and coverage tools, Python packages as for run, pytest
 #   coverage Clang 19, which counts conditions, with its tools; the same as units
+#   rules   cppcheck, Python packages as for run
 #   tools   Python packages as for run
 #   simplify the same as tools, and node with meshoptimizer, by which --simplify keeps the seams of textures
 #   completion Python packages as for run, and the one that makes completions for a shell
@@ -166,6 +167,7 @@ find_missing() {
         fuzz) need_host_compiler; need_fuzzer; need_python run test ;;
         format) has clang-format || need clang-format ;;
         coverage) need_board; need_cmock; need_coverage ;;
+        rules) has cppcheck || need cppcheck; need_python run ;;
         tools) need_python run ;;
         simplify) need_node; need_python run ;;
         completion) need_python run completion ;;
@@ -181,7 +183,7 @@ find_missing() {
             has doxygen || need doxygen; has avr-gcc || need gcc-avr
             has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr
             need_cargo ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs or anywhere" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, rules, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -330,7 +332,7 @@ case "${1-}" in
 --packages-only) packages_only=yes; shift ;;
 --missing) missing_only=yes; shift ;;
 esac
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|rules|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere..."
 if [ -n "$missing_only" ]; then
     find_missing "$@"
     printf '%s\n' "${packages# }"
