@@ -300,6 +300,7 @@ void test_what_makes_no_beam_is_refused(void)
     fxl_beam beam;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_beam_from_direction(&crooked, window, 4, &beam));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_beam_from_direction(NULL, window, 4, &beam));
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_beam_from_point(&lamp, window, 4, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_beam_check(NULL));
 }
 

@@ -342,6 +342,37 @@ void test_near_far_and_sides_leave_sprites_out(void)
     TEST_ASSERT_EQUAL_UINT32(0, count_sprite(whole));
 }
 
+/* As far beside the eye as a centre can be, with a side that goes on from there: beyond what is projected. And one whose left side
+ * is projected, and whose right side is not. */
+void test_a_side_that_is_too_far_is_refused(void)
+{
+    const fxl_q16_16 far = Q16(8188), size = Q16(8000);
+    tiny->scene.instances = &tiny->instances[1];
+    tiny->scene.instance_count = 1;
+    board = (fxl_billboard){&sprite, Q16(40), Q16(3), Q16(2), Q16(1.5)};
+    tiny->models[1].radius = Q16(41);
+    const fxl_pose close = ahead(Q16(9.937));
+    draw_frame(&close, 0);
+    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
+    tiny->models[1].radius = Q16(28000); /* as if it reached the screen */
+    tiny->instances[1].centre = (fxl_point){far, far, far};
+    for (uint32_t turn = 0; turn < 4; turn++) {
+        /* The view's right, or its up, is the diagonal of the world, or its opposite. */
+        const fxl_pose pose = {{-far, -far, -far - Q16(2)}, (fxl_angle)-DEGREES(45), 0,
+                               DEGREES(35) + DEGREES(1) / 4 + turn * FXL_ANGLE_QUARTER};
+        board = (fxl_billboard){&sprite, Q16(1), Q16(1), 0, 0};
+        draw_frame(&pose, 0);
+        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.in);
+        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused); /* beyond 4095 pixels */
+        for (uint32_t anchored = 0; anchored < 2; anchored++) {
+            const fxl_q16_16 anchor = anchored != 0 ? size : 0;
+            board = (fxl_billboard){&sprite, size, size, anchor, anchor};
+            draw_frame(&pose, 0);
+            TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
+        }
+    }
+}
+
 /* A sprite of less than a pixel shows where it covers a pixel's centre. */
 /* billboards 2.2 */
 void test_a_sprite_far_away_covers_a_pixel_or_none(void)

@@ -118,6 +118,12 @@ void test_spheres(void)
     expect(FXL_E_RANGE, "cluster", 0);
     made->clusters[0].centre.x += 1;
     expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[0].radius = Q16(3);
+    made->clusters[0].centre.y = Q16(-1) - 1;
+    expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[2].radius = Q16(4);
+    made->clusters[2].centre.z = Q16(1) + 1;
+    expect(FXL_E_RANGE, "cluster", 2);
     for (int i = 0; i < 8; i++) { /* the corners of the cube; and of a face */
         made->clusters[2].centre = (fxl_point){i & 1 ? Q16(1) : Q16(-1), i & 2 ? Q16(1) : Q16(-1),
                                                i & 4 ? Q16(1) : Q16(-1)};
@@ -142,6 +148,8 @@ void test_cones(void)
     made->clusters[0].apex.y = FXL_CLUSTER_APEX_MAX + 1;
     expect(FXL_E_RANGE, "cluster", 0);
     made->clusters[0].apex.x = -FXL_CLUSTER_APEX_MAX - 1;
+    expect(FXL_E_RANGE, "cluster", 0);
+    made->clusters[0].apex.z = FXL_CLUSTER_APEX_MAX + 1;
     expect(FXL_E_RANGE, "cluster", 0);
     made->clusters[0].apex.x -= 1; /* an eye there sees the face's front */
     expect(FXL_E_CLUSTER, "cluster", 0);

@@ -365,6 +365,23 @@ void test_wires_that_fail_at_any_time(void)
     assert_failures(&oleds[0]);
 }
 
+static bool never_done(void *user)
+{
+    transfer_wait(&((controller *)user)->wire);
+    return false;
+}
+
+void test_a_transfer_that_never_ends(void)
+{
+    fxl_display_config config = fxl_display_config_default(&fxl_ili9341, 0);
+    fxl_display_port port = by_dma;
+    port.wait = never_done;
+    config.width = 40;
+    config.height = 24;
+    controller_start(&model, CONTROLLER_ILI9341, 0, 0, 48, 24);
+    TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_open(&display, &config, &port, palette));
+}
+
 /* Of a module that there is not. */
 static void expect_none(fxl_display_config config)
 {

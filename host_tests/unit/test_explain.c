@@ -3,7 +3,7 @@
  * the argument and its range, and no call that succeeds gets one. */
 #include <string.h>
 
-#include "tiny.h"
+#include "bsp_scene.h"
 #include "tiny_frames.h"
 #include "unit.h"
 
@@ -70,6 +70,9 @@ void test_arguments_of_fxl_renderer_init(void)
     refuse_init(&renderer, &scene, &config, (uint8_t *)block + 4, LARGE - 8, "memory", "8 bytes");
     refuse_init(&renderer, &unchecked, &config, block, LARGE, "scene", "fxl_scene_check");
     refuse_init(&renderer, &scene, &config, block, 8, "memory_size", "draw_list_needed");
+    unchecked = scene;
+    unchecked.instance_count += 1000; /* after the check */
+    refuse_init(&renderer, &unchecked, &config, block, LARGE, "instance_count", "fxl_scene_check");
 }
 
 void test_the_lens_of_a_configuration(void)
@@ -107,6 +110,23 @@ void test_the_target_and_the_order_of_a_configuration(void)
     config.depth = cells;
     config.depth_size = 8;
     refuse_config("depth_size", "FXL_DEPTH_BYTES");
+    bsp_scene *const made = bsp_make();
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check_all(&made->tiny->scene, NULL));
+    scene = made->tiny->scene;
+    config.order = &fxl_by_tree;
+    refuse_config("tree", "8 bytes");
+    config.order = &fxl_by_tree;
+    config.tree = (uint8_t *)cells + 4;
+    config.tree_size = sizeof cells - 8;
+    refuse_config("tree", "8 bytes");
+    config.order = &fxl_by_tree;
+    config.tree = cells;
+    config.tree_size = 0;
+    refuse_config("tree_size", "fxl_bsp_workspace_size");
+    config.order = &fxl_by_tree;
+    config.tree = cells;
+    config.tree_size = sizeof cells;
+    TEST_ASSERT_NULL(fxl_renderer_explain(&renderer, &scene, &config, block, sizeof block));
 }
 
 /* --- fxl_render and fxl_frame_draw ---------------------------------------------------------- */
@@ -142,6 +162,12 @@ void test_arguments_of_fxl_render(void)
     setUp();
     begin(&fxl_rgb565);
     refuse_render(&eye, (uint8_t *)pixels + 1, WIDTH, "pixels", "even address");
+    renderer.clipper = NULL; /* as fxl_renderer_init_bare leaves it */
+    refuse_render(&eye, pixels, WIDTH, "renderer", "fxl_renderer_init");
+    begin(&fxl_rgb565);
+    renderer.target = NULL;
+    refuse_render(&eye, pixels, WIDTH, "renderer", "fxl_renderer_init");
+    begin(&fxl_rgb565);
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
     TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH, NULL));
 }
@@ -151,6 +177,9 @@ void test_two_things_that_do_not_go_together(void)
 {
     static fxl_outlines outlines;
     const fxl_outline_style style = {.line = 1};
+    const char *names[2] = {"-", "-"};
+    TEST_ASSERT_FALSE(fxl_renderer_conflict(&renderer, names)); /* it has no target */
+    TEST_ASSERT_EQUAL_STRING("-", names[0]);
     config.depth = cells;
     config.depth_size = sizeof cells;
     begin(&fxl_palette_depth_16);
@@ -199,6 +228,9 @@ void test_the_placement_that_is_wrong(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, pixels, WIDTH));
     TEST_ASSERT_NULL(fxl_render_explain(&renderer, &eye, pixels, WIDTH, &found));
     TEST_ASSERT_EQUAL_UINT32(UINT32_MAX, found);
+    scene.placement_code = NULL;
+    refuse_render(&eye, pixels, WIDTH, "placement_code", "not be null");
+    scene.placement_code = tiny->scene.placement_code;
     eye.position.x = INT32_MAX;
     refuse_render(&eye, pixels, WIDTH, "eye->position", "8191");
 }

@@ -414,6 +414,20 @@ void test_settings_out_of_range_are_refused(void)
     expect_refused(FXL_E_ORDER, &right);
 }
 
+/* Before a renderer has a target, light is for a palette. */
+void test_light_comes_before_the_target(void)
+{
+    const fxl_point origin = {0, 0, 0};
+    const fxl_light_settings right = exact_light_any(ramp, &origin);
+    (void)start();
+    renderer.target = NULL; /* as fxl_renderer_init_bare leaves it */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &right));
+    const fxl_shader_code *const code = light.shader.code;
+    renderer.target = &fxl_palette;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &right));
+    TEST_ASSERT_EQUAL_PTR(code, light.shader.code);
+}
+
 /* A palette of greys has each level of each grey; of two equal entries the first is taken. */
 /* light 3.2 */
 void test_a_ramp_of_greys_is_exact(void)

@@ -306,6 +306,40 @@ void test_the_room_that_a_face_took_is_the_least(void)
     }
 }
 
+/* Rounding leaves outlines with corners in a row on a plane, here on x = 0: they go to the part that they lie beside, and between
+ * two parts one of them goes to both. An outline is then convex only to within two units of 1/65536. */
+void test_corners_in_a_row_on_a_plane(void)
+{
+    enum {
+        FAR = Q16(3),
+        ONE = Q16(1)
+    };
+    static const int32_t faces[][7][2] = {
+        {{-FAR, -FAR}, {0, FAR}, {0, FAR - 2}, {FAR, -FAR}},                  /* to the front */
+        {{-FAR, FAR}, {FAR, FAR}, {0, -FAR + 2}, {0, -FAR}},                  /* to behind */
+        {{-FAR, 0}, {0, FAR}, {0, FAR - 1}, {0, FAR - 2}, {FAR, 0}, {0, -FAR + 2}, {0, -FAR}},
+        {{-FAR, -FAR}, {-FAR, FAR}, {5, FAR}, {3, ONE}, {3, 0}, {5, -ONE}},   /* beside the front */
+        {{FAR, FAR}, {FAR, -FAR}, {-5, -FAR}, {-3, -ONE}, {-3, 0}, {-5, ONE}}};  /* beside what is behind */
+    static const uint32_t counts[] = {4, 4, 7, 6, 6};
+    for (uint32_t turn = 0; turn < 4; turn++) {
+        fxl_point turned[4];
+        for (uint32_t i = 0; i < 4; i++) {
+            turned[i] = right[(i + turn) % 4];
+        }
+        const fxl_beam beam = shaft(turned, 4);
+        for (uint32_t i = 0; i < sizeof faces / sizeof faces[0]; i++) {
+            fxl_point face[7];
+            for (uint32_t k = 0; k < counts[i]; k++) {
+                face[k] = (fxl_point){faces[i][k][0], faces[i][k][1], 0};
+            }
+            edge_count = 0;
+            TEST_ASSERT_GREATER_THAN_UINT32(0, add_face(&beam, 1, face, counts[i]));
+            expect_outline(face, counts[i]);
+            expect_exact_room(&beam, face, counts[i]);
+        }
+    }
+}
+
 /* An outline has room for as many corners as a polygon may have, and one more is refused. */
 void test_an_outline_of_too_many_corners_is_refused(void)
 {

@@ -312,6 +312,10 @@ void test_what_cannot_be_played_is_refused(void)
     fxl_motion_memory room = memory;
     refuse(FXL_E_ARGUMENT, &set, &scene, &room); /* no placements */
     scene.placements = still;
+    const fxl_instance *const before = scene.instances;
+    scene.instances = NULL;
+    refuse(FXL_E_ARGUMENT, &set, &scene, &room);
+    scene.instances = before;
     scene.first_turned = 2;
     refuse(FXL_E_COUNT, &set, &scene, &room);
     scene.first_turned = 1;
@@ -363,4 +367,20 @@ void test_no_motions_need_no_tables(void)
     scene.placements = still;
     scene.first_turned = 1;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_begin(&player, &none, &scene, &memory));
+    none.motions = motions; /* of which it has none */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_motion_begin(&player, &none, &scene, &memory));
+}
+
+/* A track of one key repeats as well as it can. */
+void test_one_key_repeats(void)
+{
+    fxl_motion_set set = make_track(1);
+    fxl_scene scene;
+    keys[0].centre.y = FXL_UNITS(4);
+    motions[0].repeats = 1;
+    fxl_motion_player player = begin(&set, &scene);
+    for (uint32_t frame = 0; frame < 3; frame++) {
+        fxl_motion_play(&player, frame);
+        TEST_ASSERT_EQUAL_INT32(FXL_UNITS(4), instances[2].centre.y);
+    }
 }

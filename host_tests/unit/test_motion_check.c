@@ -68,12 +68,16 @@ void test_a_scene_with_placements_is_fine(void)
     set.motions = NULL;
     set.keys = NULL;
     expect_fine();
+    set.motion_count = set.key_count = 0;
+    set.keys = NULL; /* none of each, and a table of motions */
+    expect_fine();
 }
 
 void test_missing_tables_are_refused(void)
 {
     fxl_scene_fault fault;
     make();
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_scene_check_all(NULL, &fault));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_motion_check(NULL, &scene, &fault));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_motion_check(&set, NULL, &fault));
     set.motions = NULL;
@@ -86,6 +90,9 @@ void test_missing_tables_are_refused(void)
     set.keys = NULL;
     set.key_count = 1;
     expect(FXL_E_ARGUMENT, "motion table", 0);
+    set.keys = NULL;
+    set.key_count = 0; /* so that the first motion's key is none of them */
+    expect(FXL_E_INDEX, "motion", 0);
     set.motions = (const fxl_motion *)((uintptr_t)motions + 1);
     expect(FXL_E_ALIGNMENT, "motion table", 0);
     set.keys = (const fxl_motion_key *)((uintptr_t)keys + 2);
@@ -175,6 +182,8 @@ void test_numbers_of_a_motion_are_in_range(void)
     motions[0].extent.z = INT32_MIN;
     expect(FXL_E_RANGE, "motion", 0);
     motions[0].extent.y = 1 << 30;
+    expect(FXL_E_RANGE, "motion", 0);
+    motions[0].extent.z = 1 << 30;
     expect(FXL_E_RANGE, "motion", 0);
     motions[0].radius = INT32_MAX;
     expect(FXL_E_RANGE, "motion", 0);

@@ -153,3 +153,15 @@ void test_another_workspace_takes_the_style(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, &workspace, &band));
     TEST_ASSERT_EQUAL_MEMORY(outlined, bands, sizeof bands);
 }
+
+/* Before there is a target, there is none to take the place of. */
+void test_outlines_before_a_target(void)
+{
+    tiny = tiny_make();
+    start(false);
+    renderer.target = NULL; /* as fxl_renderer_init_bare leaves it */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, &style));
+    TEST_ASSERT_NULL(renderer.target);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_outlines(&renderer, &outlines, NULL));
+    TEST_ASSERT_NULL(renderer.target);
+}

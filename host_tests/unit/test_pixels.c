@@ -284,6 +284,12 @@ void test_what_is_refused_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &fxl_pixels_rgb565, NULL));
     static const fxl_pixel_format zeros;
     static const fxl_pixels unprepared;
+    fxl_pixel_format part = fxl_pixels_rgb565;
+    part.convert = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &part, palette));
+    part = fxl_pixels_rgb565;
+    part.rows = 0;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &part, palette));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_init(&pixels, &zeros, palette));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pixels_convert(&unprepared, &band, out, 64));
     TEST_ASSERT_EQUAL(0, fxl_pixels_size(&zeros, 17, 10));

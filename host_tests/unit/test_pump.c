@@ -389,12 +389,37 @@ void test_what_a_pump_is_not_called_with(void)
     rows.width = WIDTH - 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
     rows.width = WIDTH;
+    rows.columns = WIDTH; /* a part of each row, even if it is all */
+    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
+    rows.columns = 0;
     rows.stride = WIDTH - 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_pump_send_rows(&pump, &rows));
     rows.rows = 0;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(&pump, &rows));
     rows.pixels = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pump_send_rows(&pump, &rows));
+    TEST_ASSERT_EQUAL(0, wires.count);
+}
+
+/* What was prepared is gone: the band stays the next one. */
+void test_pixels_that_changed_after_the_pump_was_set_up(void)
+{
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_pump_begin(&pump));
+    const fxl_band *const band = fxl_pump_band(&pump);
+    memset(&pixels, 0, sizeof pixels);
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_send(&pump));
+    TEST_ASSERT_EQUAL_PTR(band, fxl_pump_band(&pump));
+    TEST_ASSERT_EQUAL(0, band->first_row);
+    TEST_ASSERT_EQUAL(0, wires.count);
+}
+
+void test_a_renderer_without_a_target(void)
+{
+    const fxl_pose pose = pose_number(0);
+    TEST_ASSERT_EQUAL(FXL_OK, init(&fxl_pixels_rgb565, 8));
+    renderer.target = NULL; /* as fxl_renderer_init_bare leaves it */
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_pump_frame(&pump, &renderer, &pose));
     TEST_ASSERT_EQUAL(0, wires.count);
 }
 

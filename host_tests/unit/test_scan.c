@@ -401,6 +401,9 @@ void test_what_breaks_the_contract_is_refused(void)
                                                       .first_row = 0, .rows = 8});
     expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){.pixels = pixels, .width = 8, .stride = 8,
                                                       .first_row = 1, .rows = FXL_SCREEN_MAX});
+    expect_refused(FXL_E_RANGE, &polygon, &(fxl_band){.pixels = pixels, .width = 8, .stride = 8,
+                                                      .first_row = 0, .rows = 8,
+                                                      .first_column = 5, .columns = 4});
     band = (fxl_band){.pixels = pixels, .width = FXL_SCREEN_MAX, .stride = FXL_SCREEN_MAX,
                       .first_row = FXL_SCREEN_MAX - 1, .rows = 1};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(&polygon, &band, &scan));

@@ -179,6 +179,8 @@ void test_memory_for_textures_is_checked(void)
         TEST_ASSERT_EQUAL_UINT32(0, fault.index);
     }
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(&opened, textures, TEXTURES, NULL, NULL));
+    opened.surfaces.texture_count = 0; /* then it needs no memory for them, but a surface has one */
+    TEST_ASSERT_EQUAL(FXL_E_INDEX, fxl_surfaces_open(&opened, NULL, 0, &set, NULL));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_surfaces_open(NULL, textures, TEXTURES, &set, NULL));
 }
 

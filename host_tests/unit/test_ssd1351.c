@@ -86,3 +86,17 @@ void test_the_order_of_its_commands(void)
     TEST_ASSERT_EQUAL_HEX16_ARRAY(first, log_of, 5);
     TEST_ASSERT_EQUAL_HEX16_ARRAY(last, &log_of[logged - 8u], 8);
 }
+
+/* Each of the last sends fails: of the black glass, and the command that turns it on. */
+void test_wires_that_fail_among_pixels(void)
+{
+    const fxl_display_config config = fxl_display_config_default(&fxl_ssd1351, 0);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_display_open(&display, &config, &port, palette));
+    const uint32_t all = sends;
+    for (uint32_t n = 1; n <= 12; n++) {
+        setUp();
+        refused = all - n;
+        TEST_ASSERT_EQUAL(FXL_E_DISPLAY, fxl_display_open(&display, &config, &port, palette));
+        TEST_ASSERT_EQUAL(refused + 1u, sends);
+    }
+}

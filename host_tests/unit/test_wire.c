@@ -346,6 +346,9 @@ void test_what_is_no_wireframe_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_wire_begin(&wire, &pose));
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_wire_begin(NULL, &pose));
     pose.position.x = 0;
+    memset(&wire, 0, sizeof wire); /* never set up */
+    TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_wire_begin(&wire, &pose));
+    wire = before;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_wire_begin(&wire, &pose));
     const fxl_band bad[] = {
         {.pixels = whole, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT + 1},

@@ -235,6 +235,9 @@ void test_init_refuses(void)
     room.placements = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
     room = right;
+    room.placement_code = NULL;
+    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
+    room = right;
     room.colours = NULL;
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_world_init(&world, scene, &room));
     room = right;

@@ -101,6 +101,9 @@ FXL_COLD const char *fxl_renderer_explain(const fxl_renderer *renderer, const fx
     if (scene->draw_list_needed == 0) {
         return "scene was not checked: fxl_scene_open or fxl_scene_check must answer FXL_OK first";
     }
+    if (scene->draw_list_needed < fxl_list_instances_most(scene)) {
+        return "scene->instance_count was raised after fxl_scene_check: check the scene again";
+    }
     const char *wrong = explain_lens(config, &lens);
     if (wrong != NULL) {
         return wrong;
