@@ -311,8 +311,8 @@ void test_the_room_that_a_face_took_is_the_least(void)
 void test_corners_in_a_row_on_a_plane(void)
 {
     enum {
-        FAR = Q16(3),
-        ONE = Q16(1)
+        FAR = 3 * 65536,
+        ONE = 65536
     };
     static const int32_t faces[][7][2] = {
         {{-FAR, -FAR}, {0, FAR}, {0, FAR - 2}, {FAR, -FAR}},                  /* to the front */
