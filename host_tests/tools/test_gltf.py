@@ -244,6 +244,14 @@ def test_colours_of_vertices_that_multiply_an_image_are_named(tmp_path, colours,
     assert not any("each face has the mean" in each for each in notes)
 
 
+@pytest.mark.parametrize("alpha, mode, note", [(128, "BLEND", True), (128, "OPAQUE", False), (255, "BLEND", False)])
+def test_alpha_of_the_colours_of_vertices_is_named(tmp_path, alpha, mode, note):
+    data, blob = make(colours=[(255, 0, 0, alpha)] * 4, material={})
+    data["materials"][0]["alphaMode"] = mode
+    _, notes = read(tmp_path, glb(data, blob))
+    assert any('1 x "alpha of the vertices\' colours"' in each for each in notes) == note
+
+
 def test_an_emissive_colour_is_added_to_another_one_but_not_to_an_image(tmp_path):
     data, blob = make(material={"baseColorFactor": [0, 0.2158605, 0, 1]})
     data["materials"][0]["emissiveFactor"] = [1, 0, 0]

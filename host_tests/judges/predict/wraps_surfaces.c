@@ -238,7 +238,7 @@ WRAPPED(bool, fxl_find_colours,
          const fxl_corner_planes *planes, bool is_affine, fxl_gradient_corners *corners,
          fxl_gradients *gradients))
 {
-    counted.wide_colours_found += 1;
+    counted.wide_colours_found += corners->count != 0 ? 2 : 1; /* light takes as much again */
     return __real_fxl_find_colours(surfaces, mapped, planes, is_affine, corners, gradients);
 }
 

@@ -94,7 +94,7 @@ NAMES = {
     "wide_values": "an attribute of such a pixel", "wide_texels": "a texel in RGB565", "wide_lit": "a lit pixel of RGB565",
     "wide_levels": "a pixel of a lit colour in RGB565",
     "wide_repeated": "a pixel of opaque texels of RGB565", "wide_repeated_lit": "a lit one of them",
-    "wide_blended": "a blended pixel of RGB565", "wide_colours_found": "a face with colours at its corners",
+    "wide_blended": "a blended pixel of RGB565", "wide_colours_found": "a face with colours at its corners, a lit one twice",
     "wide_colour_rows": "a row of such a face", "wide_colour_runs": "a run of its pixels by the kernel", "wide_colour_pixels": "a pixel of such a run",
     "wide_colour_shown": "a pixel of it that is no part of a run", "wide_billboard_drawn": "a pixel of a billboard in RGB565"}
 

@@ -147,6 +147,8 @@ class _Reader:
         read = self.materials.get(part, where)
         material, uvs = self._coordinates(attributes, read, triangles, len(points), where)
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
+        if tints is not None and material.is_clear and (tints[np.unique(triangles), 3:] < 1).any():
+            self.materials.left_out.add("alpha of the vertices' colours", where)
         placed = self._placed(points, matrix, where)
         self._add(placed, triangles, material, uvs, tints, where, np.linalg.det(matrix[:3, :3]) < 0)
         self._add_normals(attributes, triangles, matrix, len(points), where)
