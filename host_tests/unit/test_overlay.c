@@ -324,7 +324,7 @@ void test_a_byte_that_the_font_has_not_is_the_unknown_character(void)
     static const fxl_font font = {
         .glyphs = glyphs, .bits = bits, .first = 'a', .count = 2, .unknown = 'b', .line_height = 3};
     const fxl_text_style style = {&font, 5, 0};
-    const char text[] = {'a' - 1, 'a', 'c', (char)0xFF, 0}; /* one before the first, one behind the last */
+    const char text[] = {'a' - 1, 'a', 'c', (char)0xFF, 0};
     TEST_ASSERT_EQUAL(FXL_OK, text_at(2, FIRST + 1, text, &style));
     want(2, FIRST + 1, 5);
     want(2 + 3 + 2, FIRST + 2, 5);

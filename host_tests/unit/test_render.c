@@ -70,8 +70,11 @@ void test_faces_of_a_convex_model_come_by_number(void)
     uint32_t pairs = 0;
     tiny->scene.instance_count = 1;
     for (int number = 0; number < 4; number++) { /* from above four of its corners */
-        fxl_pose pose = {{number < 2 ? Q16(-3) : Q16(3), Q16(3), number % 3 == 0 ? Q16(-3) : Q16(3)},
-                         (uint32_t)number * DEGREES(90) + DEGREES(45), 0u - DEGREES(35), 0};
+        fxl_pose pose = {
+            {number < 2 ? Q16(-3) : Q16(3), Q16(3), number % 3 == 0 ? Q16(-3) : Q16(3)},
+            (uint32_t)number * DEGREES(90) + DEGREES(45),
+            0u - DEGREES(35),
+            0};
         const fxl_display_list *drawn = &renderers[0].frame.display_list;
         const fxl_screen_polygon *record;
         uint32_t place = 0, before = 0;
