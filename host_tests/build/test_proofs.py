@@ -57,6 +57,7 @@ def test_every_row_has_its_harness_and_its_checks_on_record():
 
 def test_contracts_that_are_used_are_proved_without_a_circle():
     assert rows.circles(rows.read(CHECKOUT)) == []
+    assert rows.lemmas(CHECKOUT, rows.read(CHECKOUT)) == []
 
 
 def test_transcriptions_stand_for_lines_of_today():

@@ -32,6 +32,8 @@ static const uint64_t factors[] = {BY(110), BY(72), BY(42), BY(20), BY(6), BY(13
  * of the angle; above, it is the cosine of a quarter turn less the angle. Both series are summed
  * from the innermost bracket outward; a step is square * factor * (1 - rest). */
 static uint64_t quarter_sine_q62(uint32_t angle)
+    FXL_REQUIRES(angle <= FXL_ANGLE_QUARTER) FXL_ASSIGNS()
+    FXL_ENSURES(FXL_RESULT <= (uint64_t)1 << 62)
 {
     const bool by_cosine = angle > FXL_ANGLE_QUARTER / 2;
     const uint64_t x = radians(by_cosine ? FXL_ANGLE_QUARTER - angle : angle);
@@ -75,12 +77,14 @@ int64_t fxl_cos_q31(fxl_angle angle)
 
 /* SPEC 1.2, 2.1 */
 fxl_q2_30 fxl_sin(fxl_angle angle)
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, FXL_Q2_30_ONE))
 {
     return (fxl_q2_30)with_sign(angle, fxl_round_shift(magnitude_q62(angle), 32));
 }
 
 /* SPEC 1.2, 2.1 */
 fxl_q2_30 fxl_cos(fxl_angle angle)
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, FXL_Q2_30_ONE))
 {
     return fxl_sin(angle + FXL_ANGLE_QUARTER);
 }

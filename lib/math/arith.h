@@ -18,7 +18,9 @@ extern "C" {
  * 2^32, that is, numerator / 2^32 < denominator. */
 uint32_t fxl_divide_u64(uint64_t numerator, uint32_t denominator, uint32_t *remainder)
     FXL_REQUIRES(numerator >> 32 < denominator) FXL_REQUIRES(FXL_OBJECT(remainder))
-    FXL_ASSIGNS(*remainder);
+    FXL_ASSIGNS(*remainder) FXL_EQUATES(*remainder < denominator)
+    FXL_EQUATES(numerator >> 31 >= denominator || FXL_RESULT >> 31 == 0)
+    FXL_EQUATES(numerator >> 28 >= denominator || FXL_RESULT >> 28 == 0);
 
 /* floor(2^64 part / whole). Requires part < whole < 2^63. */
 uint64_t fxl_fraction(uint64_t part, uint64_t whole)
@@ -37,8 +39,10 @@ bool fxl_ratio(fxl_q16_16 factor, fxl_q18_46 side, fxl_q18_46 depth, int32_t lim
 /* Sine and cosine in units of 2^-31, so 1 is 2^31: more bits than 2.30, as sums of products need
  * them.
  * Error: at most 0.52 unit of 2^-31. */
-int64_t fxl_sin_q31(fxl_angle angle);
-int64_t fxl_cos_q31(fxl_angle angle);
+int64_t fxl_sin_q31(fxl_angle angle)
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 31));
+int64_t fxl_cos_q31(fxl_angle angle)
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 31));
 
 #ifdef __cplusplus
 }
@@ -85,6 +89,10 @@ static inline int64_t fxl_round_shift(int64_t value, unsigned shift)
 /* floor(numerator / denominator). Requires denominator > 0 and a quotient below 2^31. A negative
  * numerator is inverted: floor((-1 - n) / d) is -1 - floor(n / d). */
 static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
+    FXL_REQUIRES(denominator > 0 && (uint64_t)(numerator ^ (numerator >> 63)) >> 31 < denominator)
+    FXL_ASSIGNS()
+    FXL_ENSURES((uint64_t)(numerator ^ (numerator >> 63)) >> 28 >= denominator ||
+                FXL_BELOW(FXL_RESULT, 1 << 28))
 {
     FXL_ASSERT(denominator > 0);
     uint32_t residue;
@@ -97,12 +105,20 @@ static inline int32_t fxl_divide_down(int64_t numerator, uint32_t denominator)
  * half is rounded down, which does not change the result. Error: half a unit. */
 /* SPEC 2.2 */
 static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
+    FXL_REQUIRES(denominator > 0)
+    FXL_REQUIRES(FXL_BELOW(numerator, (int64_t)((uint64_t)denominator << 31) - denominator))
+    FXL_ASSIGNS()
+    FXL_ENSURES(!FXL_BELOW(numerator, (int64_t)((uint64_t)denominator << 28) - denominator) ||
+                FXL_BELOW(FXL_RESULT, 1 << 28))
 {
     return fxl_divide_down(numerator + (denominator >> 1), denominator);
 }
 
-/* floor(numerator / denominator) and the remainder. Requires denominator > 0. */
+/* floor(numerator / denominator) and the remainder. Requires denominator > 0, and a numerator above
+ * -2^31. */
 static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
+    FXL_REQUIRES(denominator > 0 && numerator > INT32_MIN && FXL_OBJECT(remainder))
+    FXL_ASSIGNS(*remainder) FXL_ENSURES(*remainder >= 0 && *remainder < denominator)
 {
     FXL_ASSERT(denominator > 0);
     bool negative = numerator < 0;
@@ -162,6 +178,10 @@ static inline bool fxl_within(int64_t value, int64_t limit)
 }
 
 static inline bool fxl_point_in_range(const fxl_point *point)
+    FXL_REQUIRES(FXL_OBJECT(point)) FXL_ASSIGNS()
+    FXL_ENSURES(FXL_RESULT == (FXL_BELOW(point->x, FXL_COORDINATE_MAX) &&
+                               FXL_BELOW(point->y, FXL_COORDINATE_MAX) &&
+                               FXL_BELOW(point->z, FXL_COORDINATE_MAX)))
 {
     return fxl_within(point->x, FXL_COORDINATE_MAX) && fxl_within(point->y, FXL_COORDINATE_MAX) &&
            fxl_within(point->z, FXL_COORDINATE_MAX);
@@ -181,6 +201,11 @@ static inline bool fxl_point_in_range(const fxl_point *point)
  * product with the same vector, with some components set to 0. */
 /* SPEC 3.3 */
 FXL_IN_PLACE fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+    FXL_REQUIRES(FXL_OBJECT(direction) && FXL_DIRECTION(direction))
+    FXL_REQUIRES(FXL_BELOW(x, 1 << 30) && FXL_BELOW(y, 1 << 30) && FXL_BELOW(z, 1 << 30))
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)7 << 59))
+    FXL_ENSURES(!FXL_BELOW(x, 1 << 29) || !FXL_BELOW(y, 1 << 29) || !FXL_BELOW(z, 1 << 29) ||
+                FXL_BELOW(FXL_RESULT, (int64_t)7 << 58))
 #if FXL_IS_SMALL && !defined(FXL_HERE)
     ;
 #else
@@ -193,6 +218,10 @@ FXL_IN_PLACE fxl_q18_46 fxl_dot(const fxl_direction *direction, int32_t x, int32
 /* *difference = a - b. Requires points of the world: each coordinate of the result is then below
  * 2^30. */
 FXL_IN_PLACE void fxl_subtract(const fxl_point *a, const fxl_point *b, fxl_point *difference)
+    FXL_REQUIRES(FXL_OBJECT(a) && FXL_OBJECT(b) && FXL_OBJECT(difference))
+    FXL_REQUIRES(fxl_point_in_range(a) && fxl_point_in_range(b)) FXL_ASSIGNS(*difference)
+    FXL_ENSURES(FXL_BELOW(difference->x, (1 << 30) - 1) && FXL_BELOW(difference->y, (1 << 30) - 1) &&
+                FXL_BELOW(difference->z, (1 << 30) - 1))
 #if FXL_IS_SMALL && !defined(FXL_HERE)
     ;
 #else

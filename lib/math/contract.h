@@ -10,6 +10,14 @@
 /* What holds afterwards: FXL_RESULT is what the function returns. */
 #define FXL_ENSURES(...) __CPROVER_ensures(__VA_ARGS__)
 #define FXL_RESULT       __CPROVER_return_value
+/* The same, by equations of products: a row of Z3 proves it, and CBMC takes it from there. */
+#ifdef FXL_WITHOUT_EQUATIONS
+#define FXL_EQUATES(...)
+#else
+#define FXL_EQUATES(...) __CPROVER_ensures(__VA_ARGS__)
+#endif
+/* An equation in the midst of a function: a row of Z3 quotes and proves it, and CBMC goes on with it. */
+#define FXL_LEMMA(...) __CPROVER_assume(__VA_ARGS__)
 /* All that the function writes; nothing by FXL_ASSIGNS(). */
 #define FXL_ASSIGNS(...) __CPROVER_assigns(__VA_ARGS__)
 /* In FXL_REQUIRES: a pointer to an object of its own. */
@@ -17,11 +25,17 @@
 /* In FXL_REQUIRES: a pointer to so many elements. */
 #define FXL_OBJECTS(pointer, count) __CPROVER_is_fresh(pointer, (count) * sizeof *(pointer))
 #define FXL_OLD(value)              __CPROVER_old(value)
+/* A pointer to components of at most 1 and 4 units of 2^-30. */
+#define FXL_DIRECTION(d) \
+    (FXL_BELOW((d)->x, FXL_Q2_30_ONE + 4) && FXL_BELOW((d)->y, FXL_Q2_30_ONE + 4) && \
+     FXL_BELOW((d)->z, FXL_Q2_30_ONE + 4))
 /* -limit <= value <= limit. */
 #define FXL_BELOW(value, limit) ((value) >= -(limit) && (value) <= (limit))
 #else
 #define FXL_REQUIRES(...)
 #define FXL_ENSURES(...)
+#define FXL_EQUATES(...)
+#define FXL_LEMMA(...) ((void)0)
 #define FXL_ASSIGNS(...)
 #endif
 

@@ -37,6 +37,9 @@ static wide_vector cross(const fxl_point *a, const fxl_point *b)
 
 /* value * 2^up where up >= 0, else value / 2^-up, to the nearest. */
 static int64_t shifted(int64_t value, int up)
+    FXL_REQUIRES(up >= -32 && up <= 29 && FXL_BELOW(value, (int64_t)1 << 61))
+    FXL_REQUIRES(fxl_magnitude(value) <= (uint64_t)1 << (30 - up)) FXL_ASSIGNS()
+    FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 30) && (FXL_RESULT != 0 || fxl_magnitude(value) >> (29 - up) == 0))
 {
     return up >= 0 ? value * ((int64_t)1 << up) : fxl_round_shift(value, (unsigned)-up);
 }
@@ -46,6 +49,9 @@ static int64_t shifted(int64_t value, int up)
  * below 4 * 3 * 2^60 < 2^64. The root, of twice the length, is good to half a unit of at least
  * 2^30, and each quotient to half a unit of 2^-30. */
 static bool normalise(const wide_vector *v, fxl_direction *unit)
+    FXL_REQUIRES(FXL_OBJECT(v) && FXL_OBJECT(unit) && FXL_BELOW(v->x, (int64_t)1 << 61))
+    FXL_REQUIRES(FXL_BELOW(v->y, (int64_t)1 << 61) && FXL_BELOW(v->z, (int64_t)1 << 61))
+    FXL_ASSIGNS(*unit) FXL_EQUATES(!FXL_RESULT || FXL_DIRECTION(unit))
 {
     unsigned bits = fxl_bit_length(fxl_magnitude(v->x) | fxl_magnitude(v->y) | fxl_magnitude(v->z));
     if (bits == 0) {
@@ -55,6 +61,8 @@ static bool normalise(const wide_vector *v, fxl_direction *unit)
     int64_t x = shifted(v->x, up), y = shifted(v->y, up), z = shifted(v->z, up);
     uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z);
     uint32_t twice = fxl_square_root(4 * square);
+    FXL_LEMMA(twice >= 2 * fxl_magnitude(x) && twice >= 2 * fxl_magnitude(y) &&
+              twice >= 2 * fxl_magnitude(z));
     /* |x| <= 2^30, so the numerators are at most 2^61. */
     unit->x = fxl_divide_round(x * ((int64_t)1 << 31), twice);
     unit->y = fxl_divide_round(y * ((int64_t)1 << 31), twice);

@@ -12,7 +12,7 @@ from fixel.prove import functions
 SECONDS = 120           # of CPU time a row
 DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
-          "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions")
+          "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions", "--object-bits", "12")
 REACHED = "the harness ends"        # PROOF_ENDS of proof.h: it must fail
 EDGE = re.compile(r'^\s*"?([\w:$.]+)"? -> "?([\w:$.]+)"?', re.MULTILINE)
 NO_CONTRACT = "deriving empty"
@@ -39,15 +39,15 @@ def _run(programs, root, words, left):
 
 def preprocessed(root, row, case):
     """The text that is proved, as the compiler sees it: the key of what is kept."""
-    words = ["gcc", *DEFINES, *_case(case), "-E", "-P", "-xc", str(row.place), *row.links]
+    words = ["gcc", *DEFINES, *_defines(row, case), "-E", "-P", "-xc", str(row.place), *row.links]
     done = children.run(words, cwd=root)
     if done.returncode:
         raise ToolError(f"{row.id}: its text cannot be read", words=done.stderr.decode(errors="replace"))
     return done.stdout
 
 
-def _case(case):
-    return () if case is None else (f"-DCASE={case}",)
+def _defines(row, case):
+    return [*([] if case is None else [f"-DCASE={case}"]), *(["-DFXL_WITHOUT_EQUATIONS"] if row.equations else [])]
 
 
 def prove(programs, root, row, case):
@@ -55,7 +55,7 @@ def prove(programs, root, row, case):
     spent = 0.0
     with scratch.folder("proof") as folder:
         program, ready = folder / "whole.goto", folder / "ready.goto"
-        said, code, cpu = _run(programs, root, ["goto-cc", *DEFINES, *_case(case), "--function", row.harness, "-o", program, row.place,
+        said, code, cpu = _run(programs, root, ["goto-cc", *DEFINES, *_defines(row, case), "--function", row.harness, "-o", program, row.place,
                                                 *row.links], SECONDS)
         spent += cpu
         if code:
@@ -104,7 +104,7 @@ def _within(graph, row):
 def _texts(root, row, case, folder, names):
     """FILE:NAME of those that are functions of the library. Without FXL_PROVE the compiler takes the harness, too."""
     sources = [row.place, *row.links]
-    flags = ("-w", "-Ihost_tests/proofs", *_case(case))
+    flags = ("-w", "-Ihost_tests/proofs", *_defines(row, case))
     return {f"{file}:{name}" for source in sources for file, _, _, name in functions.defined_in(root, source, folder, flags) if name in names}
 
 

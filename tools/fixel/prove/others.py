@@ -9,7 +9,8 @@ import os
 import re
 
 from fixel.base import limits, scratch
-from fixel.prove.cbmc import SECONDS, Failed, TooLong
+from fixel.prove import cbmc
+from fixel.prove.cbmc import Failed, TooLong
 
 C_FLAGS = ("-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 ENDED = re.compile(r"^([\d,]+) inputs$", re.MULTILINE)
@@ -28,9 +29,9 @@ def _library(root):
 def _run(words, root, path=None):
     environment = {**os.environ, **({"PATH": path} if path else {}), "LC_ALL": "C"}
     try:
-        return limits.run([str(word) for word in words], SECONDS, merge=True, text=True, cwd=root, env=environment)
+        return limits.run([str(word) for word in words], cbmc.SECONDS, merge=True, text=True, cwd=root, env=environment)
     except limits.LimitError as error:
-        raise TooLong(f"{words[0]} had not ended after {SECONDS} s of CPU time") from error
+        raise TooLong(f"{words[0]} had not ended after {cbmc.SECONDS} s of CPU time") from error
 
 
 def check_quotes(root, row):
@@ -49,7 +50,7 @@ def check_quotes(root, row):
 
 def _z3(programs, root, row):
     """Each query must be unsat, but those after (echo "sat"), which show that what is assumed can be."""
-    done = _run([programs / "z3", f"-T:{SECONDS}", row.place], root)
+    done = _run([programs / "z3", f"-T:{cbmc.SECONDS}", row.place], root)
     words = done.stdout.split()
     wanted = [("sat", "unsat")[word != "possible"] for word in words[0::2]]
     got = words[1::2]

@@ -27,6 +27,7 @@ def parser():
     made.add_argument("--fresh", action="store_true", help="prove everything, also what an earlier command has kept (FRESH=1)")
     made.add_argument("--tidy", action="store_true", help="write the numbers of checks into the rows, and take what is proved now, or gone, out of the "
                            "lists of what is measured")
+    made.add_argument("--seconds", type=int, default=120, help="of CPU time that a row may take")
     made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     return made
 

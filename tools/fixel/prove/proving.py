@@ -146,20 +146,24 @@ def command(options):
     if not chosen:
         raise ToolError(f"no row has '{options.only}' in its id, function or file")
     programs = provers.obtain(options.build, lambda words: print(f"prove: {words}", file=sys.stderr, flush=True))
+    cbmc.SECONDS = options.seconds
     store = kept.Kept(options.build, options.fresh)
     if options.bugs:
         from fixel.prove import bugs    # which uses this module
         return bugs.command(programs, root, options, chosen, store)
     results = prove_all(programs, root, chosen, store, options.jobs)
-    shown, wrong = [], records.circles(rows)
+    gone = set()
+    shown, wrong = [], records.circles(rows) + records.lemmas(root, rows)
     if not options.only:
         measured, more = records.measured(root)
         shown, most = state_of_all(functions.find(root), results, measured)
         wrong += more + most
-        if options.tidy:
-            records.record_checks(root, {result["row"]: result["checks"] for result in results if result["checks"]})
-            states = {each["function"]: each["state"] for each in shown}
-            records.tidy(root, {key for key in measured if states.get(key) != "measured"})
+        every = {each["function"] for each in shown}
+        gone = {key for key in measured if key not in every}
+    if options.tidy:
+        proved = [result for result in results if result["checks"]]
+        records.record_checks(root, {result["row"]: result["checks"] for result in proved})
+        records.tidy(root, gone | {key for result in proved for key in (result["function"], *result["within"])})
     output.write_json(pathlib.Path(options.build) / "prove/prove.json", {"rows": results, "functions": shown, "wrong": wrong})
     _print(results, shown, wrong)
     return 1 if wrong or any(result["state"] != "proved" for result in results) else 0

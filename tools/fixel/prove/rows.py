@@ -16,7 +16,7 @@ PROOFS = pathlib.Path("host_tests/proofs")
 TOOLS = ("cbmc", "z3", "gappa", "every input")
 FIELDS = {"function": str, "property": str}
 OPTIONAL = {"id": str, "file": str, "tool": str, "harness": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int,
-            "cases": list, "checks": int, "flags": list, "links": list, "loops": bool, "text": list, "program": str,
+            "cases": list, "checks": int, "flags": list, "links": list, "loops": bool, "equations": bool, "text": list, "program": str,
             "induction": str, "unwindset": dict}
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
@@ -33,13 +33,14 @@ class Row:
     contract: bool = False      # the contract at the declaration is what is proved
     uses: list = dataclasses.field(default_factory=list)    # functions that are taken by their contracts
     stubs: dict = dataclasses.field(default_factory=dict)   # functions that the harness defines itself: why that may be
-    unwind: int = 1
+    unwind: int = 6             # rounds of each loop: also of the checks of what a contract assigns
     unwindset: dict = dataclasses.field(default_factory=dict)   # loops apart: {FUNCTION.NUMBER: times}
     cases: list = dataclasses.field(default_factory=lambda: [None])     # of the macro CASE: a run for each
     checks: int = 0             # how many there are at least
     flags: list = dataclasses.field(default_factory=list)
     links: list = dataclasses.field(default_factory=list)   # sources besides those that the harness includes
     loops: bool = False         # loops have contracts, which are applied
+    equations: bool = False     # rows of Z3 prove what the contract says by FXL_EQUATES
     text: list = dataclasses.field(default_factory=list)    # lines that the transcription stands for, in their order
     induction: str = ""         # why a circle of contracts is none
 
@@ -163,10 +164,20 @@ def record_checks(root, counts):
             path.write_text(text, encoding="utf-8")
 
 
+def lemmas(root, rows):
+    """What is wrong with the equations that stand within functions: each must be quoted by a row of Z3."""
+    quoted = {" ".join(line.split()) for row in rows if row.tool == "z3" for line in row.text}
+    found = [(path, " ".join(lemma.split())) for path in sorted((pathlib.Path(root) / "lib").rglob("*.[ch]")) if path.name != "contract.h"
+             for lemma in re.findall(r"FXL_LEMMA\([^;]*;", path.read_text(encoding="utf-8"))]
+    return [f"{path}: no row of Z3 quotes '{lemma}'" for path, lemma in found if lemma not in quoted]
+
+
 def circles(rows):
     """What is wrong with the uses of contracts: a contract that no row proves, and a circle without an induction."""
-    proved = {row.name: row for row in rows if row.contract}
-    wrong = [f"{row.id} uses the contract of {name}, which no row proves" for row in rows for name in row.uses if name not in proved]
+    proved = {row.name: row for row in rows if row.contract and row.tool == "cbmc"}
+    exact = {row.name for row in rows if row.tool == "z3"}
+    wrong = [f"{row.id}: no row of Z3 proves the equations of {row.name}" for row in rows if row.equations and row.name not in exact]
+    wrong += [f"{row.id} uses the contract of {name}, which no row proves" for row in rows for name in row.uses if name not in proved]
     for row in rows:
         reached, waiting = set(), list(row.uses)
         while waiting:
