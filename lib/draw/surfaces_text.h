@@ -376,6 +376,11 @@ static __attribute__((noinline)) bool paint_plain(const fxl_paint *paint,
 
 #endif
 
+static inline bool is_blended(const fxl_surface *surface)
+{
+    return (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
+}
+
 /* Clears the cells of the rows of a polygon. */
 static void clear_under(fxl_workspace *workspace, const fxl_screen_point *points, uint32_t count,
                         const fxl_band *band)
@@ -412,12 +417,23 @@ draw_words(const fxl_surfaces *surfaces, fxl_workspace *workspace,
 #endif
     fxl_smooth_outline_set((const fxl_depth_head *)workspace->target_memory, &polygon->depth,
                            &paint, band, FXL_TARGET_PIXEL_BITS / 8, &smooth);
-    fxl_depth_drawn drawn = DRAW_SMOOTH(points, count, band, &smooth);
-    if (drawn == FXL_DEPTH_NOT_CLEAR) {
-        clear_under(workspace, points, count, band);
-        drawn = DRAW_SMOOTH(points, count, band, &smooth);
+    return DRAW_SMOOTH(points, count, band, &smooth);
+}
+
+/* The same, whether the cells of its rows are cleared or not. */
+static inline fxl_depth_drawn clear_and_draw_words(const fxl_surfaces *surfaces,
+                                                   fxl_workspace *workspace,
+                                                   const fxl_surface_polygon *polygon,
+                                                   uint8_t colour, const fxl_screen_point *points,
+                                                   uint32_t count, const fxl_band *band)
+{
+    const fxl_depth_drawn drawn =
+        draw_words(surfaces, workspace, polygon, colour, points, count, band);
+    if (drawn != FXL_DEPTH_NOT_CLEAR) {
+        return drawn;
     }
-    return drawn;
+    clear_under(workspace, points, count, band);
+    return draw_words(surfaces, workspace, polygon, colour, points, count, band);
 }
 
 /* Whether the kernel of smooth outlines can draw into a band. */
@@ -434,12 +450,11 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
                                           const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
-    if (surface->opacity != 16 || (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0 ||
-        polygon->is_in_beam || !fxl_surface_is_lit(surfaces, surface) ||
-        !can_draw_smooth(workspace, band)) {
+    if (surface->opacity != 16 || is_blended(surface) || polygon->is_in_beam ||
+        !fxl_surface_is_lit(surfaces, surface) || !can_draw_smooth(workspace, band)) {
         return FXL_DEPTH_NOT_DRAWN;
     }
-    return draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);
+    return clear_and_draw_words(surfaces, workspace, polygon, polygon->colour, points, count, band);
 }
 
 #else
@@ -460,35 +475,21 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 
 #endif
 
-/* Returns true if it is known that the polygon reaches a row of the band. */
-static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
-                          const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                          uint32_t count, const fxl_band *band)
+/* The rows of a polygon, whose cells are cleared. Not inline: what it has would stay on the stack
+ * of others. */
+static __attribute__((noinline)) bool paint_by_rows(const fxl_surfaces *surfaces,
+                                                    fxl_workspace *workspace,
+                                                    const fxl_surface_polygon *polygon,
+                                                    const fxl_screen_point *points, uint32_t count,
+                                                    const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
-    const bool is_blended = (surface->flags & (FXL_SURFACE_BLEND | FXL_SURFACE_ADD)) != 0;
     fxl_depth_painting depth;
     fxl_paint paint;
     fxl_segment_face face;
-    if (fxl_depth_is_in_words(&polygon->depth)) {
-        const fxl_depth_drawn drawn =
-            draw_smooth(surfaces, workspace, polygon, points, count, band);
-        if (drawn != FXL_DEPTH_NOT_DRAWN) {
-            return drawn == FXL_DEPTH_DRAWN;
-        }
-    }
-    if (((const fxl_depth_head *)workspace->target_memory)->pass ==
-        (is_blended ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
-        return false;
-    }
-    if (polygon->gradients.count == 1) {
-        clear_under(workspace, points, count, band);
-    } else {
-        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
-    }
     paint_of(surfaces, polygon, band, &paint);
     fxl_depth_begin(&depth, workspace->target_memory, &polygon->depth, band);
-    if (is_blended) {
+    if (is_blended(surface)) {
         depth.keeps = FXL_DEPTH_KEEPS_NONE;
     } else if (paint.opacity < 16 || (paint.level.flags & FXL_TEXTURE_KEYED)) {
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
@@ -505,6 +506,32 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                       &workspace->work.scan, paint_row, &depth);
     return false;
+}
+
+/* Returns true if it is known that the polygon reaches a row of the band. What clears has little of
+ * others on the stack below it. */
+static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                          const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                          uint32_t count, const fxl_band *band)
+{
+    const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
+    if (fxl_depth_is_in_words(&polygon->depth)) {
+        const fxl_depth_drawn drawn =
+            draw_smooth(surfaces, workspace, polygon, points, count, band);
+        if (drawn != FXL_DEPTH_NOT_DRAWN) {
+            return drawn == FXL_DEPTH_DRAWN;
+        }
+    }
+    if (((const fxl_depth_head *)workspace->target_memory)->pass ==
+        (is_blended(surface) ? FXL_DEPTH_OPAQUE : FXL_DEPTH_BLENDED)) {
+        return false;
+    }
+    if (polygon->gradients.count == 1) {
+        clear_under(workspace, points, count, band);
+    } else {
+        fxl_depth_clear_rest(workspace, band, FXL_TARGET_DEPTH_BITS / 8);
+    }
+    return paint_by_rows(surfaces, workspace, polygon, points, count, band);
 }
 
 #if FXL_TARGET_DEPTH_BITS == 32
@@ -626,8 +653,9 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
                      &polygon.depth)) {
         return false;
     }
-    const fxl_depth_drawn drawn = draw_words(surfaces, workspace, &polygon, face->material,
-                                             screen->points, screen->count, traversal->band);
+    const fxl_depth_drawn drawn =
+        clear_and_draw_words(surfaces, workspace, &polygon, face->material, screen->points,
+                             screen->count, traversal->band);
     if (drawn == FXL_DEPTH_NOT_DRAWN) {
         return false;
     }

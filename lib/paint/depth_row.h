@@ -70,9 +70,10 @@ FXL_INLINED void fxl_depth_paint_line(const fxl_depth_painting *of, void *cells,
     }
 }
 
-/* fxl_depth_octave_end of a plane in words, whose codes grow or fall along a row. */
-static inline int32_t fxl_depth_words_end(fxl_depth_painting *of, uint32_t depth, int32_t x0,
-                                          int32_t x1)
+/* fxl_depth_octave_end of a plane in words, whose codes grow or fall along a row. Not inline: few
+ * rows come here, and what it has would be on the stack of all. */
+static __attribute__((noinline, unused)) int32_t
+fxl_depth_words_end(fxl_depth_painting *of, uint32_t depth, int32_t x0, int32_t x1)
 {
     const uint32_t along = (uint32_t)of->plane->gradient.along;
     int32_t inside = x0, outside = x1;
