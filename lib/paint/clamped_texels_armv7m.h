@@ -50,26 +50,13 @@
 
 /* r1, r2: u and v of the first pixel, 1/16 of U and V; r3, r4: their steps; r5: pixels of 16 that
  * are left out; r8, r9: u and v of the last pixel. */
-    .align  2
-.Lclamped:
-    ldr     r5, [sp, #F_LOG]
-    ldrd    r3, r4, [sp, #F_PREVIOUS]
-    cmp     r5, #0
-    beq     .Lclamped_each
-    strd    u_0, v_0, [sp, #F_PREVIOUS]
-    usat    r5, #16, r3, asr #4
-    usat    r6, #16, u_0, asr #4
-    cmp     r5, r6
-    bne     1f
-    usat    r2, #16, r4, asr #4
-    usat    r6, #16, v_0, asr #4
-    cmp     r2, r6
-    beq     .Lclamped_fill
-    b       2f
-
 /* Both ends are within the texture, and the last one by 8 units of a position: so far may a step
  * that is rounded lead beyond it. Then p and step are those of a plain face. */
-1:  orr     r5, r3, r4
+    .align  2
+.Lclamped:
+    ldrd    r3, r4, [sp, #F_PREVIOUS]
+    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    orr     r5, r3, r4
     sub     r6, u_0, #128
     orr     r5, r5, r6
     add     r6, u_0, #128
@@ -79,7 +66,7 @@
     add     r6, v_0, #128
     orr     r5, r5, r6
     cmp     r5, #0x100000
-    bhs     2f
+    bhs     1f
     ldr     r5, [sp, #F_BEFORE]
     ldr     r3, [sp, #F_SHORT]
     str     r3, [sp, #F_BEFORE]
@@ -89,7 +76,7 @@
     ldr     table, [sp, #F_TABLE]
     bx      r3
 
-2:  mov     r1, r3
+1:  mov     r1, r3
     mov     r2, r4
     push    {r7-r11}
     ldr     r5, [sp, #(F_BEFORE + F_PUSHED)]
@@ -143,28 +130,28 @@
     ldr     table, [sp, #F_TABLE]
     bx      r3
 
-/* Both ends have the same position, r5 and r2, once it is held within the texture: so has each
- * pixel the same texel. A step that is rounded may lead beyond an end by less than 8 units of a
- * position; a texel has at least 256. */
+/* A whole segment both of whose ends have the same position, r5 and r6, once it is held within the
+ * texture: so has each pixel the same texel. A step that is rounded may lead beyond an end by less than
+ * 8 units of a position; a texel has at least 256. r3: the code that stores the pixels. */
 .Lclamped_fill:
-    ldr     r6, [sp, #F_FACE]
-    ldrb    r1, [r6, #SEGMENT_FACE_ROW_DROP]
-    ldrb    r3, [r6, #SEGMENT_FACE_LOG_WIDTH]
-    ldrd    texels, r6, [sp, #F_TEXELS]
-    lsr     r2, r2, r1
-    and     r2, r2, r6
-    rsb     r3, r3, #16
-    lsr     r5, r5, r3
+    ldr     r4, [sp, #F_FACE]
+    ldrb    r1, [r4, #SEGMENT_FACE_LOG_WIDTH] /* and of the height */
+    rsb     r4, r1, #16
+    lsr     r2, r6, r4
+    lsl     r2, r2, r1
+    lsr     r5, r5, r4
     add     r2, r2, r5
+    ldr     texels, [sp, #F_TEXELS]
     ldr     table, [sp, #F_TABLE]
-    ldr     r3, [sp, #F_BEFORE]
     .if     WIDE
     cbz     table, 1f
     ldrb    r1, [texels, r2]
     ldrh    r1, [table, r1, lsl #1]
-    b       2f
+    bx      r3
 1:  ldrh    r1, [texels, r2, lsl #1]
-2:  cbnz    r3, 3f
+    bx      r3
+    .align  2
+.Lclamped_words:
     tst     pixels, #2
     beq     .Lclamped_stores
     orr     r1, r1, r1, lsl #16
@@ -178,20 +165,15 @@
     ldrb    r1, [texels, r2]
     cbz     table, 1f
     ldrb    r1, [table, r1]
-1:  cbz     r3, .Lclamped_stores
+1:  bx      r3
     .endif
-3:  ldr     r5, [sp, #F_SHORT]
-    str     r5, [sp, #F_BEFORE]
-    adr     r5, .Lclamped_stores + 1
-    add     r3, r5, r3, lsl #1
-    bx      r3
     .align  2
 .Lclamped_stores:
     .irp    i, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16
     .if     WIDE
-    strh    r1, [pixels, #(2 * \i)]
+    strh.n  r1, [pixels, #(2 * \i)]
     .else
-    strb    r1, [pixels, #\i]
+    strb.n  r1, [pixels, #\i]
     .endif
     .endr
     adds    pixels, #(16 << WIDE)

@@ -60,7 +60,7 @@ fxl_paint_segments_565:
     .org    .Lpixels_5 + 3 * WHOLE
     sixteen 8, store_by_palette
 
-    .align  2
+    .org    .Lpixels_5 + 4 * WHOLE
 .Lplain_5:
     sixteen 5, store_colour
     .org    .Lplain_5 + WHOLE_PLAIN

@@ -63,7 +63,7 @@ fxl_paint_segments:
     .org    .Lpixels_5 + 3 * WHOLE
     sixteen 8, store_by_table
 
-    .align  2
+    .org    .Lpixels_5 + 4 * WHOLE
 .Lplain_5:
     sixteen 5, store_texel
     .org    .Lplain_5 + WHOLE_PLAIN

@@ -127,7 +127,17 @@
     strd    r6, r6, [sp, #F_SHORT]
     ldrd    r7, r8, [sp, #F_CODE]
     mla     r7, r6, r8, r7
+    ldrb    r8, [r0, #SEGMENT_FACE_KIND]
+    cmp     r8, #4
+    .if     \log == 0
+    it      eq
+    adreq   r7, .Lclamped_each + 1
     adr     r8, .Lsegment_\log + 1
+    .else
+    ite     eq
+    adreq   r8, .Lclamped_segment_\log + 1
+    adrne   r8, .Lsegment_\log + 1
+    .endif
     adr     r9, \resume + 1
     str     r7, [sp, #F_FULL]
     strd    r8, r9, [sp, #F_NEXT]

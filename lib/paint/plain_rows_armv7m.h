@@ -12,7 +12,7 @@
  *
  * and the label of fxl_paint_segments, or of what it is for such pixels. After it the file has the
  * code of 16 pixels for each width from 32 texels on, by the macro sixteen, from .Lpixels_5 on, and
- * without a table from .Lplain_5 on. A texel takes 5 instructions (6 by a table) if the texture is
+ * without a table from .Lplain_5 on, which is right behind it. A texel takes 5 instructions (6 by a table) if the texture is
  * 32 to 256 texels wide and no higher than wide; any other takes 9 or 10. A segment takes 46 more;
  * where the weight is constant, 16 columns take 9 more. A row takes about 110. */
 #ifndef FXL_PLAIN_ROWS_ARMV7M_H
@@ -165,6 +165,48 @@ RUNS:
 
 #endif
 
+/* --- rows ----------------------------------------------------------------------------------- */
+
+    .align  2
+.Lnext_row:
+    ldr     r12, [sp, #F_ROW]
+    ldm     r12, {r0-r5}
+    add     lr, r12, #PLAIN_ROWS_DOWNS
+    ldm     lr!, {r6-r11}
+    adds    r0, r0, r6
+    adc     r1, r1, r7
+    adds    r2, r2, r8
+    adc     r3, r3, r9
+    adds    r4, r4, r10
+    adc     r5, r5, r11
+    stm     r12, {r0-r5}
+    ldm     lr, {r2-r9}                 /* the edges */
+    adds    r3, r3, r5
+    adcs    r2, r2, r4
+    adds    r7, r7, r9
+    adcs    r6, r6, r8
+    strd    r2, r3, [r12, #PLAIN_ROWS_EDGES]
+    strd    r6, r7, [r12, #PLAIN_ROWS_EDGES + EDGE_SIZE]
+    ldrd    r5, r0, [r12, #PAINT_ROW_PIXELS]
+    ldrd    r1, r4, [r12, #PLAIN_ROWS_END]
+    add     r5, r5, r4
+    adds    r0, r0, #1
+    strd    r5, r0, [r12, #PAINT_ROW_PIXELS]
+    cmp     r0, r1
+    bge     .Lreturn
+
+/* r2, r6: the edges' columns, r5: the address of column 0 */
+.Lrow:
+    cmp     r2, r6
+    bge     .Lother_way
+    mov     r3, r6
+    ldr     pc, [sp, #F_KIND]
+.Lother_way:
+    beq     .Lnext_row
+    mov     r3, r2
+    mov     r2, r6
+    ldr     pc, [sp, #F_KIND]
+
 #include "special_texels_armv7m.h"
 #if !FXL_IS_COMPACT
 #include "holes_armv7m.h"
@@ -203,8 +245,9 @@ RUNS:
     b       3f
 1:  movw    r5, #WHOLE_PLAIN
     mul     r4, r4, r5
-    adr     r5, .Lplain_5 - WHOLE_PLAIN + 1
+    adr     r5, .Lpixels_5 - WHOLE_PLAIN + 1
     add     r4, r4, r5
+    add     r4, r4, #(4 * WHOLE)        /* .Lplain_5, which is farther away than adr reaches */
     movs    r5, #PIXEL_PLAIN
     b       3f
 2:  ldrb    r4, [r0, #SEGMENT_FACE_LOG_WIDTH]
@@ -298,8 +341,9 @@ RUNS:
     movs    r5, #PIXEL
     b       2f
 1:  movw    r5, #WHOLE_PLAIN
-    adr     r6, .Lplain_5 + 1
+    adr     r6, .Lpixels_5 + 1
     mla     r4, r4, r5, r6
+    add     r4, r4, #(4 * WHOLE)
     movs    r5, #PIXEL_PLAIN
 2:  strd    r4, r5, [sp, #F_PLAIN]
     adr     r4, .Lclamped + 1
@@ -312,48 +356,6 @@ RUNS:
     str     r5, [sp, #F_KIND]
     movs    r1, #0
     bx      lr
-
-/* --- rows ----------------------------------------------------------------------------------- */
-
-    .align  2
-.Lnext_row:
-    ldr     r12, [sp, #F_ROW]
-    ldm     r12, {r0-r5}
-    add     lr, r12, #PLAIN_ROWS_DOWNS
-    ldm     lr!, {r6-r11}
-    adds    r0, r0, r6
-    adc     r1, r1, r7
-    adds    r2, r2, r8
-    adc     r3, r3, r9
-    adds    r4, r4, r10
-    adc     r5, r5, r11
-    stm     r12, {r0-r5}
-    ldm     lr, {r2-r9}                 /* the edges */
-    adds    r3, r3, r5
-    adcs    r2, r2, r4
-    adds    r7, r7, r9
-    adcs    r6, r6, r8
-    strd    r2, r3, [r12, #PLAIN_ROWS_EDGES]
-    strd    r6, r7, [r12, #PLAIN_ROWS_EDGES + EDGE_SIZE]
-    ldrd    r5, r0, [r12, #PAINT_ROW_PIXELS]
-    ldrd    r1, r4, [r12, #PLAIN_ROWS_END]
-    add     r5, r5, r4
-    adds    r0, r0, #1
-    strd    r5, r0, [r12, #PAINT_ROW_PIXELS]
-    cmp     r0, r1
-    bge     .Lreturn
-
-/* r2, r6: the edges' columns, r5: the address of column 0 */
-.Lrow:
-    cmp     r2, r6
-    bge     .Lother_way
-    mov     r3, r6
-    ldr     pc, [sp, #F_KIND]
-.Lother_way:
-    beq     .Lnext_row
-    mov     r3, r2
-    mov     r2, r6
-    ldr     pc, [sp, #F_KIND]
 
 #include "plain_lengths_armv7m.h"
 #include "plain_segments_armv7m.h"

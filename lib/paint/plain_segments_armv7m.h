@@ -77,6 +77,52 @@
     segments 3
     segments 2
 
+/* The same of a texture that does not repeat. One texel fills a segment, or it goes on as that of a
+ * plain face does. */
+    .macro  clamped_segments log
+    .align  2
+.Lclamped_segment_\log:
+    ldr     r3, [sp, #F_LAST]
+    cmp     pixels, r3
+    bhi.w   .Lrest
+    next_values
+    mvn     r3, #0x80000000
+    reciprocal r3, r1, w, r3, r2, r5
+    ldrd    r4, r5, [sp, #F_U_DROP]
+    subs    r4, r4, r1
+    subs    r5, r5, r1
+    orrs    r2, r4, r5
+    bmi.w   .Lfar_\log
+    smull   r1, r2, u, r3
+    asrs    r2, r2, r4
+    smull   r1, r4, v, r3
+    asrs    r4, r4, r5
+    usat    r5, #16, u_0, asr #4
+    usat    r3, #16, r2, asr #4
+    cmp     r5, r3
+    bne.w   .Lbetween_\log
+    usat    r6, #16, v_0, asr #4
+    usat    r3, #16, r4, asr #4
+    cmp     r6, r3
+    bne.w   .Lbetween_\log
+    mov     u_0, r2
+    mov     v_0, r4
+    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    .if     \log < 4
+    subs    pixels, #((16 - (1 << \log)) << WIDE)
+    .endif
+    .if     WIDE && \log == 4
+    adr     r3, .Lclamped_words + 1
+    .else
+    adr     r3, .Lclamped_stores + 1 + 2 * (16 - (1 << \log))
+    .endif
+    b.w     .Lclamped_fill
+    .endm
+
+    clamped_segments 4
+    clamped_segments 3
+    clamped_segments 2
+
 /* Each pixel divided: U and V at a pixel. */
     .align  2
 .Lsegment_0:
