@@ -10,24 +10,6 @@
 #define F_PREVIOUS F_COLUMN             /* U and V at the end of the segment before: two words */
 #define F_PUSHED   20
 
-/* The first run of a row. Goes on to .Lclamped_resume. */
-    .align  2
-.Lclamped_begin:
-    adr     r4, .Lclamped_resume + 1
-    str     r4, [sp, #F_RESUME]
-    b.w     .Lbegin
-
-    .align  2
-.Lclamped_resume:
-    strd    u_0, v_0, [sp, #F_PREVIOUS]
-    ldr     r4, [sp, #F_LOG]
-    cmp     r4, #3
-    bhi.w   .Lresume_4
-    beq.w   .Lresume_3
-    cmp     r4, #0
-    beq.w   .Leach
-    b.w     .Lresume_2
-
 /* A coordinate of the first pixel and of the last one: beyond the same side it is held there.
  * Overwrites r10. */
     .macro  hold_within first, last, step

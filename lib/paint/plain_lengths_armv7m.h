@@ -133,12 +133,14 @@
     it      eq
     adreq   r7, .Lclamped_each + 1
     adr     r8, .Lsegment_\log + 1
-    .else
-    ite     eq
-    adreq   r8, .Lclamped_segment_\log + 1
-    adrne   r8, .Lsegment_\log + 1
-    .endif
     adr     r9, \resume + 1
+    .else
+    ittee   eq
+    adreq   r8, .Lclamped_segment_\log + 1
+    adreq   r9, .Lclamped_resume_\log + 1
+    adrne   r8, .Lsegment_\log + 1
+    adrne   r9, \resume + 1
+    .endif
     str     r7, [sp, #F_FULL]
     strd    r8, r9, [sp, #F_NEXT]
     b       .Lsame_log

@@ -350,7 +350,7 @@ RUNS:
     movs    r5, #0
     strd    r4, r5, [sp, #F_CODE]
     str     r4, [sp, #F_LOG]
-    adr     r5, .Lclamped_begin + 1
+    adr     r5, .Lbegin + 1
     strd    r5, r5, [sp, #F_BEGIN]
     adr     r5, .Lface_weights + 1
     str     r5, [sp, #F_KIND]

@@ -81,6 +81,10 @@
  * plain face does. */
     .macro  clamped_segments log
     .align  2
+.Lclamped_resume_\log:
+    strd    u_0, v_0, [sp, #F_PREVIOUS]
+    b.w     .Lresume_\log
+    .align  2
 .Lclamped_segment_\log:
     ldr     r3, [sp, #F_LAST]
     cmp     pixels, r3
