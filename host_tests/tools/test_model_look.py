@@ -270,6 +270,14 @@ def test_stl_in_millimetres_is_framed_and_lit(tmp_path):
     assert making.build(str(tmp_path / "m.stl"), str(tmp_path / "m.fxls"), looks=(look.Look(),)).objects == 1
 
 
+def test_a_model_of_micrometres_is_seen_as_one_of_metres(tmp_path):
+    for name, unit in (("small.obj", "0.000001"), ("large.obj", "1")):
+        (tmp_path / name).write_text("v 0 0 0\n" + "".join(f"v {' '.join(row)}\n" for row in (
+            (unit, "0", "0"), ("0", unit, "0"), ("0", "0", unit))) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+    small, large = (compiled(tmp_path / name).models[0].vertices for name in ("small.obj", "large.obj"))
+    assert len(small) == 4 and all(abs(a - b) <= 8 for one, other in zip(small, large) for a, b in zip(one, other))
+
+
 def test_a_scene_file_that_names_no_order_keeps_its_look_and_is_told_what_helps(build, tmp_path):
     done = run_cli("run", "--board", "host", "--scene", CASES / "raised_bars.toml", "--frames", 3, "--out", tmp_path / "run")
     assert done.returncode == 0, done.stderr

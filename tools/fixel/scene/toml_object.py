@@ -22,7 +22,7 @@ KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "ins
         "positions", "repeat", "ring", "scale", "rotation", "anchor", "colour", "colours",
         "shade", "colour_index", "colour_step", "colour_next", "layer", "kind",
         "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
-SCALE_MAX = 16384
+SCALE_MAX = 1 << 30     # such as of a model in metres whose sides are nanometres
 INSTANCES_MAX = 65535
 _UNTURNED = (Fraction(0),) * 3
 
