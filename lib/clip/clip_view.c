@@ -19,6 +19,9 @@ static inline int32_t upper(int64_t value)
  * divisible by 2^30. */
 static inline fxl_q18_46 project_onto(fxl_q2_30 side, fxl_q18_46 across, fxl_q2_30 depth,
                                       fxl_q18_46 along)
+    FXL_REQUIRES(FXL_SIDE(side, depth) && FXL_BELOW(across, ((int64_t)1 << 61) - 1))
+    FXL_REQUIRES(FXL_BELOW(along, ((int64_t)1 << 61) - 1)) FXL_ASSIGNS()
+    FXL_EQUATES(FXL_BELOW(FXL_RESULT, ((int64_t)3 << 60)))
 {
     int64_t high = fxl_multiply_s32(side, upper(across)) + fxl_multiply_s32(depth, upper(along));
     uint64_t low = fxl_multiply_u32((uint32_t)side, (uint32_t)across) +

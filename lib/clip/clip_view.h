@@ -14,8 +14,20 @@ extern "C" {
  * of 2^-46 world unit, rounded downward; negative outside.
  * Requires |x|, |y|, |z| < 2^61 units.
  * Error: only that rounding, less than 1 unit, so the sign is exact. Source: A12. */
+/* What fxl_view_frustum_from_lens makes, for contracts: of two numbers whose squares have the sum 1
+ * the sum is below 3/2. */
+#define FXL_SIDE(side, depth) \
+    ((side) >= 0 && (side) <= FXL_Q2_30_ONE && (depth) >= 0 && (depth) <= FXL_Q2_30_ONE && \
+     (int64_t)(side) + (depth) <= (int64_t)3 << 29)
+#define FXL_FRUSTUM(f) \
+    (FXL_SIDE((f)->x_side, (f)->x_depth) && FXL_SIDE((f)->y_side, (f)->y_depth) && \
+     (f)->near_z >= 0 && (f)->near_z < (int64_t)1 << 61 && (f)->far_z >= 0 && \
+     (f)->far_z < (int64_t)1 << 61 && (f)->inset >= 0 && (f)->inset <= (int64_t)1 << 46)
 fxl_q18_46 fxl_view_distance(const fxl_view_frustum *frustum, int plane,
-                             const fxl_view_point *point);
+                             const fxl_view_point *point)
+    FXL_REQUIRES(FXL_OBJECT(frustum) && FXL_OBJECT(point) && plane >= 0 && plane < FXL_PLANE_COUNT)
+    FXL_REQUIRES(FXL_FRUSTUM(frustum) && FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1))
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, ((int64_t)1 << 62) - 1));
 
 /* Clips a polygon of the view to one plane. A vertex is inside if its distance is >= 0.
  * Each intersection is computed from the inside end of the edge towards the outside

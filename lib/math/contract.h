@@ -29,6 +29,9 @@
 #define FXL_DIRECTION(d) \
     (FXL_BELOW((d)->x, FXL_Q2_30_ONE + 4) && FXL_BELOW((d)->y, FXL_Q2_30_ONE + 4) && \
      FXL_BELOW((d)->z, FXL_Q2_30_ONE + 4))
+/* A pointer to coordinates of at most limit. */
+#define FXL_POINT_BELOW(p, limit) \
+    (FXL_BELOW((p)->x, limit) && FXL_BELOW((p)->y, limit) && FXL_BELOW((p)->z, limit))
 /* -limit <= value <= limit. */
 #define FXL_BELOW(value, limit) ((value) >= -(limit) && (value) <= (limit))
 #else

@@ -76,6 +76,10 @@ static inline fxl_cached_vertex *fxl_fetch_vertex(const fxl_model_view *model_vi
  * leave room for it. */
 FXL_IN_PLACE void fxl_rotate(const fxl_axes *axes, const fxl_point *point,
                              const fxl_view_point *origin, fxl_view_point *sum)
+    FXL_REQUIRES(FXL_OBJECT(axes) && FXL_OBJECT(point) && FXL_OBJECT(origin) && FXL_OBJECT(sum))
+    FXL_REQUIRES(FXL_DIRECTION(&axes->right) && FXL_DIRECTION(&axes->up))
+    FXL_REQUIRES(FXL_DIRECTION(&axes->forward) && FXL_POINT_BELOW(point, 1 << 30))
+    FXL_REQUIRES(FXL_POINT_BELOW(origin, (int64_t)1 << 62)) FXL_ASSIGNS(*sum)
 #if FXL_IS_SMALL && !defined(FXL_HERE)
     ;
 #else
@@ -99,7 +103,12 @@ static inline void fxl_model_view_position(const fxl_model_view *model_view, uin
  * forward. Requires |point| <= FXL_COORDINATE_MAX in each coordinate.
  * Exact, given the camera's matrix: three sums in 64 bits, below 2^61 units of 2^-46.
  * Source: A6 (Listing 65.3, TransformPoint). */
-void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view);
+void fxl_transform_point(const fxl_camera *camera, const fxl_point *point, fxl_view_point *view)
+    FXL_REQUIRES(FXL_OBJECT(camera) && FXL_OBJECT(point) && FXL_OBJECT(view))
+    FXL_REQUIRES(fxl_point_in_range(point) && fxl_point_in_range(&camera->position))
+    FXL_REQUIRES(FXL_DIRECTION(&camera->axes.right) && FXL_DIRECTION(&camera->axes.up))
+    FXL_REQUIRES(FXL_DIRECTION(&camera->axes.forward)) FXL_ASSIGNS(*view)
+    FXL_ENSURES(FXL_POINT_BELOW(view, (int64_t)7 << 59));
 
 /* Transforms every vertex of a polygon as fxl_transform_point does, and copies colour
  * and count. Source: A6. */

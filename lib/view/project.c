@@ -54,6 +54,11 @@ static bool scale_product(fxl_q16_16 focal, fxl_q18_46 side, unsigned shift, int
 /* SPEC 4.8 */
 static bool project_side(fxl_q16_16 focal, fxl_q18_46 side, const scaled_depth *scaled,
                          int32_t centre, int32_t *coordinate)
+    FXL_REQUIRES(focal > 0 && focal < 1 << 29 && FXL_BELOW(side, ((int64_t)1 << 61) - 1))
+    FXL_REQUIRES(FXL_OBJECT(scaled) && FXL_OBJECT(coordinate) && scaled->depth >= 1u << 30)
+    FXL_REQUIRES(scaled->depth <= 1u << 31 && scaled->shift >= 7 && scaled->shift <= 30)
+    FXL_REQUIRES(FXL_BELOW(centre, 512 * 65536)) FXL_ASSIGNS(*coordinate)
+    FXL_ENSURES(!FXL_RESULT || FXL_BELOW(*coordinate, 1 << 28))
 {
     int64_t product;
     if (!scale_product(focal, side, scaled->shift, &product)) {

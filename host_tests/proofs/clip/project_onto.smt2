@@ -1,0 +1,30 @@
+; SPDX-License-Identifier: MIT
+; project_onto of lib/clip/clip_view.c on integers. across = 2^32 ah + al and along = 2^32 bh + bl; s and d are side and depth.
+(declare-const s Int) (declare-const d Int)
+(declare-const ah Int) (declare-const al Int) (declare-const bh Int) (declare-const bl Int)
+(define-fun W () Int 4294967296)
+(define-fun across () Int (+ (* W ah) al))
+(define-fun along () Int (+ (* W bh) bl))
+(define-fun M () Int 2305843009213693951)
+(define-fun high () Int (+ (* s ah) (* d bh)))
+(define-fun low () Int (+ (* s al) (* d bl)))
+(define-fun result () Int (+ (* 4 high) (div low 1073741824)))
+(assert (<= 0 s 1073741824)) (assert (<= 0 d 1073741824)) (assert (<= (+ s d) 1610612736))
+(assert (<= 0 al)) (assert (< al W)) (assert (<= 0 bl)) (assert (< bl W))
+
+(echo "possible")
+(push) (assert (= s 759250124)) (assert (= d 759250124)) (assert (= across M)) (assert (= along M)) (check-sat) (pop)
+; The floor of the whole sum, because 2^32 is a multiple of 2^30.
+(echo "proved")
+(push) (declare-const S Int) (declare-const D Int) (declare-const E Int) (declare-const F Int)
+(assert (not (= (+ (* 4 S) (div D 1073741824)) (div (+ (* W S) D) 1073741824)))) (check-sat) (pop)
+; The sum is at most 3 2^60 2^30: s x + d y <= (s + d) M.
+(declare-const x Int) (declare-const y Int)
+(assert (<= (- M) x M)) (assert (<= (- M) y M))
+(echo "proved")
+(push) (assert (> (* s x) (* s M))) (check-sat) (pop)
+(echo "proved")
+(push) (assert (< (* s x) (- (* s M)))) (check-sat) (pop)
+(echo "proved")
+(push) (declare-const P Int) (declare-const Q Int) (assert (<= (- (* s M)) P (* s M))) (assert (<= (- (* d M)) Q (* d M)))
+(assert (not (<= (- 3458764513820540928) (div (+ P Q) 1073741824) 3458764513820540928))) (check-sat) (pop)
