@@ -303,7 +303,7 @@ static void count_kernel_segments(const fxl_segment_face *face, const fxl_paint_
 /* Plain pixels that take as long as one of a kind of texels. */
 static double weight_of_kind(const fxl_segment_face *face)
 {
-    static const double weights[] = {1, 2.25, 2.25, 2.75, 1.75};
+    static const double weights[] = {1, 2.25, 1.75, 1.8, 1.6};
     return weights[face->kind];
 }
 
@@ -368,6 +368,13 @@ WRAPPED(bool, fxl_paint_rows_565, (fxl_plain_rows * rows))
     return __real_fxl_paint_rows_565(rows);
 }
 
+/* The same of divided pixels. */
+static double divided_weight(const fxl_divided_face *face)
+{
+    static const double weights[] = {1, 1.55, 1.2, 1.65, 1.4, 1.25};
+    return weights[face->kind];
+}
+
 WRAPPED(int32_t, fxl_paint_divided,
         (const fxl_divided_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1))
 {
@@ -376,7 +383,7 @@ WRAPPED(int32_t, fxl_paint_divided,
     counted_to = end;
     counted.each_rows += 1;
     counted.each_segments += end > x0 ? sixteens(x0, end) : 0;
-    counted.each_pixels += end - x0;
+    counted.each_pixels += (end - x0) * divided_weight(face);
     return end;
 }
 
