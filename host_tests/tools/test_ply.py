@@ -148,6 +148,18 @@ def test_what_stands_behind_the_end_of_a_binary_file_is_left_out(tmp_path):
     assert len(mesh.faces) == 4 and any("left out what stands behind the end: 4 bytes" in note for note in notes)
 
 
+def test_a_text_with_edges_and_lines_behind_its_end(tmp_path):
+    whole = text()
+    mesh, _ = read(tmp_path, whole)
+    edges = whole.replace(b"element face", b"element edge 2\nproperty int vertex1\nproperty int vertex2\nelement face")
+    head, body = edges.split(b"end_header\n")
+    rows = body.splitlines()
+    count = len(TETRAHEDRON[0])
+    made, notes = read(tmp_path, b"\n".join([head + b"end_header", *rows[:count], b"0 1", b"", b"1 2", *rows[count:], b"7 7", b""]))
+    assert made.faces == mesh.faces and made.vertices == mesh.vertices
+    assert any("left out what stands behind the end: 1 lines" in note for note in notes)
+
+
 def test_a_binary_file_with_other_elements_and_kinds(tmp_path):
     """Lists that are not read, of other lengths, before and behind what is read; lines that end as in Windows."""
     points, faces = SQUARE

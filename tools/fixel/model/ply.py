@@ -26,6 +26,7 @@ IMAGES_MAX = 64             # named by one file
 _UV_MAX = 1e6               # images across
 _INDICES = ("vertex_indices", "vertex_index")
 _COORDINATES = (("texture_u", "texture_v"), ("u", "v"), ("s", "t"))
+_ELEMENTS = (b"vertex", b"face")
 _CHANNELS = ("red", "green", "blue")
 _CONVENTION = "right-handed and counter-clockwise, as PLY is: z was negated and every outline reversed"
 
@@ -52,6 +53,23 @@ def _header(blob, name):
     return counts, images[:IMAGES_MAX]
 
 
+def _vertices_and_faces(blob):
+    """(a text file without elements of other kinds, such as edges, for which trimesh wants other packages; how many rows stand
+    behind the last one). A row is a line."""
+    head, _, body = blob.partition(b"end_header")
+    lines, rows, kept, is_kept = [], [line for line in body.splitlines() if line.strip()], [], True
+    at = 0
+    for line in head.splitlines():
+        words = line.split()
+        if words[:1] == [b"element"] and len(words) == 3:
+            is_kept, count = words[1] in _ELEMENTS, int(words[2])
+            kept += rows[at:at + count] if is_kept else []
+            at += count
+        if is_kept or words[:1] != [b"property"] and words[:1] != [b"element"]:
+            lines.append(line)
+    return b"\n".join([*lines, b"end_header", *kept, b""]), max(0, len(rows) - at)
+
+
 def _tables(blob, name):
     """({element: its table} of a file, notes)."""
     try:
@@ -61,8 +79,10 @@ def _tables(blob, name):
         from trimesh.exchange import ply       # half a second, which other formats need not take
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            made = ply.load_ply(io.BytesIO(blob), skip_materials=True, fix_texture=False)
-        return {element: each.get("data") for element, each in made["metadata"]["_ply_raw"].items()}, []
+            own, more = _vertices_and_faces(blob)
+            made = ply.load_ply(io.BytesIO(own), skip_materials=True, fix_texture=False)
+        return {element: each.get("data") for element, each in made["metadata"]["_ply_raw"].items()}, \
+            [f"{name}: left out what stands behind the end: {more:,} lines"] if more else []
     except MemoryError:
         raise
     except Exception as error:      # trimesh raises anything for a damaged file
