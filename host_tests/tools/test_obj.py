@@ -123,6 +123,14 @@ def test_a_byte_order_mark_says_the_encoding(tmp_path, encoding):
     assert not any("not known" in note for note in notes)
 
 
+@pytest.mark.parametrize("words, colour, is_unlit", [("Kd 0 0 0\nKe 1 0.6 0", (255, 153, 0), True), ("Ke 0 0.6 0\nKd 1 0.6 0", (255, 255, 0), False),
+                                                     ("Kd 0 1 0\nKe 0 0 0", (0, 255, 0), False)])
+def test_an_emissive_colour_is_added_and_alone_is_not_lit(tmp_path, words, colour, is_unlit):
+    (tmp_path / "m.mtl").write_text(f"newmtl a\n{words}\n")
+    made, notes = read(tmp_path, "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert made.surfaces.colours() == [colour] and made.surfaces.are_unlit() == is_unlit and not any("Ke" in note for note in notes)
+
+
 @pytest.mark.parametrize("most", [1, 255])
 def test_colours_of_vertices_are_a_faces_mean(tmp_path, most):
     """Of 0..1 or of 0..255. A file without materials takes them as they are, others multiply."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reading the materials of Wavefront OBJ files: newmtl, Kd, map_Kd, d and Tr of an MTL file.
+"""Reading the materials of Wavefront OBJ files: newmtl, Kd, Ke, map_Kd, d and Tr of an MTL file.
 
 Tr is transparency, and some programs write the opacity there. The one or the other is chosen for a whole file
 (_means_opacity), and said."""
@@ -15,7 +15,7 @@ MATERIALS_MAX = 4096
 _WORDS = {"-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-bm": 1, "-boost": 1, "-imfchan": 1, "-mm": 2,
           "-type": 1}
 _NUMBERS = {"-o": 0.0, "-s": 1.0, "-t": 0.0}    # up to three of them, and what those left out are
-_READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "d", "Tr")}      # in any case
+_READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "Ke", "d", "Tr")}      # in any case
 
 
 def _number(words, where, what):
@@ -26,10 +26,10 @@ def _number(words, where, what):
     return min(max(value, 0.0), 1.0)
 
 
-def _colour(words, where):
+def _colour(words, where, what="Kd"):
     if words[:1] in (["spectral"], ["xyz"]):
-        raise ToolError(f"{where}: Kd {words[0]} is not read; give red, green and blue")
-    parts = [_number(words[i:i + 1], where, "Kd") for i in range(3 if len(words) > 1 else 1)]
+        raise ToolError(f"{where}: {what} {words[0]} is not read; give red, green and blue")
+    parts = [_number(words[i:i + 1], where, what) for i in range(3 if len(words) > 1 else 1)]
     return tuple(round(255 * part) for part in (parts * 3)[:3])
 
 
@@ -126,12 +126,14 @@ class Reader:
                 self._statement(current, word, rest, where, left_out)
             elif word:
                 left_out.add(word, where)
-        self._finish(begun, file)
+        self._finish(begun, file, left_out)
         self.notes += left_out.notes(file, "ignored")
 
     def _statement(self, entry, word, rest, where, left_out):
         if word == "Kd":
             entry.colour = _colour(rest, where)
+        elif word == "Ke":
+            entry.glow, entry.glow_where = _colour(rest, where, "Ke"), where
         elif word == "map_Kd":
             options, place = _options(rest)
             if place >= len(rest):
@@ -144,7 +146,7 @@ class Reader:
         else:
             entry.tr = _number(rest, where, word)
 
-    def _finish(self, entries, file):
+    def _finish(self, entries, file, left_out):
         """Makes materials of what a file says."""
         means_opacity = _means_opacity(entries)
         if means_opacity:
@@ -158,7 +160,12 @@ class Reader:
             if entry.image and colour == (0, 0, 0):
                 self.notes.append(f"{file}: the material {quoted(entry.name)} has an image and is black: the image is shown as it is")
                 colour = WHITE
-            self.materials[entry.name] = Material(entry.name, colour, opacity, entry.image, entry.moves)
+            if entry.image and any(entry.glow):
+                left_out.add("Ke beside an image", entry.glow_where)
+            elif any(entry.glow):
+                entry.is_unlit = colour == (0, 0, 0)
+                colour = tuple(min(255, a + b) for a, b in zip(colour, entry.glow))
+            self.materials[entry.name] = Material(entry.name, colour, opacity, entry.image, entry.moves, is_unlit=entry.is_unlit)
 
 
 class _Entry:
@@ -166,6 +173,7 @@ class _Entry:
 
     def __init__(self, name):
         self.name, self.colour, self.image, self.moves, self.d, self.tr = name, None, None, None, None, None
+        self.glow, self.glow_where, self.is_unlit = (0, 0, 0), None, False
 
     def opacity(self, tr_is_opacity):
         """0..1. d goes before Tr."""
