@@ -6,6 +6,10 @@
 
 #include <fixel/all.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 #define GAME_ROCKS     10
 #define GAME_SHOTS     6
 #define GAME_STANDING  10 /* instances of the scene that stand still */
@@ -39,5 +43,9 @@ fxl_status game_step(game *state, uint32_t keys);
 
 /* Draws the sight and the score into a band that has the 3-D picture. */
 fxl_status game_draw_over(const game *state, const fxl_band *band, uint16_t width, uint16_t height);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -18,15 +18,21 @@ CC = ["-O1", "-g", "-fsanitize=undefined", "-fno-sanitize-recover", "-Wall", "-W
 # The folder of an example: its sources, the controller, pins of select, data/command and reset.
 EXAMPLES = {"pico_sdk": (["main.c", "fixel_pico.c"], "st7789", (17, 20, 21)),
             "stm32_hal": (["cube.c", "fixel_stm32.c"], "ili9341", (4, 3, 2)),
-            "arduino/cube": (["cube.ino", "fixel_arduino.cpp"], "ili9341", (10, 9, 8))}
+            "arduino/cube": (["cube.ino", "fixel_arduino.cpp"], "ili9341", (10, 9, 8)),
+            "arduino/game": (["game.ino", "../cube/fixel_arduino.cpp", "../../../examples/game/game.c"], "ili9341", (10, 9, 8))}
+# What draws the frames that a display must show; that of the cube draws for the others.
+EXPECTED = {"arduino/game": ["expected_game.c", "../../examples/game/game.c"]}
+# Folders of headers that a sketch has beside it in its package (tools/fixel/package/layouts.toml).
+BESIDE = {"arduino/game": [PORTS / "arduino" / "cube", CHECKOUT / "examples" / "game"]}
 # Those that hand bands to a display of the SDK's: their sources.
 WINDOWS = {"esp_idf/main": ["main.c", "fixel_esp.c"], "zephyr/src": ["main.c", "fixel_zephyr.c"]}
 
 
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
-    """A folder with cube_scene.h, with a path of frames."""
+    """A folder with cube_scene.h, with a path of frames, and with game_scene.h."""
     folder = tmp_path_factory.mktemp("scene")
+    making.export(str(CHECKOUT / "examples/game/game.toml"), str(folder / "game_scene.h"))
     making.export(str(CHECKOUT / "examples/cube/cube.obj"), str(folder / "cube_scene.h"), frames=96)
     return folder
 
@@ -53,7 +59,7 @@ def diary_of(example, folder, scene):
     declarations = TESTS / example.split("/")[0]
     double = next(declarations.glob("double.*"))
     program = built(folder, "example", scene, [*(PORTS / example / name for name in sources), double, TESTS / "diary.c"],
-                    [declarations, PORTS / example])
+                    [declarations, PORTS / example, *BESIDE.get(example, ())])
     done = subprocess.run([program], stdout=subprocess.PIPE, text=True, timeout=60, check=False)
     faults = re.findall("^fault (.*)$", done.stdout, re.MULTILINE)
     assert not faults and done.returncode == 0, faults
@@ -110,9 +116,9 @@ class Module:
             self.pictures.append(self.model.picture(1))
 
 
-def expected(folder, scene):
+def expected(folder, scene, example=""):
     """The glass after each of the first frames, in 16 bits a pixel."""
-    program = built(folder, "expected", scene, [TESTS / "expected.c"], [])
+    program = built(folder, "expected", scene, [TESTS / name for name in EXPECTED.get(example, ["expected.c"])], BESIDE.get(example, ()))
     data = subprocess.run([program], stdout=subprocess.PIPE, check=True).stdout
     palette = numpy.frombuffer(data[:768], numpy.uint8).reshape(256, 3)
     frames = numpy.frombuffer(data[768:], numpy.uint8).reshape(FRAMES, HEIGHT, WIDTH)
@@ -124,7 +130,7 @@ def test_a_display_shows_the_frames_of_the_library(example, scene, tmp_path):
     _, controller, pins = EXAMPLES[example]
     module = Module(controller, pins)
     module.play(diary_of(example, tmp_path, scene))
-    wanted = expected(tmp_path, scene)
+    wanted = expected(tmp_path, scene, example)
     assert len({frame.tobytes() for frame in wanted}) == FRAMES, "it turns"
     assert len(module.pictures) == FRAMES
     for shown, frame in zip(module.pictures, wanted):

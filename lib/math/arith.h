@@ -74,10 +74,6 @@ void fxl_assert_failed(const char *file, int line);
  * arithmetic on every compiler that Fixel is built with. */
 FXL_STATIC_ASSERT((-3 >> 1) == -2, "needs arithmetic right shift");
 
-/* Shifts such as 1u << 30, 1 << 26 and width << 16, and products such as width * 32768u, are
- * computed in int or unsigned. */
-FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
-
 /* floor(value / 2^shift + 1/2), 1 <= shift <= 62. The addition cannot overflow for
  * |value| <= 2^62. Error: half a unit of the result. */
 /* SPEC 2.2 */

@@ -28,15 +28,20 @@ def fixture_packages(tmp_path_factory):
 
 @pytest.fixture(scope="module", name="tool")
 def fixture_tool(tmp_path_factory):
-    """By a package of pip: a program of it, in a venv of its own."""
-    def tool(package, program):
+    """By packages of pip: a program of theirs, in a venv of its own."""
+    made = {}
+
+    def tool(program, *asked):
+        if asked in made:
+            return made[asked] / "bin" / program
         venv = tmp_path_factory.mktemp("venv")
         run(sys.executable, "-m", "venv", venv)
-        done = subprocess.run([venv / "bin" / "python", "-m", "pip", "install", "-q", "--disable-pip-version-check", package], text=True, capture_output=True,
+        done = subprocess.run([venv / "bin" / "python", "-m", "pip", "install", "-q", "--disable-pip-version-check", *asked], text=True, capture_output=True,
                               check=False)
         if done.returncode and re.search(r"No matching distribution|ConnectionError|Temporary failure|timed out", done.stdout + done.stderr):
-            pytest.skip(f"needs {package} of the Python package registry")
+            pytest.skip(f"needs {' '.join(asked)} of the Python package registry")
         assert done.returncode == 0, done.stderr
+        made[asked] = venv
         return venv / "bin" / program
     return tool
 
@@ -80,18 +85,89 @@ def test_a_16_bit_int_is_refused_in_words(packages, tmp_path):
     assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr
 
 
+SKETCHES = {"cube": set(), "game": {"game.c", "game.h"}}
+
+
+@pytest.mark.parametrize("name", SKETCHES)
+def test_a_sketch_is_whole(packages, name):
+    """With what it includes. host_tests/ports/test_ports.py draws with it."""
+    files = {file.name for file in (packages / "arduino" / "examples" / name).iterdir()}
+    assert files == {f"{name}.ino", f"{name}_scene.h", "fixel_arduino.cpp", "fixel_arduino.h"} | SKETCHES[name]
+
+
+@pytest.mark.parametrize("name", SKETCHES)
+def test_arduino_finds_library_and_headers_for_an_avr_and_stops_at_the_int(packages, tmp_path, name):
+    need("arduino-builder", "avr-gcc")
+    libraries, hardware, builder = tmp_path / "libraries", "/usr/share/arduino/hardware", "/usr/share/arduino-builder"
+    shutil.copytree(packages / "arduino", libraries / "Fixel")
+    (tmp_path / "build").mkdir()
+    done = subprocess.run(["arduino-builder", "-compile", "-hardware", hardware, "-hardware", builder, "-tools", builder,
+                           "-fqbn=arduino:avr:mega:cpu=atmega2560", "-libraries", libraries, "-build-path", tmp_path / "build", "-verbose",
+                           libraries / "Fixel" / "examples" / name / f"{name}.ino"], text=True, capture_output=True, check=False)
+    said = done.stdout + done.stderr
+    assert done.returncode != 0 and "needs an int of at least 32 bits" in said and "No such file" not in done.stderr, said
+    assert f"-I{libraries / 'Fixel' / 'src'}" in said and "not declared" not in said, said
+
+
+@pytest.mark.parametrize("name", SKETCHES)
+def test_a_sketch_compiles_for_a_cortex_m0_plus_with_src_alone(packages, tmp_path, name):
+    """Against declarations of Arduino's own functions; the whole library is compiled as C++ above."""
+    need("arm-none-eabi-g++")
+    flags = ["-mcpu=cortex-m0plus", "-mthumb", "-Os", "-Wall", "-Werror", f"-I{packages / 'arduino' / 'src'}", f"-I{CHECKOUT / 'host_tests' / 'ports' / 'arduino'}"]
+    for source in (packages / "arduino" / "examples" / name).glob("*.[cip]*"):
+        how = ["arm-none-eabi-gcc", "-std=gnu11"] if source.suffix == ".c" else ["arm-none-eabi-g++", "-std=gnu++11", "-x", "c++", "-include", "Arduino.h"]
+        run(how[0], *flags, *how[1:], "-c", source, "-o", tmp_path / f"{source.name}.o")
+
+
+PLATFORMIO = ("platformio>=6.1,<7", "scons>=4.8,<5")
+# A platform that compiles for this machine: the one of PlatformIO's registry is a download that this test does without.
+PLATFORM = {
+    "platform.json": '{"name": "native", "title": "Native", "version": "1.0.0", "license": "MIT", "description": "this machine", '
+                     '"frameworks": {}, "packages": {}}',
+    "platform.py": "from platformio.public import PlatformBase\n\n\nclass NativePlatform(PlatformBase):\n    pass\n",
+    "builder/main.py": "from SCons.Script import Default, DefaultEnvironment\n\nDefault([DefaultEnvironment().BuildProgram()])\n"}
+SCONS = "import sys\nfrom SCons.Script.Main import main\nsys.exit(main())\n"
+
+
+def platformio_home(folder):
+    """The environment of a pio that keeps its things in a folder and sends no reports."""
+    return {"PLATFORMIO_CORE_DIR": str(folder / "core"), "PLATFORMIO_SETTING_ENABLE_TELEMETRY": "no"}
+
+
+def test_platformio_builds_the_first_program(packages, tool, tmp_path):
+    """It takes the library by library.json, and draws the picture of the README. SCons is pip's, in the place of PlatformIO's own package."""
+    need("gcc")
+    pio = tool("pio", *PLATFORMIO)
+    asked = run(pio.parent / "python", "-c", "from platformio import dependencies as d; print(d.get_core_dependencies()['tool-scons'].lstrip('~^>='))").strip()
+    builder = tmp_path / "core" / "packages" / "tool-scons"
+    for file, text in {"scons.py": SCONS, "package.json": json.dumps({"name": "tool-scons", "version": asked}),
+                       ".piopm": json.dumps({"type": "tool", "name": "tool-scons", "version": asked,
+                                             "spec": {"owner": "platformio", "id": None, "name": "tool-scons", "requirements": None, "uri": None}})}.items():
+        builder.mkdir(parents=True, exist_ok=True)
+        (builder / file).write_text(text, encoding="utf-8")
+    project = tmp_path / "project"
+    for file, text in PLATFORM.items():
+        (project / "platform" / file).parent.mkdir(parents=True, exist_ok=True)
+        (project / "platform" / file).write_text(text, encoding="utf-8")
+    first_program(project / "src")
+    (project / "platformio.ini").write_text(f"[env:native]\nplatform = symlink://{project}/platform\nlib_deps = symlink://{packages}/platformio\n"
+                                            "build_flags = -std=c11 -O1\nbuild_src_filter = +<host.c>\n", encoding="utf-8")
+    run(pio, "run", "-d", project, **platformio_home(tmp_path))
+    assert run(project / ".pio" / "build" / "native" / "program") == expected()
+
+
 def test_platformio_packs_it(packages, tool, tmp_path):
-    pio = tool("platformio>=6.1,<7", "pio")
+    pio = tool("pio", *PLATFORMIO)
     copy = shutil.copytree(packages / "platformio", tmp_path / "fixel")
     manifest = json.loads((copy / "library.json").read_text(encoding="utf-8"))
     assert manifest.pop("license") == "MIT"     # which it looks up on the network
     (copy / "library.json").write_text(json.dumps(manifest), encoding="utf-8")
-    said = run(pio, "pkg", "pack", copy, "-o", tmp_path / "fixel.tar.gz", PLATFORMIO_CORE_DIR=str(tmp_path / "core"), PLATFORMIO_SETTING_ENABLE_TELEMETRY="no")
+    said = run(pio, "pkg", "pack", copy, "-o", tmp_path / "fixel.tar.gz", **platformio_home(tmp_path))
     assert "fixel.tar.gz" in said and (tmp_path / "fixel.tar.gz").stat().st_size > 50_000
 
 
 def test_esp_idf_accepts_the_manifest(packages, tool, tmp_path):
-    compote = tool("idf-component-manager>=2,<4", "compote")
+    compote = tool("compote", "idf-component-manager>=2,<4")
     copy = shutil.copytree(packages / "esp-idf", tmp_path / "fixel")
     run(compote, "manifest", "lint", "idf_component.yml", folder=copy)
     text = (copy / "idf_component.yml").read_text(encoding="utf-8")
@@ -115,7 +191,7 @@ def test_zephyr_module_names_what_is_there(packages):
 
 def test_conan_creates_it_and_its_consumer_runs(packages, tool, tmp_path):
     need("cmake", "gcc")
-    conan = tool("conan>=2.0,<3", "conan")
+    conan = tool("conan", "conan>=2.0,<3")
     home = {"CONAN_HOME": str(tmp_path / "conan")}
     run(conan, "profile", "detect", **home)
     said = run(conan, "create", packages / "conan", "--no-remote", **home)

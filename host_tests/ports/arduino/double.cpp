@@ -8,7 +8,7 @@
 #include "diary.h"
 
 SPIClass SPI;
-static bool is_begun, is_in_transaction;
+static bool is_begun, is_in_transaction, is_input[8];
 static uint8_t message[2 * 320 * 240];
 static size_t length;
 
@@ -21,8 +21,17 @@ static void require(bool holds, const char *sentence)
 
 void pinMode(uint8_t pin, uint8_t mode)
 {
-    (void)pin;
-    require(mode == OUTPUT, "a pin is no output");
+    require(mode == OUTPUT || (mode == INPUT_PULLUP && pin < sizeof is_input), "a pin is neither an output nor a key");
+    if (mode == INPUT_PULLUP && pin < sizeof is_input) {
+        is_input[pin] = true;
+    }
+}
+
+/* No key is held. */
+int digitalRead(uint8_t pin)
+{
+    require(pin < sizeof is_input && is_input[pin], "a pin is read that is no input");
+    return HIGH;
 }
 
 /* What was sent since the last change of a pin is a message. */

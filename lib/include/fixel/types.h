@@ -33,6 +33,10 @@ extern "C" {
 #define FXL_ALIGN_8           _Alignas(8)
 #endif
 
+/* Here, so that it is the first thing that a compiler for AVR says. Shifts such as 1u << 30,
+ * 1 << 26 and width << 16, and products such as width * 32768u, are computed in int or unsigned. */
+FXL_STATIC_ASSERT(sizeof(int) >= 4, "needs an int of at least 32 bits");
+
 /* Stands before the definition of a table in a header that the tools wrote. Each file that includes
  * the header defines the table, and the linker keeps one of them. With another compiler exactly one
  * file of a program may define the tables; the header says how the others declare them. */

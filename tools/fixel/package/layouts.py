@@ -11,6 +11,7 @@ from fixel.base.version import version
 from fixel.image import image
 from fixel.package import one_text, rust_bindings
 from fixel.report import examples
+from fixel.scene import making
 
 TABLE = pathlib.Path(__file__).with_name("layouts.toml")
 ROOT = pathlib.Path(__file__).resolve().parents[3]
@@ -39,6 +40,9 @@ def texts(layout, one_file):
         bindings = rust_bindings.Bindings(one_file["fixel.h"])
         found[f"{layout['crate']}/src/bindings.rs"] = bindings.text()
         found[f"{source}/layouts.c"], found[f"{layout['crate']}/tests/layouts.rs"] = bindings.layouts()
+    for name, sketch in layout.get("sketches", {}).items():
+        found |= {f"examples/{name}/{file.name}": file.read_text(encoding="utf-8") for files in sketch["files"] for file in ROOT.glob(files)
+                  if not file.name.endswith("_scene.h")}
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     return found
 
@@ -53,7 +57,10 @@ def write(layout, folder, one_file):
         examples.write_scene(folder / layout["example"])
     if layout.get("image"):
         output.write_file(folder / layout["image"], image.pack(examples.scene()))
-    return len(found)
+    for name, sketch in layout.get("sketches", {}).items():
+        making.export(str(ROOT / sketch["scene"]), str(folder / "examples" / name / f"{pathlib.Path(sketch['scene']).stem}_scene.h"),
+                      frames=sketch.get("frames"))
+    return len(found) + len(layout.get("sketches", {}))
 
 
 def command(options):
