@@ -503,8 +503,8 @@ static int32_t part(int32_t difference, int32_t value)
 
 void lv_fixel_anim_flight(void *flight, int32_t value)
 {
-    const lv_fixel_flight_t *way = flight;
-    const fxl_pose *a = &way->from, *b = &way->to;
+    const lv_fixel_flight_t *path = flight;
+    const fxl_pose *a = &path->from, *b = &path->to;
     const fxl_pose pose = {
         .position = {a->position.x + part(b->position.x - a->position.x, value),
                      a->position.y + part(b->position.y - a->position.y, value),
@@ -514,5 +514,5 @@ void lv_fixel_anim_flight(void *flight, int32_t value)
         .pitch = a->pitch + (fxl_angle)part((int32_t)(b->pitch - a->pitch), value),
         .roll = a->roll + (fxl_angle)part((int32_t)(b->roll - a->roll), value),
     };
-    lv_fixel_set_pose(way->obj, &pose);
+    lv_fixel_set_pose(path->obj, &pose);
 }

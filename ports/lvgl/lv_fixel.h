@@ -3,7 +3,7 @@
  *
  * The widget adds a draw task of its own to each layer that shows it, and a draw unit of its own
  * takes the task: Fixel draws straight into the layer's buffer, at its stride and within the clip
- * area, in LVGL's order. No pixel is copied. Widgets over it and beside it are drawn as ever.
+ * area, in LVGL's order. No pixel is copied. LVGL draws the widgets over it and beside it.
  *
  * It draws into layers of RGB565 and RGB565_SWAPPED (a renderer with an RGB565 target), and into L8
  * (a renderer of a palette that is a ramp of grey). Into any other layer, and with an opacity, it
