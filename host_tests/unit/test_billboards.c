@@ -342,8 +342,8 @@ void test_near_far_and_sides_leave_sprites_out(void)
     TEST_ASSERT_EQUAL_UINT32(0, count_sprite(whole));
 }
 
-/* As far beside the eye as a centre can be, with a side that goes on from there: beyond what is projected. And one whose left side
- * is projected, and whose right side is not. */
+/* As far beside the eye as a centre can be, with a side that goes on from there: beyond what is
+ * projected. And one whose left side is projected, and whose right side is not. */
 void test_a_side_that_is_too_far_is_refused(void)
 {
     const fxl_q16_16 far = Q16(8188), size = Q16(8000);
@@ -358,7 +358,9 @@ void test_a_side_that_is_too_far_is_refused(void)
     tiny->instances[1].centre = (fxl_point){far, far, far};
     for (uint32_t turn = 0; turn < 4; turn++) {
         /* The view's right, or its up, is the diagonal of the world, or its opposite. */
-        const fxl_pose pose = {{-far, -far, -far - Q16(2)}, (fxl_angle)-DEGREES(45), 0,
+        const fxl_pose pose = {{-far, -far, -far - Q16(2)},
+                               (fxl_angle)-DEGREES(45),
+                               0,
                                DEGREES(35) + DEGREES(1) / 4 + turn * FXL_ANGLE_QUARTER};
         board = (fxl_billboard){&sprite, Q16(1), Q16(1), 0, 0};
         draw_frame(&pose, 0);

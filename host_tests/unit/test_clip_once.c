@@ -365,18 +365,18 @@ void test_edges_that_pass_corners_closely(void)
     TEST_ASSERT_EQUAL(UNIT_REPEAT / 10, cuts);
 }
 
-/* Edges that lie in a plane but for a unit, with which they cross it or do not: the left plane, and the right one. */
+/* Edges that lie in a plane but for a unit, with which they cross it or do not: the left plane, and
+ * the right one. */
 void test_edges_that_lie_in_a_plane_but_for_a_unit(void)
 {
-    static const fxl_view_point shapes[2][4] = {
-        {{V(2) + 1, V(3) - 1, V(1)},
-         {V(-1), V(3) - 1, V(1)},
-         {V(-1), V(-5) + 1, V(1) + 1},
-         {V(2) + 2, V(-5) - 1, V(1) + 1}},
-        {{V(1) / 16, V(-1) / 8 - 1, V(1) / 16},
-         {V(1) + 1, V(-1) / 8 - 2, V(1)},
-         {V(1), V(1) / 8 - 2, V(1) - 1},
-         {V(1) / 16 + 2, V(1) / 8 - 1, V(1) / 16 + 1}}};
+    static const fxl_view_point shapes[2][4] = {{{V(2) + 1, V(3) - 1, V(1)},
+                                                 {V(-1), V(3) - 1, V(1)},
+                                                 {V(-1), V(-5) + 1, V(1) + 1},
+                                                 {V(2) + 2, V(-5) - 1, V(1) + 1}},
+                                                {{V(1) / 16, V(-1) / 8 - 1, V(1) / 16},
+                                                 {V(1) + 1, V(-1) / 8 - 2, V(1)},
+                                                 {V(1), V(1) / 8 - 2, V(1) - 1},
+                                                 {V(1) / 16 + 2, V(1) / 8 - 1, V(1) / 16 + 1}}};
     fxl_normalised frustum = square();
     for (int i = 0; i < 2; i++) {
         fxl_varying_polygon polygon = {.colour = 1, .count = 4};
@@ -393,15 +393,17 @@ void test_edges_that_lie_in_a_plane_but_for_a_unit(void)
     }
 }
 
-/* 30 vertices on a circle before the eye, one of them alone between two vertices that lie beyond corners of the screen: after the
- * second of those the capacity is reached, so its corner does not fit. */
+/* 30 vertices on a circle before the eye, one of them alone between two vertices that lie beyond
+ * corners of the screen: after the second of those the capacity is reached, so its corner does not
+ * fit. */
 void test_the_capacity_ends_at_a_corner(void)
 {
     fxl_varying_polygon polygon = {.colour = 1, .count = FXL_POLYGON_CAPACITY};
     const fxl_varying_polygon *result = NULL;
     for (int i = 0; i < FXL_POLYGON_CAPACITY; i++) {
         fxl_view_point *at = &polygon.vertices[i].position;
-        /* Degrees, clockwise. The tangents from the two touch the circle 58 degrees before and after them. */
+        /* Degrees, clockwise. The tangents from the two touch the circle 58 degrees before and
+         * after them. */
         const double degrees = i == 0 ? -225 : -14 - 62.0 * (i - 2) / (FXL_POLYGON_CAPACITY - 4);
         const double angle = degrees * 3.14159265358979 / 180;
         at->x = (int64_t)(cos(angle) * 9 * (double)V(10));
@@ -409,6 +411,7 @@ void test_the_capacity_ends_at_a_corner(void)
         at->z = V(100);
     }
     polygon.vertices[1].position = (fxl_view_point){V(120), V(120), V(100)};
-    polygon.vertices[FXL_POLYGON_CAPACITY - 1].position = (fxl_view_point){V(-120), V(-120), V(100)};
+    polygon.vertices[FXL_POLYGON_CAPACITY - 1].position =
+        (fxl_view_point){V(-120), V(-120), V(100)};
     TEST_ASSERT_EQUAL(FXL_CLIP_CAPACITY, clip(&polygon, &result));
 }

@@ -306,8 +306,9 @@ void test_the_room_that_a_face_took_is_the_least(void)
     }
 }
 
-/* Rounding leaves outlines with corners in a row on a plane, here on x = 0: they go to the part that they lie beside, and between
- * two parts one of them goes to both. An outline is then convex only to within two units of 1/65536. */
+/* Rounding leaves outlines with corners in a row on a plane, here on x = 0: they go to the part
+ * that they lie beside, and between two parts one of them goes to both. An outline is then convex
+ * only to within two units of 1/65536. */
 void test_corners_in_a_row_on_a_plane(void)
 {
     enum {
@@ -315,11 +316,12 @@ void test_corners_in_a_row_on_a_plane(void)
         ONE = 65536
     };
     static const int32_t faces[][7][2] = {
-        {{-FAR, -FAR}, {0, FAR}, {0, FAR - 2}, {FAR, -FAR}},                  /* to the front */
-        {{-FAR, FAR}, {FAR, FAR}, {0, -FAR + 2}, {0, -FAR}},                  /* to behind */
+        {{-FAR, -FAR}, {0, FAR}, {0, FAR - 2}, {FAR, -FAR}}, /* to the front */
+        {{-FAR, FAR}, {FAR, FAR}, {0, -FAR + 2}, {0, -FAR}}, /* to behind */
         {{-FAR, 0}, {0, FAR}, {0, FAR - 1}, {0, FAR - 2}, {FAR, 0}, {0, -FAR + 2}, {0, -FAR}},
-        {{-FAR, -FAR}, {-FAR, FAR}, {5, FAR}, {3, ONE}, {3, 0}, {5, -ONE}},   /* beside the front */
-        {{FAR, FAR}, {FAR, -FAR}, {-5, -FAR}, {-3, -ONE}, {-3, 0}, {-5, ONE}}};  /* beside what is behind */
+        {{-FAR, -FAR}, {-FAR, FAR}, {5, FAR}, {3, ONE}, {3, 0}, {5, -ONE}}, /* beside the front */
+        {{FAR, FAR}, {FAR, -FAR}, {-5, -FAR}, {-3, -ONE}, {-3, 0}, {-5, ONE}}}; /* beside what is
+                                                                                   behind */
     static const uint32_t counts[] = {4, 4, 7, 6, 6};
     for (uint32_t turn = 0; turn < 4; turn++) {
         fxl_point turned[4];
