@@ -470,11 +470,11 @@ prove: ## prove properties of the library's text for every input, and say of eac
 COVERED_TESTS = $(if $(ONLY),$(COVERAGE_OUT)/$(or $(call ONE_OF,$(ONLY),$(notdir $(COVERAGE_TESTS))),\
     $(error ONLY: there is no unit test "$(ONLY)"; host_tests/unit has them)),$(COVERAGE_TESTS))
 COVERED_REPLAYS = $(if $(ONLY),,$(FUZZ_TARGETS))
-coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach [ONLY= of one unit test, such as test_scan]
+coverage: ## print which lines, branches and conditions of lib/ the unit tests and the fuzzer's corpus reach; the rest must have a reason [ONLY= of one unit test, such as test_scan]
 	@tools/setup.sh coverage
 	@$(MAKE) $(COVERED_TESTS) $(COVERED_REPLAYS:%=$(COVERAGE_OUT)/replay_%)
-	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage.json \
-	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip)
+	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage/coverage.json \
+	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip) $(if $(ONLY),,--reasons host_tests/unit/uncovered.toml)
 
 rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the lines of each rule may only become fewer [RENEW=1]
 	@tools/setup.sh rules

@@ -1,34 +1,173 @@
 # SPDX-License-Identifier: MIT
-"""What make coverage counts: of an export of llvm-cov, and of programs that fail."""
+"""What make coverage counts: of the views of llvm-cov, of programs that fail, and what has a reason for not being reached."""
 
 import sys
 
-from fixel.check import clang_coverage
+import pytest
 
-SUMMARY = {"lines": {"count": 10, "covered": 9}, "branches": {"count": 4, "covered": 3}, "mcdc": {"count": 3, "covered": 1}}
+from conftest import CHECKOUT
+from fixel.base.errors import ToolError
+from fixel.check import clang_coverage, coverage, gaps
+
+SOURCE = """/* A file. */
+static int of_room(int a, int b)
+{
+    if (a > 0 &&
+        (b < 3 || ALWAYS)) {
+        return 1;
+    }
+    return a > 0 ? 2 : 3;
+}
+"""
+# What llvm-cov prints of it, as it is in a.c and as it is in b.c.
+SHOWN = """{name}:
+    1|       |/* A file. */
+  ------------------
+  | a.c:of_room:
+  |    2|      4|static int of_room(int a, int b)
+  |    4|      4|    if (a > 0 &&
+  |  ------------------
+  |  |  Branch (4:9): [True: 2, False: 2]
+  |  ------------------
+  |    5|      2|        (b < 3 || ALWAYS)) {{
+  |  ------------------
+  |  |  Branch (5:10): [True: {first}, False: 1.2k]
+  |  |  Branch (5:19): [Folded - Ignored]
+  |  ------------------
+  |  |---> MC/DC Decision Region (4:9) to (5:26)
+  |  |
+  |  |  Number of Conditions: 3
+  |  |     Condition C1 --> (4:9)
+  |  |     Condition C2 --> (5:10)
+  |  |     Condition C3 --> (5:19)
+  |  |
+  |  |  C1-Pair: covered: (1,2)
+  |  |  C2-Pair: {second}
+  |  |  C3-Pair: constant folded
+  |  |  MC/DC Coverage for Decision: 50.00%
+  |  |
+  |  ------------------
+  |    6|      0|        return 1;
+  |    8|      2|    return a > 0 ? 2 : 3;
+  |  ------------------
+  |  |  Branch (8:12): [True: 0, False: 2]
+  |  ------------------
+"""
 
 
-def file(name, records=()):
-    return {"filename": name, "summary": SUMMARY, "mcdc_records": list(records)}
+@pytest.fixture(name="root")
+def fixture_root(tmp_path):
+    """A checkout with one file."""
+    (tmp_path / "lib" / "math").mkdir(parents=True)
+    (tmp_path / "lib" / "math" / "a.h").write_text(SOURCE, encoding="utf-8")
+    return tmp_path
 
 
-def test_files_and_rooms(tmp_path):
-    records = [[7, 9, 8, 20, 0, 5, [True, False]], [30, 1, 30, 9, 0, 5, [False]]]
-    files = clang_coverage.of_files([file(f"{tmp_path}/lib/math/a.c", records), file("lib/math/b.c"), file("lib/include/fixel/c.h"),
-                               file("lib/include/fixel/d.h"), file("host_tests/unit/e.c"), file("/usr/include/f.h")], tmp_path)
-    assert list(files) == ["lib/math/a.c", "lib/math/b.c", "lib/include/fixel/c.h", "lib/include/fixel/d.h"]
-    assert files["lib/math/a.c"] == {"lines": [9, 10], "branches": [3, 4], "conditions": [1, 3],
-                                         "unreached": [[7, 2], [30, 1]]}
-    rooms = clang_coverage.by_room(files)
+def shown(root, first="0", second="not covered"):
+    return SHOWN.format(name=root / "lib" / "math" / "a.h", first=first, second=second)
+
+
+def measured(root, *views):
+    return {name: file.result() for name, file in clang_coverage.views("\n".join(views), root).items()}
+
+
+def test_what_no_test_reaches_is_told_by_its_text(root):
+    files = measured(root, "/usr/include/c.h:\n    1|      1|int x;", shown(root))
+    assert files == {"lib/math/a.h": {
+        "lines": [4, 5], "branches": [4, 6], "conditions": [1, 2],
+        "open": [clang_coverage.Gap(5, "of_room", "b < 3", ("true", "alone")), clang_coverage.Gap(8, "of_room", "a > 0 #2", ("true",))]}}
+
+
+def test_what_one_view_reaches_is_reached(root):
+    files = measured(root, shown(root), shown(root, "7", "covered: (1,3)"))
+    assert files["lib/math/a.h"]["branches"] == [5, 6] and files["lib/math/a.h"]["conditions"] == [2, 2]
+    assert [gap.condition for gap in files["lib/math/a.h"]["open"]] == ["a > 0 #2"]
+
+
+@pytest.mark.parametrize("column, text, condition", [
+    (5, "if (a[i] < f(b, c) && d) {", "a[i] < f(b, c)"), (10, "    x = (a ? b : c);", "a"), (8, "while (next(&x) != NULL) {", "next(&x) != NULL"),
+    (5, "if (a <", "a < b + 1"), (6, "case 7:", "7")])
+def test_the_text_of_a_condition(column, text, condition):
+    assert clang_coverage.condition_at([text, "      b + 1 || c) {"], 1, column) == condition
+
+
+@pytest.mark.parametrize("line, name", [(1, "MAX"), (2, "MAX"), (5, "first"), (9, "second"), (10, "second")])
+def test_the_function_of_a_line(line, name):
+    text = ["#define MAX(a, b) \\", "    ((a) > (b) ? (a) : (b))", "int first(int a);", "static const int *first(int a,", "    int b) { a; }", "",
+            "FXL_COLD fxl_status", "second(int a)", "{", "}"]
+    assert clang_coverage.function_of(text, line) == name
+
+
+def test_rooms():
+    counts = {"lines": [9, 10], "branches": [3, 4], "conditions": [1, 3], "open": []}
+    rooms = clang_coverage.by_room({"lib/math/a.c": counts, "lib/math/b.c": counts, "lib/include/fixel/c.h": counts})
     assert list(rooms) == ["lib/include/fixel", "lib/math", "all together"]
     assert rooms["lib/math"] == {"lines": [18, 20], "branches": [6, 8], "conditions": [2, 6]}
-    assert rooms["all together"] == {"lines": [36, 40], "branches": [12, 16], "conditions": [4, 12]}
-    assert clang_coverage.rows(rooms)[-1] == ["all together", "36 of 40   90.0 %", "12 of 16   75.0 %", "4 of 12   33.3 %"]
+    assert clang_coverage.rows(rooms)[-1] == ["all together", "27 of 30   90.0 %", "9 of 12   75.0 %", "3 of 9   33.3 %"]
 
 
 def test_a_room_without_decisions():
     assert clang_coverage.rows({"lib/a": {"lines": [1, 1], "branches": [0, 0], "conditions": [0, 0]}}) == \
         [["lib/a", "1 of 1  100.0 %", "0 of 0", "0 of 0"]]
+
+
+def reasons(root, *lines):
+    path = root / "uncovered.toml"
+    path.write_text('[[reason]]\nwhy = "b is at least 3"\ngaps = [' + "".join(f'\n    "{line}",' for line in lines) + "\n]\n", encoding="utf-8")
+    return gaps.read(path)
+
+
+def test_each_gap_has_a_reason_or_fails(root, capsys):
+    files = measured(root, shown(root))
+    all_of = reasons(root, "lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_room | a > 0 #2 | true")
+    assert gaps.sentences(files, all_of) == ([], []) and coverage.compare(files, all_of, "r.toml")
+    assert "2 branches, 1 conditions; without one: 0 places" in capsys.readouterr().out
+    part = reasons(root, "lib/math/a.h | of_room | b < 3 | true")
+    assert gaps.sentences(files, part)[0] == ["lib/math/a.h:5: lib/math/a.h | of_room | b < 3 | alone",
+                                              "lib/math/a.h:8: lib/math/a.h | of_room | a > 0 #2 | true"]
+    assert not coverage.compare(files, part, "r.toml")
+    assert "a.h:8: " in capsys.readouterr().err
+
+
+def test_a_reason_that_nothing_needs_fails(root):
+    files = measured(root, shown(root, "7", "covered: (1,3)"))
+    stated = reasons(root, "lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_room | a > 0 #2 | true",
+                     "lib/math/a.h | of_hall | a > 0 | true")
+    assert gaps.sentences(files, stated) == ([], ["lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_hall | a > 0 | true"])
+    assert not coverage.compare(files, stated, "r.toml")
+
+
+def test_a_condition_may_have_a_bar():
+    assert gaps.parsed("lib/a.c | f | (a | b) == 0 | false alone", "r.toml") == (("lib/a.c", "f", "(a | b) == 0"), ("false", "alone"))
+
+
+def test_a_gap_keeps_its_reason_where_lines_move(root):
+    stated = reasons(root, "lib/math/a.h | of_room | b < 3 | true alone", "lib/math/a.h | of_room | a > 0 #2 | true")
+    (root / "lib" / "math" / "a.h").write_text("\n\n" + SOURCE, encoding="utf-8")
+    moved = shown(root)
+    for line in (8, 6, 5, 4, 2, 1):
+        moved = moved.replace(f"  {line}|", f"  {line + 2}|").replace(f"({line}:", f"({line + 2}:")
+    assert gaps.sentences(measured(root, moved), stated) == ([], [])
+
+
+@pytest.mark.parametrize("line, words", [
+    ("lib/math/a.h | of_room | b < 3", "a gap is"), ("lib/math/a.h | of_room | b < 3 | maybe", "a gap is"), ("x | y | z | true\",\n \"x | y | z | true", "twice")])
+def test_a_file_of_reasons_that_says_something_else_is_refused(root, line, words):
+    with pytest.raises(ToolError, match=words):
+        reasons(root, line)
+
+
+def test_without_clang_it_is_not_run(monkeypatch, root):
+    monkeypatch.setattr(coverage.shutil, "which", lambda name: None)
+    with pytest.raises(ToolError, match="not run: needs clang 19") as refused:
+        coverage.main(["--library", "l.so", "--tests", "t", "--out", str(root / "c.json")])
+    assert refused.value.exit_code == 2
+
+
+def test_the_reasons_name_functions_that_are_there():
+    stated = gaps.read(CHECKOUT / "host_tests" / "unit" / "uncovered.toml")
+    texts = {file: (CHECKOUT / file).read_text(encoding="utf-8") for file in {key[0] for key in stated}}
+    assert len(stated) > 20 and [key for key in stated if f"{key[1]}(" not in texts[key[0]]] == []
 
 
 def test_programs_that_fail_are_named_and_the_others_counted(tmp_path):

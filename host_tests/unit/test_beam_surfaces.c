@@ -343,3 +343,20 @@ void test_colours_at_corners_are_refused(void)
         TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&walls.renderer, &walls_eye));
     }
 }
+
+/* Beside the walls, a beam changes no pixel of them. */
+void test_a_beam_that_reaches_no_wall(void)
+{
+    const fxl_point from = {Q16(500), Q16(500), 0};
+    const fxl_point window[] = {{Q16(499.9), Q16(500.1), Q16(1)},
+                                {Q16(500.1), Q16(500.1), Q16(1)},
+                                {Q16(500.1), Q16(499.9), Q16(1)},
+                                {Q16(499.9), Q16(499.9), Q16(1)}};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_beam_from_point(&from, window, 4, &beam));
+    start(&ways[0], true, lit);
+    draw(&ways[0], shown, HEIGHT);
+    start(&ways[0], true, NULL);
+    draw(&ways[0], behind, HEIGHT);
+    TEST_ASSERT_EQUAL_MEMORY(behind, shown, sizeof shown);
+    TEST_ASSERT_NOT_NULL(memchr(shown, walls.texels[0], sizeof shown));
+}

@@ -312,6 +312,15 @@ void test_opacity_and_blending(void)
                                   channel_of(again[p], k));
             }
         }
+        quad->surface.flags = FXL_SURFACE_COLOURS | FXL_SURFACE_ADD;
+        quad->surface.sixteenths = 0;
+        draw(quad, again);
+        for (int p = 0; p < QUAD_WIDTH * QUAD_HEIGHT; p++) {
+            for (int k = 0; frame[p] != BENEATH && k < CHANNELS; k++) {
+                const int sum = channel_of(frame[p], k) + channel_of(BENEATH, k);
+                TEST_ASSERT_EQUAL(sum < most[k] ? sum : most[k], channel_of(again[p], k));
+            }
+        }
     }
     TEST_ASSERT_GREATER_THAN(drawn / 2, left_out);
     TEST_ASSERT_GREATER_THAN(20 * ROUNDS, drawn);

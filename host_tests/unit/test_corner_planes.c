@@ -392,3 +392,27 @@ void test_segments_are_within_a_third_where_the_least_weight_suffices(void)
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, narrow);
     TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 500, refused);
 }
+
+/* A face that has words; then its like that has none: with more corners, in a lens of one octave,
+ * nearer than any near plane. */
+void test_what_has_no_words(void)
+{
+    const int32_t light[3] = {Q16(8), Q16(8), Q16(8)};
+    fxl_gradients gradients;
+    fxl_depth_plane plane;
+    bool is_found = false;
+    for (int i = 0; i < 10000 && !is_found; i++) {
+        make_corners(1.0 / 1024);
+        is_found = fxl_find_smooth_planes(&corners, &view.lens, light, &gradients, &plane);
+    }
+    TEST_ASSERT_TRUE(is_found);
+    corners.is_triangle = false;
+    TEST_ASSERT_FALSE(fxl_find_smooth_planes(&corners, &view.lens, light, &gradients, &plane));
+    corners.is_triangle = true;
+    fxl_lens lens = view.lens;
+    lens.near_z = Q16(10);
+    lens.far_z = Q16(15);
+    TEST_ASSERT_FALSE(fxl_find_smooth_planes(&corners, &lens, light, &gradients, &plane));
+    corners.depths[0] = corners.depths[1] = corners.depths[2] = UINT32_MAX;
+    TEST_ASSERT_FALSE(fxl_find_smooth_planes(&corners, &view.lens, light, &gradients, &plane));
+}

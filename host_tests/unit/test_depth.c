@@ -335,3 +335,22 @@ void test_what_is_refused(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &config));
     TEST_ASSERT_EQUAL_PTR(&fxl_palette_depth_16, made->renderer.target);
 }
+
+/* As many parts as it can count, and one more. */
+void test_the_count_of_parts_ends(void)
+{
+    depth_scene_start(made);
+    fxl_config config = made->config;
+    const fxl_band band = {.pixels = made->frame,
+                           .width = DEPTH_SCENE_WIDTH,
+                           .stride = DEPTH_SCENE_WIDTH,
+                           .rows = DEPTH_SCENE_HEIGHT};
+    config.target = &fxl_palette_depth_16;
+    config.depth = made->cells;
+    config.depth_size = FXL_DEPTH_BYTES(DEPTH_SCENE_WIDTH, 1, 16);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&made->renderer, &config));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&made->renderer, &depth_scene_eye));
+    made->renderer.workspace.counters.split_bands = UINT16_MAX - 1;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&made->renderer, &band));
+    TEST_ASSERT_EQUAL_UINT32(UINT16_MAX, made->renderer.workspace.counters.split_bands);
+}

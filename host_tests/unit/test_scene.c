@@ -336,6 +336,22 @@ void test_an_image_has_one_path(void)
     expect_opening(FXL_E_COUNT, image);
 }
 
+void test_a_path_has_a_million_frames_at_most(void)
+{
+    for (uint32_t more = 0; more < 2; more++) {
+        fxl_path_segment stretches[17];
+        tiny_image *image = tiny_image_make(false);
+        for (uint32_t i = 0; i < 17; i++) {
+            stretches[i] = (fxl_path_segment){FXL_KEY_FORWARD, 60000};
+        }
+        stretches[16].frames = (uint16_t)(40000 + more);
+        tiny_set_section(image, SECTION_POSES, NULL, 0, 0);
+        tiny_set_section(image, SECTION_SEGMENTS, stretches, 17, sizeof stretches[0]);
+        image->words[80 / 4] = FXL_SCENE_PATH_MAX + more;
+        expect_opening(more == 0 ? FXL_OK : FXL_E_COUNT, image);
+    }
+}
+
 /* The bytes that rounding adds behind a section are 0. */
 /* formats 1.2 */
 void test_padding_is_zero(void)

@@ -173,6 +173,23 @@ void test_a_full_pool_splits_the_band(void)
     TEST_ASSERT_TRUE(split > rounds / 10 && twice > rounds / 50);
 }
 
+/* As many splits as it can count, and one more. */
+void test_the_count_of_splits_ends(void)
+{
+    const way spans = {&choice_spans, 0, FXL_SPAN_BUFFER_ROW(WIDTH)};
+    bool split = false;
+    for (uint32_t round = 0; round < 100 && !split; round++) {
+        fxl_pose pose = tiny_pose_before();
+        split = draw(&spans, &pose, frames[0], HEIGHT).split_bands > 1;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+        renderer.workspace.counters.split_bands = UINT16_MAX - 1;
+        frame_draw_bands(&renderer, frames[1], HEIGHT, BACKGROUND);
+        TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
+    }
+    TEST_ASSERT_TRUE(split);
+    TEST_ASSERT_EQUAL_UINT32(UINT16_MAX, renderer.workspace.counters.split_bands);
+}
+
 /* Refused: too little room, none, or at an odd place; the renderer goes on as it was. */
 /* spans 3.3 */
 void test_refusals(void)

@@ -209,6 +209,8 @@ void test_a_workspace_that_cannot_be_is_refused_and_untouched(void)
     TEST_ASSERT_EQUAL(FXL_E_ALIGNMENT,
                       fxl_workspace_init(&second, &renderer, rooms[1] + 4, ROOM - 4));
     TEST_ASSERT_EQUAL(FXL_E_CAPACITY, fxl_workspace_init(&second, &renderer, rooms[1], least - 1));
+    renderer.order = NULL; /* as fxl_renderer_init_bare leaves it */
+    TEST_ASSERT_EQUAL(0, fxl_workspace_size(&renderer));
     memset(&renderer, 0, sizeof renderer);
     TEST_ASSERT_EQUAL(0, fxl_workspace_size(&renderer));
     TEST_ASSERT_EQUAL(FXL_E_ORDER, fxl_workspace_init(&second, &renderer, rooms[1], ROOM));

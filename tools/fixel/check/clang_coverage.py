@@ -7,18 +7,27 @@ the other conditions stay or do not matter. A decision of one condition has none
 
 import collections
 import concurrent.futures
-import json
+import dataclasses
 import os
 import pathlib
+import re
 import subprocess
 
 from fixel.base import children
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 
-KINDS = {"lines": "lines", "branches": "branches", "mcdc": "conditions"}     # of llvm-cov -> of the table
+KINDS = ("lines", "branches", "conditions")
+# Of what llvm-cov show prints. The views of a header's functions, one for each file that includes it, stand further right.
+SOURCE = re.compile(r"(?:  \|)* *(?P<line>\d+)\|(?P<count>[^|]*)\|")
+BRANCH = re.compile(r"(?:  \|)+  Branch \((?P<line>\d+):(?P<column>\d+)\): \[True: (?P<true>[^,]+), False: (?P<false>[^\]]+)\]")
+DECISION = re.compile(r"(?:  \|)+---> MC/DC Decision Region")
+CONDITION = re.compile(r"(?:  \|)+     Condition C\d+ --> \((?P<line>\d+):(?P<column>\d+)\)")
+PAIR = re.compile(r"(?:  \|)+  C(?P<number>\d+)-Pair: (?P<how>.*)")
+FUNCTION = re.compile(r"#define (?P<macro>\w+)|(?!typedef)(?:[A-Za-z_][\w *]*[ *])?(?P<name>[A-Za-z_]\w*)\(")
 WORDS = 2000    # the last characters of what a program said
 LEVELS = 3      # of a path: lib/include/fixel
+LINES = 6       # at most, of a condition
 
 
 def run_programs(programs, folder, jobs):
@@ -48,38 +57,107 @@ def call(tool, *words):
 
 
 def measured(library, counts, version, checkout):
-    """{file of lib/: {kind: [reached, all], "unreached": [line of a condition]}}."""
+    """{file of lib/: {kind: [reached, all], "open": [Gap, ...]}}, after the programs that wrote these counts."""
     merged = library.with_name("coverage.profdata")
     listed = library.with_name("counts.txt")
     listed.write_text("".join(f"{file}\n" for file in counts), encoding="utf-8")
     call(f"llvm-profdata-{version}", "merge", "-sparse", "-f", listed, "-o", merged)
-    exported = json.loads(call(f"llvm-cov-{version}", "export", "-skip-functions", "-skip-expansions",
-                               f"-instr-profile={merged}", library))
-    return dict(sorted(of_files(exported["data"][0]["files"], checkout).items()))
+    shown = call(f"llvm-cov-{version}", "show", "-show-branches=count", "-show-mcdc", "-show-regions=false", "-use-color=false",
+                 f"-instr-profile={merged}", library)
+    return {name: found.result() for name, found in sorted(views(shown, checkout).items())}
 
 
-def of_files(files, checkout):
-    """The same, of an export's files."""
-    found = {}
-    for file in files:
-        name = os.path.relpath(checkout / file["filename"], checkout)
-        if name.startswith("lib/"):
-            found[name] = {KINDS[kind]: [file["summary"][kind]["covered"], file["summary"][kind]["count"]] for kind in KINDS}
-            found[name]["unreached"] = unreached(file.get("mcdc_records", []))
-    return found
+@dataclasses.dataclass(frozen=True)
+class Gap:
+    """What no test reaches of a condition. function, condition: text of the source, by which a reason finds it again."""
+    line: int
+    function: str
+    condition: str
+    open: tuple     # of "true", "false", "alone"
 
 
-def unreached(records):
-    """[line, condition of the decision there from 1] of conditions that no pair of tests decides by."""
-    return [[record[0], place] for record in records for place, reached in enumerate(record[-1], 1) if not reached]
+class File:
+    """What the views of a file say. A function of a header has a view for each file that has it: what one of them reaches is
+    reached."""
+
+    def __init__(self, text):
+        self.text = text
+        self.lines = collections.defaultdict(bool)          # {line: reached}
+        self.branches = {}                                  # {(line, column): [was true, was false]}
+        self.conditions = collections.defaultdict(bool)     # {(line, column): decided alone}
+
+    def result(self):
+        """{kind: [reached, all], "open": [Gap, ...]}."""
+        sides = [side for both in self.branches.values() for side in both]
+        return {"lines": [sum(self.lines.values()), len(self.lines)], "branches": [sum(sides), len(sides)],
+                "conditions": [sum(self.conditions.values()), len(self.conditions)], "open": self.gaps()}
+
+    def gaps(self):
+        """The conditions of which something is open. A text that a function has twice gets a number."""
+        found, seen = [], collections.Counter()
+        for place in sorted({*self.branches, *self.conditions}):
+            function, condition = function_of(self.text, place[0]), condition_at(self.text, *place)
+            seen[function, condition] += 1
+            if seen[function, condition] > 1:
+                condition += f" #{seen[function, condition]}"
+            was_true, was_false = self.branches.get(place, (True, True))
+            sides = (("true", was_true), ("false", was_false), ("alone", self.conditions.get(place, True)))
+            left = tuple(side for side, reached in sides if not reached)
+            if left:
+                found.append(Gap(place[0], function, condition, left))
+        return found
+
+
+def views(shown, checkout):
+    """{name: File} of lib/, from what llvm-cov show prints."""
+    files, file, places = {}, None, []
+    for line in shown.splitlines():
+        if line.startswith("/") and line.endswith(":"):
+            name = os.path.relpath(line[:-1], checkout)
+            file = File((checkout / name).read_text(encoding="utf-8").splitlines()) if name.startswith("lib/") else None
+            if file:
+                files[name] = file
+        elif file and (found := SOURCE.match(line)):
+            if found["count"].strip():
+                file.lines[int(found["line"])] |= found["count"].strip() != "0"
+        elif file and (found := BRANCH.match(line)):
+            both = file.branches.setdefault((int(found["line"]), int(found["column"])), [False, False])
+            both[:] = [both[0] or found["true"] != "0", both[1] or found["false"] != "0"]
+        elif DECISION.match(line):
+            places = []
+        elif found := CONDITION.match(line):
+            places.append((int(found["line"]), int(found["column"])))
+        elif file and (found := PAIR.match(line)) and found["how"] != "constant folded":
+            file.conditions[places[int(found["number"]) - 1]] |= found["how"].startswith("covered")
+    return files
+
+
+def function_of(text, line):
+    """The function, or the macro, that has a line: each begins in column 0."""
+    for above in range(line - 1, -1, -1):
+        found = FUNCTION.match(text[above])
+        if found and not text[above].endswith(";"):
+            return found["macro"] or found["name"]
+    return ""
+
+
+def condition_at(text, line, column):
+    """The text of the condition that begins there, up to the end of its operand."""
+    rest, depth = " ".join([text[line - 1][column - 1:], *text[line:line + LINES]]), 0
+    for place, character in enumerate(rest):
+        if depth == 0 and (character in ";?{:)" or rest[place:place + 2] in ("&&", "||")):
+            rest = rest[:place]
+            break
+        depth += (character in "([") - (character in ")]")
+    return " ".join(rest.replace("\\", "").split())
 
 
 def by_room(files):
     """{room of lib/: {kind: [reached, all]}}, and "all together"."""
-    rooms = collections.defaultdict(lambda: {kind: [0, 0] for kind in KINDS.values()})
+    rooms = collections.defaultdict(lambda: {kind: [0, 0] for kind in KINDS})
     for name, counted in files.items():
         for room in ("/".join(name.split("/")[:-1][:LEVELS]), "all together"):
-            for kind in KINDS.values():
+            for kind in KINDS:
                 rooms[room][kind] = [a + b for a, b in zip(rooms[room][kind], counted[kind])]
     together = rooms.pop("all together", None)
     return {**dict(sorted(rooms.items())), **({"all together": together} if together else {})}

@@ -19,14 +19,21 @@ def read(path):
         if entry.keys() != {"why", "gaps"} or not entry["why"].strip():
             raise ToolError(f"{path.name}: reason {number} needs why and gaps, and nothing else")
         for line in entry["gaps"]:
-            parts = [part.strip() for part in line.split(" | ")]
-            sides = tuple(parts[-1].split())
-            if len(parts) != 4 or not sides or not set(sides) <= set(SIDES):
-                raise ToolError(f'{path.name}: a gap is "file | function | condition | {" ".join(SIDES)}", not "{line}"')
-            if tuple(parts[:3]) in stated:
-                raise ToolError(f'{path.name}: "{" | ".join(parts[:3])}" stands there twice')
-            stated[tuple(parts[:3])] = (sides, entry["why"].strip())
+            key, sides = parsed(line, path.name)
+            if key in stated:
+                raise ToolError(f'{path.name}: "{" | ".join(key)}" stands there twice')
+            stated[key] = (sides, entry["why"].strip())
     return stated
+
+
+def parsed(line, name):
+    """((file, function, condition), sides) of a line. A condition may have a | of its own."""
+    parts = line.split(" | ", 2)
+    parts[2:] = parts[2].rsplit(" | ", 1) if len(parts) == 3 else []
+    sides = tuple(parts[-1].split())
+    if len(parts) != 4 or not sides or not set(sides) <= set(SIDES):
+        raise ToolError(f'{name}: a gap is "file | function | condition | {" ".join(SIDES)}", not "{line}"')
+    return tuple(parts[:3]), sides
 
 
 def found(files):

@@ -86,12 +86,13 @@ def require_version():
 def findings(root):
     """All findings in lib/, in order. cppcheck writes beside the files that it reads, so it reads copies."""
     with scratch.folder("rules") as folder:
-        shutil.copytree(root / "lib", pathlib.Path(folder) / "lib")
-        said, code = run(folder)
-    unread = [line for line in said if UNREAD.search(line)]
-    if code or unread:
-        raise ToolError("cppcheck could not read all of lib/", 1, "".join(unread or said[-20:]))
-    return of_words(said, root)
+        copy = pathlib.Path(folder)
+        shutil.copytree(root / "lib", copy / "lib")
+        said, code = run(copy)
+        unread = [line for line in said if UNREAD.search(line)]
+        if code or unread:
+            raise ToolError("cppcheck could not read all of lib/", 1, "".join(unread or said[-20:]))
+        return of_words(said, copy)
 
 
 def run(folder):
