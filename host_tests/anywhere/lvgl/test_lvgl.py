@@ -31,7 +31,7 @@ def fixture_folder(tmp_path_factory):
         place.mkdir()
     done = run_cli("one-file", "--out", folder / "one")
     assert done.returncode == 0, done.stderr
-    for file in (*HERE.glob("*.c"), PORT / "lv_fixel.c", folder / "one" / "fixel.c"):
+    for file in (*HERE.glob("*.c"), *PORT.glob("*.c"), folder / "one" / "fixel.c"):
         shutil.copy(file, sources)
     for file in (*HERE.glob("*.h"), PORT / "lv_fixel.h", folder / "one" / "fixel.h"):
         shutil.copy(file, headers)
