@@ -115,6 +115,8 @@ static inline int32_t fxl_divide_round(int64_t numerator, uint32_t denominator)
 static inline int32_t fxl_divide_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
     FXL_REQUIRES(denominator > 0 && numerator > INT32_MIN && FXL_OBJECT(remainder))
     FXL_ASSIGNS(*remainder) FXL_ENSURES(*remainder >= 0 && *remainder < denominator)
+    FXL_ENSURES(numerator >= 0 ? FXL_RESULT >= 0 && FXL_RESULT <= numerator
+                               : FXL_RESULT <= 0 && FXL_RESULT >= numerator - (int64_t)1)
 {
     FXL_ASSERT(denominator > 0);
     bool negative = numerator < 0;

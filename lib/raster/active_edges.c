@@ -46,6 +46,8 @@ static int32_t next_vertex_row(const fxl_active_edges *edges)
 /* Moves an edge down by a row. Returns its x there. */
 /* SPEC 5.3 */
 static int32_t step(fxl_slope *slope)
+    FXL_REQUIRES(FXL_OBJECT(slope) && FXL_SLOPE(slope) && FXL_BELOW(slope->x, 1 << 30))
+    FXL_ASSIGNS(slope->x, slope->error) FXL_ENSURES(slope->error < slope->height)
 {
     int32_t x = slope->x + slope->step;
     uint32_t error = slope->error + slope->error_step;

@@ -15,6 +15,13 @@
 extern "C" {
 #endif
 
+/* For contracts: a point in the range of the screen, and what fxl_slope_set makes. */
+#define FXL_ON_SCREEN(p) \
+    (FXL_BELOW((p)->x, FXL_SCREEN_COORDINATE_MAX) && FXL_BELOW((p)->y, FXL_SCREEN_COORDINATE_MAX))
+#define FXL_SLOPE(s) \
+    ((s)->height > 0 && (s)->height <= 1u << 29 && (s)->error < (s)->height && \
+     (s)->error_step < (s)->height && FXL_BELOW((s)->step, (1 << 29) + 1))
+
 /* --- on the first row ---------------------------------------------------------------------- */
 
 /* By the kernel of this core's family. All give the same bits. */
@@ -63,6 +70,9 @@ static inline bool fxl_edge_set_near(const fxl_screen_point *top, const fxl_scre
  * below 2^59 and, without its low 16 bits, below 2^43. On the edge's first row t < 2^16, so
  * there it is below 2^30. Exact. */
 static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t height, int32_t t)
+    FXL_REQUIRES(FXL_BELOW(dx, 1 << 29) && height > 0 && height <= 1 << 29 && t >= 0 && t < height)
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, (int64_t)1 << 43))
+    FXL_EQUATES(FXL_BELOW(FXL_RESULT, (int64_t)height << 14))
 {
     uint32_t part = (uint32_t)start & 65535;
     int64_t sum = (int64_t)fxl_multiply_u32(part, (uint32_t)height) + fxl_multiply_s32(dx, t);
@@ -74,6 +84,9 @@ static inline int64_t fxl_edge_dividend(int32_t start, int32_t dx, int32_t heigh
 static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
                                            const fxl_screen_point *bottom, int32_t y,
                                            uint32_t *error)
+    FXL_REQUIRES(FXL_OBJECT(top) && FXL_OBJECT(bottom) && FXL_OBJECT(error) && FXL_ON_SCREEN(top))
+    FXL_REQUIRES(FXL_ON_SCREEN(bottom) && y >= top->y && y < bottom->y) FXL_ASSIGNS(*error)
+    FXL_ENSURES(FXL_BELOW(FXL_RESULT, 1 << 29) && *error < (uint32_t)(bottom->y - top->y))
 {
     int32_t height = bottom->y - top->y;
     int32_t start = top->x - FXL_HALF_PIXEL;
@@ -82,6 +95,7 @@ static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
     int32_t quotient = fxl_divide_down(dividend, (uint32_t)height);
     /* Modulo 2^32: the remainder is below height. */
     *error = (uint32_t)dividend - (uint32_t)quotient * (uint32_t)height;
+    FXL_LEMMA(*error < (uint32_t)height);
     return (start >> 16) + quotient + 1;
 }
 
@@ -89,6 +103,9 @@ static inline int32_t fxl_edge_first_pixel(const fxl_screen_point *top,
  * it adds dx to the dividend. Exact. */
 static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_point *bottom,
                                  int32_t y, fxl_slope *slope)
+    FXL_REQUIRES(FXL_OBJECT(top) && FXL_OBJECT(bottom) && FXL_OBJECT(slope) && FXL_ON_SCREEN(top))
+    FXL_REQUIRES(FXL_ON_SCREEN(bottom) && y >= top->y && y < bottom->y) FXL_ASSIGNS(*slope)
+    FXL_ENSURES(FXL_SLOPE(slope) && FXL_BELOW(slope->x, 1 << 29))
 {
     int32_t height = bottom->y - top->y, error_step;
     slope->x = fxl_edge_first_pixel(top, bottom, y, &slope->error);

@@ -52,6 +52,7 @@ static inline void fxl_edge_divide(const fxl_edge_divider *divider, int32_t divi
     int64_t height = divider->height;
     int64_t numerator = (int64_t)dividend * ((int64_t)1 << 32);
     int64_t quotient = numerator / height;
+    FXL_LEMMA(FXL_BELOW(quotient, (int64_t)1 << 60));
     if (numerator % height >= 0) {
         quotient += 1;
     }

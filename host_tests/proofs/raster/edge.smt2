@@ -1,0 +1,25 @@
+; SPDX-License-Identifier: MIT
+; Edges of lib/raster/edge.h and lib/raster/edge_divide.h on integers: h is the height, t the centre below the top.
+(declare-const part Int) (declare-const h Int) (declare-const dx Int) (declare-const t Int)
+(declare-const q Int) (declare-const r Int) (declare-const n Int)
+(assert (<= 0 part 65535)) (assert (< 0 h 536870913)) (assert (<= (- 536870912) dx 536870912))
+(define-fun sum () Int (+ (* part h) (* dx t)))
+
+(echo "possible")
+(push) (assert (<= 0 t)) (assert (< t h)) (check-sat) (pop)
+; |dx t| is at most 2^29 h, so |sum - 1| is at most (2^29 + 2^16) h, and its 2^16th part at most 2^14 h.
+(declare-const P Int)
+(echo "proved")
+(push) (assert (<= 0 t)) (assert (< t h)) (assert (> (* dx t) (* 536870912 h))) (check-sat) (pop)
+(echo "proved")
+(push) (assert (<= 0 t)) (assert (< t h)) (assert (< (* dx t) (- (* 536870912 h)))) (check-sat) (pop)
+(echo "proved")
+(push) (assert (<= (- (* 536870912 h)) P (* 536870912 h))) (assert (<= 0 r (* 65535 h)))
+(assert (not (<= (- (* 16384 h)) (div (- (+ r P) 1) 65536) (* 16384 h)))) (check-sat) (pop)
+; A quotient that is the floor leaves 0 <= n - q h < h, and that is what is left modulo 2^32.
+(echo "proved")
+(push) (assert (= q (div n h))) (assert (not (and (<= 0 (- n (* q h))) (< (- n (* q h)) h)))) (check-sat) (pop)
+; C's quotient, rounded towards 0, of a dividend below 2^60 is below 2^60.
+(echo "proved")
+(push) (assert (<= (- 1152921504606846976) n 1152921504606846976)) (assert (= q (ite (>= n 0) (div n h) (- (div (- n) h)))))
+(assert (not (<= (- 1152921504606846976) q 1152921504606846976))) (check-sat) (pop)
