@@ -105,7 +105,7 @@ static inline void fxl_depth_octave_of_word(fxl_depth_scale scale, const fxl_dep
 }
 
 /* The octave of a value of a face whose plane is not in words. */
-/* SPEC 10.2 */
+/* SPEC 10.2, 10.3 */
 static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                        int64_t value, fxl_depth_octave *octave)
 {
@@ -134,7 +134,7 @@ static inline void fxl_depth_octave_of(fxl_depth_scale scale, const fxl_depth_pl
 
 /* The code of the pixel in column x of a face whose plane is not in words, of a row where the
  * gradient in column 0 is `depth`. */
-/* SPEC 10.3, 10.6 */
+/* billboards 4.2 */
 static inline uint32_t fxl_depth_code_at(fxl_depth_scale scale, const fxl_depth_plane *plane,
                                          int64_t depth, int32_t x)
 {
