@@ -214,6 +214,7 @@ void test_a_window_may_be_wound_either_way(void)
 }
 
 /* A plane against the same from the exact cross product, in double. */
+/* beams 1.2 */
 void test_normals_are_right_to_two_units(void)
 {
     int made = 0;

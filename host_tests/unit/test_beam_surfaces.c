@@ -205,7 +205,7 @@ void test_texels_of_8_bits(void)
     }
 }
 
-/* beams 6.1 */
+/* beams 6.1, surfaces 1.3 */
 void test_texels_of_4_bits(void)
 {
     walls_make_texture(FXL_TEXTURE_4);

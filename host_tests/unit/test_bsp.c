@@ -192,7 +192,7 @@ void test_near_to_far_is_the_reverse_of_far_to_near(void)
 }
 
 /* Cut or not, a pixel of a convex object is drawn once: no gap, and nothing twice. */
-/* bsp 3.2, 3.3, 3.4, 3.5 */
+/* bsp 1.2, 3.2, 3.3, 3.4, 3.5 */
 void test_pieces_leave_no_gap_and_do_not_overlap(void)
 {
     choice count_all = choice_tree;

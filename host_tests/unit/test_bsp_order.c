@@ -311,6 +311,7 @@ void test_nodes_without_faces_change_nothing(void)
 
 /* All spheres of the tree are behind the eye, though that of its object is not. What moves before
  * the eye is drawn all the same: its leaf is below the last node. */
+/* bsp 3.5 */
 void test_what_moves_is_drawn_where_the_tree_is_not(void)
 {
     const fxl_lens lens = unit_lens(WIDTH, HEIGHT);

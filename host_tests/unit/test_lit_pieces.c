@@ -120,7 +120,7 @@ static const fxl_point right[] = {{Q16(0), Q16(-1), Q16(3)},
                                   {Q16(2), Q16(1), Q16(3)},
                                   {Q16(0), Q16(1), Q16(3)}};
 
-/* beams 2.3, 3.2 */
+/* beams 1.2, 2.3, 3.2 */
 void test_a_pool_of_light_in_the_middle(void)
 {
     const fxl_point face[] = {at(-4, -4), at(-4, 4), at(4, 4), at(4, -4)};

@@ -116,7 +116,7 @@ static int32_t any(void)
                        : unit_between(-12, 40);
 }
 
-/* overlay 1.1, 1.2, 1.4 */
+/* overlay 1.1, 1.2, 1.3, 1.4 */
 void test_rectangles_and_borders_are_what_they_say(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 30; i++) {

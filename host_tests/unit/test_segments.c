@@ -391,7 +391,7 @@ static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
 }
 
 /* Texels that are keyed, stippled or of 4 bits are those that are plain, at every pixel. */
-/* SPEC 9.5, surfaces 1.1 */
+/* SPEC 9.5, surfaces 1.1, 1.3 */
 void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
 {
     static uint8_t packed[TEXELS / 2];

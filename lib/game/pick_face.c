@@ -143,6 +143,7 @@ static bool is_shown(const probe *of, const comparison *both)
     return both->over_0 != 0 || of->pixel != UINT32_MAX;
 }
 
+/* pick 2.5 */
 static void name(probe *of, uint32_t instance, uint32_t face)
 {
     of->found.instance = (uint16_t)instance;
@@ -294,6 +295,7 @@ static const fxl_target *target_of(const fxl_renderer *renderer)
     return is_studied ? &probe_target : target;
 }
 
+/* pick 2.5 */
 static void begin_probe(probe *of, fxl_renderer *renderer, uint16_t x, uint16_t y)
 {
     static const fxl_shader_code code = {reaches, take_face, take_piece, NULL, false};
@@ -401,7 +403,7 @@ static void pick(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *pic
     *picked = of.found;
 }
 
-/* pick 2.1, 2.5 */
+/* pick 2.1 */
 fxl_status fxl_pick_face(fxl_renderer *renderer, uint16_t x, uint16_t y, fxl_picked *picked)
 {
     if (renderer == NULL) {

@@ -90,7 +90,7 @@ static fxl_lit_piece *new_piece(fxl_lit_pieces *of, bool is_lit)
 }
 
 /* Returns the distance of a point: 0 where it lies on the plane. */
-/* beams 3.1 */
+/* beams 1.2, 3.1 */
 static fxl_q18_46 distance_of(const fxl_plane *plane, const fxl_point *point)
 {
     fxl_q18_46 distance = fxl_plane_distance(plane, point);

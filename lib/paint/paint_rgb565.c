@@ -6,7 +6,7 @@
 #include "rgb565_colour.h"
 
 /* The colour of a texel. False: it is the key. */
-/* beams 6.2, rgb565 1.3, 1.4 */
+/* beams 6.2, rgb565 1.3 */
 static inline bool look_up(const fxl_paint *paint, int32_t i, int32_t j, uint16_t *colour)
 {
     const fxl_texture_level *level = &paint->level;

@@ -7,6 +7,7 @@
 #if !FXL_TEXELS_IN_ASSEMBLY
 
 /* Texels that are not plain. */
+/* rgb565 1.4 */
 FXL_APART void paint_special(const fxl_segment_face *face, const fxl_paint_row *row,
                              const fxl_texel_run *run, uint32_t x, uint32_t count)
 {

@@ -109,6 +109,7 @@ static inline uint32_t position_of(const segment_end *end)
     return (uint32_t)(end->u >> 4) << 16 | ((uint32_t)end->v >> 4 & 0xFFFFu);
 }
 
+/* SPEC 9.5 */
 static inline void find_texels(const segment_end *from, const segment_end *to, uint32_t log,
                                fxl_texel_run *run)
 {

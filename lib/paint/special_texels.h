@@ -8,7 +8,7 @@
 
 /* The texel at a place: a colour of the palette, or of RGB565 where the face has wide texels.
  * Returns whether the pixel is drawn. */
-/* surfaces 4.1 */
+/* rgb565 1.4, surfaces 4.1 */
 static inline bool fxl_special_texel(const fxl_segment_face *face, const fxl_paint_row *row,
                                      uint32_t x, uint32_t place, bool is_wide, uint32_t *texel)
 {

@@ -14,7 +14,7 @@ static inline bool fxl_is_stippled_away(uint32_t opacity, int32_t x, int32_t y)
     return opacity < 16 && stipple[4 * (y & 3) + (x & 3)] >= opacity;
 }
 
-/* surfaces 1.1 */
+/* SPEC 9.5, surfaces 1.1 */
 static inline uint32_t fxl_limited(int32_t coordinate, uint32_t last)
 {
     return coordinate < 0 ? 0 : (uint32_t)coordinate > last ? last : (uint32_t)coordinate;
@@ -33,7 +33,7 @@ static inline uint32_t fxl_texel_place(const fxl_texture_level *level, int32_t i
 }
 
 /* A texel of 8 or 4 bits: its palette index. */
-/* SPEC 9.5, surfaces 1.1 */
+/* surfaces 1.3 */
 static inline uint8_t fxl_texel_index(const fxl_texture_level *level, uint32_t place)
 {
     if (level->colours != NULL) {

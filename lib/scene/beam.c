@@ -39,7 +39,7 @@ bool fxl_beam_shines_on(const fxl_beam *beam, const fxl_point *vertex, const fxl
 
 /* A normal is at most 1 + 2^-29 long. So the distance of a vertex at the radius differs by at
  * most radius + 2^-14 from that of the centre: 28375 * 2^-29 < 2^-14. */
-/* beams 1.2, 2.2 */
+/* beams 2.2 */
 bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 radius)
 {
     const int64_t reach = ((int64_t)radius + 4) * FXL_Q2_30_ONE; /* below 2^62 */
@@ -52,7 +52,6 @@ bool fxl_beam_reaches(const fxl_beam *beam, const fxl_point *centre, fxl_q16_16 
     return true;
 }
 
-/* beams 1.2 */
 static uint32_t planes_from(const fxl_beam *beams, uint32_t first, uint32_t beam_count)
 {
     uint32_t planes = 0;
@@ -151,6 +150,7 @@ static bool turn_to_window(fxl_plane *plane, const fxl_point *window, uint32_t c
     return greatest > CORNER_TOLERANCE && least >= -CORNER_TOLERANCE;
 }
 
+/* beams 1.2 */
 static void store(fxl_beam *beam, const fxl_plane *plane)
 {
     fxl_beam_plane *stored = &beam->planes[beam->plane_count++];
@@ -161,7 +161,7 @@ static void store(fxl_beam *beam, const fxl_plane *plane)
 
 /* Makes the plane through a corner that holds the direction of the light there and a side of the
  * window. */
-/* beams 1.3 */
+/* beams 1.2, 1.3 */
 static bool side_plane(const fxl_beam *beam, const fxl_point *window, uint32_t count, uint32_t i,
                        fxl_plane *plane)
 {
