@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint/corner_colours.c"
+
+#include "proof.h"
+
+/* The most by which corners differ, in 7.25, and the most of a coefficient. */
+#define DIFFERENCE_MAX (INT32_MAX - (1 << 23) + 1)
+
+void prove_range_of_channel(void)
+{
+    const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
+    for (int i = 0; i < 3; i++) {
+        ASSUME(values[i] >= 0 && values[i] <= 1 << 22);
+    }
+    const uint32_t range = range_of_channel(values);
+    ASSERT("no two differ by more",
+           (uint32_t)(values[1] - values[0] + (int32_t)range) <= 2 * range &&
+               (uint32_t)(values[2] - values[0] + (int32_t)range) <= 2 * range &&
+               (uint32_t)(values[2] - values[1] + (int32_t)range) <= 2 * range);
+    PROOF_ENDS();
+}
+
+void prove_is_near(void)
+{
+    fxl_corner_planes planes;
+    ASSUME(planes.weight_range <= planes.weight_most);
+    const uint64_t least = planes.weight_most - planes.weight_range;
+    ASSERT("at most 1/128", is_near(&planes) == ((uint64_t)planes.weight_range * 128 <= least));
+    PROOF_ENDS();
+}
+
+void prove_shift_up(void)
+{
+    const int32_t value = nondet_s32();
+    const unsigned shift = nondet_u8();
+    int32_t shifted;
+    ASSUME(shift >= 1 && shift <= 12);
+    const bool fits = shift_up(value, shift, &shifted);
+    ASSERT("true exactly if it fits",
+           fits == WITHIN((int64_t)value * (1 << shift) * 2 + 1, (int64_t)1 << 32));
+    ASSERT("exactly", !fits || shifted == (int64_t)value * (1 << shift));
+    PROOF_ENDS();
+}
+
+void prove_share(void)
+{
+    fxl_corner_planes planes;
+    shared_planes shared;
+    const int32_t corner = nondet_s32();
+    ASSUME(WITHIN(corner, 1 << 27) && planes.x == corner - 32768 && WITHIN(planes.y, 1 << 27));
+    ASSUME(planes.exponent >= 17 && planes.exponent <= 36);
+    ASSUME(WITHIN(planes.along[0], 1 << 30) && WITHIN(planes.along[1], 1 << 30));
+    ASSUME(WITHIN(planes.down[0], 1 << 30) && WITHIN(planes.down[1], 1 << 30));
+    if (share(&planes, corner >> 16, &shared)) {
+        ASSERT("less than half a pixel away", shared.row * 65536 + (shared.y >> 16) == planes.y);
+        ASSERT("in x too", (corner >> 16) * 65536 + (shared.x >> 16) == planes.x);
+    }
+    PROOF_ENDS();
+}
+
+static shared_planes any_shared(void)
+{
+    const shared_planes shared = {{nondet_s32(), nondet_s32()},
+                                  {nondet_s32(), nondet_s32()},
+                                  nondet_s32(),
+                                  nondet_s32(),
+                                  nondet_s32()};
+    ASSUME(WITHIN(shared.row, 2048));
+    return shared;
+}
+
+void prove_find_channel(void)
+{
+    const shared_planes shared = any_shared();
+    const int32_t d1 = nondet_s32(), d2 = nondet_s32();
+    ASSUME(WITHIN(d1, DIFFERENCE_MAX) && WITHIN(d2, DIFFERENCE_MAX));
+    (void)find_channel(&shared, nondet_u32(), d1, d2);
+    PROOF_ENDS();
+}
+
+void prove_two_words(void)
+{
+    const uint32_t low = nondet_u32(), high = nondet_u32();
+    const int64_t both = two_words(low, high);
+    ASSERT("the lower word", (uint32_t)both == low);
+    ASSERT("the upper word", (uint32_t)((uint64_t)both >> 32) == high);
+    PROOF_ENDS();
+}
+
+void prove_channel_of_colours(void)
+{
+    const shared_planes shared = any_shared();
+    const int32_t colours[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
+    (void)channel_of_colours(&shared, colours, 0xFF0000, 3, 1u << 18);
+    (void)channel_of_colours(&shared, colours, 0xFF00, 12, 1u << 19);
+    (void)channel_of_colours(&shared, colours, 0xFF, 19, 1u << 18);
+    PROOF_ENDS();
+}
+
+void prove_channel_of_values(void)
+{
+    const shared_planes shared = any_shared();
+    const int32_t values[3] = {nondet_s32(), nondet_s32(), nondet_s32()};
+    for (int i = 0; i < 3; i++) {
+        ASSUME(values[i] >= 1 << 12 && values[i] <= (1 << 22) - (1 << 12));
+    }
+    (void)channel_of_values(&shared, values);
+    PROOF_ENDS();
+}
+
+void prove_set_words(void)
+{
+    channel_words channels[3];
+    fxl_gradients gradients;
+    set_words(nondet_s32(), channels, &gradients);
+    ASSERT("two records of words", fxl_has_colour_words(&gradients) && gradients.count == 2);
+    PROOF_ENDS();
+}
