@@ -4,6 +4,7 @@
 import email
 import hashlib
 import json
+import pathlib
 import re
 import shutil
 import signal
@@ -38,12 +39,25 @@ def fixture_wheel(tmp_path_factory):
     return file
 
 
-@pytest.fixture(scope="module", name="use")
-def fixture_use(tmp_path_factory, wheel):
-    """Runs a command of the venv in a folder with scenes and a model, without a compiler on its path."""
-    folder = tmp_path_factory.mktemp("use")
+# Python of Debian 12, of Debian 13, and what lies between.
+PYTHONS = ("3.11", "3.12", "3.13")
+
+
+def python_of(version_of_python):
+    """A Python of a version that works, as a path: of the path, or of pyenv."""
+    name = f"python{version_of_python}"
+    found = [shutil.which(name), *sorted(pathlib.Path.home().glob(f".pyenv/versions/{version_of_python}.*/bin/{name}"))]
+    for program in filter(None, (f"/usr/bin/{name}", *found)):
+        # A name on the path may be a shim of pyenv that has no such Python; Debian's may be without venv.
+        if pathlib.Path(program).exists() and subprocess.run([program, "-c", "import venv, ensurepip"], capture_output=True, check=False).returncode == 0:
+            return program
+    return pytest.skip(f"needs python{version_of_python} with venv")
+
+
+def installed(folder, python, wheel):
+    """What runs a command of a new venv in a folder with scenes and a model, without a compiler on its path."""
     venv, work, programs = folder / "venv", folder / "work", folder / "bin"
-    run(sys.executable, "-m", "venv", venv)
+    run(python, "-m", "venv", venv)
     pip(venv / "bin" / "python", "install", wheel)
     shutil.copytree(CHECKOUT / "scenes", work / "scenes")
     shutil.copy(CHECKOUT / "examples" / "cube" / "cube.obj", work)
@@ -56,6 +70,11 @@ def fixture_use(tmp_path_factory, wheel):
         return start([str(venv / "bin" / command[0]), *map(str, command[1:])], cwd=work, env=environment, stdin=subprocess.DEVNULL, text=True, **how)
     use.work = work
     return use
+
+
+@pytest.fixture(scope="module", name="use")
+def fixture_use(tmp_path_factory, wheel):
+    return installed(tmp_path_factory.mktemp("use"), sys.executable, wheel)
 
 
 def said(use, *command):
@@ -78,7 +97,23 @@ def test_the_metadata_has_ranges_and_the_version(wheel):
     assert {re.split("<", each)[0].lower() for each in needed} <= used, "what the checkout pins is what the wheel asks for"
 
 
+@pytest.mark.parametrize("version_of_python", PYTHONS)
+def test_one_wheel_draws_the_frozen_frames_on_each_python(tmp_path, wheel, version_of_python):
+    """It was built once, by another Python."""
+    use = installed(tmp_path, python_of(version_of_python), wheel)
+    assert said(use, "python", "--version").startswith(f"Python {version_of_python}.")
+    assert_draws_the_frozen_frames(use)
+    said(use, "fixel", "run", "cube.obj", "--frames", 2)
+    said(use, "fixel", "export", "--c", "cube.obj", "-o", "cube_scene.h")
+    summary = json.loads((use.work / "build" / "run" / "summary.json").read_text(encoding="utf-8"))
+    assert summary["frames"] == 2 and summary["pixels_unexplained"] == 0 and (use.work / "cube_scene.h").stat().st_size > 3000
+
+
 def test_render_draws_the_frozen_frames(use):
+    assert_draws_the_frozen_frames(use)
+
+
+def assert_draws_the_frozen_frames(use):
     hashes = said(use, "python", "-c", """import fixel, hashlib
 for frame in fixel.render("scenes/plaza.toml", indices=True):
     print(hashlib.sha256(frame.tobytes()).hexdigest())

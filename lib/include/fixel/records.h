@@ -253,8 +253,8 @@ typedef struct fxl_draw_entry {
 
 FXL_STATIC_ASSERT(FXL_SCENE_INSTANCES_MAX <= 65535 && FXL_MODEL_FACES_MAX <= 65535, "index");
 
-/* How many chains sort faces: so few that their memory is smaller than the scratch area of a clipper,
- * with which it is shared. */
+/* How many chains sort faces: so few that their memory is smaller than the scratch area of a
+ * clipper, with which it is shared. */
 #define FXL_ORDER_CHAINS (FXL_POLYGON_CAPACITY >= 19 ? 512 : FXL_POLYGON_CAPACITY >= 9 ? 256 : 128)
 
 /* A scratch area of fxl_sort_faces, which keeps nothing from one call to the next. */
