@@ -89,7 +89,6 @@ void test_through_the_frustum_of_the_view(void)
     expect_through(&fxl_clipper_view);
 }
 
-/* clippers 7.4 */
 void test_through_the_frustum_of_the_world(void)
 {
     expect_through(&fxl_clipper_world);

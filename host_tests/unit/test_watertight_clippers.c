@@ -22,7 +22,6 @@ void test_through_all_planes_at_once(void)
     expect_through(&fxl_clipper_once, UNIT_REPEAT / 4);
 }
 
-/* clippers 7.2 */
 void test_through_half_spaces(void)
 {
     expect_through(&fxl_clipper_half_spaces, UNIT_REPEAT / 4);
@@ -33,7 +32,6 @@ void test_in_triangles(void)
     expect_through(&fxl_clipper_triangles, UNIT_REPEAT / 4);
 }
 
-/* clippers 7.2 */
 void test_before_the_scan_cuts_what_near_leaves(void)
 {
     expect_through(&fxl_clipper_near, UNIT_REPEAT / 20);
