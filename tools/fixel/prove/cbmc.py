@@ -10,6 +10,7 @@ from fixel.base.errors import ToolError
 from fixel.prove import functions
 
 SECONDS = 120           # of CPU time a row
+MEMORY = 6 << 30        # bytes of address space of a prover: two at a time leave a machine of 16 GB usable
 DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
           "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions", "--object-bits", "12")
@@ -30,8 +31,8 @@ def _run(programs, root, words, left):
     """Runs a prover; (what it said, its exit code, CPU seconds)."""
     environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "LC_ALL": "C"}
     try:
-        done = limits.run([str(programs / words[0]), *map(str, words[1:])], max(1.0, left), merge=True, text=True, cwd=root,
-                          env=environment)
+        done = limits.run(["prlimit", f"--as={MEMORY}", str(programs / words[0]), *map(str, words[1:])], max(1.0, left), merge=True,
+                          text=True, cwd=root, env=environment)
     except limits.LimitError as error:
         raise TooLong(f"{words[0]} had not ended after {SECONDS} s of CPU time") from error
     return done.stdout, done.returncode, done.cpu
