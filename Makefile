@@ -152,13 +152,14 @@ include firmware/equality/equality.mk
 # On which headers the objects depend, as the compilers wrote it: thousands of files, a second to
 # read. A command has its files built by a sub-make, so a make of commands alone reads none of
 # them. Programs of boards and of the host, and the library, depend on no object of the tests or of
-# the bench, two thirds of all. seeded_bugs holds whole copies of the project.
+# the bench, two thirds of all. seeded_bugs holds whole copies of the project, and prove the files of packages, of which a
+# folder ends in .d.
 APART := $(addprefix $(BUILD)/,host/unit host/fuzz host/coverage core/*/unit boards/*/unit bench equality)
 ifeq ($(filter-out $(BUILD)/host/ $(BOARDS:%=$(BUILD)/boards/%/),$(dir $(filter-out lib,$(MAKECMDGOALS)))),)
 UNREAD := $(foreach folder,$(APART),-path '$(folder)' -prune -o)
 endif
 ifneq ($(BUILT_GOALS)$(filter lib,$(MAKECMDGOALS)),)
--include $(shell find $(BUILD) -name seeded_bugs -prune -o $(UNREAD) -name '*.d' -print 2>/dev/null)
+-include $(shell find $(BUILD) -name seeded_bugs -prune -o -path $(BUILD)/prove -prune -o $(UNREAD) -name '*.d' -type f -print 2>/dev/null)
 endif
 
 HOST_WALK := $(call WALK_OF,host)
