@@ -97,7 +97,7 @@ static inline void locate(fxl_corner_planes *planes)
 }
 
 /* Edges are below 2^23 in 1/65536 pixel, so the area is below 2^47; of a small face it is at
- * least 2^25, of a thin one 2^22. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
+ * least 2^25, of a thin one 2^19. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
  * scaled to less than 2^31, so a product with r is at most 2^62. What is cut off a coefficient is
  * less than 2^-29 of the largest. */
 /* SPEC 9.1.1 */
@@ -115,13 +115,9 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const int64_t area = fxl_product(x1, y2) - fxl_product(x2, y1);
     const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
-    planes->is_thin = false;
-    planes->is_for_words = width > FXL_SMALL_SIDE_MAX || height > FXL_SMALL_SIDE_MAX;
-    if (planes->area << 3 < box) {
-        if (planes->area << 6 < box) {
-            return false;
-        }
-        planes->is_thin = planes->is_for_words = true;
+    planes->may_be_steep = planes->area << 3 < box;
+    if (planes->area << 9 < box) {
+        return false;
     }
     if (!find_weights(corners, lens, planes)) {
         return false;
@@ -129,11 +125,12 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     planes->weight_range = range_of(planes->weights);
     planes->weight_most = largest_of(planes->weights);
     /* A side has at most 23 bits, and weights 30. */
-    if (!planes->is_thin &&
-        fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
-            fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
-        return false;
+    if (fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
+        fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
+        planes->may_be_steep = true;
     }
+    planes->is_for_words =
+        planes->may_be_steep || width > FXL_SMALL_SIDE_MAX || height > FXL_SMALL_SIDE_MAX;
     const uint32_t high = (uint32_t)(planes->area >> 32), low = (uint32_t)planes->area;
     const unsigned zeros = fxl_leading_zeros(high != 0 ? high : low);
     const uint32_t mantissa = high != 0 ? high << zeros | low >> 1 >> (31u - zeros) : low << zeros;
@@ -264,6 +261,20 @@ static inline void find_words(const fxl_corner_planes *planes, uint32_t value, i
     gradient->at = (int32_t)(value - fxl_lower_of_shifted(off, 16));
 }
 
+/* The mean of what a constant weight takes off light in the triangle, of which corners 1 and 2 have
+ * d1 and d2 more than corner 0. With a and b the same differences of weights, and s the sum of the
+ * three weights, it is (d1 (2 a - b) + d2 (2 b - a)) / 4 s. Any two weights differ by less than
+ * 2^30, so factors are below 2^31; light differs by less than 2^22, so products are below 2^53.
+ * Here s is that of weights whose middle one is midway. It costs at most 1/4 of the mean. */
+static int32_t mean_of_error(const fxl_corner_planes *planes, int32_t d1, int32_t d2)
+{
+    const int32_t *weights = planes->weights;
+    const int32_t a = weights[1] - weights[0], b = weights[2] - weights[0];
+    const int64_t sum = fxl_product(d1, 2 * a - b) + fxl_product(d2, 2 * b - a);
+    const uint32_t twice = 2u * planes->weight_most - planes->weight_range;
+    return (int32_t)fxl_lower_of_shifted(sum, 24) / (int32_t)((twice + twice / 2u) >> 22);
+}
+
 /* The upper word of a magnitude, but for a unit of the lowest bit. */
 static inline uint32_t upper_size(int64_t value)
 {
@@ -274,9 +285,8 @@ static inline uint32_t upper_size(int64_t value)
 /* With weights of `length` bits a code is a weight times 2^(mantissa + 17 - length), and a bias:
  * depth_code.h. A weight changes by at most 16 / s of its range a pixel along a side of s pixels,
  * where the range is at most s / 16 of the largest weight, which is below 2^length: so a code
- * changes by less than 2^(mantissa + 17), at most 2^31. Of a thin face a code may change by
- * 2^(mantissa + 14), less than a quarter of the largest weight. Drops are from 13 to 38; of light,
- * from 9 to 28. */
+ * changes by less than 2^(mantissa + 17), at most 2^31. Where that is not so, or the face is thin,
+ * it is tested. Drops are from 10 to 38; of light, from 6 to 28. */
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth)
 {
@@ -287,10 +297,11 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     const int number = planes->weight_exponent + (int)zeros - 32;
     const int crossed =
         (int)fxl_leading_zeros(planes->weight_most - planes->weight_range) - (int)zeros;
-    const uint32_t range = range_of(light);
+    const uint32_t least = planes->weight_most - planes->weight_range;
+    const uint64_t error = fxl_product_unsigned(range_of(light), planes->weight_range);
     if (!planes->is_triangle || scale.mantissa > 14 || number < 0 || crossed > 1 ||
         number + crossed >= scale.octaves ||
-        !is_nearly_affine(planes, &range, 1, planes->weight_range)) {
+        error > fxl_product_unsigned(least, 4u * FXL_WORDS_ERROR_LIGHT)) {
         return false;
     }
     const int32_t *across = planes->along, *below = planes->down;
@@ -301,7 +312,11 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     if ((upper_size(along) | upper_size(down)) >> (drop - 1u) != 0) {
         return false;
     }
-    find_words(planes, (uint32_t)light[0] << 8, along, down, drop, &gradients->attributes[0]);
+    const int32_t more = error > fxl_product_unsigned(least, 4u * FXL_AFFINE_ERROR_LIGHT)
+                             ? mean_of_error(planes, d1, d2)
+                             : 0;
+    find_words(planes, (uint32_t)(light[0] + more) << 8, along, down, drop,
+               &gradients->attributes[0]);
     gradients->shifts[0] = 53;
     gradients->count = 1;
     gradients->weight = constant;
@@ -312,8 +327,8 @@ bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t lig
     along = fxl_product(d1, across[0]) + fxl_product(d2, across[1]);
     down = fxl_product(d1, below[0]) + fxl_product(d2, below[1]);
     const unsigned length = 32u - zeros, bits = scale.mantissa + 17u; /* 28 to 31 */
-    if (planes->is_thin &&
-        (upper_size(along) | upper_size(down)) >> ((unsigned)planes->exponent + length - 35u) !=
+    if (planes->may_be_steep &&
+        (upper_size(along) | upper_size(down)) >> ((unsigned)planes->exponent + length - 33u) !=
             0) {
         return false;
     }

@@ -44,7 +44,7 @@ typedef struct {
     /* A pixel along, values grow by (v1 - v0) along[0] + (v2 - v0) along[1], times 2^-exponent; a
      * pixel down likewise. The coefficients are at most 2^30. */
     int32_t along[2], down[2];
-    int exponent; /* 20..36; of a thin face from 17 on */
+    int exponent; /* 20..36; of a thin face from 14 on */
     const fxl_screen_corners *corners;
     const fxl_lens *lens;
     uint64_t area;         /* twice the triangle's, in units of 2^-32 pixel */
@@ -54,7 +54,7 @@ typedef struct {
     uint32_t weight_most;
     int weight_exponent;
     bool is_triangle;
-    bool is_thin;           /* less than 1/16 */
+    bool may_be_steep;      /* thin, or its 1/z differ much */
     bool is_for_words;      /* thin, or with a longer side: for fxl_corner_planes_linear alone */
     bool is_located;        /* the next two are found */
     uint32_t columns, rows; /* how far corner 0 is from the ends of the screen, at most */
@@ -73,9 +73,10 @@ typedef struct {
  *   largest one. So what the corners' rounding changes a depth by is below its resolution in 16
  * bits. Requires a box that reaches the screen of the lens.
  *
- * A thin face, whose triangle fills 1/128 to 1/16 of the box, whatever its slopes, and one with
- * sides up to FXL_WORDS_SIDE_MAX, are for words: only fxl_corner_planes_linear takes them, a thin
- * one if its 1/z changes by less than 1/4 of the largest one a pixel.
+ * A thin face, whose triangle fills 1/1024 to 1/16 of the box, one whose 1/z differ by more, and
+ * one with sides up to FXL_WORDS_SIDE_MAX, are for words: only fxl_corner_planes_linear takes them,
+ * the first two if 1/z changes by less than the largest one a pixel. Of a thin face that fills 1/n
+ * the coefficients cost n / 16 times what they cost another.
  */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              fxl_corner_planes *planes);
@@ -90,9 +91,11 @@ void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
  * FXL_DEPTH_IS_LINEAR, and gradients of a constant weight with light alone, whose lower words are
  * those of light_row.h: for what fxl_paint.has_light_rows alone. Returns false where the face is
  * not a triangle, or not in one octave, or a constant weight changes its light by more than
- * FXL_AFFINE_ERROR_LIGHT, or light changes by 128 levels a pixel or more, or it is thin and its
- * depth changes much; or where the lens has a single octave. light: at the corners, of levels and a
- * half. Error in the triangle, beyond that: as above, and 2048 2^-16 code, 2048 2^-24 level.
+ * FXL_WORDS_ERROR_LIGHT, or light changes by 128 levels a pixel or more, or it may be steep and its
+ * depth changes much; or where the lens has a single octave. From FXL_AFFINE_ERROR_LIGHT on the
+ * mean of the error is taken off light, which is then off by at most 3/4 of that. light: at the
+ * corners, of levels and a half. Error in the triangle, beyond that: as above, and 2048 2^-16 code,
+ * 2048 2^-24 level.
  */
 bool fxl_corner_planes_linear(const fxl_corner_planes *planes, const int32_t light[3],
                               fxl_gradients *gradients, fxl_depth_plane *depth);
@@ -122,6 +125,7 @@ void fxl_corner_planes_density(const fxl_corner_planes *planes, bool is_affine,
  * parallelogram is off by up to 8 times the bound of the triangle. */
 #define FXL_AFFINE_ERROR_TEXEL 1024u
 #define FXL_AFFINE_ERROR_LIGHT 8192u
+#define FXL_WORDS_ERROR_LIGHT  16384u /* of fxl_corner_planes_linear: 1/4 */
 
 #ifdef __cplusplus
 }

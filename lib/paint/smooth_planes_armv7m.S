@@ -13,9 +13,10 @@
 #define X         0 /* on the stack; then y */
 #define LEAST     8 /* weight; then the range of the weights */
 #define EXPONENT  16
-#define OWN_SIZE  20
+#define CROSSED   20 /* of a face that crosses the end of octave r0: r0 + 1; of others 0 */
+#define OWN_SIZE  24
 #define CORNERS   (OWN_SIZE + 0)
-#define CROSSED   CORNERS /* of a face that crosses the end of octave r0: r0 + 1; of others 0 */
+#define APART     CORNERS /* two weights less the first one: in place of corners and lens */
 #define LENS      (OWN_SIZE + 4)
 #define LIGHT     (OWN_SIZE + 8)
 #define GRADIENTS (OWN_SIZE + 12)
@@ -113,7 +114,7 @@ fxl_find_smooth_planes:
     lsl     r7, r12, #3
     cmp     r7, r1
     sbcs    r6, r6, r2
-    sbc     r0, r0, r0              /* all ones: it is thin */
+    sbc     r0, r0, r0              /* all ones: it is thin, so may be steep */
     bcc     .Lthin_area
 .Lfilled:
 
@@ -196,7 +197,8 @@ fxl_find_smooth_planes:
     umull   lr, r7, r5, r4
     subs    lr, lr, r1, lsl #20
     sbcs    r7, r7, r1, lsr #12
-    blo     .Lrefused               /* they differ too much for the shorter side */
+    blo     .Lsteep                 /* they differ much for the shorter side */
+.Lmay_be_steep:
 
     /* The octave r0 of the lens's, r1, and at most the one beyond it; r2: bits of a code, lr: zeros of the weights. */
     clz     lr, r5
@@ -246,6 +248,7 @@ fxl_find_smooth_planes:
     /* The plane of depth: r3:r2 and r6:r5 become along and down. */
     sub     r6, r6, r3
     sub     r12, r12, r3
+    strd    r6, r12, [sp, #APART]
     smull   r2, r3, r6, r11
     smlal   r2, r3, r12, r9
     smull   r5, r6, r6, r10
@@ -253,7 +256,7 @@ fxl_find_smooth_planes:
     ldr     r1, [sp, #EXPONENT]
     add     r7, r7, r1
     cmp     r4, #0
-    bmi     .Lthin_depth
+    bmi     .Lsteep_depth
 .Lnot_steep:
     rsbs    r12, r7, #32
     ble     .Lupper_words
@@ -284,13 +287,14 @@ fxl_find_smooth_planes:
     sub     r7, r7, r12
     ldrd    r4, r12, [sp, #LEAST]
     umull   r7, r12, r7, r12
+    sub     r2, r2, r0
+    sub     r5, r5, r0
     lsl     lr, r4, #15             /* 4 FXL_AFFINE_ERROR_LIGHT */
     subs    lr, lr, r7
     lsr     r4, r4, #17
     sbcs    r4, r4, r12
-    blo     .Lrefused
-    sub     r2, r2, r0
-    sub     r5, r5, r0
+    blo     .Ltwisted
+.Lbalanced:
     smull   r4, r7, r2, r11
     smlal   r4, r7, r5, r9
     smull   r12, lr, r2, r10
@@ -335,11 +339,11 @@ fxl_find_smooth_planes:
     movs    r0, #0
     b       .Lreturn
 
-    /* The triangle fills less than 1/16 of the box. It has to fill 1/128. */
+    /* The triangle fills less than 1/16 of the box. It has to fill 1/1024. */
 .Lthin_area:
-    lsl     r6, lr, #6
-    orr     r6, r6, r12, lsr #26
-    lsl     r7, r12, #6
+    lsl     r6, lr, #9
+    orr     r6, r6, r12, lsr #23
+    lsl     r7, r12, #9
     cmp     r7, r1
     sbcs    r6, r6, r2
     blo     .Lrefused
@@ -351,11 +355,38 @@ fxl_find_smooth_planes:
     rsb     r1, r1, #14
     b       .Lmantissa
 
-    /* Of a thin face the depth may change by a quarter of the largest weight a pixel. */
-.Lthin_depth:
+.Lsteep:
+    mvn     r4, #0
+    b       .Lmay_be_steep
+
+    /* Light at corner 0 gets the mean of the error, as mean_of_error finds it. r12:r7: the product. */
+.Ltwisted:
+    ldr     r4, [sp, #LEAST]
+    lsl     lr, r4, #16             /* 4 FXL_WORDS_ERROR_LIGHT */
+    subs    lr, lr, r7
+    lsr     lr, r4, #16
+    sbcs    lr, lr, r12
+    blo     .Lrefused
+    ldrd    r7, lr, [sp, #APART]
+    rsb     r4, lr, r7, lsl #1
+    rsb     r7, r7, lr, lsl #1
+    smull   r12, lr, r2, r4
+    smlal   r12, lr, r5, r7
+    lsr     r12, r12, #24
+    orr     r12, r12, lr, lsl #8
+    ldrd    r4, r7, [sp, #LEAST]
+    add     r7, r7, r4, lsl #1
+    add     r7, r7, r7, lsr #1
+    lsr     r7, r7, #22
+    sdiv    r12, r12, r7
+    add     r0, r0, r12
+    b       .Lbalanced
+
+    /* The depth may change by the largest weight a pixel. */
+.Lsteep_depth:
     rsb     lr, lr, #32
     add     lr, lr, r1
-    sub     lr, lr, #35
+    sub     lr, lr, #33
     eor     r12, r3, r3, asr #31
     lsrs    r12, r12, lr
     bne     .Lrefused
