@@ -67,7 +67,7 @@ def test_transcriptions_stand_for_lines_of_today():
 
 def test_seeded_bugs_name_rows():
     known = {row.id for row in rows.read(CHECKOUT)}
-    assert {bug.prove for bug in bugs.entries(CHECKOUT) if bug.prove} <= known
+    assert {bug.prove for bug in bugs.of_proofs(CHECKOUT)} <= known
 
 
 # --- verdicts ------------------------------------------------------------------------------

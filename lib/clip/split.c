@@ -11,6 +11,10 @@
  * is exact. */
 /* clippers 9.2 */
 static fxl_q16_16 along(fxl_q16_16 from, fxl_q16_16 to, uint64_t fraction)
+    FXL_REQUIRES(FXL_BELOW(from, FXL_COORDINATE_MAX) && FXL_BELOW(to, FXL_COORDINATE_MAX))
+    FXL_ASSIGNS()
+    FXL_ENSURES(from <= to ? FXL_RESULT >= from && FXL_RESULT <= to
+                           : FXL_RESULT <= from && FXL_RESULT >= to)
 {
     int64_t extent = (int64_t)to - from;
     uint64_t part = fxl_multiply_high(fxl_magnitude(extent) << 31, fraction);

@@ -4,6 +4,7 @@
 #ifndef FXL_SPLIT_H
 #define FXL_SPLIT_H
 
+#include "../math/contract.h"
 #include "fixel/types.h"
 
 #ifdef __cplusplus
@@ -33,7 +34,11 @@ typedef enum {
  * Error: 0.5 + 2^-25 unit a coordinate from the edge, so 0.87 unit from the edge and from the
  * plane. */
 fxl_point fxl_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance,
-                         fxl_q18_46 behind_distance);
+                         fxl_q18_46 behind_distance)
+    FXL_REQUIRES(FXL_OBJECT(front) && FXL_OBJECT(behind) && front_distance > 0 && behind_distance < 0)
+    FXL_REQUIRES(front_distance < (int64_t)1 << 62 && behind_distance > -((int64_t)1 << 62))
+    FXL_REQUIRES(FXL_POINT_BELOW(front, FXL_COORDINATE_MAX) && FXL_POINT_BELOW(behind, FXL_COORDINATE_MAX))
+    FXL_ASSIGNS() FXL_ENSURES(FXL_POINT_BELOW(&FXL_RESULT, FXL_COORDINATE_MAX));
 
 /* Splits a piece by a plane. Points at distance >= 0 go into front, points at distance <= 0 into
  * back. A point on the plane belongs to both parts. So does each intersection, which is computed

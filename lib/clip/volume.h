@@ -5,6 +5,7 @@
 #ifndef FXL_VOLUME_H
 #define FXL_VOLUME_H
 
+#include "../math/contract.h"
 #include "fixel/line.h"
 
 #ifdef __cplusplus
@@ -25,6 +26,13 @@ typedef struct {
     fxl_varying_polygon polygons[2];
     fxl_q18_46 distances[FXL_POLYGON_CAPACITY];
 } fxl_clip_workspace;
+
+/* What fxl_half_space says, for contracts. */
+#define FXL_NORMAL_PART(x) ((x) < 0 ? -(int64_t)(x) : (int64_t)(x))
+#define FXL_HALF_SPACE(h) \
+    (FXL_DIRECTION(&(h)->normal) && FXL_BELOW((h)->offset, ((int64_t)1 << 62) - 1) && \
+     FXL_NORMAL_PART((h)->normal.x) + FXL_NORMAL_PART((h)->normal.y) + \
+             FXL_NORMAL_PART((h)->normal.z) < (int64_t)1 << 31)
 
 /* How far the guard band reaches from the centre of the screen, in pixels. On any screen a
  * polygon within it stays within FXL_SCREEN_COORDINATE_MAX, whatever the rounding of the clipper
@@ -52,11 +60,16 @@ fxl_status fxl_volume_from_window(fxl_q16_16 left, fxl_q16_16 right, fxl_q16_16 
 
 /* Makes the half-space of a plane of the world. With it the same clipper, on the same integers,
  * clips polygons whose vertices are points of the world. Requires a plane made by its function. */
-void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space);
+void fxl_half_space_from_plane(const fxl_plane *plane, fxl_half_space *half_space)
+    FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(half_space))
+    FXL_REQUIRES(FXL_BELOW(plane->distance, (int64_t)1 << 62)) FXL_ASSIGNS(*half_space);
 
 /* Converts a point of the world to units of 2^-46; each coordinate is then below 2^59. Exact.
  * Requires a point in range. */
-void fxl_clip_place(const fxl_point *point, fxl_view_point *place);
+void fxl_clip_place(const fxl_point *point, fxl_view_point *place)
+    FXL_REQUIRES(FXL_OBJECT(point) && FXL_OBJECT(place))
+    FXL_REQUIRES(FXL_POINT_BELOW(point, FXL_COORDINATE_MAX)) FXL_ASSIGNS(*place)
+    FXL_ENSURES(FXL_POINT_BELOW(place, (int64_t)1 << 59));
 
 /* Returns how far a point is inside: normal . (x, y, z) + offset, rounded downward to a unit of
  * 2^-46, below 2^63. The sign is always right. Requires |x|, |y|, |z| < 2^61. */

@@ -16,6 +16,7 @@ import tomllib
 from fixel.base.errors import ToolError
 
 BUGS = pathlib.Path("host_tests/build/seeded_bugs/bugs.toml")
+PROOFS_BUGS = pathlib.Path("host_tests/proofs/bugs.toml")
 LIBRARY = pathlib.Path("lib")
 SOURCES = (".c", ".h", ".S")
 FIELDS = {"id": str, "name": str, "kind": str, "file": str, "function": str, "line": str, "becomes": str, "why": str,
@@ -150,6 +151,21 @@ def _bug(entry, number, path):
     if not isinstance(entry.get("clause", ""), str):
         raise ToolError(f"{path}: bug {number}: 'clause' is no text")
     return Bug(**entry)
+
+
+def of_proofs(root):
+    """The bugs that rows of make prove must notice: those of the table that name a row, and those of host_tests/proofs."""
+    path = pathlib.Path(root) / PROOFS_BUGS
+    try:
+        found = tomllib.loads(path.read_text(encoding="utf-8")).get("bug", [])
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise ToolError(f"{path}: cannot be read: {error}") from error
+    own = [_bug({"name": entry.get("why"), "kind": "proof", "tests": [], **entry}, number, path) for number, entry in enumerate(found)]
+    bugs = [bug for bug in entries(root) if bug.prove] + own
+    wrong = stale(root, bugs)
+    if wrong:
+        raise ToolError(f"{PROOFS_BUGS}: {len(wrong)} of {len(bugs)} bugs do not apply to {LIBRARY}/", words="\n".join(wrong))
+    return bugs
 
 
 def read(root):

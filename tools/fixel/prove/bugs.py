@@ -47,10 +47,10 @@ def try_bug(programs, folder, bug, row, store, versions):
 def command(programs, root, options, rows, store):
     """fixel prove --bugs; its exit code."""
     by_id = {row.id: row for row in rows}
-    some = [bug for bug in records.read(root) if bug.prove]
+    some = records.of_proofs(root)
     unknown = [bug for bug in some if not options.only and bug.prove not in by_id]
     if unknown:
-        raise ToolError(f"{records.BUGS}: bug '{unknown[0].id}': there is no row {unknown[0].prove}")
+        raise ToolError(f"{records.PROOFS_BUGS}: bug '{unknown[0].id}': there is no row {unknown[0].prove}")
     some = [bug for bug in some if bug.prove in by_id]
     versions, free, done, lock = provers.versions(programs), queue.SimpleQueue(), [], threading.Lock()
 

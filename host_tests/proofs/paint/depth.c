@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint/depth_runs.c"
+#include "paint/depth_row.h"
+#include "proof.h"
+
+/* The depth test of a run: four cells at once and the rest, so six cells have every path. */
+#define CELLS 6
+
+void prove_depth_keep_visible(void)
+{
+    uint16_t cells[CELLS], before[CELLS];
+    const uint32_t count = nondet_u32(), code = nondet_u32(), step = nondet_u32(), i = nondet_u32();
+    ASSUME(count <= CELLS && i < CELLS);
+    before[i] = cells[i];
+    const uint32_t kept = fxl_depth_keep_visible(cells, count, code, step);
+    const uint32_t of_i = (code + i * step) >> 16;
+    ASSERT("at most all", kept <= count);
+    ASSERT("visible ones are kept", i >= kept || (of_i > before[i] && cells[i] == of_i));
+    ASSERT("others stay", i < kept || cells[i] == before[i]);
+    ASSERT("it ends at a hidden one", i != kept || kept == count || of_i <= before[i]);
+    PROOF_ENDS();
+}
+
+void prove_depth_skip_hidden(void)
+{
+    uint16_t cells[CELLS];
+    const uint32_t count = nondet_u32(), code = nondet_u32(), step = nondet_u32(), i = nondet_u32();
+    ASSUME(count <= CELLS && i < CELLS);
+    const uint32_t hidden = fxl_depth_skip_hidden(cells, count, code, step);
+    const uint32_t of_i = (code + i * step) >> 16;
+    ASSERT("at most all", hidden <= count);
+    ASSERT("hidden ones are skipped", i >= hidden || of_i <= cells[i]);
+    ASSERT("it ends at a visible one", i != hidden || hidden == count || of_i > cells[i]);
+    PROOF_ENDS();
+}
+
+static fxl_depth_scale any_scale(void)
+{
+    fxl_depth_scale scale;
+    ASSUME(scale.octaves >= 1 && scale.octaves <= 24 && scale.mantissa >= 11 && scale.mantissa <= 15);
+    return scale;
+}
+
+void prove_depth_scale_of(void)
+{
+    fxl_lens lens;
+    ASSUME(lens.near_z >= FXL_NEAR_MIN && lens.near_z < lens.far_z && lens.far_z <= FXL_FAR_MAX);
+    const fxl_depth_scale scale = fxl_depth_scale_of(&lens);
+    ASSERT("octaves", scale.octaves >= 1 && scale.octaves <= 24);
+    ASSERT("mantissa", scale.mantissa >= 11 && scale.mantissa <= 15);
+    ASSERT("codes", ((uint32_t)scale.octaves << scale.mantissa) + 1 <= 65536);
+    PROOF_ENDS();
+}
+
+void prove_depth_octave_of(void)
+{
+    const fxl_depth_scale scale = any_scale();
+    fxl_depth_plane plane;
+    fxl_depth_octave octave;
+    ASSUME(WITHIN(plane.one, 1 << 20));
+    fxl_depth_octave_of(scale, &plane, nondet_s64(), &octave);
+    PROOF_ENDS();
+}
+
+void prove_depth_octave_of_word(void)
+{
+    const fxl_depth_scale scale = any_scale();
+    fxl_depth_plane plane;
+    fxl_depth_octave octave;
+    ASSUME(plane.one < FXL_DEPTH_IS_BENT + scale.octaves);
+    const uint32_t value = nondet_u32();
+    fxl_depth_octave_of_word(scale, &plane, value, &octave);
+    ASSERT("the word's own", fxl_depth_octave_holds(&octave, value));
+    PROOF_ENDS();
+}
+
+void prove_depth_shifted(void)
+{
+    const int64_t value = nondet_s64();
+    const int32_t drop = nondet_s32();
+    ASSUME(drop > -32 && drop < 64);
+    const uint32_t shifted = fxl_depth_shifted(value, drop);
+    ASSERT("the lowest bits of the floor", shifted == (drop >= 0 ? (uint32_t)(value >> drop) : (uint32_t)value << -drop));
+    PROOF_ENDS();
+}
