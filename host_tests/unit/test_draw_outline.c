@@ -167,3 +167,18 @@ void test_an_outline_is_cut_at_the_columns_of_the_band(void)
         }
     }
 }
+
+/* All rows at once, of edges that run beyond the left or the right border. */
+void test_rows_at_once_are_cut_at_the_borders(void)
+{
+    const fxl_band band = {
+        .pixels = pixels, .width = WIDTH, .stride = WIDTH, .first_row = 0, .rows = HEIGHT};
+    for (int i = 0; i < UNIT_REPEAT / 100 + 20; i++) {
+        fxl_screen_polygon outline = any_outline();
+        const int32_t away = i % 2 ? Q16(8) : -Q16(8);
+        for (int k = 0; k < 4; k++) {
+            outline.points[k].x += away;
+        }
+        expect_outline(draw_rows_at_once, &outline, &band, reaches(&outline, 0, HEIGHT));
+    }
+}

@@ -721,3 +721,22 @@ void test_other_faces_are_not_the_kernels(void)
     gradients.weight_min[0] = UINT32_MAX;
     check_refused(false);
 }
+
+/* Clamped textures with light at the corners; in RGB565, attributes of too many bits. */
+void test_what_segments_do_not_take(void)
+{
+    choose_size(5, 5);
+    choose_face();
+    paint.level.flags = FXL_TEXTURE_CLAMP;
+    TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+    gradients.count = 3;
+    gradients.shifts[2] = 24;
+    paint.ramp = ramp;
+    TEST_ASSERT_FALSE(fxl_segments_find(&paint, &face));
+    gradients.count = 2;
+    paint.ramp = NULL;
+    paint.level.flags = 0;
+    TEST_ASSERT_TRUE(fxl_segments_find_565(&paint, &face));
+    gradients.shifts[0] = gradients.shifts[1] = 79;
+    TEST_ASSERT_FALSE(fxl_segments_find_565(&paint, &face));
+}
