@@ -137,10 +137,12 @@ void test_small_is_what_its_conditions_say(void)
         }
         const bool is_steep = 1 - near / z > side;
         const bool expected = has_size && !is_line && !is_apart;
-        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&corners, &view.lens, &planes));
+        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&corners, &view.lens, true, &planes));
         const bool is_for_words = is_thin || is_steep || fmax(w, h) > 64 * 65536;
         TEST_ASSERT_TRUE(!expected || planes.may_be_steep == (is_thin || is_steep));
         TEST_ASSERT_TRUE(!expected || planes.is_for_words == is_for_words);
+        TEST_ASSERT_EQUAL(expected && !is_for_words,
+                          fxl_corner_planes_begin(&corners, &view.lens, false, &planes));
         /* Whichever corner is the first. */
         const fxl_screen_corners turned = {
             {corners.points[1], corners.points[2], corners.points[0]},
@@ -148,7 +150,7 @@ void test_small_is_what_its_conditions_say(void)
             corners.width,
             corners.height,
             true};
-        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &view.lens, &planes));
+        TEST_ASSERT_EQUAL(expected, fxl_corner_planes_begin(&turned, &view.lens, true, &planes));
         small += expected && !is_for_words;
         thin += has_size && is_thin;
         apart += has_size && is_apart;
@@ -169,18 +171,19 @@ void test_the_box_counts_that_of_all_vertices(void)
                                       65536,
                                       true};
     fxl_screen_corners large = small;
-    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&small, &view.lens, &planes));
+    TEST_ASSERT_TRUE(fxl_corner_planes_begin(&small, &view.lens, true, &planes));
     TEST_ASSERT_FALSE(planes.is_for_words);
     large.width = (64 << 16) + 1;
-    TEST_ASSERT_TRUE(!fxl_corner_planes_begin(&large, &view.lens, &planes) || planes.is_for_words);
+    TEST_ASSERT_TRUE(!fxl_corner_planes_begin(&large, &view.lens, true, &planes) ||
+                     planes.is_for_words);
     large.width = FXL_WORDS_SIDE_MAX + 1;
-    TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &view.lens, &planes));
+    TEST_ASSERT_FALSE(fxl_corner_planes_begin(&large, &view.lens, true, &planes));
 }
 
 /* Whether the face is small. */
 static bool begins(void)
 {
-    return fxl_corner_planes_begin(&corners, &view.lens, &planes) && !planes.is_for_words;
+    return fxl_corner_planes_begin(&corners, &view.lens, false, &planes);
 }
 
 /* accuracy 5.1.1 */
@@ -255,7 +258,7 @@ void test_words_are_codes_and_light(void)
         double values[3], lights[3], x, y;
         int32_t light[3];
         make_corners(unit_random() % 2 ? 0.5 : 1.0 / 64);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, &planes)) {
+        if (!fxl_corner_planes_begin(&corners, &view.lens, true, &planes)) {
             continue;
         }
         for (int k = 0; k < 3; k++) {

@@ -144,9 +144,8 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
         polygon->level = 0;
         return;
     }
-    const bool is_small = is_projected &&
-                          fxl_corner_planes_begin(&on_screen, &view->lens, &planes) &&
-                          !planes.is_for_words;
+    const bool is_small =
+        is_projected && fxl_corner_planes_begin(&on_screen, &view->lens, false, &planes);
     const bool is_affine =
         is_small && surface->division == FXL_AFFINE && are_on_screen(&on_screen, &view->lens);
     bool is_found = false;

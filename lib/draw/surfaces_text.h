@@ -185,8 +185,8 @@ static void paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cel
 
 #if HAS_RUNS
 
-/* The same by a kernel. Returns false if none paints such pixels. Not inline: its record would be on
- * the stack of others. */
+/* The same by a kernel. Returns false if none paints such pixels. Not inline: its record would be
+ * on the stack of others. */
 static __attribute__((noinline)) bool paint_holes_at_once(const surface_row *of, int32_t x0,
                                                           int32_t x1, void *cells,
                                                           const fxl_depth_line *line)
@@ -475,6 +475,15 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 
 #endif
 
+/* A polygon row by row. Not inline: what a row needs would be on the stack of kernels of rows. */
+static __attribute__((noinline)) void
+paint_each_row(fxl_depth_painting *depth, const fxl_paint *paint, const fxl_segment_face *segments,
+               const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan)
+{
+    fxl_paint_polygon(paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8, scan,
+                      paint_row, depth);
+}
+
 /* The rows of a polygon, whose cells are cleared. Not inline: what it has would stay on the stack
  * of others. */
 static __attribute__((noinline)) bool paint_by_rows(const fxl_surfaces *surfaces,
@@ -503,8 +512,7 @@ static __attribute__((noinline)) bool paint_by_rows(const fxl_surfaces *surfaces
         }
     }
 #endif
-    fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
-                      &workspace->work.scan, paint_row, &depth);
+    paint_each_row(&depth, &paint, segments, points, count, band, &workspace->work.scan);
     return false;
 }
 

@@ -102,12 +102,13 @@ static inline void locate(fxl_corner_planes *planes)
  * less than 2^-29 of the largest. */
 /* SPEC 9.1.1 */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
-                             fxl_corner_planes *planes)
+                             bool for_words, fxl_corner_planes *planes)
 {
     const fxl_screen_point *p = corners->points;
     const uint32_t width = (uint32_t)corners->width, height = (uint32_t)corners->height;
-    if (width - FXL_SMALL_SIDE_MIN > FXL_WORDS_SIDE_MAX - FXL_SMALL_SIDE_MIN ||
-        height - FXL_SMALL_SIDE_MIN > FXL_WORDS_SIDE_MAX - FXL_SMALL_SIDE_MIN) {
+    const uint32_t range =
+        (uint32_t)(for_words ? FXL_WORDS_SIDE_MAX : FXL_SMALL_SIDE_MAX) - FXL_SMALL_SIDE_MIN;
+    if (width - FXL_SMALL_SIDE_MIN > range || height - FXL_SMALL_SIDE_MIN > range) {
         return false;
     }
     const int32_t x1 = p[1].x - p[0].x, y1 = p[0].y - p[1].y;
@@ -116,7 +117,7 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     const uint64_t box = fxl_product_unsigned(width, height);
     planes->area = fxl_magnitude(area);
     planes->may_be_steep = planes->area << 3 < box;
-    if (planes->area << 9 < box) {
+    if (planes->area << 9 < box || (planes->may_be_steep && !for_words)) {
         return false;
     }
     if (!find_weights(corners, lens, planes)) {
@@ -127,6 +128,9 @@ bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *
     /* A side has at most 23 bits, and weights 30. */
     if (fxl_product_unsigned(planes->weight_range, (uint32_t)FXL_SMALL_SLOPES << 16) >
         fxl_product_unsigned(planes->weight_most, width < height ? width : height)) {
+        if (!for_words) {
+            return false;
+        }
         planes->may_be_steep = true;
     }
     planes->is_for_words =

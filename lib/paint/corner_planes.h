@@ -64,8 +64,8 @@ typedef struct {
     fxl_gradient weight;
 } fxl_corner_planes;
 
-/* Sets *planes. False where the face is not small, nor for words: *planes is undefined then. A face
- * is small if
+/* Sets *planes. False where the face is not small, nor, if for_words, for words: *planes is
+ * undefined then. A face is small if
  * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
  * - the triangle of the three corners fills at least 1/16 of the box,
  * - no corner's depth is below 2^(k - 1), where 2^k is the power of two at or below the largest,
@@ -79,7 +79,7 @@ typedef struct {
  * the coefficients cost n / 16 times what they cost another.
  */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
-                             fxl_corner_planes *planes);
+                             bool for_words, fxl_corner_planes *planes);
 
 /* The depth of the face on the screen. Error in the triangle, given the corners on the screen, with
  * b the ratio of the longer side of the box to the shorter one: less than 2^-25 (1 + b) of the

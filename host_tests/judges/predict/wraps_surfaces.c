@@ -71,9 +71,10 @@ WRAPPED(bool, fxl_find_screen_corners,
 }
 
 WRAPPED(bool, fxl_corner_planes_begin,
-        (const fxl_screen_corners *corners, const fxl_lens *lens, fxl_corner_planes *planes))
+        (const fxl_screen_corners *corners, const fxl_lens *lens, bool for_words,
+         fxl_corner_planes *planes))
 {
-    const bool is_small = __real_fxl_corner_planes_begin(corners, lens, planes);
+    const bool is_small = __real_fxl_corner_planes_begin(corners, lens, for_words, planes);
     counted.small_faces += is_small && !planes->is_for_words;
     return is_small;
 }
