@@ -22,6 +22,8 @@
 #define FXL_ASSIGNS(...) __CPROVER_assigns(__VA_ARGS__)
 /* In FXL_REQUIRES: a pointer to an object of its own. */
 #define FXL_OBJECT(pointer) __CPROVER_is_fresh(pointer, sizeof *(pointer))
+/* In FXL_REQUIRES: a pointer to an object that may be part of another. */
+#define FXL_READABLE(pointer) __CPROVER_r_ok(pointer, sizeof *(pointer))
 /* In FXL_REQUIRES: a pointer to so many elements. */
 #define FXL_OBJECTS(pointer, count) __CPROVER_is_fresh(pointer, (count) * sizeof *(pointer))
 #define FXL_OLD(value)              __CPROVER_old(value)

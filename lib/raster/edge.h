@@ -123,7 +123,12 @@ static inline void fxl_slope_set(const fxl_screen_point *top, const fxl_screen_p
  * is larger by at most (k + 1) 2^-32. So the floors are the same while (k + 1) height is
  * below 2^32: while k + 1 <= 2^shift. */
 int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row,
-                         int32_t rows, fxl_edge *edge);
+                         int32_t rows, fxl_edge *edge)
+    FXL_REQUIRES(FXL_OBJECT(top) && FXL_OBJECT(bottom) && FXL_OBJECT(edge) && FXL_ON_SCREEN(top))
+    FXL_REQUIRES(FXL_ON_SCREEN(bottom) && FXL_BELOW(row, FXL_SCREEN_MAX) && rows > 0)
+    FXL_REQUIRES(fxl_centre_of(row) >= top->y && fxl_centre_of(row) < bottom->y)
+    FXL_REQUIRES(bottom->y - top->y <= FXL_EDGE_HEIGHT_MAX)
+    FXL_ASSIGNS(*edge) FXL_ENSURES(FXL_RESULT >= 1 && FXL_RESULT <= rows);
 
 /* Moves an edge down by 0 <= rows <= FXL_SCREEN_MAX rows. */
 /* SPEC 5.3 */

@@ -61,6 +61,9 @@ static inline bool find_box(const fxl_screen_point *points, const fxl_band *band
 /* SPEC 5.2 */
 static inline int32_t edge_at(const fxl_screen_point *a, const fxl_screen_point *b, fxl_q16_16 x,
                               fxl_q16_16 y)
+    FXL_REQUIRES(FXL_BELOW(b->x - (int64_t)a->x, 6 * 65536) && FXL_BELOW(b->y - (int64_t)a->y, 6 * 65536))
+    FXL_REQUIRES(FXL_BELOW(x - (int64_t)a->x, 6 * 65536) && FXL_BELOW(y - (int64_t)a->y, 6 * 65536))
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, 1 << 23))
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
     const int32_t open = dy > 0;
@@ -68,9 +71,22 @@ static inline int32_t edge_at(const fxl_screen_point *a, const fxl_screen_point 
                      16);
 }
 
+/* For contracts: two points of a tiny triangle; a point and the first centre of the box; the box. */
+#define FXL_NEAR(a, b) \
+    (FXL_BELOW((a)->x - (int64_t)(b)->x, 5 * 65536) && FXL_BELOW((a)->y - (int64_t)(b)->y, 5 * 65536))
+#define FXL_NEAR_BOX(a, box)                                                              \
+    (FXL_BELOW((box)->column * (int64_t)65536 + FXL_HALF_PIXEL - (a)->x, 5 * 65536) &&    \
+     FXL_BELOW((box)->row * (int64_t)65536 + FXL_HALF_PIXEL - (a)->y, 5 * 65536))
+#define FXL_SMALL_BOX(box)                                                        \
+    ((box)->rows > 0 && (box)->rows <= FXL_TINY_SIDE && (box)->columns > 0 &&        \
+     (box)->columns <= FXL_TINY_SIDE && FXL_BELOW((box)->row, 4096) && FXL_BELOW((box)->column, 4096))
+
 /* The centres of a box that a clockwise triangle covers; 0 of one that goes the other way round. */
 static uint32_t cover(const fxl_screen_point *a, const fxl_screen_point *b,
                       const fxl_screen_point *c, const tiny_box *box)
+    FXL_REQUIRES(FXL_SMALL_BOX(box) && FXL_NEAR(a, b) && FXL_NEAR(b, c) && FXL_NEAR(c, a))
+    FXL_REQUIRES(FXL_NEAR_BOX(a, box) && FXL_NEAR_BOX(b, box) && FXL_NEAR_BOX(c, box))
+    FXL_ASSIGNS() FXL_ENSURES(FXL_RESULT >> (FXL_TINY_SIDE * FXL_TINY_SIDE) == 0)
 {
     const fxl_q16_16 x = fxl_centre_of(box->column), y = fxl_centre_of(box->row);
     int32_t ab = edge_at(a, b, x, y), bc = edge_at(b, c, x, y), ca = edge_at(c, a, x, y);

@@ -77,7 +77,8 @@ bool fxl_placement_places_are_in_range(const fxl_scene *scene);
 
 /* Whether rows are those of a rotation: what fxl_placement_check answers FXL_E_PLACEMENT for if
  * not. */
-bool fxl_is_rotation(const fxl_orientation *rows);
+bool fxl_is_rotation(const fxl_orientation *rows)
+    FXL_REQUIRES(FXL_READABLE(rows)) FXL_ASSIGNS();
 
 #ifdef __cplusplus
 }

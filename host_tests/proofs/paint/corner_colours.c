@@ -116,3 +116,29 @@ void prove_set_words(void)
     ASSERT("two records of words", fxl_has_colour_words(&gradients) && gradients.count == 2);
     PROOF_ENDS();
 }
+
+void prove_corner_colours(void)
+{
+    fxl_mapped_face mapped;
+    int32_t values[3][3];
+    const uint32_t k = nondet_u32(), i = nondet_u32();
+    ASSUME(k < 3 && i < 3);
+    fxl_corner_colours(&mapped, values);
+    ASSERT("a channel's level", values[k][i] > 0 && values[k][i] < (k == 1 ? 64 : 32) * 65536);
+    PROOF_ENDS();
+}
+
+void prove_corner_colours_light(void)
+{
+    fxl_light_settings settings;
+    int32_t light[3], values[3][3];
+    ASSUME(settings.levels >= FXL_LIGHT_LEVELS_MIN && settings.levels <= FXL_LIGHT_LEVELS_MAX);
+    for (int i = 0; i < 3; i++) {
+        ASSUME(light[i] >= 32768 && (uint32_t)light[i] - 32768u <= (settings.levels - 1u) << 16);
+        for (int k = 0; k < 3; k++) {
+            ASSUME(values[k][i] > 0 && values[k][i] < (k == 1 ? 64 : 32) * 65536);
+        }
+    }
+    fxl_corner_colours_light(&settings, light, values);
+    PROOF_ENDS();
+}

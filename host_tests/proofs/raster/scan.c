@@ -78,8 +78,8 @@ void prove_rows_of_points(void)
 void prove_scan_rows(void)
 {
     fxl_screen_polygon polygon;
-    ASSUME(polygon.count >= 3 && polygon.count <= 12);
-    for (uint32_t i = 0; i < 12; i++) {
+    ASSUME(polygon.count >= 3 && polygon.count <= FXL_POLYGON_CAPACITY);
+    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
         ASSUME(WITHIN(polygon.points[i].x, FXL_SCREEN_COORDINATE_MAX) && WITHIN(polygon.points[i].y, FXL_SCREEN_COORDINATE_MAX));
     }
     const uint16_t height = nondet_u16();
@@ -91,8 +91,8 @@ void prove_scan_rows(void)
 void prove_outline_has_rows(void)
 {
     fxl_screen_polygon polygon;
-    ASSUME(polygon.count >= 3 && polygon.count <= 12);
-    for (uint32_t i = 0; i < 12; i++) {
+    ASSUME(polygon.count >= 3 && polygon.count <= FXL_POLYGON_CAPACITY);
+    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
         ASSUME(WITHIN(polygon.points[i].x, FXL_SCREEN_COORDINATE_MAX) && WITHIN(polygon.points[i].y, FXL_SCREEN_COORDINATE_MAX));
     }
     (void)fxl_outline_has_rows(&polygon, nondet_u16());

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint/gradients.c"
+#include "proof.h"
+
+void prove_block(void)
+{
+    const int64_t x = nondet_s64(), y = nondet_s64(), z = nondet_s64();
+    const int exponent = nondet_s32();
+    ASSUME(WITHIN(x, (int64_t)1 << 61) && WITHIN(y, (int64_t)1 << 61) && WITHIN(z, (int64_t)1 << 61) && WITHIN(exponent, 1 << 20));
+    const fxl_block_vector block = fxl_block(x, y, z, exponent);
+    ASSERT("at most 2^30", WITHIN(block.x, 1 << 30) && WITHIN(block.y, 1 << 30) && WITHIN(block.z, 1 << 30));
+    ASSERT("its exponent", block.exponent >= exponent - 30 && block.exponent <= exponent + 32);
+    PROOF_ENDS();
+}
+
+void prove_find_least_weights(void)
+{
+    fxl_gradients gradients;
+    uint32_t least[3];
+    ASSUME(gradients.weight_min[0] >= 1 && gradients.weight_min[0] <= (uint32_t)1 << 31);
+    ASSUME(gradients.weight_min[1] >= 1 && gradients.weight_min[1] <= (uint32_t)1 << 31);
+    fxl_find_least_weights(&gradients, nondet_u32(), least);
+    ASSERT("none is 0", least[0] != 0 && least[1] != 0 && least[2] != 0);
+    PROOF_ENDS();
+}
+
+void prove_cube_root_up(void)
+{
+    const uint32_t value = nondet_u32();
+    ASSUME(value > 0 && value <= (uint32_t)1 << 30);
+    const uint32_t root = cube_root_up(value);
+    ASSERT("from 1 to 2^10", root >= 1 && root <= 1024);
+    PROOF_ENDS();
+}
+
+void prove_power_up(void)
+{
+    const uint32_t number = nondet_u32();
+    const int exponent = nondet_s32();
+    ASSUME(number > 0 && number < (uint32_t)1 << 16 && WITHIN(exponent, 1 << 20));
+    const uint32_t power = power_up(number, exponent);
+    ASSERT("from 1 to 2^31", power >= 1 && power <= (uint32_t)1 << 31);
+    PROOF_ENDS();
+}

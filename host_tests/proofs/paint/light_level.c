@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint/light_level.c"
+#include "proof.h"
+
+void prove_light_corners_of(void)
+{
+    fxl_light_settings settings;
+    fxl_direction normals[3];
+    uint16_t numbers[3];
+    int32_t values[3];
+    ASSUME(settings.levels >= FXL_LIGHT_LEVELS_MIN && settings.levels <= FXL_LIGHT_LEVELS_MAX);
+    ASSUME(settings.ambient >= 0 && settings.ambient <= FXL_Q2_30_ONE && settings.strength >= 0 && settings.strength <= FXL_Q2_30_ONE);
+    ASSUME(WITHIN(settings.direction.x, FXL_Q2_30_ONE + 4) && WITHIN(settings.direction.y, FXL_Q2_30_ONE + 4) &&
+           WITHIN(settings.direction.z, FXL_Q2_30_ONE + 4));
+    for (int i = 0; i < 3; i++) {
+        ASSUME(numbers[i] < 3 && WITHIN(normals[i].x, FXL_Q2_30_ONE + 8) && WITHIN(normals[i].y, FXL_Q2_30_ONE + 8) &&
+               WITHIN(normals[i].z, FXL_Q2_30_ONE + 8));
+    }
+    fxl_light_corners_of(&settings, normals, numbers, values);
+    PROOF_ENDS();
+}
+
+void prove_light_corner_level(void)
+{
+    const fxl_q2_30 brightness = nondet_s32();
+    const uint32_t levels_less_1 = nondet_u32();
+    ASSUME(brightness >= 0 && brightness <= FXL_Q2_30_ONE && levels_less_1 < FXL_LIGHT_LEVELS_MAX);
+    const int32_t level = fxl_light_corner_level(brightness, levels_less_1);
+    ASSERT("a level of the ramp", level >= 32768 && (uint32_t)level >> 16 <= levels_less_1);
+    PROOF_ENDS();
+}
+
+void prove_light_level(void)
+{
+    const fxl_q2_30 brightness = nondet_s32();
+    const uint32_t levels = nondet_u32();
+    ASSUME(brightness >= 0 && brightness <= FXL_Q2_30_ONE && levels >= FXL_LIGHT_LEVELS_MIN && levels <= FXL_LIGHT_LEVELS_MAX);
+    ASSERT("a level of the ramp", fxl_light_level(brightness, levels) < levels);
+    PROOF_ENDS();
+}
+
+void prove_light_shade(void)
+{
+    const fxl_q2_30 brightness = nondet_s32();
+    ASSUME(brightness >= 0 && brightness <= FXL_Q2_30_ONE);
+    ASSERT("all of it is left at 1", brightness != FXL_Q2_30_ONE || fxl_light_shade(brightness) == 0);
+    PROOF_ENDS();
+}

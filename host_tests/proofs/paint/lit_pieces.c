@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint/lit_pieces.c"
+#include "proof.h"
+
+void prove_lit_pieces_needed(void)
+{
+    fxl_beam beams[FXL_BEAMS_MAX];
+    const uint32_t count = nondet_u32();
+    ASSUME(count <= FXL_BEAMS_MAX);
+    for (uint32_t i = 0; i < FXL_BEAMS_MAX; i++) {
+        ASSUME(beams[i].plane_count >= 1 && beams[i].plane_count <= FXL_BEAM_PLANES_MAX);
+    }
+    const uint32_t pieces = fxl_lit_pieces_needed(beams, count);
+    ASSERT("at most 9^4", pieces >= 1 && pieces <= 6561);
+    PROOF_ENDS();
+}
+
+void prove_lit_corners_needed(void)
+{
+    fxl_beam beams[FXL_BEAMS_MAX];
+    const uint32_t count = nondet_u32();
+    ASSUME(count <= FXL_BEAMS_MAX);
+    for (uint32_t i = 0; i < FXL_BEAMS_MAX; i++) {
+        ASSUME(beams[i].plane_count >= 1 && beams[i].plane_count <= FXL_BEAM_PLANES_MAX);
+    }
+    ASSUME(fxl_beams_fit(beams, count, 3));
+    const uint32_t corners = fxl_lit_corners_needed(beams, count);
+    ASSERT("it ends with a face of 3 corners at least", corners >= 3 + CORNERS_ON_PLANES);
+    PROOF_ENDS();
+}

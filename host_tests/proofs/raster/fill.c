@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+#include "raster/fill.h"
+#include "proof.h"
+
+#define ROWS 3
+
+static uint8_t memory[2 * ROWS * 1024 + 4];
+static const uint8_t *lowest, *highest; /* of the band's pixels */
+
+/* For fxl_fill_row, which writes what lies between: any bytes of the band. */
+static void any_fill_row(uint8_t *pixel, uint8_t *end, uint32_t four)
+{
+    (void)four;
+    ASSERT("pixels of the band", pixel >= lowest && pixel <= end && end <= highest);
+}
+
+#define fxl_fill_row any_fill_row
+#include "raster/fill.c"
+#include "raster/fill_rgb565.c"
+
+/* A band of few rows anywhere on the screen, at any address. */
+static fxl_band any_band(uint32_t bytes_a_pixel)
+{
+    fxl_band band;
+    const uint32_t before = nondet_u8() & 3u & -bytes_a_pixel;
+    ASSUME(band.width >= 1 && band.width <= FXL_SCREEN_MAX && band.stride >= band.width && band.stride <= 1024);
+    ASSUME(band.rows >= 1 && band.rows <= ROWS && band.first_row + band.rows <= FXL_SCREEN_MAX);
+    ASSUME(band.first_column == 0 && band.columns == 0);
+    band.palette = NULL;
+    band.pixels = memory + before;
+    lowest = band.pixels;
+    highest = band.pixels + bytes_a_pixel * band.rows * band.stride;
+    return band;
+}
+
+/* A trapezoid of the band, both of whose edges lie within the band on each of its rows. */
+static fxl_trapezoid any_trapezoid(const fxl_band *band)
+{
+    fxl_trapezoid trapezoid;
+    ASSUME(trapezoid.first_row >= band->first_row && trapezoid.first_row < trapezoid.end_row &&
+           trapezoid.end_row <= band->first_row + band->rows);
+    for (int side = 0; side < 2; side++) {
+        fxl_edge edge = trapezoid.edges[side];
+        ASSUME(WITHIN(edge.step, 1 << 20));
+        for (int32_t row = 0; row < ROWS; row++) {
+            ASSUME(trapezoid.first_row + row >= trapezoid.end_row || (edge.x >= 0 && edge.x <= band->width));
+            fxl_edge_step(&edge);
+        }
+    }
+    return trapezoid;
+}
+
+void prove_fill_trapezoid(void)
+{
+    const fxl_band band = any_band(1);
+    const fxl_trapezoid trapezoid = any_trapezoid(&band);
+    fxl_fill_trapezoid(&band, &trapezoid, nondet_u8());
+    PROOF_ENDS();
+}
+
+void prove_fill_trapezoid_rgb565(void)
+{
+    const fxl_band band = any_band(2);
+    const fxl_trapezoid trapezoid = any_trapezoid(&band);
+    fxl_fill_trapezoid_rgb565(&band, &trapezoid, nondet_u16());
+    PROOF_ENDS();
+}
+
+void prove_fill_span(void)
+{
+    const fxl_band band = any_band(1);
+    fxl_span span;
+    ASSUME(span.y >= band.first_row && span.y < band.first_row + band.rows);
+    ASSUME(span.x0 >= 0 && span.x0 < span.x1 && span.x1 <= band.width);
+    fxl_fill_span(&band, &span, nondet_u8());
+    PROOF_ENDS();
+}
+
+void prove_fill_band(void)
+{
+    const fxl_band band = any_band(1);
+    fxl_fill_band(&band, nondet_u8());
+    PROOF_ENDS();
+}
+
+void prove_edge_step(void)
+{
+    fxl_edge edge;
+    ASSUME(WITHIN(edge.x, 1 << 29) && WITHIN(edge.step, 1 << 29));
+    const int32_t x = edge.x;
+    fxl_edge_step(&edge);
+    ASSERT("by the step or one more", edge.x == x + edge.step || edge.x == x + edge.step + 1);
+    PROOF_ENDS();
+}

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/beam.c"
+#include "proof.h"
+
+void prove_beam_plane_at(void)
+{
+    fxl_beam beam;
+    const uint32_t number = nondet_u32();
+    ASSUME(beam.plane_count <= FXL_BEAM_PLANES_MAX && number < beam.plane_count);
+    const fxl_plane plane = fxl_beam_plane_at(&beam, number);
+    ASSERT("its two halves", (uint32_t)plane.distance == beam.planes[number].distance_low &&
+                                 (uint32_t)((uint64_t)plane.distance >> 32) == beam.planes[number].distance_high);
+    PROOF_ENDS();
+}
+
+void prove_beam_shines_on(void)
+{
+    fxl_beam beam;
+    fxl_point vertex;
+    fxl_direction normal;
+    ASSUME(WITHIN(normal.x, FXL_Q2_30_ONE + 4) && WITHIN(normal.y, FXL_Q2_30_ONE + 4) && WITHIN(normal.z, FXL_Q2_30_ONE + 4));
+    const fxl_point from = {beam.from[0], beam.from[1], beam.from[2]};
+    ASSUME(fxl_point_in_range(&vertex) && (beam.kind == FXL_BEAM_DIRECTION || fxl_point_in_range(&from)));
+    /* as a unit vector of a checked beam is, but for a few units that no sum of two terms needs */
+    ASSUME(beam.kind != FXL_BEAM_DIRECTION || (WITHIN(from.x, 1 << 30) && WITHIN(from.y, 1 << 30) && WITHIN(from.z, 1 << 30)));
+    (void)fxl_beam_shines_on(&beam, &vertex, &normal);
+    PROOF_ENDS();
+}
+
+void prove_beam_reaches(void)
+{
+    fxl_beam beam;
+    fxl_point centre;
+    const fxl_q16_16 radius = nondet_s32();
+    ASSUME(beam.plane_count <= FXL_BEAM_PLANES_MAX && radius >= 0 && radius <= FXL_RADIUS_MAX && fxl_point_in_range(&centre));
+    for (uint32_t i = 0; i < FXL_BEAM_PLANES_MAX; i++) {
+        const fxl_direction *normal = &beam.planes[i].normal;
+        ASSUME(WITHIN(normal->x, FXL_Q2_30_ONE + 4) && WITHIN(normal->y, FXL_Q2_30_ONE + 4) && WITHIN(normal->z, FXL_Q2_30_ONE + 4));
+        const int64_t distance = (int64_t)((uint64_t)beam.planes[i].distance_high << 32 | beam.planes[i].distance_low);
+        ASSUME(WITHIN(distance, ((int64_t)1 << 61) - 1));
+    }
+    (void)fxl_beam_reaches(&beam, &centre, radius);
+    PROOF_ENDS();
+}
+
+void prove_beams_fit(void)
+{
+    fxl_beam beams[FXL_BEAMS_MAX];
+    const uint32_t count = nondet_u32(), vertices = nondet_u32();
+    ASSUME(count <= FXL_BEAMS_MAX && vertices <= 255);
+    const bool fits = fxl_beams_fit(beams, count, vertices);
+    ASSERT("at most so many vertices", !fits || vertices <= FXL_FACE_VERTICES_MAX);
+    PROOF_ENDS();
+}
+
+void prove_beam_check(void)
+{
+    fxl_beam beam;
+    const fxl_status status = fxl_beam_check(nondet_bool() ? NULL : &beam);
+    ASSERT("checked, its planes are in range", status != FXL_OK || (beam.plane_count >= 1 && beam.plane_count <= FXL_BEAM_PLANES_MAX &&
+                                                                   beam.kind <= FXL_BEAM_DIRECTION));
+    PROOF_ENDS();
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/lens.c"
+#include "proof.h"
+
+const fxl_off_centre_code fxl_off_centre = {fxl_off_centre_is_valid, NULL, NULL};
+
+/* Any lens: what makes one sets off_centre to null or to the code of off-centre lenses. */
+static fxl_lens any_lens(void)
+{
+    fxl_lens lens;
+    lens.off_centre = nondet_bool() ? NULL : &fxl_off_centre;
+    return lens;
+}
+
+void prove_lens_is_valid(void)
+{
+    const fxl_lens lens = any_lens();
+    const bool valid = fxl_lens_is_valid(nondet_bool() ? NULL : &lens);
+    ASSERT("its screen", !valid || (lens.width >= 1 && lens.width <= FXL_SCREEN_MAX && lens.height >= 1 && lens.height <= FXL_SCREEN_MAX));
+    ASSERT("its depths", !valid || (lens.near_z >= FXL_NEAR_MIN && lens.far_z <= FXL_FAR_MAX && lens.near_z < lens.far_z));
+    ASSERT("its focal length is below 2^29", !valid || (lens.focal > 0 && lens.focal < 1 << 29));
+    PROOF_ENDS();
+}
+
+void prove_off_centre_is_valid(void)
+{
+    const fxl_lens lens = any_lens();
+    const bool valid = fxl_off_centre_is_valid(&lens);
+    ASSERT("within two extents", !valid || (WITHIN((int64_t)lens.centre_x, lens.width * (int64_t)131072) &&
+                                            WITHIN((int64_t)lens.centre_y, lens.height * (int64_t)131072)));
+    PROOF_ENDS();
+}
+
+void prove_lens_set_centre(void)
+{
+    fxl_lens lens = any_lens();
+    const fxl_q16_16 x = nondet_s32(), y = nondet_s32();
+    ASSUME(lens.width <= FXL_SCREEN_MAX && lens.height <= FXL_SCREEN_MAX);
+    const fxl_status status = fxl_lens_set_centre(nondet_bool() ? NULL : &lens, x, y);
+    ASSERT("set, it is a valid lens", status != FXL_OK || (lens.centre_x == x && lens.centre_y == y && lens.width >= 1));
+    PROOF_ENDS();
+}
+
+void prove_lens_of_part(void)
+{
+    fxl_lens whole = any_lens(), part;
+    const uint16_t width = nondet_u16(), height = nondet_u16();
+    ASSUME(width <= FXL_SCREEN_MAX && height <= FXL_SCREEN_MAX);
+    const fxl_status status = fxl_lens_of_part(nondet_bool() ? NULL : &whole, (int16_t)nondet_u16(), (int16_t)nondet_u16(), width, height,
+                                               nondet_bool() ? NULL : &part);
+    ASSERT("the part's screen", status != FXL_OK || (part.width == width && part.height == height && width >= 1 && height >= 1));
+    PROOF_ENDS();
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/light_check.c"
+#include "proof.h"
+
+void prove_light_check(void)
+{
+    fxl_light_settings settings;
+    fxl_scene_fault fault;
+    const fxl_status status = fxl_light_check(nondet_bool() ? NULL : &settings, nondet_bool() ? NULL : &fault);
+    ASSERT("checked, its counts are in range", status != FXL_OK || (settings.point_count <= FXL_LIGHT_POINTS_MAX && settings.levels >= FXL_LIGHT_LEVELS_MIN &&
+                                                                   settings.levels <= FXL_LIGHT_LEVELS_MAX));
+    PROOF_ENDS();
+}
+
+void prove_light_settings_of(void)
+{
+    fxl_light_base base;
+    fxl_point_light points[FXL_LIGHT_POINTS_MAX];
+    fxl_scene_light light;
+    fxl_light_settings settings;
+    light.base = &base;
+    light.points = points;
+    ASSUME(light.point_count <= FXL_LIGHT_POINTS_MAX);
+    const uint32_t number = nondet_u32();
+    ASSUME(number < FXL_LIGHT_POINTS_MAX);
+    fxl_light_settings_of(&light, &settings);
+    ASSERT("its points, in their order", number >= light.point_count || settings.points[number].range == points[number].range);
+    ASSERT("what the light has", settings.point_count == light.point_count && settings.levels == light.levels && settings.ramp == light.ramp &&
+                                     settings.ambient == base.ambient && settings.fog_far == base.fog_far);
+    PROOF_ENDS();
+}
