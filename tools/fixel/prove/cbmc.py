@@ -24,7 +24,7 @@ class Failed(Exception):
 
 
 class TooLong(Failed):
-    """It may be proved on another day."""
+    """It may be proved by another run, so this one is not kept."""
 
 
 def _run(programs, root, words, left):
@@ -119,7 +119,7 @@ def judge(said):
     try:
         messages = json.loads(said)
     except ValueError as error:
-        raise Failed(f"cbmc: {_last(said)}") from error
+        raise TooLong(f"cbmc ended without a result: {_last(said)}") from error     # by a signal: another run may end
     results = next((each["result"] for each in messages if "result" in each), None)
     if results is None:
         errors = [each.get("messageText", "") for each in messages if each.get("messageType") == "ERROR"]
