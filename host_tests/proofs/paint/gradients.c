@@ -42,3 +42,15 @@ void prove_power_up(void)
     ASSERT("from 1 to 2^31", power >= 1 && power <= (uint32_t)1 << 31);
     PROOF_ENDS();
 }
+
+void prove_gradient_of_plane(void)
+{
+    fxl_block_vector vector;
+    fxl_view view;
+    fxl_gradient gradient;
+    ASSUME(WITHIN(vector.x, 1 << 30) && WITHIN(vector.y, 1 << 30) && WITHIN(vector.z, 1 << 30) && WITHIN(vector.exponent, 1 << 20));
+    ASSUME(view.projection.factor < (uint32_t)1 << 31 && WITHIN(view.projection.centre_x, 1 << 28) && WITHIN(view.projection.centre_y, 1 << 28));
+    ASSUME(view.lens.width <= FXL_SCREEN_MAX && view.lens.height <= FXL_SCREEN_MAX);
+    (void)fxl_gradient_of_plane(vector, &view, &gradient);
+    PROOF_ENDS();
+}

@@ -28,3 +28,20 @@ void prove_lit_corners_needed(void)
     ASSERT("it ends with a face of 3 corners at least", corners >= 3 + CORNERS_ON_PLANES);
     PROOF_ENDS();
 }
+
+void prove_lit_outline(void)
+{
+    fxl_point table[8], points[FXL_POLYGON_CAPACITY];
+    uint16_t next[8];
+    fxl_lit_pieces pieces;
+    fxl_lit_piece piece;
+    pieces.points = table;
+    pieces.next = next;
+    ASSUME(piece.last < 8);
+    for (uint32_t i = 0; i < 8; i++) {
+        ASSUME(next[i] < 8);
+    }
+    const bool fits = fxl_lit_outline(&pieces, &piece, points);
+    ASSERT("refused only above the capacity", fits == (piece.count <= FXL_POLYGON_CAPACITY));
+    PROOF_ENDS();
+}

@@ -51,3 +51,12 @@ void prove_lens_of_part(void)
     ASSERT("the part's screen", status != FXL_OK || (part.width == width && part.height == height && width >= 1 && height >= 1));
     PROOF_ENDS();
 }
+
+void prove_lens_from_window(void)
+{
+    fxl_lens lens;
+    const fxl_status status = fxl_lens_from_window(nondet_u16(), nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32(),
+                                                   nondet_bool() ? NULL : &lens);
+    ASSERT("its screen", status != FXL_OK || (lens.width >= 1 && lens.width <= FXL_SCREEN_MAX && lens.height >= 1 && lens.height <= FXL_SCREEN_MAX));
+    PROOF_ENDS();
+}
