@@ -31,7 +31,7 @@ fxl_plane fxl_plane_from_point(const fxl_point *point, const fxl_direction *norm
 fxl_q18_46 fxl_plane_distance(const fxl_plane *plane, const fxl_point *point)
     FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(point) && fxl_point_in_range(point))
     FXL_REQUIRES(FXL_DIRECTION(&plane->normal) && FXL_BELOW(plane->distance, (int64_t)1 << 62))
-    FXL_ASSIGNS();
+    FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, ((int64_t)1 << 62) + ((int64_t)7 << 58)));
 
 /* Makes the plane through three points of the world, for fxl_plane_distance and all that takes a
  * plane. Its normal is (b - a) x (c - a) at unit length. It points towards the side from which a,

@@ -61,8 +61,10 @@ static inline bool find_box(const fxl_screen_point *points, const fxl_band *band
 /* SPEC 5.2 */
 static inline int32_t edge_at(const fxl_screen_point *a, const fxl_screen_point *b, fxl_q16_16 x,
                               fxl_q16_16 y)
-    FXL_REQUIRES(FXL_BELOW(b->x - (int64_t)a->x, 6 * 65536) && FXL_BELOW(b->y - (int64_t)a->y, 6 * 65536))
-    FXL_REQUIRES(FXL_BELOW(x - (int64_t)a->x, 6 * 65536) && FXL_BELOW(y - (int64_t)a->y, 6 * 65536))
+    FXL_REQUIRES(FXL_BELOW(b->x - (int64_t)a->x, 6 * 65536))
+    FXL_REQUIRES(FXL_BELOW(b->y - (int64_t)a->y, 6 * 65536))
+    FXL_REQUIRES(FXL_BELOW(x - (int64_t)a->x, 6 * 65536))
+    FXL_REQUIRES(FXL_BELOW(y - (int64_t)a->y, 6 * 65536))
     FXL_ASSIGNS() FXL_ENSURES(FXL_BELOW(FXL_RESULT, 1 << 23))
 {
     const int32_t dx = b->x - a->x, dy = b->y - a->y;
@@ -71,15 +73,17 @@ static inline int32_t edge_at(const fxl_screen_point *a, const fxl_screen_point 
                      16);
 }
 
-/* For contracts: two points of a tiny triangle; a point and the first centre of the box; the box. */
-#define FXL_NEAR(a, b) \
-    (FXL_BELOW((a)->x - (int64_t)(b)->x, 5 * 65536) && FXL_BELOW((a)->y - (int64_t)(b)->y, 5 * 65536))
+/* For contracts: two points of a triangle; a point and the first centre of the box; the box. */
+#define FXL_NEAR(a, b)                                     \
+    (FXL_BELOW((a)->x - (int64_t)(b)->x, 5 * 65536) &&     \
+     FXL_BELOW((a)->y - (int64_t)(b)->y, 5 * 65536))
 #define FXL_NEAR_BOX(a, box)                                                              \
     (FXL_BELOW((box)->column * (int64_t)65536 + FXL_HALF_PIXEL - (a)->x, 5 * 65536) &&    \
      FXL_BELOW((box)->row * (int64_t)65536 + FXL_HALF_PIXEL - (a)->y, 5 * 65536))
-#define FXL_SMALL_BOX(box)                                                        \
-    ((box)->rows > 0 && (box)->rows <= FXL_TINY_SIDE && (box)->columns > 0 &&        \
-     (box)->columns <= FXL_TINY_SIDE && FXL_BELOW((box)->row, 4096) && FXL_BELOW((box)->column, 4096))
+#define FXL_SMALL_BOX(box)                                                            \
+    ((box)->rows > 0 && (box)->rows <= FXL_TINY_SIDE && (box)->columns > 0 &&         \
+     (box)->columns <= FXL_TINY_SIDE && FXL_BELOW((box)->row, 4096) &&                \
+     FXL_BELOW((box)->column, 4096))
 
 /* The centres of a box that a clockwise triangle covers; 0 of one that goes the other way round. */
 static uint32_t cover(const fxl_screen_point *a, const fxl_screen_point *b,

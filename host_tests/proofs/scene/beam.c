@@ -61,3 +61,24 @@ void prove_beam_check(void)
                                                                    beam.kind <= FXL_BEAM_DIRECTION));
     PROOF_ENDS();
 }
+
+fxl_status fxl_plane_from_points(const fxl_point *a, const fxl_point *b, const fxl_point *c, fxl_plane *plane)
+{
+    const fxl_direction *normal = &plane->normal;
+    ASSERT("points in range", fxl_point_in_range(a) && fxl_point_in_range(b) && fxl_point_in_range(c));
+    ANY_CONTENT(plane);
+    ASSUME(WITHIN(normal->x, FXL_Q2_30_ONE + 4) && WITHIN(normal->y, FXL_Q2_30_ONE + 4) && WITHIN(normal->z, FXL_Q2_30_ONE + 4));
+    ASSUME(WITHIN(plane->distance, (int64_t)1 << 61));
+    return nondet_bool() ? FXL_OK : FXL_E_DEGENERATE;
+}
+
+void prove_beam_from_point(void)
+{
+    fxl_point light, window[FXL_BEAM_PLANES_MAX - 1];
+    fxl_beam beam;
+    const uint32_t count = nondet_u32();
+    ASSUME(count <= 4); /* a window of as many sides as most have */
+    const fxl_status status = fxl_beam_from_point(nondet_bool() ? NULL : &light, nondet_bool() ? NULL : window, count, nondet_bool() ? NULL : &beam);
+    ASSERT("a plane for each side, and the window's", status != FXL_OK || beam.plane_count == count + 1u);
+    PROOF_ENDS();
+}
