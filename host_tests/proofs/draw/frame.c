@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "draw/render.c"
 #include "draw/workspace.c"
+#include "draw/pieces.c"
 #include "proof.h"
 
 void prove_count_outcome(void)
@@ -29,5 +30,19 @@ void prove_cache_entries(void)
     const uint32_t entries = fxl_cache_entries(&scene, bytes);
     ASSERT("a power of two, or none", (entries & (entries - 1u)) == 0 && entries <= 65536);
     ASSERT("within the memory", entries <= bytes / sizeof(fxl_cached_vertex));
+    PROOF_ENDS();
+}
+
+void prove_pieces_end(void)
+{
+    fxl_pieces pieces;
+    fxl_traversal traversal;
+    fxl_counters counters;
+    ASSUME(counters.outside == 0 && counters.refused == 0 && counters.drawn == 0 && counters.degenerate == 0);
+    traversal.counters = &counters;
+    traversal.display_list = NULL;
+    pieces.traversal = &traversal;
+    const bool counted = fxl_pieces_end(&pieces);
+    ASSERT("a face is counted once, whatever its pieces", counters.outside + counters.refused + counters.drawn + counters.degenerate == (counted ? 1u : 0u));
     PROOF_ENDS();
 }
