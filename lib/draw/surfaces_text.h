@@ -153,6 +153,13 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 /* A kernel tests the rows of a trapezoid, and another one paints what is visible. */
 #define HAS_RUNS (FXL_HAS_DEPTH_ROWS && FXL_TARGET_DEPTH_BITS == 16)
 
+/* Where kernels take less of the stack than rows do, rows are functions of their own. */
+#if HAS_RUNS
+#define ROWS_APART static __attribute__((noinline))
+#else
+#define ROWS_APART static inline __attribute__((always_inline))
+#endif
+
 /* A row of a polygon. */
 typedef struct {
     const fxl_depth_painting *depth;
@@ -161,9 +168,10 @@ typedef struct {
 } surface_row;
 
 /* Pixels of a surface that has holes, of one segment of 16 columns: their depth is kept where they
- * are drawn. They are painted over two backgrounds: a pixel that is the same on both was drawn. */
-static void paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cells,
-                        fxl_depth_line line)
+ * are drawn. They are painted over two backgrounds: a pixel that is the same on both was drawn. Not
+ * inline: what is painted twice would be on the stack of all rows. */
+static __attribute__((noinline)) void paint_holes(const surface_row *of, int32_t x0, int32_t x1,
+                                                  void *cells, fxl_depth_line line)
 {
     fxl_pixel painted[2][SCRATCH];
     fxl_pixel *pixels = (fxl_pixel *)(void *)of->row->pixels;
@@ -475,22 +483,19 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 
 #endif
 
-/* A polygon row by row. Not inline: what a row needs would be on the stack of kernels of rows. */
-static __attribute__((noinline)) void
-paint_each_row(fxl_depth_painting *depth, const fxl_paint *paint, const fxl_segment_face *segments,
-               const fxl_screen_point *points, uint32_t count, const fxl_band *band, fxl_scan *scan)
+/* A polygon row by row. */
+ROWS_APART void paint_each_row(fxl_depth_painting *depth, const fxl_paint *paint,
+                               const fxl_segment_face *segments, const fxl_screen_point *points,
+                               uint32_t count, const fxl_band *band, fxl_scan *scan)
 {
     fxl_paint_polygon(paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8, scan,
                       paint_row, depth);
 }
 
-/* The rows of a polygon, whose cells are cleared. Not inline: what it has would stay on the stack
- * of others. */
-static __attribute__((noinline)) bool paint_by_rows(const fxl_surfaces *surfaces,
-                                                    fxl_workspace *workspace,
-                                                    const fxl_surface_polygon *polygon,
-                                                    const fxl_screen_point *points, uint32_t count,
-                                                    const fxl_band *band)
+/* The rows of a polygon, whose cells are cleared. */
+ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                              const fxl_surface_polygon *polygon, const fxl_screen_point *points,
+                              uint32_t count, const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_depth_painting depth;
