@@ -139,6 +139,18 @@ static void on_executed(unsigned core, void *data)
     }
 }
 
+/* How long an instruction of a block is. It is told by where the next one is: before the end of a
+ * page QEMU 7 takes the next halfword, which it looks at in advance, as part of the instruction. */
+static size_t size_of(const struct qemu_plugin_tb *translated, size_t index, size_t count)
+{
+    const struct qemu_plugin_insn *instruction = qemu_plugin_tb_get_insn(translated, index);
+    if (index + 1 == count) {
+        return qemu_plugin_insn_size(instruction);
+    }
+    return (size_t)(qemu_plugin_insn_vaddr(qemu_plugin_tb_get_insn(translated, index + 1)) -
+                    qemu_plugin_insn_vaddr(instruction));
+}
+
 static void on_translated(qemu_plugin_id_t id, struct qemu_plugin_tb *translated)
 {
     size_t count = qemu_plugin_tb_n_insns(translated);
@@ -152,7 +164,7 @@ static void on_translated(qemu_plugin_id_t id, struct qemu_plugin_tb *translated
     made->address = made->end = (uint32_t)qemu_plugin_tb_vaddr(translated);
     made->count = (uint32_t)count;
     for (size_t i = 0; i < count; i++) {
-        size_t size = qemu_plugin_insn_size(qemu_plugin_tb_get_insn(translated, i));
+        size_t size = size_of(translated, i, count);
         made->end += (uint32_t)size;
         sizes[i] = (char)('0' + size);
     }

@@ -5,7 +5,8 @@
  * what QEMU has since version 2 of the interface.
  *
  *   qemu_double PLUGIN ARGUMENT...
- *   block ADDRESS SIZES     (hexadecimal; a digit for each instruction)
+ *   block ADDRESS SIZES     (hexadecimal; a digit for each instruction: 2 or 4, or 3 for one of 2
+ *                            that is told to be 4, as QEMU 7 tells it before the end of a page)
  *   run ADDRESS */
 #include <dlfcn.h>
 #include <stdint.h>
@@ -15,6 +16,7 @@
 #define BLOCKS 64
 
 struct qemu_plugin_insn {
+    uint64_t address;
     size_t size;
 };
 struct qemu_plugin_tb {
@@ -41,6 +43,7 @@ size_t qemu_plugin_tb_n_insns(const struct qemu_plugin_tb *block);
 uint64_t qemu_plugin_tb_vaddr(const struct qemu_plugin_tb *block);
 struct qemu_plugin_insn *qemu_plugin_tb_get_insn(struct qemu_plugin_tb *block, size_t index);
 size_t qemu_plugin_insn_size(const struct qemu_plugin_insn *instruction);
+uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *instruction);
 
 void qemu_plugin_register_vcpu_tb_trans_cb(uint64_t id,
                                            void (*callback)(uint64_t, struct qemu_plugin_tb *))
@@ -85,6 +88,11 @@ size_t qemu_plugin_insn_size(const struct qemu_plugin_insn *instruction)
     return instruction->size;
 }
 
+uint64_t qemu_plugin_insn_vaddr(const struct qemu_plugin_insn *instruction)
+{
+    return instruction->address;
+}
+
 #ifdef SCOREBOARD
 void *qemu_plugin_scoreboard_new(size_t size);
 void *qemu_plugin_scoreboard_new(size_t size)
@@ -102,7 +110,11 @@ static int translate(uint64_t address, const char *sizes)
     }
     made->address = address;
     for (; sizes[made->count] != '\0'; made->count++) {
-        made->instructions[made->count].size = (size_t)(sizes[made->count] - '0');
+        struct qemu_plugin_insn *instruction = &made->instructions[made->count];
+        instruction->address = address;
+        instruction->size = (size_t)((sizes[made->count] & ~1) - '0');
+        address += instruction->size;
+        instruction->size += sizes[made->count] & 1 ? 2 : 0;
     }
     block_count++;
     translated(1, made);

@@ -113,6 +113,13 @@ def test_follows_calls_jumps_and_returns(tmp_path):
                     (0x106, nodes[0][0]): (3, 3)}
 
 
+def test_an_instruction_before_the_end_of_a_page_ends_where_the_next_one_begins(tmp_path, monkeypatch):
+    monkeypatch.setitem(globals(), "BLOCKS", BLOCKS.replace("block 100 24", "block 100 34"))
+    _, counts = play(tmp_path, double(tmp_path), ["10", *WAY, "20"], "detail=on")
+    assert (0x100, [2, 4]) in counts.blocks.values()
+    assert [back for _, function, back in counts.nodes.values() if function == 1] == [0x106]
+
+
 @pytest.mark.parametrize("arguments", [(), ("map=program.map",), ("map=nowhere", "out=x"), ("speed=high",)])
 def test_the_plugin_refuses_what_it_does_not_understand(tmp_path, arguments):
     done = subprocess.run([str(double(tmp_path)), str(built(PLUGIN)), *arguments], input="", capture_output=True,
