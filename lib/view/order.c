@@ -138,29 +138,54 @@ uint32_t fxl_list_front_faces(const fxl_scene *scene, const fxl_model *model, co
                       entries);
 }
 
+/* fxl_fetch_vertex, of a view whose members are read once: the clip flags. */
+static inline uint32_t flags_of(const fxl_model_view *model_view, fxl_cached_vertex *cached,
+                                uint32_t mask, uint32_t tag, uint32_t number)
+{
+    fxl_cached_vertex *vertex = &cached[number & mask];
+    if (vertex->tag != tag + number) {
+        fxl_transform_vertex(model_view, number, vertex);
+    }
+    return vertex->clip_flags;
+}
+
+/* The same of all vertices of a face from the fourth one on, beside those of the first three. Not
+ * inline: triangles would be short of registers. */
+static __attribute__((noinline)) uint32_t flags_of_others(const fxl_model_view *model_view,
+                                                          const uint16_t *next, uint32_t left,
+                                                          uint32_t of_all)
+{
+    do {
+        of_all &= fxl_fetch_vertex(model_view, *next++)->clip_flags;
+    } while (of_all != 0 && --left != 0);
+    return of_all;
+}
+
 uint32_t fxl_drop_outside(const fxl_model_view *model_view, const fxl_face *faces,
                           fxl_draw_entry *entries, uint32_t count)
 {
     fxl_cached_vertex *cached = model_view->entries;
     const uint32_t mask = model_view->mask, tag = model_view->tag;
-    const uint16_t *indices = model_view->indices;
     const fxl_draw_entry *end = entries + count;
     fxl_draw_entry *to = entries;
     for (const fxl_draw_entry *from = entries; from != end; from++) {
         const fxl_face *face = &faces[from->index];
-        const uint16_t *next = indices + face->first_index;
-        uint32_t left = face->count, of_all = FXL_PLANES_ALL;
-        do { /* fxl_fetch_vertex, of a view whose members are read once */
-            const uint32_t number = *next++;
-            fxl_cached_vertex *vertex = &cached[number & mask];
-            if (vertex->tag != tag + number) {
-                fxl_transform_vertex(model_view, number, vertex);
+        const uint16_t *next = model_view->indices + face->first_index;
+        const uint32_t left = face->count;
+        uint32_t of_all = FXL_PLANES_ALL & flags_of(model_view, cached, mask, tag, *next++);
+        if (of_all != 0) {
+            of_all &= flags_of(model_view, cached, mask, tag, *next++);
+            if (of_all != 0) {
+                of_all &= flags_of(model_view, cached, mask, tag, *next++);
+                if (of_all != 0 && left > 3) {
+                    of_all = flags_of_others(model_view, next, left - 3, of_all);
+                }
+                if (of_all != 0) {
+                    continue;
+                }
             }
-            of_all &= vertex->clip_flags;
-        } while (of_all != 0 && --left != 0);
-        if (of_all == 0) {
-            *to++ = *from;
         }
+        *to++ = *from;
     }
     return (uint32_t)(to - entries);
 }
