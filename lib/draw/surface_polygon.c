@@ -199,11 +199,30 @@ static inline void add_point(screen_box *box, const fxl_screen_point *point)
     box->bottom = point->y > box->bottom ? point->y : box->bottom;
 }
 
+/* What the box of all vertices says of the corners. */
+static inline bool have_box(fxl_screen_corners *corners, const screen_box *box, bool is_triangle)
+{
+    corners->width = box->right - box->left;
+    corners->height = box->bottom - box->top;
+    corners->is_triangle = is_triangle;
+    return true;
+}
+
+static inline void begin_box(screen_box *box, const fxl_screen_point *a, const fxl_screen_point *b,
+                             const fxl_screen_point *c)
+{
+    box->left = box->right = a->x;
+    box->top = box->bottom = a->y;
+    add_point(box, b);
+    add_point(box, c);
+}
+
 /* The corners of a triangle whose vertices are the given ones, where the clipper has projected all
  * of them, and they are in the cache: mostly. */
 static inline bool find_projected(const fxl_model_view *model_view, const fxl_face *face,
                                   const uint16_t *vertices, fxl_screen_corners *corners)
 {
+    screen_box box;
     const uint16_t *indices = model_view->indices + face->first_index;
     const fxl_cached_vertex *entries = model_view->entries;
     const uint32_t mask = model_view->mask, tag = model_view->tag;
@@ -222,10 +241,12 @@ static inline bool find_projected(const fxl_model_view *model_view, const fxl_fa
     corners->depths[0] = first->position.z;
     corners->depths[1] = second->position.z;
     corners->depths[2] = third->position.z;
-    corners->points[0] = first->screen;
-    corners->points[1] = second->screen;
-    corners->points[2] = third->screen;
-    return true;
+    const fxl_screen_point p0 = first->screen, p1 = second->screen, p2 = third->screen;
+    corners->points[0] = p0;
+    corners->points[1] = p1;
+    corners->points[2] = p2;
+    begin_box(&box, &p0, &p1, &p2);
+    return have_box(corners, &box, true);
 }
 
 static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
@@ -236,24 +257,6 @@ static bool has_vertex(const uint16_t *indices, uint32_t count, uint32_t number)
         }
     }
     return false;
-}
-
-/* What the box of all vertices says of the corners. */
-static inline bool have_box(fxl_screen_corners *corners, const screen_box *box, bool is_triangle)
-{
-    corners->width = box->right - box->left;
-    corners->height = box->bottom - box->top;
-    corners->is_triangle = is_triangle;
-    return true;
-}
-
-static inline void begin_box(screen_box *box, const fxl_screen_corners *corners)
-{
-    const fxl_screen_point *points = corners->points;
-    box->left = box->right = points[0].x;
-    box->top = box->bottom = points[0].y;
-    add_point(box, &points[1]);
-    add_point(box, &points[2]);
 }
 
 /* Any face. Not inline: what it has would stay on the stack of triangles. */
@@ -280,7 +283,7 @@ static __attribute__((noinline)) bool find_corners(const fxl_model_view *model_v
             return false;
         }
     }
-    begin_box(&box, corners);
+    begin_box(&box, &corners->points[0], &corners->points[1], &corners->points[2]);
     for (uint32_t i = 0; count > 3 && i < count; i++) {
         fxl_screen_point point;
         fxl_q18_46 depth;
@@ -302,9 +305,7 @@ bool fxl_find_screen_corners(const fxl_model_view *model_view, const fxl_face *f
 {
     if (!FXL_IS_COMPACT && traversal->clipper->by_clip_flags &&
         find_projected(model_view, face, vertices, corners)) {
-        screen_box box;
-        begin_box(&box, corners);
-        return have_box(corners, &box, true);
+        return true;
     }
     return find_corners(model_view, face, vertices, traversal, corners);
 }

@@ -47,8 +47,9 @@ static inline void fxl_surface_light_of(const fxl_surfaces *surfaces, fxl_paint 
  * not be divided: planes of words are for these alone. */
 static inline bool fxl_has_light_alone(const fxl_surfaces *surfaces, const fxl_surface *surface)
 {
-    return surface->texture == 0 && surface->opacity == 16 && surface->flags == FXL_SURFACE_LIT &&
-           surface->division != FXL_DIVIDE_1 && surfaces->beams == NULL;
+    const uint32_t other = surface->texture | (surface->opacity ^ 16u) |
+                           (surface->flags ^ (uint32_t)FXL_SURFACE_LIT); /* one branch */
+    return other == 0 && surface->division != FXL_DIVIDE_1 && surfaces->beams == NULL;
 }
 
 #define FXL_NO_SURFACE UINT16_MAX

@@ -689,25 +689,31 @@ static __attribute__((noinline)) bool draw_smooth_face(const fxl_surfaces *surfa
 static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
-    bool fitted;
     const fxl_surfaces *surfaces = (const fxl_surfaces *)(const void *)shader;
     const fxl_renderer *renderer = traversal->renderer;
-    fxl_mapped_surface of = {surfaces, NULL, NULL, NULL, false};
+    const fxl_mapped_face *mapped;
+    const fxl_surface_set *set = surfaces->set;
+    uint32_t number = 0;
     if (surfaces->beams == NULL && renderer->target == &FXL_TARGET) {
-        const fxl_surface_set *set = surfaces->set;
-        const uint32_t number = set->face_map[face - renderer->scene->faces];
-        of.mapped = number != 0 ? &set->faces[number - 1] : NULL;
+        number = set->face_map[face - renderer->scene->faces];
     }
-    if (of.mapped == NULL) {
-        of.mapped = fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted);
-    }
+    if (number != 0) {
+        mapped = &set->faces[number - 1];
 #if FXL_DRAWS_DEPTH_OUTLINES && FXL_TARGET_DEPTH_BITS == 16
-    else if (may_be_smooth(surfaces, of.mapped, traversal) &&
-             draw_smooth_face(surfaces, of.mapped, model_view, face, traversal)) {
-        return true;
-    }
+        if (may_be_smooth(surfaces, mapped, traversal) &&
+            draw_smooth_face(surfaces, mapped, model_view, face, traversal)) {
+            return true;
+        }
 #endif
-    return of.mapped == NULL ? fitted : submit_mapped(model_view, face, traversal, &of);
+    } else {
+        bool fitted;
+        mapped = fxl_surfaces_take(surfaces, model_view, face, traversal, &fitted);
+        if (mapped == NULL) {
+            return fitted;
+        }
+    }
+    const fxl_mapped_surface of = {surfaces, mapped, NULL, NULL, false};
+    return submit_mapped(model_view, face, traversal, &of);
 }
 
 static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
