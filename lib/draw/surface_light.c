@@ -30,11 +30,12 @@ static void place_corner(const fxl_scene *scene, const fxl_instance *instance, u
 }
 
 /* Only point lights and fog need the places of corners. fxl_placement_code turns the normal of a
- * face. */
+ * face. Not inline: what it has would be saved for every face. */
+__attribute__((noinline))
 /* SPEC 9.7, surfaces 5.1 */
-static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
-                          const fxl_instance *instance, const fxl_mapped_face *mapped,
-                          int32_t values[3])
+void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                           const fxl_instance *instance, const fxl_mapped_face *mapped,
+                           int32_t values[3])
 {
     const fxl_light_settings *settings = &surfaces->light->settings;
     const fxl_direction *normals = surfaces->set->normals;
@@ -60,6 +61,20 @@ static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *rend
             fxl_light_brightness(settings, &renderer->frame.view.camera, &place),
             settings->levels - 1u);
     }
+}
+
+/* A scene in which no corner needs a place or is turned is told at once. */
+static void light_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                          const fxl_instance *instance, const fxl_mapped_face *mapped,
+                          int32_t values[3])
+{
+    const fxl_light_settings *settings = &surfaces->light->settings;
+    if (!FXL_IS_COMPACT && renderer->scene->placements == NULL && settings->point_count == 0 &&
+        settings->fog_far == 0) {
+        fxl_light_corners_of(settings, surfaces->set->normals, mapped->normals, values);
+        return;
+    }
+    fxl_light_any_corners(surfaces, renderer, instance, mapped, values);
 }
 
 static const fxl_surface_light_code code = {light_corners};

@@ -30,6 +30,12 @@ typedef struct fxl_surface_light_code {
                           int32_t values[3]);
 } fxl_surface_light_code;
 
+/* light_corners of any scene. Not static: the compiler would change its arguments, so that it is
+ * called on top of its caller's stack and not jumped to. */
+void fxl_light_any_corners(const fxl_surfaces *surfaces, const fxl_renderer *renderer,
+                           const fxl_instance *instance, const fxl_mapped_face *mapped,
+                           int32_t values[3]);
+
 static inline bool fxl_surface_is_lit(const fxl_surfaces *surfaces, const fxl_surface *surface)
 {
     return (surface->flags & FXL_SURFACE_LIT) && surfaces->light != NULL;
