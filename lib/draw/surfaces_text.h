@@ -168,10 +168,10 @@ typedef struct {
 } surface_row;
 
 /* Pixels of a surface that has holes, of one segment of 16 columns: their depth is kept where they
- * are drawn. They are painted over two backgrounds: a pixel that is the same on both was drawn. Not
- * inline: what is painted twice would be on the stack of all rows. */
-static __attribute__((noinline)) void paint_holes(const surface_row *of, int32_t x0, int32_t x1,
-                                                  void *cells, fxl_depth_line line)
+ * are drawn. They are painted over two backgrounds: a pixel that is the same on both was drawn. */
+__attribute__((noinline)) /* what is painted twice would be on the stack of all rows */
+static void
+paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
 {
     fxl_pixel painted[2][SCRATCH];
     fxl_pixel *pixels = (fxl_pixel *)(void *)of->row->pixels;
