@@ -143,6 +143,7 @@
     X(wide_values) \
     X(wide_texels) \
     X(wide_lit) \
+    X(wide_evenly_lit) \
     X(wide_levels) \
     X(wide_blended) \
     X(wide_repeated) \

@@ -352,6 +352,7 @@ WRAPPED(void, fxl_paint_segments_565,
 {
     count_before_kernel(row, x0, x1);
     count_kernel(face, row, x0, x1);
+    counted.wide_evenly_lit += slow_paint != NULL && slow_paint->is_evenly_lit ? x1 - x0 : 0;
     __real_fxl_paint_segments_565(face, row, x0, x1);
 }
 
