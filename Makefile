@@ -459,8 +459,8 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 	@$(TOOL) seeded-bugs --build $(BUILD)
 
 trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 FRESH=1]
-	@tools/setup.sh $(if $(BREAK),units,tools)
-	@$(if $(BREAK),$(MAKE) $(UNIT_PROGRAMS))
+	@tools/setup.sh $(if $(value BREAK),units,tools)
+	@$(if $(value BREAK),$(MAKE) $(UNIT_PROGRAMS))
 	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 FRESH=1]

@@ -6,8 +6,9 @@ import re
 from conftest import CHECKOUT
 
 LIST = CHECKOUT / "host_tests" / "fuzz" / "wraps.txt"
-# A definition begins a line with its type, whose name may stand on the next one, and is followed by a body.
-DEFINITION = r"^(?!return|else)[A-Za-z][\w ()]*[ *\n]{name}\((?:[^()]|\([^()]*\))*\)\n?\s*\{{"
+# A definition begins a line with its type, whose name may stand on the next one, and is followed by a body, before which
+# contracts may stand.
+DEFINITION = r"^(?!return|else)[A-Za-z][\w (),]*[ *\n]{name}\((?:[^()]|\([^()]*\))*\)(?:\s+FXL_[A-Z]+\([^;{{]*\))?\s*\{{"
 
 
 def entries(kind):

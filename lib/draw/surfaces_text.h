@@ -155,9 +155,9 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
 
 /* Where kernels take less of the stack than rows do, rows are functions of their own. */
 #if HAS_RUNS
-#define ROWS_APART static __attribute__((noinline))
+#define ROWS_APART __attribute__((noinline))
 #else
-#define ROWS_APART static inline __attribute__((always_inline))
+#define ROWS_APART inline __attribute__((always_inline))
 #endif
 
 /* A row of a polygon. */
@@ -484,18 +484,20 @@ static inline fxl_depth_drawn draw_smooth(const fxl_surfaces *surfaces, fxl_work
 #endif
 
 /* A polygon row by row. */
-ROWS_APART void paint_each_row(fxl_depth_painting *depth, const fxl_paint *paint,
-                               const fxl_segment_face *segments, const fxl_screen_point *points,
-                               uint32_t count, const fxl_band *band, fxl_scan *scan)
+static ROWS_APART void paint_each_row(fxl_depth_painting *depth, const fxl_paint *paint,
+                                      const fxl_segment_face *segments,
+                                      const fxl_screen_point *points, uint32_t count,
+                                      const fxl_band *band, fxl_scan *scan)
 {
     fxl_paint_polygon(paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8, scan,
                       paint_row, depth);
 }
 
 /* The rows of a polygon, whose cells are cleared. */
-ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace *workspace,
-                              const fxl_surface_polygon *polygon, const fxl_screen_point *points,
-                              uint32_t count, const fxl_band *band)
+static ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace *workspace,
+                                     const fxl_surface_polygon *polygon,
+                                     const fxl_screen_point *points, uint32_t count,
+                                     const fxl_band *band)
 {
     const fxl_surface *surface = &surfaces->set->surfaces[polygon->surface];
     fxl_depth_painting depth;
