@@ -475,7 +475,7 @@ coverage: ## print which lines, branches and conditions of lib/ the unit tests a
 	@tools/setup.sh coverage
 	@$(MAKE) $(COVERED_TESTS) $(COVERED_REPLAYS:%=$(COVERAGE_OUT)/replay_%)
 	@$(TOOL) coverage --library $(COVERAGE_LIBRARY) --tests $(COVERED_TESTS) --out $(BUILD)/coverage/coverage.json \
-	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip) $(if $(ONLY),,--reasons host_tests/unit/uncovered.toml)
+	    $(foreach target,$(COVERED_REPLAYS),--replay $(COVERAGE_OUT)/replay_$(target) host_tests/fuzz/corpus/$(target).zip) $(if $(value ONLY),,--reasons host_tests/unit/uncovered.toml)
 
 rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the lines of each rule may only become fewer [RENEW=1]
 	@tools/setup.sh rules

@@ -42,7 +42,7 @@ def fixture_completed(script):
 
 
 def test_bash_completes_a_command(completed):
-    assert completed("fixel", "ru") == ["run"]
+    assert completed("fixel", "ru") == ["run", "rules"]
     assert set(COMMANDS) <= set(completed("fixel", ""))
 
 
