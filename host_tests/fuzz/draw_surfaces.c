@@ -293,6 +293,28 @@ static void draw_twice_by_depth(fxl_renderer *renderer, draw_parts *parts,
     free(cells);
 }
 
+/* The same faces with light alone, whose planes may be words, in a whole frame with depths of 16
+ * bits. */
+static void draw_light_alone(fxl_renderer *renderer, draw_parts *parts, made_surfaces *made,
+                             fuzz_input *in)
+{
+    const fxl_lens *lens = &renderer->frame.view.lens;
+    const uint32_t size = FXL_DEPTH_BYTES(lens->width, lens->height, 16u);
+    uint8_t *cells = block(size);
+    for (uint32_t i = 0; i < made->set.surface_count; i++) {
+        made->surfaces[i] = (fxl_surface){.flags = FXL_SURFACE_LIT, .opacity = 16};
+    }
+    if (fxl_surfaces_check(&made->set, renderer->scene, 8, NULL) != FXL_OK) {
+        free(cells);
+        return; /* a face has no normals */
+    }
+    DEMAND(draw_choose(renderer, &fxl_palette_depth_16, cells, size) == FXL_OK);
+    draw_attach(renderer, parts, &made->set, FXL_SURFACES_OF(fxl_palette_depth_16), true);
+    draw_twice(renderer, in);
+    draw_detach(renderer);
+    free(cells);
+}
+
 static void set_plain_light(fxl_renderer *renderer, fxl_light *light)
 {
     static const uint8_t ramp[FXL_LIGHT_RAMP_BYTES(2)] = {1, 2, 3};
@@ -338,6 +360,7 @@ static void draw_made(const fxl_scene *scene, made_surfaces *made, fuzz_input *i
         draw_twice_by_depth(&renderer, &parts, &made->set, is_lit, in);
         draw_rgb565(&renderer, &parts, &made->set, in);
         misuse(&renderer, made, scene);
+        draw_light_alone(&renderer, &parts, made, in);
     }
     free(order);
     free(room);
