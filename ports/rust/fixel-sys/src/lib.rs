@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-//! The C interface of [Fixel](https://crates.io/crates/fixel), a fixed-point 3-D renderer for
+//! The C interface of Fixel, a fixed-point 3-D renderer for
 //! microcontrollers: all records, constants and functions of its public headers, with their
 //! documentation. The C library itself is one file, which the build compiles for the target.
 //!
