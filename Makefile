@@ -232,7 +232,7 @@ endif
 REPORT_TOOLS := $(addprefix $(BUILD)/host/,oracle designs judge raycast stage_errors)
 REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(REPORT_TOOLS))
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SEED= ONLY= FRESH=1]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SEED= ONLY= MINUTES=20 JOBS= FRESH=1]
 	@tools/setup.sh report
 	@$(MAKE) $(REPORT_PROGRAMS)
 	@$(TOOL) report --out $(BUILD)/report --build $(BUILD) --board $(BOARD_CHOSEN)

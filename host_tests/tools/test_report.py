@@ -89,7 +89,7 @@ def built(build):
 def result(built, tmp_path_factory):
     folder = tmp_path_factory.mktemp("report")
     build = build_with_oracle(folder / "build")
-    done = run_report(build, folder / "out", "--processes", 3)
+    done = run_report(build, folder / "out", "--jobs", 3)
     assert done.returncode == 0, done.stdout + done.stderr
     return folder, json.loads((folder / "out/report.json").read_text()), done
 
@@ -255,7 +255,7 @@ def test_clip_errors_by_fractions(result):
 
 def test_same_seed_same_report(result, tmp_path):
     folder, _, _ = result
-    done = run_report(folder / "build", tmp_path / "one", "--processes", 1)
+    done = run_report(folder / "build", tmp_path / "one", "--jobs", 1)
     assert done.returncode == 0, done.stderr
     for name in ("report.json", "report.html"):
         assert (tmp_path / "one" / name).read_bytes() == (folder / "out" / name).read_bytes()
@@ -385,8 +385,8 @@ def test_oracle_that_fails_leaves_nothing(built, tmp_path):
 
 
 @pytest.mark.parametrize("option, value, word", [("--samples", "0", "SAMPLES"), ("--samples", "many", "SAMPLES"),
-                                                 ("--seed", "-1", "SEED"), ("--processes", "1025", "--processes"),
-                                                 ("--processes", "-1", "--processes")])
+                                                 ("--seed", "-1", "SEED"), ("--jobs", "1025", "--jobs"),
+                                                 ("--jobs", "-1", "--jobs"), ("--minutes", "x", "MINUTES")])
 def test_bad_numbers(option, value, word):
     assert_one_sentence(run_cli("report", f"{option}={value}"), word, value)
 

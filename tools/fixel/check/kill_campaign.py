@@ -173,7 +173,8 @@ class Campaign:
     def strangers(self):
         """Files and folders that are no result."""
         expected = {"build/boards", "build/host", "out/run", "out/flash", "out/flash/board.bin", "out/boot",
-                    "out/boot/board.fxld", "out/report", "out/report/report.json", "out/report/report.html"}
+                    "out/boot/board.fxld", "out/report", "out/report/report.json", "out/report/report.html",
+                    "build/campaigns", "build/campaigns/report.json"}
         every = [path for name in ("build", "tmp", "out") for path in (self.folder / name).rglob("*")]
         return [path for path in every if str(path.relative_to(self.folder)) not in expected
                 and not (path.parent == self.folder / "out" / "run" and not path.name.startswith("."))]

@@ -11,9 +11,11 @@ from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import HostPrograms, read_json
 from fixel.base.table import coloured, table
+from fixel.campaign import runner
 
 PATTERNS = ["report.html", "report.json"]
 SAMPLES_MAX = 10 ** 12
+MINUTES_MAX = 60 * 24 * 366
 RAY_FRAMES = 12         # about how many frames the ray-cast oracle judges
 # Below the default number of samples paths are cut in proportion, to no fewer frames than this.
 FEWEST_FRAMES = 2
@@ -31,7 +33,7 @@ def gather(options, work):
     build, limit = pathlib.Path(options.build), frame_limit(options.samples)
     about = report_shards.list_designs(build)
     kinds = (*report_shards.CLAIMS, *report_shards.STAGES, *report_shards.SWEEPS)
-    shards = report_shards.run_shards(build, kinds, options.samples, options.seed, options.processes)
+    shards = report_shards.draw(options, kinds)
     sources = [options.scene] if options.scene else report_frames.default_sources()
     found = report_frames.walks(sources, work, limit, bounded.limits_of(options))
     programs = HostPrograms(build, kept.Kept(build, options.fresh))
@@ -57,7 +59,7 @@ def gather(options, work):
 def measure_only(options):
     """A report of the claims that ONLY= names."""
     wanted = [kind for kind in report_shards.CLAIMS if kind.what in options.only]
-    shards = report_shards.run_shards(pathlib.Path(options.build), wanted, options.samples, options.seed, options.processes)
+    shards = report_shards.draw(options, wanted)
     return {"samples": options.samples, "seed": options.seed,
             "claims": report_averages.hold(report_claims.judge_only(shards, options.build, options.samples < report_shards.SAMPLES),
                                            options.seed)}
@@ -121,7 +123,8 @@ def checked(options):
     options.samples = report_shards.SAMPLES if options.samples is None else \
         whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
     options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
-    options.processes = whole_number("--processes", options.processes, 0, 1024) or None
+    runner.jobs_of(options)
+    options.minutes = whole_number("MINUTES", options.minutes, 0, MINUTES_MAX)
     options.only = options.only.split()
     known = [kind.what for kind in report_shards.CLAIMS]
     for word in options.only:

@@ -9,7 +9,8 @@ claims.json. Exit: 0 every claim holds and the ray-cast oracle agrees, 1 not, 2 
 import argparse
 
 from fixel import commands
-from fixel.base import bounded, kept
+from fixel.base import bounded
+from fixel.campaign import runner
 
 
 def parser():
@@ -21,10 +22,10 @@ def parser():
     made.add_argument("--scene", help="judge only the frames of this .toml, .obj or .fxls (SCENE=)")
     bounded.add_options(made)
     made.add_argument("--board", default="mps2-an385", help="board that counts instructions for the claim scale")
-    made.add_argument("--processes", default="0", help="processes at a time; 0: one for each core")
+    made.add_argument("--minutes", default="20", help="minutes of two cores that samples beyond ten million may take; 0: any number (MINUTES=)")
     made.add_argument("--out", default="build/report")
     made.add_argument("--build", default="build", help="folder that make builds in")
-    kept.add_option(made)
+    runner.add_options(made)
     made.add_argument("--picture", metavar="FILE",
                       help="only write the README's picture, from the report in --out")
     return made

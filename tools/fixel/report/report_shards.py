@@ -1,24 +1,49 @@
 # SPDX-License-Identifier: MIT
-"""Samples in numbered shards, on all cores; merged so that any number of processes gives the same figures.
+"""Samples in numbered shards, merged so that any number of processes gives the same figures.
 
 What a shard holds depends on its kind, the seed and its number alone; how
 many shards there are and how long each is, on the number of samples alone;
 and results are added up in the order of the shards.
+
+Up to the default number of samples all shards are computed. A report of more samples ends when its minutes are over: it
+is about the first shards of each kind, as far as they are done, and the same command goes on with the next ones.
 """
 
-import concurrent.futures
 import dataclasses
 import json
 import math
-import os
+import sys
 
 from fixel.base.errors import ToolError
 from fixel.board.programs import run_program
-from fixel.base.progress import Progress
+from fixel.campaign import runner
+from fixel.campaign.shards import Shard
 
 # The whole report's number of samples; everything below is a share of it.
 SAMPLES = 10_000_000
 FEWEST = 100    # of any kind
+MOST_SHARDS = 4000      # of any kind: those of more samples are longer
+CORES = 2               # of which --minutes speaks
+
+# --- as a campaign (fixel/campaign/shards.py) ----------------------------------
+
+SHARD_SETUP = "report"
+
+
+def run_shard(build, parameters):
+    """What a program says of a shard."""
+    return _run(_command(build, **parameters))
+
+
+def shard_inputs(build, parameters):
+    return [build / "host" / parameters["program"]]
+
+
+def shard_targets(build, parameters):
+    return [f"{build}/host/{parameters['program']}"]
+
+
+# --- the kinds --------------------------------------------------------------------
 
 
 @dataclasses.dataclass(frozen=True)
@@ -73,13 +98,12 @@ SWEEPS = tuple(Kind("designs", f"sweep:{name}", 100_000, 10_000) for name in (
 def shards_of(kind, total):
     """(number, samples) of each shard."""
     left = kind.samples(total)
-    return [(number, min(kind.shard, left - number * kind.shard))
-            for number in range(-(-left // kind.shard))]
+    length = kind.shard * -(-left // (kind.shard * MOST_SHARDS))
+    return [(number, min(length, left - number * length)) for number in range(-(-left // length))]
 
 
-def _command(build, kind, seed, number, samples):
-    return [build / "host" / kind.program, kind.what, "--samples", str(samples), "--seed", str(seed),
-            "--shard", str(number)]
+def _command(build, program, what, seed, shard, samples):
+    return [build / "host" / program, what, "--samples", str(samples), "--seed", str(seed), "--shard", str(shard)]
 
 
 def _run(command):
@@ -94,26 +118,39 @@ def _run(command):
         raise ToolError(f"{command[0]}: its output is not the JSON agreed on: {error}") from error
 
 
-def run_shards(build, kinds, total, seed, processes=None):
+def plan(kinds, total, seed):
+    """(the shards, how many of the first ones are computed whatever they take). Those behind them stand so that all kinds
+    come to their end together."""
+    first, rest = [], []
+    for place, kind in enumerate(kinds):
+        some, least, behind = shards_of(kind, total), kind.samples(min(total, SAMPLES)), 0
+        for number, samples in some:
+            (first if behind < least else rest).append((number / len(some), place, kind, number, samples))
+            behind += samples
+    first.sort(key=lambda each: each[1])
+    rest.sort(key=lambda each: each[:2])
+    return [Shard("report", place, {"program": kind.program, "what": kind.what, "seed": seed, "shard": number,
+                                    "samples": samples}, f"{kind.program} {kind.what}", samples)
+            for place, (_, _, kind, number, samples) in enumerate(first + rest)], len(first)
+
+
+def draw(options, kinds):
     """The results of every kind's shards, in order: {what: [result, ...]}."""
-    jobs = [(kind, number, samples) for kind in kinds for number, samples in shards_of(kind, total)]
-    label = f"drawing {sum(samples for _, _, samples in jobs):,} samples, in shards"
-    with Progress(label, len(jobs)) as progress, \
-            concurrent.futures.ThreadPoolExecutor(processes or os.cpu_count()) as pool:
-        futures = [pool.submit(_run, _command(build, kind, seed, number, samples))
-                   for kind, number, samples in jobs]
-        try:
-            for done, future in enumerate(concurrent.futures.as_completed(futures), 1):
-                future.result()
-                progress(done)
-            results = [future.result() for future in futures]
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
-    by_kind = {kind.what: [] for kind in kinds}
-    assert len(by_kind) == len(kinds), "two kinds of one name"
-    for (kind, _, _), result in zip(jobs, results):
-        by_kind[kind.what].append(result)
+    assert len({kind.what for kind in kinds}) == len(kinds), "two kinds of one name"
+    some, first = plan(kinds, options.samples, options.seed)
+    budget = runner.Budget(60 * CORES * options.minutes if options.minutes else None)
+    done = runner.run(f"drawing {sum(shard.samples for shard in some):,} samples, in shards", some, options, budget, first)
+    by_kind, ended = {kind.what: [] for kind in kinds}, set()
+    for shard in some:
+        what = shard.parameters["what"]
+        if shard.number not in done.results:
+            ended.add(what)
+        elif what not in ended:
+            by_kind[what].append(done.results[shard.number])
+    done.tell(options.build)
+    if ended:
+        print(f"after {options.minutes} minutes of {CORES} cores the report is about the shards that are done: the same command goes "
+              "on with the others, and MINUTES=0 lets it run to its end", file=sys.stderr)
     return by_kind
 
 
