@@ -12,7 +12,8 @@ enum {
     WIDTH = 48,
     HEIGHT = 32,
     WORDS = 700,
-    WORKSPACE = 4608
+    WORKSPACE = 4608,
+    PIECES = 160
 };
 
 static tiny_scene *tiny;
@@ -167,6 +168,65 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
     }
     TEST_ASSERT_TRUE(pixels > UNIT_REPEAT / 10);
     TEST_ASSERT_TRUE(moved <= 1);
+}
+
+/* A clipper that writes down which pieces it got, by colour and a sum of their corners, and draws none. */
+static uint32_t taken[PIECES], taken_count;
+
+static fxl_clip_result take_down(const fxl_model_view *model_view, const fxl_face *face,
+                                 fxl_clipper_work *work, fxl_screen_polygon *screen)
+{
+    uint32_t sum = face->count;
+    (void)work;
+    (void)screen;
+    for (uint32_t i = 0; i < face->count; i++) {
+        const fxl_point *point = &model_view->vertices[model_view->indices[face->first_index + i]];
+        sum = sum * 31u + (uint32_t)point->x * 7u + (uint32_t)point->y * 5u + (uint32_t)point->z;
+    }
+    TEST_ASSERT_TRUE(taken_count < PIECES);
+    taken[taken_count++] = sum << 8 | face->material;
+    return FXL_CLIP_OUTSIDE;
+}
+
+/* The pieces of a frame, in the order in which the clipper gets them. */
+static void take_pieces(const fxl_pose *pose, bool is_near_first)
+{
+    static const fxl_clipper watching = {.clip = take_down};
+    choice method = choice_sorted;
+    make(0);
+    if (is_near_first) {
+        method.target = painter_under(0);
+    }
+    TEST_ASSERT_EQUAL(FXL_OK, choice_take(&renderer, &method, NULL, 0));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_clipper(&renderer, &watching, NULL, 0));
+    light(2, lit);
+    taken_count = 0;
+    frame_draw_pose(&renderer, pose, whole, HEIGHT, 0);
+}
+
+/* Near to far, the pieces of a face, and the faces, come in the exact reverse. */
+/* beams 4.1 */
+void test_near_to_far_is_the_reverse(void)
+{
+    static uint32_t forward[PIECES];
+    uint32_t longest = 0;
+    for (int round = 0; round < UNIT_REPEAT / 500 + 4; round++) {
+        const fxl_pose pose = any_pose();
+        uint32_t run = 0;
+        take_pieces(&pose, false);
+        const uint32_t count = taken_count;
+        for (uint32_t i = 0; i < count; i++) {
+            forward[i] = taken[i];
+            run = i > 0 && taken[i] % 256 % 100 == taken[i - 1] % 256 % 100 ? run + 1 : 0;
+            longest = run > longest ? run : longest;
+        }
+        take_pieces(&pose, true);
+        TEST_ASSERT_EQUAL_UINT32(count, taken_count);
+        for (uint32_t i = 0; i < count; i++) {
+            TEST_ASSERT_EQUAL_HEX32(forward[count - 1 - i], taken[i]);
+        }
+    }
+    TEST_ASSERT_TRUE(longest >= 3); /* a face of four pieces */
 }
 
 /* Near to far, the pieces of a face are drawn as far to near. */

@@ -310,6 +310,37 @@ void test_the_beam_comes_before_blending(void)
     }
 }
 
+/* A blend table of the dark colours alone: a lit piece is opaque. */
+/* beams 6.4 */
+void test_a_lit_piece_that_the_blend_table_lacks_is_opaque(void)
+{
+    walls.surface[0].division = FXL_DIVIDE_1;
+    walls.set.blend = blend;
+    walls.set.blend_first = TEXEL;
+    walls.set.blend_count = TEXELS;
+    for (uint32_t i = 0; i < 3; i++) {
+        static uint8_t opaque[PIXELS];
+        uint32_t lit_pixels = 0, dark_pixels = 0;
+        walls.surface[0].flags = 0;
+        draw_all(&ways[i]);
+        memcpy(opaque, shown, sizeof opaque);
+        walls.surface[0].flags = FXL_SURFACE_BLEND;
+        start(&ways[i], true, lit);
+        draw(&ways[i], shown, HEIGHT);
+        for (uint32_t k = 0; k < PIXELS; k++) {
+            if (is_wall(k)) {
+                const bool is_lit = opaque[k] >= TEXEL + LIT;
+                TEST_ASSERT_EQUAL_UINT8(is_lit ? opaque[k] : blend[256 * (opaque[k] - TEXEL) + behind[k]],
+                                        shown[k]);
+                lit_pixels += is_lit;
+                dark_pixels += !is_lit;
+            }
+        }
+        TEST_ASSERT_GREATER_THAN(60, lit_pixels);
+        TEST_ASSERT_GREATER_THAN(60, dark_pixels);
+    }
+}
+
 /* A texel of 16 bits has no number that lit[] knows. */
 /* beams 6.5 */
 void test_texels_of_16_bits_are_refused(void)

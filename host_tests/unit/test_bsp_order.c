@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Drawing by a tree beside other layers, near to far, through the near plane, with a clipper that
  * gives several polygons a face, and with light. */
+#include "../../lib/scene/bsp_node.h"
 #include "bsp_sight.h"
 #include "choices.h"
 #include "frame_bands.h"
@@ -364,5 +365,43 @@ void test_the_workspace_is_large_enough(void)
         if (i % 2) {
             TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
         }
+    }
+}
+
+/* The plane z = 3, whose front is towards -z. */
+/* bsp 1.2 */
+void test_an_eye_on_a_plane_is_behind_it(void)
+{
+    static const fxl_bsp_node node = {.normal = {0, 0, -FXL_Q2_30_ONE},
+                                      .distance_high = (uint32_t)(-3 * 16384)};
+    for (int32_t beside = -Q16(9); beside <= Q16(9); beside += Q16(3)) {
+        const fxl_point before = {beside, -beside, Q16(3) - 1}, on = {beside, -beside, Q16(3)},
+                        beyond = {beside, -beside, Q16(3) + 1};
+        TEST_ASSERT_TRUE(fxl_bsp_is_front(&node, &before));
+        TEST_ASSERT_FALSE(fxl_bsp_is_front(&node, &on));
+        TEST_ASSERT_FALSE(fxl_bsp_is_front(&node, &beyond));
+    }
+}
+
+/* Before and behind the cube of the tree, which is about (0, 0, 10), a cube lies in one leaf, and needs no memory for
+ * pieces to be drawn as with it. */
+/* bsp 3.7 */
+void test_what_lies_in_one_leaf_is_drawn_whole_there(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_pose pose = {{Q16(0.5), Q16(0.25), 0}, 0, 0, 0};
+    for (uint32_t is_behind = 0; is_behind < 2; is_behind++) {
+        made = bsp_make();
+        made->tiny->instances[0].centre = (fxl_point){0, 0, is_behind ? Q16(13) : Q16(7)};
+        made->tiny->instances[2].centre = (fxl_point){0, 0, Q16(-100)};
+        start(&choice_tree, &lens);
+        draw(whole, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(0, ((fxl_bsp_workspace *)renderer.order_memory)->unsplit);
+        start(&choice_tree, &lens);
+        ((fxl_bsp_workspace *)renderer.order_memory)->pieces_size = 0;
+        draw(other, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(1, ((fxl_bsp_workspace *)renderer.order_memory)->unsplit);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        TEST_ASSERT_EQUAL_UINT8(is_behind ? 15 : 5, whole[HEIGHT / 2 * WIDTH + WIDTH / 2]);
     }
 }

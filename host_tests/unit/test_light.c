@@ -324,12 +324,8 @@ void test_light_goes_with_beams(void)
 }
 
 /* Bands that two workspaces draw in turn, as two cores do: the light belongs to both. */
-/* light 5.2 */
-void test_cores_share_the_light(void)
+static fxl_light_settings shared_settings(void)
 {
-    static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];
-    fxl_workspace *const second = &memory_of.second;
-    const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
     fxl_light_settings of;
     memset(&of, 0, sizeof of);
     of.ambient = FXL_Q2_30_ONE / 4;
@@ -337,20 +333,67 @@ void test_cores_share_the_light(void)
     of.point_count = 1;
     of.ramp = ramp;
     of.levels = LEVELS;
+    return of;
+}
+
+/* Rows in turn by two workspaces. */
+static void draw_by_two(fxl_workspace *second, void *frame, const uint16_t *palette)
+{
+    const uint32_t bytes = palette != NULL ? 2 : 1;
+    for (uint16_t row = 0; row < HEIGHT; row++) {
+        const fxl_band band = {.pixels = (uint8_t *)frame + row * WIDTH * bytes,
+                               .width = WIDTH,
+                               .stride = WIDTH,
+                               .first_row = row,
+                               .rows = 1,
+                               .palette = palette};
+        fxl_frame_fill(&renderer, &band, BACKGROUND);
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_frame_draw_with(&renderer, row % 2 ? second : &renderer.workspace, &band));
+    }
+}
+
+/* light 5.2 */
+void test_cores_share_the_light_in_rgb565(void)
+{
+    static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];
+    static uint16_t palette[256], one[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
+    const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
+    const fxl_light_settings of = shared_settings();
+    fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_rgb565);
+    uint32_t changed = 0;
+    for (uint32_t i = 0; i < 256; i++) {
+        palette[i] = (uint16_t)(0xFFFFu - 37u * i);
+    }
+    (void)start();
+    config.palette = palette;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_choose(&renderer, &config));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    draw_by_two(&renderer.workspace, other, palette); /* without light */
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
+    draw_by_two(&renderer.workspace, one, palette);
+    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
+        changed += one[i] != other[i];
+    }
+    TEST_ASSERT_GREATER_THAN(20, changed);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&memory_of.second, &renderer, room, sizeof room));
+    draw_by_two(&memory_of.second, other, palette);
+    TEST_ASSERT_EQUAL_MEMORY(one, other, sizeof one);
+}
+
+/* light 5.2 */
+void test_cores_share_the_light(void)
+{
+    static FXL_ALIGN_8 uint8_t room[6 * sizeof(fxl_draw_entry) + 8];
+    fxl_workspace *const second = &memory_of.second;
+    const fxl_pose pose = {{0, Q16(1), Q16(-4)}, 0, 0, 0};
+    const fxl_light_settings of = shared_settings();
     (void)start();
     TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_light(&renderer, &light, &of));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(second, &renderer, room, sizeof room));
     draw(&pose, frames[0]);
-    for (uint16_t row = 0; row < HEIGHT; row++) {
-        const fxl_band band = {.pixels = frames[1] + row * WIDTH,
-                               .width = WIDTH,
-                               .stride = WIDTH,
-                               .first_row = row,
-                               .rows = 1};
-        fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(
-            FXL_OK, fxl_frame_draw_with(&renderer, row % 2 ? second : &renderer.workspace, &band));
-    }
+    draw_by_two(second, frames[1], NULL);
     TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);
 }
 

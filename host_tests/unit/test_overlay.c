@@ -375,6 +375,9 @@ void test_text_anywhere_is_its_characters_side_by_side(void)
 void test_every_character_of_the_font_is_another(void)
 {
     TEST_ASSERT_EQUAL(95, fxl_font_5x7.count);
+    TEST_ASSERT_EQUAL(32, fxl_font_5x7.first);
+    TEST_ASSERT_EQUAL('?', fxl_font_5x7.unknown);
+    TEST_ASSERT_EQUAL(9, fxl_font_5x7.line_height);
     for (uint32_t a = 0; a < 95; a++) {
         const fxl_glyph *first = &fxl_font_5x7.glyphs[a];
         TEST_ASSERT_TRUE(first->width <= 5 && first->height == 7 &&

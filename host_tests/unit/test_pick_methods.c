@@ -205,6 +205,9 @@ static uint32_t expect_shown(void)
             } else {
                 TEST_ASSERT_EQUAL_UINT8(frame[y][x], picked.colour);
                 TEST_ASSERT_EQUAL(frame[y][x] > 10 && frame[y][x] <= 16, picked.instance == 1);
+                if (picked.colour <= 16) { /* of a model's faces, which count from 0: 1.. or 11.. */
+                    TEST_ASSERT_EQUAL((picked.colour - 1) % 10, picked.face);
+                }
             }
             others += picked.instance != ordered->instance || picked.face != ordered->face;
         }

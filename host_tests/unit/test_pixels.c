@@ -322,3 +322,22 @@ void test_what_is_refused_changes_nothing(void)
     TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_pixels_convert(&pixels, &band, out, 64));
     TEST_ASSERT_EACH_EQUAL_HEX8(GUARD, out, sizeof out_words);
 }
+
+/* A frame in bands that begin at any row, or, of pages of 8 rows, at any page. */
+/* formats 4.4, pixels 1.3 */
+void test_bands_of_any_rows(void)
+{
+    uint32_t cut = 0;
+    for (uint32_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        const uint16_t unit = formats[f] == &fxl_pixels_mono_pages ? 8 : 1;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_pixels_init(&pixels, formats[f], palette));
+        any_frame();
+        for (uint16_t first = 0; first < ROWS; first = (uint16_t)(first + unit)) {
+            const fxl_band band = {.pixels = frame, .width = 37, .stride = 37, .first_row = first,
+                                   .rows = (uint16_t)(ROWS - first)};
+            assert_converted(&band);
+            cut += first % 8u != 0;
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(20, cut);
+}

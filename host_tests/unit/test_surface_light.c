@@ -2,6 +2,7 @@
 /* Faces that are lit at their corners, against the definitions in double. */
 #include <math.h>
 
+#include "../../lib/paint/light_level.h"
 #include "quad_scene.h"
 
 enum {
@@ -244,4 +245,20 @@ void test_light_is_taken_and_left(void)
     quad_draw(quad);
     TEST_ASSERT_EACH_EQUAL_UINT8(QUAD_COLOUR, quad->frame, sizeof quad->frame);
     TEST_ASSERT_EQUAL(0, quad->renderer.workspace.counters.refused_calls);
+}
+
+/* surfaces 5.3 */
+void test_the_light_of_a_corner_is_rounded_once(void)
+{
+    double largest = 0;
+    for (uint32_t i = 0; i < UNIT_REPEAT; i++) {
+        const fxl_q2_30 brightness = (fxl_q2_30)(unit_random() % (FXL_Q2_30_ONE + 1u));
+        const uint32_t levels_less_1 = 1 + unit_random() % 63;
+        const double exact =
+            ((double)brightness / FXL_Q2_30_ONE * levels_less_1 + 0.5) * 65536;
+        const double off = fabs(fxl_light_corner_level(brightness, levels_less_1) - exact);
+        TEST_ASSERT_TRUE(off <= 0.6);
+        largest = fmax(largest, off);
+    }
+    TEST_ASSERT_TRUE(largest > 0.4);
 }
