@@ -6,8 +6,8 @@
  * return if the boot ROM or a debugger left a return address.
  *
  * The CRC is CRC-32/MPEG-2 of the first 252 bytes: polynomial 04C11DB7h, first value FFFFFFFFh,
- * nothing reflected or inverted. If the code changes, host_tests/boards/test_pico.py says what it
- * is now. */
+ * nothing reflected or inverted. If the code changes, host_tests/anywhere/pico/test_pico.py says
+ * what it is now. */
 
 __asm__(".section .boot2, \"ax\", %progbits\n"
         "pico_boot2:\n\t"

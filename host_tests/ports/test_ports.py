@@ -19,11 +19,12 @@ CC = ["-O1", "-g", "-fsanitize=undefined", "-fno-sanitize-recover", "-Wall", "-W
 EXAMPLES = {"pico_sdk": (["main.c", "fixel_pico.c"], "st7789", (17, 20, 21)),
             "stm32_hal": (["cube.c", "fixel_stm32.c"], "ili9341", (4, 3, 2)),
             "arduino/cube": (["cube.ino", "fixel_arduino.cpp"], "ili9341", (10, 9, 8)),
+            "arduino/turn": (["turn.ino", "../cube/fixel_arduino.cpp"], "ili9341", (10, 9, 8)),
             "arduino/game": (["game.ino", "../cube/fixel_arduino.cpp", "../../../examples/game/game.c"], "ili9341", (10, 9, 8))}
 # What draws the frames that a display must show; that of the cube draws for the others.
-EXPECTED = {"arduino/game": ["expected_game.c", "../../examples/game/game.c"]}
+EXPECTED = {"arduino/turn": ["expected_turn.c"], "arduino/game": ["expected_game.c", "../../examples/game/game.c"]}
 # Folders of headers that a sketch has beside it in its package (tools/fixel/package/layouts.toml).
-BESIDE = {"arduino/game": [PORTS / "arduino" / "cube", CHECKOUT / "examples" / "game"]}
+BESIDE = {"arduino/turn": [PORTS / "arduino" / "cube"], "arduino/game": [PORTS / "arduino" / "cube", CHECKOUT / "examples" / "game"]}
 # Those that hand bands to a display of the SDK's: their sources.
 WINDOWS = {"esp_idf/main": ["main.c", "fixel_esp.c"], "zephyr/src": ["main.c", "fixel_zephyr.c"]}
 
@@ -135,6 +136,15 @@ def test_a_display_shows_the_frames_of_the_library(example, scene, tmp_path):
     assert len(module.pictures) == FRAMES
     for shown, frame in zip(module.pictures, wanted):
         assert (shown == frame).all(), f"{(shown != frame).sum()} pixels differ"
+
+
+@pytest.mark.parametrize("pin", ["2", "3"])
+def test_a_key_changes_the_speed_of_the_cube(pin, scene, tmp_path, monkeypatch):
+    """The port and the program that draws what is expected both read which key is held."""
+    without = expected(tmp_path, scene, "arduino/turn")
+    monkeypatch.setenv("HELD_PIN", pin)
+    assert any((one != other).any() for one, other in zip(without, expected(tmp_path, scene, "arduino/turn")))
+    test_a_display_shows_the_frames_of_the_library("arduino/turn", scene, tmp_path)
 
 
 def windows(diary):

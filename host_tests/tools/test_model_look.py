@@ -167,11 +167,16 @@ ALL = frozenset((bits, depth) for bits in (8, 16) for depth in (0, 16, 32))
 LARGE = model_look.Room(1 << 20, 65_536, 1 << 18, 1024, 3 << 20, 0, True, ALL, "m3")
 
 
+def options_of(tmp_path, monkeypatch, asked=look.Asked(), model=None):
+    """The options of a command that draws the bowl."""
+    monkeypatch.setattr(model_look.bounded, "limits_of", lambda _: None)
+    return types.SimpleNamespace(scene=str(model or round_model(tmp_path / "m.glb")), frames=2, screen=None, cpu_limit=None,
+                                 memory_limit=None, allow_outside=False, target=target.Target(), look=asked)
+
+
 def chosen(tmp_path, room, monkeypatch=None, costs=None, asked=look.Asked(), model=None):
     """(Drawn, why not better) of the bowl in a room. costs: {(bits, depth): (whether the list holds it, instructions)}."""
-    options = types.SimpleNamespace(scene=str(model or round_model(tmp_path / "m.glb")), frames=2, screen=None, cpu_limit=None,
-                                    memory_limit=None, allow_outside=False, target=target.Target(), look=asked)
-    monkeypatch.setattr(model_look.bounded, "limits_of", lambda _: None)
+    options = options_of(tmp_path, monkeypatch, asked, model)
     monkeypatch.setattr(model_look, "_predicted", lambda room, build, file: (costs or {}).get(
         (lambda made: (made.pixel_bits, made.depth_bits))(image.load(file)), (True, 1000.0)))
     return model_look._Chooser(options, room, tmp_path, tmp_path).choose()
@@ -205,6 +210,16 @@ def test_what_a_board_draws_by_its_memory_and_by_predicted_instructions(tmp_path
     drawn, why = chosen(tmp_path, room, monkeypatch, costs)
     assert kind(drawn) == expected
     assert len(why) == [(16, 16), (8, 16), (8, 0)].index(expected[:2])
+
+
+def test_a_model_of_more_faces_than_a_board_can_order_is_refused_with_what_helps(tmp_path, monkeypatch):
+    drawn, _ = chosen(tmp_path, LARGE, monkeypatch)
+    faces = len(drawn.scene.models[0].faces)
+    assert faces >= 512 and not chosen(tmp_path, replaced(order=faces + 1), monkeypatch)[0].why_not
+    with pytest.raises(ToolError) as error:
+        model_look.choose(options_of(tmp_path, monkeypatch), replaced(order=faces), tmp_path, tmp_path)
+    assert f"its {faces:,} faces need {faces + 1:,} entries" in str(error.value)
+    assert f"LOOK='--simplify {faces // 100 * 100}'" in str(error.value)
 
 
 def test_textures_get_smaller_before_they_go(tmp_path, monkeypatch):

@@ -53,6 +53,23 @@ static uint32_t stored(void)
     return lv_fixel_get_counters(view).pixels;
 }
 
+/* How many pixels of the view, but for label and button, are not the library's own of a pose. */
+static long view_differs(const fxl_pose *pose)
+{
+    const box_t without[] = {box_of(label), box_of(button)};
+    return pixels_that_differ(&twin, pose, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+}
+
+/* Turns the model, refreshes the display, and compares the view. */
+static long turn_and_compare(uint32_t step)
+{
+    turn_model(&model, step);
+    turn_model(&twin, step);
+    lv_obj_invalidate(view);
+    refresh();
+    return view_differs(&eye);
+}
+
 static uint32_t invalid;
 
 /* Adds up the areas that LVGL is to draw anew, each of them once. */
@@ -88,9 +105,7 @@ static void change_label(const char *name, const char *text)
             changed_outside += has_changed && !is_inside;
         }
     }
-    const box_t without[] = {box, box_of(button)};
-    const long differ =
-        pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+    const long differ = view_differs(&eye);
     printf("%s: %u pixels stored by %u task, invalid %u, rectangle %ld, %ld changed, %ld outside, "
            "%ld differ, canaries %s\n",
            name, stored() - stored_before, lv_fixel_get_counters(view).tasks - tasks, invalid,
@@ -108,13 +123,7 @@ void test_dashboard(void)
     make_dashboard(LV_COLOR_FORMAT_RGB565);
     for (uint32_t k = 0; k < 60; k++) {
         const uint32_t before = stored();
-        turn_model(&model, k);
-        turn_model(&twin, k);
-        lv_obj_invalidate(view);
-        refresh();
-        const box_t without[] = {box_of(label), box_of(button)};
-        differ +=
-            pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+        differ += turn_and_compare(k);
         const uint32_t pixels = stored() - before;
         most = pixels > most ? pixels : most;
         least = pixels < least ? pixels : least;
@@ -203,13 +212,7 @@ static void draw_format(const char *name, lv_color_format_t format, bool is_lit)
     long differ = 0;
     const uint32_t before = stored();
     for (uint32_t k = 0; k < 5; k++) {
-        turn_model(&model, k);
-        turn_model(&twin, k);
-        lv_obj_invalidate(view);
-        refresh();
-        const box_t without[] = {box_of(label), box_of(button)};
-        differ +=
-            pixels_that_differ(&twin, &eye, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+        differ += turn_and_compare(k);
     }
     printf("%s: %ld pixels differ, %u stored, %u refused\n", name, differ, stored() - before,
            lv_fixel_get_counters(view).refused);
@@ -261,6 +264,17 @@ static long pixels_of(uint32_t colour)
     return count;
 }
 
+/* Refreshes the display, and says what was stored since a count, and whether the widget was
+ * refused. */
+static void draw_refused(const char *name, uint32_t stored_before)
+{
+    const uint32_t refused = lv_fixel_get_counters(view).refused;
+    refresh();
+    printf("d: %s: %u stored, refused %s: %s\n", name, stored() - stored_before,
+           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
+           lv_fixel_get_refusal(view));
+}
+
 /* (d) An opacity, a rotation and a layer with alpha are refused; what LVGL blends as a whole is
  * drawn. */
 void test_opacity(void)
@@ -282,30 +296,18 @@ void test_opacity(void)
            palette[0], lv_fixel_get_refusal(view));
     lv_obj_set_style_opa(view, LV_OPA_COVER, 0);
     lv_obj_set_style_transform_rotation(view, 100, 0);
-    uint32_t refused = lv_fixel_get_counters(view).refused;
-    refresh();
-    printf("d: rotation: %u stored, refused %s: %s\n", stored() - drawn,
-           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
-           lv_fixel_get_refusal(view));
+    draw_refused("rotation", drawn);
     lv_obj_set_style_transform_rotation(view, 0, 0);
     lv_obj_set_style_recolor(view, lv_color_white(), 0);
     lv_obj_set_style_recolor_opa(view, LV_OPA_30, 0);
-    refused = lv_fixel_get_counters(view).refused;
-    refresh();
-    printf("d: recoloured: %u stored, refused %s: %s\n", stored() - drawn,
-           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
-           lv_fixel_get_refusal(view));
+    draw_refused("recoloured", drawn);
     lv_obj_set_style_recolor_opa(view, LV_OPA_TRANSP, 0);
     lv_obj_set_style_radius(view, 20, 0);
     lv_obj_set_style_clip_corner(view, true, 0);
     lv_obj_set_style_opa_layered(view, LV_OPA_50, 0);
-    refused = lv_fixel_get_counters(view).refused;
-    refresh();
-    printf("d: a layer with alpha: %u stored, refused %s: %s\n", stored() - drawn,
-           lv_fixel_get_counters(view).refused > refused ? "yes" : "no",
-           lv_fixel_get_refusal(view));
+    draw_refused("a layer with alpha", drawn);
     lv_obj_set_style_clip_corner(view, false, 0);
-    refused = lv_fixel_get_counters(view).refused;
+    const uint32_t refused = lv_fixel_get_counters(view).refused;
     refresh();
     /* Half of each channel of the library's frame, over black. */
     static uint16_t pixels[VIEW_W * VIEW_H];
@@ -437,9 +439,7 @@ void test_pick_and_pose(void)
     for (uint32_t k = 0; k < 20; k++) {
         refresh();
         const fxl_pose pose = lv_fixel_get_pose(view);
-        const box_t without[] = {box_of(label), box_of(button)};
-        differ +=
-            pixels_that_differ(&twin, &pose, VIEW_X, VIEW_Y, whole_view, without, COUNTED(without));
+        differ += view_differs(&pose);
     }
     const fxl_pose arrived = lv_fixel_get_pose(view);
     printf("anim: %ld pixels differ, yaw %08x, %u frames for 20 refreshes\n", differ, arrived.yaw,

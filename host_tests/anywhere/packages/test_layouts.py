@@ -85,14 +85,16 @@ def test_a_16_bit_int_is_refused_in_words(packages, tmp_path):
     assert done.returncode != 0 and "needs an int of at least 32 bits" in done.stderr
 
 
-SKETCHES = {"cube": set(), "game": {"game.c", "game.h"}}
+# What a sketch has beside its own file, its port and its scene: files and the scene's name.
+SKETCHES = {"cube": (set(), "cube"), "turn": (set(), "cube"), "game": ({"game.c", "game.h"}, "game")}
 
 
 @pytest.mark.parametrize("name", SKETCHES)
 def test_a_sketch_is_whole(packages, name):
     """With what it includes. host_tests/ports/test_ports.py draws with it."""
     files = {file.name for file in (packages / "arduino" / "examples" / name).iterdir()}
-    assert files == {f"{name}.ino", f"{name}_scene.h", "fixel_arduino.cpp", "fixel_arduino.h"} | SKETCHES[name]
+    more, scene = SKETCHES[name]
+    assert files == {f"{name}.ino", f"{scene}_scene.h", "fixel_arduino.cpp", "fixel_arduino.h"} | more
 
 
 @pytest.mark.parametrize("name", SKETCHES)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What ports/arduino calls, as a diary, and a core's main. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "Arduino.h"
@@ -27,11 +28,13 @@ void pinMode(uint8_t pin, uint8_t mode)
     }
 }
 
-/* No key is held. */
+/* A test that holds a key has the number of its pin in HELD_PIN. */
 int digitalRead(uint8_t pin)
 {
+    const char *held = getenv("HELD_PIN");
+
     require(pin < sizeof is_input && is_input[pin], "a pin is read that is no input");
-    return HIGH;
+    return held != NULL && atoi(held) == pin ? LOW : HIGH;
 }
 
 /* What was sent since the last change of a pin is a message. */

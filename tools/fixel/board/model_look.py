@@ -15,7 +15,7 @@ from fixel.base import bounded, output
 from fixel.base.errors import ToolError, one_line
 from fixel.bench import frame_costs
 from fixel.board import firmware, order_check
-from fixel.image import image as images
+from fixel.image import image as images, memory_needed
 from fixel.image.fields import IMAGE_MAX
 from fixel.model import suffixes
 from fixel.scene import look as looks
@@ -99,7 +99,19 @@ def _refusal(room, scene, size):
             (f" with {scene.depth_bits} bits of depth" if scene.depth_bits else "")
     if scene.surfaces and not room.has_surfaces:
         return "the board's program draws no surfaces"
-    return ""
+    return _order_refusal(room, scene)
+
+
+def _order_refusal(room, scene):
+    """Why the order of drawing has no room for a scene's faces, or ""."""
+    needed = memory_needed.draw_list_needed(scene)
+    if room.order == 0 or needed <= room.order:
+        return ""
+    return f"its {_faces(scene):,} faces need {needed:,} entries of the order of drawing, and the board has {room.order:,}"
+
+
+def _faces(scene):
+    return sum(len(model.faces) for model in scene.models)
 
 
 class _Chooser:
@@ -216,10 +228,14 @@ def choose(options, room, build, folder):
     drawn, why = chooser.choose()
     if drawn.image is None:
         raise ToolError(drawn.why_not)
+    too_many = _order_refusal(room, drawn.scene)
+    if too_many:
+        most = max(100 * (room.order // 100), 4)
+        raise ToolError(f"{one_line(options.scene)}: {too_many}; LOOK='--simplify {most}' keeps {most} faces")
     for note in drawn.made.notes:
         print(f"  {one_line(note)}", file=sys.stderr)
     cheaper = None
-    is_small = sum(len(model.faces) for model in drawn.scene.models) <= CHEAPER_FACES_MAX
+    is_small = _faces(drawn.scene) <= CHEAPER_FACES_MAX
     if drawn.instructions and drawn.scene.pixel_bits == 16 and is_small and not options.target.pixels:
         cheaper = chooser.draw(replace(drawn.look, pixels="palette"))
     for each in why:
