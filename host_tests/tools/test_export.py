@@ -427,6 +427,12 @@ def test_an_obj_is_seen_whole_by_the_eye_of_the_first_program(tmp_path):
     assert 131068 <= image.radius_of(scene.models[0].vertices) <= 131072
 
 
+def test_what_was_written_says_whether_a_path_is_in_it(tmp_path):
+    for words, told in (([], "no path (--frames adds one)"), (["--frames", 12], "12 frames")):
+        done = run_cli("export", "--c", CUBE, "-o", tmp_path / "x.h", *words)
+        assert done.stderr.endswith(f"1 objects, {told}\n") and ("_path" in (tmp_path / "x.h").read_text(encoding="utf-8")) == bool(words)
+
+
 @pytest.mark.parametrize("name, words", [
     ("9a", ["begin with a letter", "--name scene_9a"]), ("a-b", ["English", "--name a_b"]), ("", ["--name scene"]),
     ("_a", ["--name a"]), ("a__b", ["__", "--name a_b"]), ("fxl", ["fxl", "--name scene_fxl"]),

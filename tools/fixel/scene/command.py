@@ -112,7 +112,7 @@ def main(argv):
         made = making.export(arguments.scene, arguments.out, arguments.name, *common, **how)
     else:
         made = making.build(arguments.scene, arguments.out, *common, **how)
-    making.tell(arguments.out, made)
+    making.tell(arguments.out, made, has_path=arguments.command == "build" or arguments.frames is not None)
     if wanted.write:
         output.write_file(wanted.write, made.text.encode())
     return 0

@@ -70,8 +70,9 @@ def parse_screen(text):
     return screen
 
 
-def tell(out, made):
-    """What was written, for people."""
+def tell(out, made, has_path=True):
+    """What was written, for people. has_path: a header without --frames has none."""
+    path = f"{made.frames} frames" if has_path else "no path (--frames adds one)"
     for note in made.notes:
         print(f"note: {one_line(note)}", file=sys.stderr)
-    print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {made.frames} frames", file=sys.stderr)
+    print(f"{one_line(out)}: {made.size:,} bytes, {made.objects} objects, {path}", file=sys.stderr)
