@@ -48,7 +48,7 @@ def test_the_same_commit_gives_the_same_bytes(releases):
 
 def test_every_artefact_is_there(releases):
     names = {file.name for file in releases[0].iterdir()}
-    packages = ("one-file", "arduino", "platformio", "esp-idf", "zephyr", "conan")
+    packages = ("one-file", "arduino", "platformio", "esp-idf", "zephyr", "conan", "rust")
     (wheel,) = [name for name in names if name.endswith(".whl")]
     assert names == {f"fixel-{version()}-source.tar.gz", f"fixel-{version()}.tar.gz", f"fixel-{version()}.spdx.json", "SHA256SUMS", wheel,
                      *(f"fixel-{version()}-{name}.zip" for name in packages)}
