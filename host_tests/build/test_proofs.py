@@ -10,7 +10,7 @@ import pytest
 from conftest import CHECKOUT
 from fixel.base.errors import ToolError
 from fixel.check import bugs
-from fixel.prove import cbmc, functions, others, proving, rows
+from fixel.prove import cbmc, exact, functions, others, proving, recomputed, rows
 
 ARITH = """/* lib/math/arith.h:40:NC */ extern uint32_t fxl_divide_u64 (uint64_t, uint32_t, uint32_t *);
 /* lib/draw/../math/arith.h:80:NF */ static int64_t fxl_round_shift (int64_t, unsigned int);
@@ -40,7 +40,7 @@ def test_every_room_s_functions_are_found(all_functions):
 
 def test_every_function_has_a_row_or_is_measured(all_functions):
     """Those that are proved within others are known only when the provers ran: they are in neither list."""
-    own, (measured, wrong) = {row.function for row in rows.read(CHECKOUT)}, rows.measured(CHECKOUT)
+    own, (measured, wrong) = {row.function for row in rows.read(CHECKOUT) if row.is_whole}, rows.measured(CHECKOUT)
     assert not wrong
     assert not own & set(measured)
     assert not (own | set(measured)) - set(all_functions), "there is no such function any more"
@@ -63,6 +63,20 @@ def test_contracts_that_are_used_are_proved_without_a_circle():
 def test_transcriptions_stand_for_lines_of_today():
     for row in rows.read(CHECKOUT):
         others.check_quotes(CHECKOUT, row) if row.tool in ("z3", "gappa") else None
+
+
+def test_constants_are_what_their_formulas_give():
+    """No prover is needed, so this is done whenever the tests are."""
+    for row in rows.read(CHECKOUT):
+        if row.tool == "recomputed":
+            assert recomputed.prove(None, CHECKOUT, row, None)["checks"] == row.checks, row.id
+
+
+def test_each_room_with_rows_has_a_seeded_bug_and_there_are_thirty():
+    rooms = {row.id: row.place.parent.name for row in rows.read(CHECKOUT)}
+    broken = [bug.prove for bug in bugs.of_proofs(CHECKOUT)]
+    assert {rooms[row] for row in broken} == set(rooms.values())
+    assert len(set(broken)) >= 30
 
 
 def test_seeded_bugs_name_rows():
@@ -111,13 +125,59 @@ def test_a_lost_check_is_found():
 
 
 def test_the_table_says_what_has_no_row():
-    result = {"row": "a", "function": "lib/math/arith.c:a", "state": "proved", "tool": "cbmc", "within": ["lib/math/arith.c:b"]}
+    result = {"row": "a", "function": "lib/math/arith.c:a", "state": "proved", "tool": "cbmc", "whole": True, "within": ["lib/math/arith.c:b"]}
     every = {f"lib/math/arith.c:{name}": True for name in "abcd"}
     shown, wrong = proving.state_of_all(every, [result], {"lib/math/arith.c:c": ("fuzz", "why")})
     assert [each["state"] for each in shown] == ["proved", "proved within", "measured", "no row"]
     assert len(wrong) == 1 and wrong[0].startswith("lib/math/arith.c:d has no row")
     _, wrong = proving.state_of_all(every, [result], {f"lib/math/arith.c:{name}": ("fuzz", "why") for name in "bcd"})
     assert len(wrong) == 1 and "b is proved within now" in wrong[0]
+
+
+def test_only_some_tools_show_that_nothing_is_undefined():
+    one = {"row": "a", "function": "lib/math/arith.c:a", "state": "proved", "tool": "gappa", "whole": False, "within": []}
+    shown, wrong = proving.state_of_all({"lib/math/arith.c:a": True}, [one], {"lib/math/arith.c:a": ("fuzz", "why")})
+    assert [each["state"] for each in shown] == ["measured"] and not wrong
+    shown, _ = proving.state_of_all({"lib/math/arith.c:a": True}, [{**one, "tool": "enumeration", "whole": True}], {})
+    assert shown[0]["state"] == "proved"
+
+
+# --- other tools ---------------------------------------------------------------------------
+
+@pytest.mark.parametrize("quote, numbers", [
+    ("#define A {}u", [31]),
+    ("of {} in all", [1.647]),
+    ("table[4] = {{*}}", [1, 2, 0x1F, -4]),
+    ("bytes:{.byte}", [5, 6, 7]),
+])
+def test_numbers_are_read_from_a_text(quote, numbers):
+    text = "#define A  0x1Fu\n/* it is\n * of 1.647 in all. */\nint table[4] = {\n    T(1), 2u,\n    0x1F, -4};\nbytes:\n    .byte 5, 6\n    .byte 7\n"
+    assert recomputed.numbers_of(text, [quote]) == numbers
+
+
+def test_a_text_that_is_gone_or_twice_fails_a_row():
+    for text in ("int b = 1;", "int a = 1; int a = 2;"):
+        with pytest.raises(cbmc.Failed, match="and once is wanted"):
+            recomputed.numbers_of(text, ["int a = {};"])
+
+
+def test_exact_numbers():
+    assert exact.floor(exact.pi() * 10 ** 40) == 31415926535897932384626433832795028841971
+    assert exact.nearest(exact.arctangent(exact.Real(1)) * 4 * 10 ** 40) == exact.nearest(exact.pi() * 10 ** 40)
+    assert exact.nearest(exact.tangent(exact.pi() / 4) * 10 ** 40) == 10 ** 40
+    assert exact.floor(exact.root(exact.Real(2), 3) * 10 ** 20) == 125992104989487316476
+    assert exact.power_below(exact.Real(1, 9)) == 3
+
+
+@pytest.mark.parametrize("text, words", [
+    ("{ x in [0, 1] -> x in ? }", "no goal with a bound"),
+    ("{ x in [0, 1] -> x in [0, 1] }\ny -> x / z;\n", "divides"),
+])
+def test_a_script_of_gappa_that_shows_nothing_is_refused(tmp_path, text, words):
+    script = tmp_path / "a.gappa"
+    script.write_text(text, encoding="utf-8")
+    with pytest.raises(cbmc.Failed, match=words):
+        others._gappa(tmp_path, tmp_path, rows.Row(function="f:a", property="", place=script, id="a", tool="gappa"))
 
 
 @pytest.mark.parametrize("text, words", [

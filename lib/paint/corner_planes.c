@@ -455,7 +455,7 @@ static void find_least(const fxl_corner_planes *planes, const fxl_real *twist,
     const uint32_t product =
         fxl_upper_product_unsigned(
             fxl_upper_product_unsigned(twist->mantissa, change << change_zeros),
-            2714843527u) + /* (16/15) (64/27) in 2^-30 */
+            2714843527u) + /* (16/15) (64/27) in 2^-30, and a unit */
         3u;
     const uint32_t cube =
         fxl_upper_product_unsigned(fxl_upper_product_unsigned(weight, weight), weight);

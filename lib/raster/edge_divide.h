@@ -32,7 +32,7 @@ static inline fxl_edge_divider fxl_edge_divider_of(uint32_t height)
     return divider;
 }
 
-/* The largest shift such that 2^shift is not above 2^32 / height. So it is above
+/* The largest shift such that 2^shift is below 2^32 / height. So it is at least
  * 2^32 / (2 height). */
 static inline unsigned fxl_edge_divider_shift(const fxl_edge_divider *divider)
 {

@@ -40,7 +40,12 @@ def _run(programs, root, words, left):
 
 def preprocessed(root, row, case):
     """The text that is proved, as the compiler sees it: the key of what is kept."""
-    words = ["gcc", *DEFINES, *_defines(row, case), "-E", "-P", "-xc", str(row.place), *row.links]
+    return text_of(root, row, [*DEFINES, *_defines(row, case), "-xc"])
+
+
+def text_of(root, row, flags):
+    """What the compiler sees of a row's program."""
+    words = ["gcc", "-E", "-P", *flags, str(row.place), *row.links]
     done = children.run(words, cwd=root)
     if done.returncode:
         raise ToolError(f"{row.id}: its text cannot be read", words=done.stderr.decode(errors="replace"))

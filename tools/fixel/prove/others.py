@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Rows that other programs prove: Z3 (equations of integers), Gappa (errors of roundings), a C program that tries every input.
+"""Rows that other programs prove: Z3 (equations of integers), Gappa (errors of roundings), a C program that enumerates inputs.
 
 The text of Z3 or Gappa is a transcription. The row quotes the lines of the library that it stands for, and each must
-still stand in the function's file, in their order.
+still stand in the function's file, in their order. A program that enumerates includes the library's own text. What C
+leaves undefined ends it by a trap, so a function that it runs on every input of its range is also free of that.
 """
 
 import os
@@ -12,18 +13,23 @@ from fixel.base import limits, scratch
 from fixel.prove import cbmc
 from fixel.prove.cbmc import Failed, TooLong
 
-C_FLAGS = ("-std=c11", "-O2", "-Wall", "-Wextra", "-Werror", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
+C_FLAGS = ("-std=gnu11", "-O2", "-Wall", "-Wextra", "-Werror", "-fsanitize=undefined", "-fsanitize-undefined-trap-on-error",
+           "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
+COMMENT = re.compile(r"#.*")
+BOUND = re.compile(r"\bin \[|<=|>=")
+GOALS = re.compile(r"->([^{}]*)\}")
 ENDED = re.compile(r"^([\d,]+) inputs$", re.MULTILINE)
 
 
-def preprocessed(root, row, _case):
-    """The prover's text, and the file of the library that it stands for."""
-    return row.place.read_bytes(), (root / row.function.rpartition(":")[0]).read_bytes(), _library(root) if row.tool == "every input" else b""
+def preprocessed(root, row, case):
+    """All that the result depends on: the prover's text, and that of the library."""
+    if row.tool == "enumeration":
+        return C_FLAGS, cbmc.text_of(root, row, ["-xc", *_flags(row, case)])
+    return row.place.read_bytes(), (root / row.function.rpartition(":")[0]).read_bytes()
 
 
-def _library(root):
-    """The text of the rooms that programs include."""
-    return [path.read_bytes() for path in sorted((root / "lib").rglob("*.[ch]"))]
+def _flags(row, case):
+    return [*C_FLAGS, f"-DHARNESS={row.harness}", *([] if case is None else [f"-DCASE={case}"]), *row.flags]
 
 
 def _run(words, root, path=None):
@@ -44,7 +50,7 @@ def check_quotes(root, row):
         if found < 0:
             raise Failed(f"{row.place.name} stands for '{line}', and {file} does not have it (any more, or there)")
         place = found + 1
-    if not row.text and row.tool != "every input":
+    if not row.text and row.tool != "enumeration":
         raise Failed("it is a transcription, and names no line of the library")
 
 
@@ -65,15 +71,25 @@ def _z3(programs, root, row):
 
 
 def _gappa(programs, root, row):
+    """Gappa says nothing of a proved goal that states its bound, but for a divisor of a hint that may be 0: such a hint has its
+    condition in braces, which Gappa proves. It warns of hypotheses that contradict each other, and that fails the row."""
+    text = COMMENT.sub("", row.place.read_text(encoding="utf-8"))
+    goals = GOALS.findall(text)
+    if not goals or any("?" in goal for goal in goals):
+        raise Failed(f"{row.place.name} has no goal with a bound: {{ what is assumed -> what is in [a, b] }}")
+    bare = [hint.strip() for hint in text.partition("}")[2].split(";") if "/" in hint and "<>" not in hint]
+    if bare:
+        raise Failed(f"{row.place.name}: the hint '{bare[0]}' divides, and does not say by what that is not 0: {{ d <> 0 }}")
     done = _run([programs / "gappa", row.place], root)
-    if done.returncode or "Error" in done.stdout or "some enclosures were not satisfied" in done.stdout.lower():
-        raise Failed(f"gappa: {' '.join(done.stdout.split())[-160:]}")
-    return {"checks": max(1, row.place.read_text(encoding="utf-8").count("->")), "within": [], "seconds": done.cpu}
+    said = [line for line in done.stdout.splitlines() if line.strip() and "assumed to be nonzero" not in line]
+    if done.returncode or said:
+        raise Failed(f"gappa: {' '.join(' '.join(said).split())[-160:]}")
+    return {"checks": sum(len(BOUND.findall(goal)) for goal in goals), "within": [], "seconds": done.cpu}
 
 
-def _every_input(root, row):
+def _enumeration(root, row, case):
     with scratch.folder("inputs") as folder:
-        built = _run(["gcc", *C_FLAGS, "-o", folder / "inputs", row.place, *row.links], root)
+        built = _run(["gcc", *_flags(row, case), "-o", folder / "inputs", row.place, *row.links, "-lm"], root)
         if built.returncode:
             raise Failed(f"gcc: {next((line for line in built.stdout.splitlines() if 'error' in line), 'failed')}")
         done = _run([folder / "inputs"], root)
@@ -83,9 +99,9 @@ def _every_input(root, row):
     return {"checks": int(counted[1].replace(",", "")), "within": [], "seconds": built.cpu + done.cpu}
 
 
-def prove(programs, root, row, _case):
+def prove(programs, root, row, case):
     """As cbmc.prove."""
     check_quotes(root, row)
-    if row.tool == "every input":
-        return _every_input(root, row)
+    if row.tool == "enumeration":
+        return _enumeration(root, row, case)
     return (_z3 if row.tool == "z3" else _gappa)(programs, root, row)

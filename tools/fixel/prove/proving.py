@@ -12,9 +12,9 @@ from fixel.base import kept, output, scratch
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
-from fixel.prove import cbmc, functions, others, provers, rows as records
+from fixel.prove import cbmc, functions, others, provers, recomputed, rows as records
 
-PROVERS = {"cbmc": cbmc, "z3": others, "gappa": others, "every input": others}
+PROVERS = {"cbmc": cbmc, "z3": others, "gappa": others, "enumeration": others, "recomputed": recomputed}
 
 
 def placed(row, root):
@@ -55,7 +55,7 @@ def _summed(row, cases):
     """The result of a row: of all its cases."""
     failed = next((f"{'' if case is None else f'case {case}: '}{each['failed']}" for case, each in cases if "failed" in each), None)
     seconds = sum(each["seconds"] for _, each in cases)
-    result = {"row": row.id, "function": row.function, "property": row.property, "tool": row.tool, "seconds": round(seconds, 1)}
+    result = {"row": row.id, "function": row.function, "property": row.property, "tool": row.tool, "whole": row.is_whole, "seconds": round(seconds, 1)}
     if failed:
         return {**result, "state": "not proved", "why": failed, "checks": 0, "within": []}
     checks = sum(each["checks"] for _, each in cases)
@@ -99,7 +99,8 @@ def state_of_all(all_functions, results, measured):
             for key in result["within"]:
                 inside.setdefault(key, []).append(result["row"])
     wrong = [f"{result['row']}: there is no function {function}" for function, some in own.items() for result in some
-             if function not in all_functions]
+             if function not in all_functions and result["tool"] not in ("enumeration", "recomputed")]
+    own = {key: some for key, some in own.items() if any(each["whole"] for each in some)}
     shown = []
     for key, external in all_functions.items():
         state, by, why = "no row", "", ""
@@ -163,7 +164,7 @@ def command(options):
     if options.tidy:
         proved = [result for result in results if result["checks"]]
         records.record_checks(root, {result["row"]: result["checks"] for result in proved})
-        records.tidy(root, gone | {key for result in proved for key in (result["function"], *result["within"])})
+        records.tidy(root, gone | {key for result in proved if result["whole"] for key in (result["function"], *result["within"])})
     output.write_json(pathlib.Path(options.build) / "prove/prove.json", {"rows": results, "functions": shown, "wrong": wrong})
     _print(results, shown, wrong)
     return 1 if wrong or any(result["state"] != "proved" for result in results) else 0

@@ -13,11 +13,11 @@ import tomllib
 from fixel.base.errors import ToolError
 
 PROOFS = pathlib.Path("host_tests/proofs")
-TOOLS = ("cbmc", "z3", "gappa", "every input")
+TOOLS = ("cbmc", "z3", "gappa", "enumeration", "recomputed")
 FIELDS = {"function": str, "property": str}
 OPTIONAL = {"id": str, "file": str, "tool": str, "harness": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int,
             "cases": list, "checks": int, "flags": list, "links": list, "loops": bool, "equations": bool, "text": list, "program": str,
-            "induction": str, "unwindset": dict}
+            "induction": str, "unwindset": dict, "every": bool}
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
 
@@ -43,11 +43,17 @@ class Row:
     equations: bool = False     # rows of Z3 prove what the contract says by FXL_EQUATES
     text: list = dataclasses.field(default_factory=list)    # lines that the transcription stands for, in their order
     induction: str = ""         # why a circle of contracts is none
+    every: bool = False         # enumeration runs the host's text of the function on each input that it may get
 
     @property
     def name(self):
         """The function without its file."""
         return self.function.rpartition(":")[2]
+
+    @property
+    def is_whole(self):
+        """Whether the row shows that nothing in the function is undefined. Others show something of its results."""
+        return self.tool == "cbmc" or self.every
 
 
 def _read(path):

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* Functions of lib/math of one input. */
+#include "math/family.h"
+
+#if FXL_CORE_ARMV6M
+#include "math/core.h" /* that core's text, whose products in assembly nobody calls here */
+#else
+#include "math/angle.c"
+#include "math/arith.c"
+#include "math/pixel_centre.h"
+#endif
+
+#include <math.h>
+
+#include "enumeration.h"
+
+#if FXL_CORE_ARMV6M
+
+void enumerate_leading_zeros(void)
+{
+    uint32_t value = 0;
+    while (++value != 0) {
+        TRY(value, fxl_leading_zeros(value) == (unsigned)__builtin_clz(value));
+    }
+}
+
+void enumerate_reciprocal_half(void)
+{
+    for (int64_t value = 1 << 15; value <= 1 << 16; value++) {
+        const int64_t reciprocal = fxl_reciprocal_half((uint32_t)value);
+        TRY(value, llabs(reciprocal * value - ((int64_t)1 << 31)) <= 3 * value);
+    }
+}
+
+#else
+
+#define BLOCK 4096 /* angles that a rotation goes on with before it begins anew */
+
+/* A quarter of a turn has four cases. The reference is exact to 2^-50: a step of the rotation by 2^-32 turn errs by less than
+ * 2^-62. */
+void enumerate_quarter_sine(void)
+{
+    const long double step = ldexpl(3.14159265358979323846264338327950288L, -31);
+    const long double turn_sine = sinl(step), turn_cosine = cosl(step);
+    /* 0.02 units of 2^-31, in units of 2^-62: with the half of its rounding fxl_sin_q31 is off by 0.52. */
+    const long double bound = 0.02L * (1u << 31);
+    const uint32_t first = (CASE - 1) * (1u << 28), end = CASE * (1u << 28) + (CASE == 4);
+    long double sine = 0, cosine = 1;
+    for (uint32_t angle = first; angle != end; angle++) {
+        if (angle % BLOCK == 0) {
+            sine = ldexpl(sinl(angle * step), 62);
+            cosine = ldexpl(cosl(angle * step), 62);
+        }
+        TRY(angle, fabsl((long double)quarter_sine_q62(angle) - sine) <= bound);
+        const long double next = sine * turn_cosine + cosine * turn_sine;
+        cosine = cosine * turn_cosine - sine * turn_sine;
+        sine = next;
+    }
+}
+
+void enumerate_reciprocal_below(void)
+{
+    const uint64_t exact = (uint64_t)1 << 60;
+    for (uint32_t value = (1u << 30) + 1u; value <= 1u << 31; value++) {
+        const uint64_t product = (uint64_t)reciprocal_below(value) * value;
+        TRY(value, product <= exact && exact - product <= exact >> 27);
+    }
+}
+
+void enumerate_first_centre_from(void)
+{
+    for (int32_t coordinate = 1 - (1 << 30); coordinate < 1 << 30; coordinate++) {
+        const int32_t row = fxl_first_centre_from(coordinate);
+        TRY(coordinate, (int64_t)row * 65536 + 32768 >= coordinate && (int64_t)(row - 1) * 65536 + 32768 < coordinate);
+    }
+}
+
+void enumerate_centre_of(void)
+{
+    for (int32_t row = 1 - (1 << 14); row < 1 << 14; row++) {
+        TRY(row, 2 * fxl_centre_of(row) == 131072 * row + 65536 && fxl_first_centre_from(fxl_centre_of(row)) == row);
+    }
+}
+
+#endif

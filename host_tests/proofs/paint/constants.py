@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+"""The constants of lib/paint, computed from their formulas. The rows of constants.toml say where each stands."""
+
+from fixel.prove.exact import Real, ceil, nearest, root
+
+
+def roots():
+    """2^23 divided by the root of the value, at both ends of each 2^25 of it, from 2^30 to 2^32: the mean of the two."""
+    ends = [2 ** 23 / root(Real(i) * 2 ** 25) for i in range(32, 129)]
+    return [nearest((one + other) / 2) for one, other in zip(ends, ends[1:])]
+
+
+def weight_parts():
+    """9 2^11 2^(k/3), rounded up, for k from 0."""
+    return [ceil(9 * 2 ** 11 * root(Real(2 ** k), 3)) for k in range(7)]
+
+
+def product_of_ratio():
+    """(16/15) (64/27) in units of 2^-30, rounded up, and a unit more."""
+    return [ceil(Real(16 * 64, 15 * 27) * 2 ** 30) + 1]
+
+
+def tangent_of_cube_root():
+    """The tangent at 2^(1/2): its change in units of 2^-16, and its value at 0, each rounded up."""
+    at = root(Real(2), 6)
+    return [ceil(2 ** 16 / (3 * at ** 2)), ceil(2 ** 16 * at * Real(2, 3))]
+
+
+def bend_of_4():
+    """64 16^(-1/3) in units of 2^-16, rounded up."""
+    return [ceil(64 * 2 ** 16 / root(Real(16), 3))]
+
+
+def weights_of_8():
+    """The decimals of the comment, which are above 4^(-1/3), 2^(1/2) and 2^(2/3) by less than 10^-4, in units of 2^-16, rounded
+    up."""
+    stated = {"0.62997": 1 / root(Real(4), 3), "1.41423": root(Real(2)), "1.58746": root(Real(4), 3)}
+    assert all(0 < Real(words) - exact < Real(1, 10 ** 4) for words, exact in stated.items())
+    return [ceil(Real(words) * 2 ** 16) for words in stated]
+
+
+def stipple():
+    """The square of 4 x 4 by bits: those of x and y alternate, from the lowest on, the first one xor y."""
+    return [((x ^ y) & 1) << 3 | (y & 1) << 2 | ((x ^ y) & 2) | (y & 2) >> 1 for y in range(4) for x in range(4)]
+
+
+def spread():
+    """The channels of RGB565, and where a word has them: green in the upper half, the others in the lower."""
+    red, green, blue = 31 << 11, 63 << 5, 31
+    return [red, green, blue, green << 16 | red | blue]
