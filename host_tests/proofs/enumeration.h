@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What programs share that run a function of the library on every input. A row's harness is a function of the program; the
- * rows choose it by HARNESS. It calls TRY for each input, and the program prints how many there were. */
+/* What programs share that run a function of the library on every input. A row's harness is a
+ * function of the program; the rows choose it by HARNESS. It calls TRY for each input, and the
+ * program prints how many there were. */
 #ifndef ENUMERATION_H
 #define ENUMERATION_H
 

@@ -36,13 +36,14 @@ void enumerate_reciprocal_half(void)
 
 #define BLOCK 4096 /* angles that a rotation goes on with before it begins anew */
 
-/* A quarter of a turn has four cases. The reference is exact to 2^-50: a step of the rotation by 2^-32 turn errs by less than
- * 2^-62. */
+/* A quarter of a turn has four cases. The reference is exact to 2^-50: a step of the rotation by
+ * 2^-32 turn errs by less than 2^-62. */
 void enumerate_quarter_sine(void)
 {
     const long double step = ldexpl(3.14159265358979323846264338327950288L, -31);
     const long double turn_sine = sinl(step), turn_cosine = cosl(step);
-    /* 0.02 units of 2^-31, in units of 2^-62: with the half of its rounding fxl_sin_q31 is off by 0.52. */
+    /* 0.02 units of 2^-31, in units of 2^-62: with the half of its rounding fxl_sin_q31 is off by
+     * 0.52. */
     const long double bound = 0.02L * (1u << 31);
     const uint32_t first = (CASE - 1) * (1u << 28), end = CASE * (1u << 28) + (CASE == 4);
     long double sine = 0, cosine = 1;
@@ -71,14 +72,16 @@ void enumerate_first_centre_from(void)
 {
     for (int32_t coordinate = 1 - (1 << 30); coordinate < 1 << 30; coordinate++) {
         const int32_t row = fxl_first_centre_from(coordinate);
-        TRY(coordinate, (int64_t)row * 65536 + 32768 >= coordinate && (int64_t)(row - 1) * 65536 + 32768 < coordinate);
+        TRY(coordinate, (int64_t)row * 65536 + 32768 >= coordinate &&
+                            (int64_t)(row - 1) * 65536 + 32768 < coordinate);
     }
 }
 
 void enumerate_centre_of(void)
 {
     for (int32_t row = 1 - (1 << 14); row < 1 << 14; row++) {
-        TRY(row, 2 * fxl_centre_of(row) == 131072 * row + 65536 && fxl_first_centre_from(fxl_centre_of(row)) == row);
+        TRY(row, 2 * fxl_centre_of(row) == 131072 * row + 65536 &&
+                     fxl_first_centre_from(fxl_centre_of(row)) == row);
     }
 }
 

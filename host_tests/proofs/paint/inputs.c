@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions of lib/paint of one input, or of few: one source at a time, because names of static functions recur. */
+/* Functions of lib/paint of one input, or of few: one source at a time, because names of static
+ * functions recur. */
 #if CASE_OF_LIGHT
 #include "paint/light_level.c"
 #elif CASE_OF_GRADIENTS
@@ -81,8 +82,8 @@ void enumerate_spread(void)
     }
 }
 
-/* Channels of the sum are fields of a word, so one meets another only by a carry, which is there if it is with the largest
- * colours. So a channel is tried with the others at both ends. */
+/* Channels of the sum are fields of a word, so one meets another only by a carry, which is there if
+ * it is with the largest colours. So a channel is tried with the others at both ends. */
 void enumerate_blend(void)
 {
     for (uint32_t part = 0; part <= 16; part++) {
@@ -121,7 +122,8 @@ void enumerate_mix_channel(void)
         for (uint32_t a = 0; a <= channel; a += unit) {
             for (uint32_t b = 0; b <= channel; b += unit) {
                 for (uint32_t part = 0; part <= 256; part++) {
-                    const uint32_t wanted = (a / unit * part + b / unit * (256 - part) + 128) / 256 * unit;
+                    const uint32_t wanted =
+                        (a / unit * part + b / unit * (256 - part) + 128) / 256 * unit;
                     TRY(a, fxl_mix_channel_565(a, b, part, channel) == wanted);
                 }
             }

@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* What an edge's height becomes as a divisor, for every height: one text for each family of cores. */
+/* What an edge's height becomes as a divisor, for every height: one text for each family of cores.
+ */
 #include "raster/edge_divide.h"
 
 #include <math.h>
 
 #include "enumeration.h"
 
-#define HEIGHTS(height) uint32_t height = 1; height <= FXL_EDGE_HEIGHT_MAX; height++
+#define HEIGHTS(height) \
+    uint32_t height = 1; \
+    height <= FXL_EDGE_HEIGHT_MAX; \
+    height++
 
 /* The same for every family: the edge holds for 2^shift rows. */
 void enumerate_divider_shift(void)
@@ -31,32 +35,36 @@ void enumerate_divider(void)
     }
 }
 
-/* The rest that the first estimate of fxl_edge_digit leaves, 2^16 left - digit height, for every left below the height. With
- * top = floor(left 2^shift / 2^16) the digit is above top reciprocal / 2^15 - 1, and not above that without the 1. So the rest
- * lies between two straight lines in top, which are highest and lowest at the ends, 0 and that of left = height. In units of
- * 2^-47. */
+/* The rest that the first estimate of fxl_edge_digit leaves, 2^16 left - digit height, for every
+ * left below the height. With top = floor(left 2^shift / 2^16) the digit is above top reciprocal /
+ * 2^15 - 1, and not above that without the 1. So the rest lies between two straight lines in top,
+ * which are highest and lowest at the ends, 0 and that of left = height. In units of 2^-47. */
 void enumerate_digit(void)
 {
     for (HEIGHTS(height)) {
         const fxl_edge_divider divider = fxl_edge_divider_of(height);
         const wide scale = (wide)1 << 47, most = scale << 31;
-        const wide a_top = (scale << (32 - divider.shift)) - (wide)divider.reciprocal * height * ((wide)1 << 32);
+        const wide a_top =
+            (scale << (32 - divider.shift)) - (wide)divider.reciprocal * height * ((wide)1 << 32);
         const wide last = ((uint64_t)height << divider.shift) >> 16;
         const wide above = (scale << (32 - divider.shift)) + height * scale;
-        TRY(height, last * divider.reciprocal <= UINT32_MAX && a_top * last > -most && a_top * last + above < most && above < most);
+        TRY(height, last * divider.reciprocal <= UINT32_MAX && a_top * last > -most &&
+                        a_top * last + above < most && above < most);
     }
 }
 
 #elif FXL_CORE_ARMV7M
 
-/* The error relative to 2^62 / (height 2^shift): from -2^-29.38 to 2^-30.9. The product fits the 64 bits of a long double. */
+/* The error relative to 2^62 / (height 2^shift): from -2^-29.38 to 2^-30.9. The product fits the 64
+ * bits of a long double. */
 void enumerate_divider(void)
 {
     const long double below = -exp2l(-29.38L), above = exp2l(-30.9L);
     for (HEIGHTS(height)) {
         const fxl_edge_divider divider = fxl_edge_divider_of(height);
         const uint64_t scaled = (uint64_t)height << divider.shift;
-        const long double error = ldexpl((long double)(scaled * (uint64_t)divider.reciprocal), -62) - 1;
+        const long double error =
+            ldexpl((long double)(scaled * (uint64_t)divider.reciprocal), -62) - 1;
         TRY(height, scaled == 2 * (uint64_t)divider.half && error >= below && error <= above);
     }
 }

@@ -72,8 +72,10 @@ void enumerate_rgb565(void)
         for (uint32_t blue = 0; blue < FXL_PALETTE_COLOURS; blue++) {
             const uint32_t red = first >> 16, green = first >> 8 & 255u;
             const uint32_t wanted = red / 8 << 11 | green / 4 << 5 | blue / 8;
-            const uint8_t *const a = (const uint8_t *)&high[blue], *const b = (const uint8_t *)&low[blue];
-            TRY(first + blue, (uint32_t)(a[0] << 8 | a[1]) == wanted && (uint32_t)(b[1] << 8 | b[0]) == wanted);
+            const uint8_t *const a = (const uint8_t *)&high[blue], *const b =
+                                                                       (const uint8_t *)&low[blue];
+            TRY(first + blue,
+                (uint32_t)(a[0] << 8 | a[1]) == wanted && (uint32_t)(b[1] << 8 | b[0]) == wanted);
         }
     }
 }
@@ -84,7 +86,8 @@ void enumerate_luma(void)
 {
     for (uint32_t colour = 0; colour < COLOURS; colour++) {
         const uint8_t bytes[3] = {(uint8_t)(colour >> 16), (uint8_t)(colour >> 8), (uint8_t)colour};
-        TRY(colour, fxl_luma(bytes) == nearest(54u * bytes[0] + 183u * bytes[1] + 19u * bytes[2], 256));
+        TRY(colour,
+            fxl_luma(bytes) == nearest(54u * bytes[0] + 183u * bytes[1] + 19u * bytes[2], 256));
     }
 }
 
@@ -94,7 +97,8 @@ void enumerate_grey_of_rgb565(void)
     for (uint32_t highest = 1; highest <= 255; highest++) {
         for (uint32_t colour = 0; colour < 1u << 16; colour++) {
             const uint32_t red = colour >> 11, green = colour >> 5 & 63u, blue = colour & 31u;
-            const uint32_t sum = 54u * nearest(255 * red, 31) + 183u * nearest(255 * green, 63) + 19u * nearest(255 * blue, 31);
+            const uint32_t sum = 54u * nearest(255 * red, 31) + 183u * nearest(255 * green, 63) +
+                                 19u * nearest(255 * blue, 31);
             const uint32_t exact = nearest(sum, 256) * highest * 128u; /* in units of 1/255 */
             const uint32_t entry = fxl_grey_of_rgb565((uint16_t)colour, highest);
             TRY(colour, entry == exact / 255u && (exact % 255u != 0 || entry % 2 == 0));
