@@ -405,3 +405,64 @@ void test_what_lies_in_one_leaf_is_drawn_whole_there(void)
         TEST_ASSERT_EQUAL_UINT8(is_behind ? 15 : 5, whole[HEIGHT / 2 * WIDTH + WIDTH / 2]);
     }
 }
+
+/* Vertices on the plane are in both parts. With any memory that is too small for the parts, the cube is whole. */
+/* bsp 3.7 */
+void test_any_memory_too_small_for_vertices_on_a_plane(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    const fxl_point diamond = {Q16(1), Q16(-20), Q16(8)};
+    const fxl_pose before_it = {{Q16(1), Q16(-19.8), Q16(4)}, 0, 0, 0};
+    made = bsp_make();
+    bsp_tilt(made, 0, 0, DEGREES(45));
+    const uint32_t used = used_by(&diamond, &before_it);
+    for (uint32_t bytes = 0; bytes <= used; bytes += 4) {
+        start(&choice_tree, &lens);
+        fxl_bsp_workspace *tree = renderer.order_memory;
+        tree->pieces_size = bytes;
+        draw(other, &before_it, HEIGHT);
+        TEST_ASSERT_EQUAL_UINT32(bytes < used, tree->unsplit);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+    }
+}
+
+/* Nodes without faces above the tree, which is in front of their planes, and nothing behind them. */
+static void deepen_in_front(void)
+{
+    const uint32_t above = 3, count = above + BSP_NODES;
+    for (uint32_t i = 0; i < count; i++) {
+        deep[i] = made->nodes[i < above ? 0 : i - above];
+        deep[i].front = (uint16_t)(i < above ? i + 1 : FXL_BSP_NONE);
+        deep[i].back = (uint16_t)(i >= above && i + 1 < count ? i + 1 : FXL_BSP_NONE);
+        deep[i].parent = (uint16_t)(i > 0 ? i - 1 : FXL_BSP_NONE);
+        deep[i].radius += (fxl_q16_16)(count - i) + (i < above ? Q16(20) : 0);
+        if (i < above) {
+            deep[i].distance_low = 0;
+            deep[i].distance_high = (uint32_t)-(1000 << 14);
+            deep[i].face_count = 0;
+        }
+    }
+    made->tiny->scene.bsp_nodes = deep;
+    made->tiny->scene.bsp_node_count = count;
+}
+
+void test_nodes_with_nothing_behind_them_change_nothing(void)
+{
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    for (uint32_t round = 0; round < UNIT_REPEAT / 1000 + 8; round++) {
+        made = bsp_make();
+        fxl_pose pose = bsp_shuffle(made);
+        if (round % 2) { /* the spheres of the tree are behind the eye, but not those above it */
+            made->tiny->models[1].radius = Q16(20);
+            pose = (fxl_pose){{0, 0, Q16(14)}, 0, 0, 0};
+        }
+        start(&choice_tree, &lens);
+        draw(whole, &pose, HEIGHT);
+        const fxl_counters counters = renderer.workspace.counters;
+        deepen_in_front();
+        start(&choice_tree, &lens);
+        draw(other, &pose, HEIGHT);
+        TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
+        TEST_ASSERT_EQUAL_MEMORY(&counters, &renderer.workspace.counters, sizeof counters);
+    }
+}

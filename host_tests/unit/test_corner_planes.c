@@ -248,68 +248,79 @@ static double affine_error(const double lights[3], const double weights[3])
     return range * (most - least) / (4 * least);
 }
 
+typedef struct {
+    uint32_t checked, refused, thin, bent, balanced, far_apart;
+} word_counts;
+
+/* The words of a face whose depths differ by less than `spread`, in light that is nearly the same everywhere or in any. */
+static void check_words(double spread, bool is_even, word_counts *counts)
+{
+    fxl_gradients gradients;
+    fxl_depth_plane plane;
+    double values[3], lights[3], x, y;
+    int32_t light[3];
+    make_corners(spread);
+    if (!fxl_corner_planes_begin(&corners, &view.lens, true, &planes)) {
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        light[k] = is_even ? 65536 + k : unit_between(32768, 31 << 16);
+        lights[k] = light[k];
+        values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
+    }
+    int o = 1000, last = 0; /* octaves of the corners */
+    for (int k = 0; k < 3; k++) {
+        const int octave = -1 - ilogb(values[k]);
+        o = octave < o ? octave : o;
+        last = octave > last ? octave : last;
+    }
+    const fxl_depth_scale scale = fxl_depth_scale_of(&view.lens);
+    if (!fxl_corner_planes_linear(&planes, light, &gradients, &plane)) {
+        counts->refused++;
+        counts->far_apart += last > o + 1;
+        return;
+    }
+    TEST_ASSERT_TRUE(o >= 0 && last < scale.octaves && last <= o + 1);
+    TEST_ASSERT_EQUAL(last == o ? FXL_DEPTH_IS_LINEAR : FXL_DEPTH_IS_BENT + o, plane.one);
+    TEST_ASSERT_TRUE(fxl_depth_is_in_words(&plane));
+    TEST_ASSERT_EQUAL(last == o ? 0 : (uint32_t)(code_of(ldexp(1, -o - 1), o, scale) * 65536),
+                      fxl_depth_border(scale, &plane));
+    TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
+    choose_point(&x, &y);
+    const double code = code_of(plane_at(values, x, y), o, scale) * 65536;
+    TEST_ASSERT_NEAR(code, word_at(&plane.gradient, x, y, code),
+                     ldexp(rounding(values), o + 1 + scale.mantissa + 16) + 2048);
+    const fxl_light_plane words = fxl_light_plane_of(&gradients);
+    TEST_ASSERT_EQUAL((uint32_t)gradients.attributes[0].at, words.at);
+    const double level = plane_at(lights, x, y) * 256, error = affine_error(lights, values);
+    const double found = word_at(&gradients.attributes[0], x, y, level);
+    const double cut = rounding(lights) * 256 + 2048;
+    TEST_ASSERT_TRUE(error < FXL_WORDS_ERROR_LIGHT * 1.001);
+    if (error < FXL_AFFINE_ERROR_LIGHT * 0.999) {
+        TEST_ASSERT_NEAR(level, found, cut);
+    }
+    /* From an eighth of a level on the mean of the error is taken off. */
+    const double most =
+        error < FXL_AFFINE_ERROR_LIGHT * 1.001 ? FXL_AFFINE_ERROR_LIGHT : error * 3 / 4;
+    TEST_ASSERT_NEAR(attribute_at(lights, x, y) * 256, found, most * 256 + cut);
+    counts->balanced += error > FXL_AFFINE_ERROR_LIGHT * 1.001;
+    counts->checked++;
+    counts->thin += planes.may_be_steep;
+    counts->bent += last != o;
+}
+
 /* SPEC 9.1.1 */
 void test_words_are_codes_and_light(void)
 {
-    uint32_t checked = 0, refused = 0, thin = 0, bent = 0, balanced = 0;
+    word_counts counts = {0, 0, 0, 0, 0, 0};
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
-        fxl_gradients gradients;
-        fxl_depth_plane plane;
-        double values[3], lights[3], x, y;
-        int32_t light[3];
-        make_corners(unit_random() % 2 ? 0.5 : 1.0 / 64);
-        if (!fxl_corner_planes_begin(&corners, &view.lens, true, &planes)) {
-            continue;
-        }
-        for (int k = 0; k < 3; k++) {
-            light[k] = unit_between(32768, 31 << 16);
-            lights[k] = light[k];
-            values[k] = view.lens.near_z * 1073741824.0 / (double)corners.depths[k];
-        }
-        int o = 1000, last = 0; /* octaves of the corners */
-        for (int k = 0; k < 3; k++) {
-            const int octave = -1 - ilogb(values[k]);
-            o = octave < o ? octave : o;
-            last = octave > last ? octave : last;
-        }
-        const fxl_depth_scale scale = fxl_depth_scale_of(&view.lens);
-        if (!fxl_corner_planes_linear(&planes, light, &gradients, &plane)) {
-            refused++;
-            continue;
-        }
-        TEST_ASSERT_TRUE(o >= 0 && last < scale.octaves && last <= o + 1);
-        TEST_ASSERT_EQUAL(last == o ? FXL_DEPTH_IS_LINEAR : FXL_DEPTH_IS_BENT + o, plane.one);
-        TEST_ASSERT_TRUE(fxl_depth_is_in_words(&plane));
-        TEST_ASSERT_EQUAL(last == o ? 0 : (uint32_t)(code_of(ldexp(1, -o - 1), o, scale) * 65536),
-                          fxl_depth_border(scale, &plane));
-        TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
-        choose_point(&x, &y);
-        const double code = code_of(plane_at(values, x, y), o, scale) * 65536;
-        TEST_ASSERT_NEAR(code, word_at(&plane.gradient, x, y, code),
-                         ldexp(rounding(values), o + 1 + scale.mantissa + 16) + 2048);
-        const fxl_light_plane words = fxl_light_plane_of(&gradients);
-        TEST_ASSERT_EQUAL((uint32_t)gradients.attributes[0].at, words.at);
-        const double level = plane_at(lights, x, y) * 256, error = affine_error(lights, values);
-        const double found = word_at(&gradients.attributes[0], x, y, level);
-        const double cut = rounding(lights) * 256 + 2048;
-        TEST_ASSERT_TRUE(error < FXL_WORDS_ERROR_LIGHT * 1.001);
-        if (error < FXL_AFFINE_ERROR_LIGHT * 0.999) {
-            TEST_ASSERT_NEAR(level, found, cut);
-        }
-        /* From an eighth of a level on the mean of the error is taken off. */
-        const double most =
-            error < FXL_AFFINE_ERROR_LIGHT * 1.001 ? FXL_AFFINE_ERROR_LIGHT : error * 3 / 4;
-        TEST_ASSERT_NEAR(attribute_at(lights, x, y) * 256, found, most * 256 + cut);
-        balanced += error > FXL_AFFINE_ERROR_LIGHT * 1.001;
-        checked++;
-        thin += planes.may_be_steep;
-        bent += last != o;
+        check_words(unit_random() % 2 ? 0.5 : 1.0 / 64, false, &counts);
     }
-    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, checked);
-    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, refused);
-    TEST_ASSERT_GREATER_THAN(checked / 100, bent);
-    TEST_ASSERT_GREATER_THAN(checked / 100, thin);
-    TEST_ASSERT_GREATER_THAN(checked / 100, balanced);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, counts.checked);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 1000, counts.refused);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.thin);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.balanced);
 }
 
 /* Attributes of a face: u and v, or light alone, or all three. */
@@ -439,4 +450,19 @@ void test_what_has_no_words(void)
     TEST_ASSERT_FALSE(fxl_find_smooth_planes(&corners, &lens, light, &gradients, &plane));
     corners.depths[0] = corners.depths[1] = corners.depths[2] = UINT32_MAX;
     TEST_ASSERT_FALSE(fxl_find_smooth_planes(&corners, &view.lens, light, &gradients, &plane));
+}
+
+/* Near at any depth, so that an octave ends at any, and far away, so that codes have few bits. */
+/* SPEC 9.1.1 */
+void test_words_of_other_lenses(void)
+{
+    word_counts counts = {0, 0, 0, 0, 0, 0};
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        view.lens.near_z = unit_between(4096, 8191);
+        view.lens.far_z = i % 2 ? FXL_FAR_MAX : Q16(1000);
+        check_words(i % 4 ? 0.5 : 2.8, i % 4 == 0, &counts);
+    }
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 400, counts.checked);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
+    TEST_ASSERT_GREATER_THAN(UNIT_REPEAT / 4000, counts.far_apart);
 }

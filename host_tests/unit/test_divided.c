@@ -278,3 +278,32 @@ void test_other_faces_are_not_for_it(void)
     paint.ramp = texels;
     TEST_ASSERT_FALSE(fxl_divided_find(&paint, &face));
 }
+
+/* Coordinates so small that their upper words are 0, or that no bit of them is left: the first texel. The kernel, and
+ * each pixel alone. */
+void test_coordinates_without_upper_bits(void)
+{
+    for (uint32_t n = 0; n < TEXELS; n++) {
+        texels[n] = (uint8_t)(n % 200u);
+    }
+    choose_size(5, 5);
+    for (int shift = -60; shift <= 40; shift += 20) {
+        choose_face(30, 40);
+        for (uint32_t i = 0; i < 2; i++) {
+            gradients.shifts[i] = (int8_t)shift;
+            gradients.attributes[i].along = shift < 20 ? gradients.attributes[i].along : 0;
+            row.attributes[i] = shift < 20 ? (int64_t)1 << 40 : 77;
+        }
+        if (shift < 20) { /* above 0 */
+            gradients.attributes[0].along = gradients.attributes[1].along = 1 << 20;
+        }
+        TEST_ASSERT_EQUAL(COLUMNS, paint_row(row_pixels, 0, COLUMNS));
+        TEST_ASSERT_EACH_EQUAL_UINT8(texels[0], row_pixels, COLUMNS);
+        memset(part, UNTOUCHED, sizeof part);
+        row.pixels = part;
+        paint.is_replaced = true; /* not for the kernel */
+        fxl_paint_pixels(&paint, &row, 0, COLUMNS);
+        paint.is_replaced = false;
+        TEST_ASSERT_EQUAL_MEMORY(row_pixels, part, COLUMNS);
+    }
+}

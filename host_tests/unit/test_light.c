@@ -144,6 +144,27 @@ static void draw(const fxl_pose *pose, uint8_t *frame)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw(&renderer, &band));
 }
 
+/* Hardly within the range of a light, where what is left of it is rounded to 0. */
+/* light 2.3 */
+void test_the_end_of_a_light_s_range(void)
+{
+    fxl_light_settings of;
+    const fxl_camera camera = any_camera();
+    memset(&of, 0, sizeof of);
+    of.ramp = ramp;
+    of.levels = LEVELS;
+    of.point_count = 1;
+    of.points[0] = (fxl_point_light){{0, 0, 0}, 73184830, FXL_Q2_30_ONE};
+    /* The squares add up to 23,606 less than the range's, of 2^54. */
+    const fxl_lit_place place = {{FXL_Q2_30_ONE, 0, 0}, {-146369659, -17109, -146}};
+    TEST_ASSERT_EQUAL_INT32(0, fxl_light_brightness(&of, &camera, &place));
+    const fxl_lit_place nearer = {{FXL_Q2_30_ONE, 0, 0}, {-146369659 / 2, -17109, -146}};
+    TEST_ASSERT_NEAR(exact_brightness(&of, &camera, exact_point(&nearer.middle, 1.0 / 131072),
+                                      exact_direction(&nearer.normal)) *
+                         FXL_Q2_30_ONE,
+                     fxl_light_brightness(&of, &camera, &nearer), FXL_LIGHT_ERROR_MAX);
+}
+
 /* Of the cube's face of a colour 1..6 or 11..16: -x +x -y +y -z +z. */
 static exact_vector normal_of(uint32_t colour)
 {

@@ -740,3 +740,23 @@ void test_what_segments_do_not_take(void)
     gradients.shifts[0] = gradients.shifts[1] = 79;
     TEST_ASSERT_FALSE(fxl_segments_find_565(&paint, &face));
 }
+
+/* Weights below the least one: the texels may be any, but are texels. */
+void test_weights_that_are_too_small_are_safe(void)
+{
+    choose_size(5, 5);
+    for (uint32_t i = 0; i < TEXELS; i++) {
+        texels[i] = (uint8_t)(100u + any() % 50u);
+    }
+    for (uint32_t n = 0; n < 100; n++) {
+        choose_face();
+        TEST_ASSERT_TRUE(fxl_segments_find(&paint, &face));
+        face.u_drop = face.v_drop = -20;
+        choose_gradient(&gradients.weight, &row.weight, 1 + any() % 64u, 1 + any() % 64u);
+        face.weight_step = gradients.weight.along * 16;
+        paint_row(row_pixels, 0, COLUMNS);
+        for (uint32_t x = 0; x < COLUMNS; x++) {
+            TEST_ASSERT_TRUE(row_pixels[x] >= 100 && row_pixels[x] < 150);
+        }
+    }
+}

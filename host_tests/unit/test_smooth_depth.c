@@ -2,9 +2,11 @@
 /* A triangle that is lit at its corners, with a depth buffer: painted by the rows of its light, and
  * by each way that other pixels are painted. The level of a pixel is the same, but for one where
  * two roundings differ. */
+#include <math.h>
 #include <string.h>
 
 #include "draw/stages.h"
+#include "paint/depth_code.h"
 #include "fixel/all.h"
 #include "unity.h"
 
@@ -18,11 +20,11 @@ enum {
     IN_BEAM = 64 /* lit[c] = c + IN_BEAM */
 };
 
-static const fxl_point corners[] = {
+static const fxl_point in_one_octave[] = {
     {-70000, -60000, 200000}, {-40000, 70000, 210000}, {80000, -50000, 204000}};
 static const uint16_t indices[] = {0, 1, 2}, face_map[] = {1};
 static const fxl_model model = {
-    .vertex_count = 3, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 5 * 65536};
+    .vertex_count = 3, .face_count = 1, .kind = FXL_MODEL_CONVEX, .radius = 7 * 65536};
 static const fxl_instance instance = {{0, 0, 0}, 0, 0, 0};
 static const fxl_direction normals[] = {
     {0, 0, -FXL_Q2_30_ONE}, {0, FXL_Q2_30_ONE, 0}, {FXL_Q2_30_ONE, 0, 0}};
@@ -35,10 +37,14 @@ static fxl_renderer renderer;
 static fxl_surfaces surfaces;
 static fxl_light light;
 static fxl_lit_surfaces lit_surfaces;
-static uint64_t memory[300], cells[FXL_DEPTH_BYTES(WIDTH, 10, 16) / 8], room[256];
+static uint64_t memory[300], cells[FXL_DEPTH_BYTES(WIDTH, HEIGHT, 16) / 8], room[256];
+static const fxl_point *corners;
+static uint32_t cells_size;
 
 void setUp(void)
 {
+    corners = in_one_octave;
+    cells_size = FXL_DEPTH_BYTES(WIDTH, 10, 16);
     for (uint32_t i = 0; i < 256; i++) {
         lit[i] = (uint8_t)(i + IN_BEAM);
         for (uint32_t level = 0; level < LEVELS; level++) {
@@ -85,7 +91,7 @@ static void draw(const fxl_surface *surface, const fxl_beam *beam, uint8_t *fram
     fxl_config config = fxl_config_for(WIDTH, HEIGHT, &fxl_palette_depth_16);
     config.background = BACKGROUND;
     config.depth = cells;
-    config.depth_size = sizeof cells;
+    config.depth_size = cells_size;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_plane_from_points(&corners[0], &corners[1], &corners[2], &plane));
     face.normal = plane.normal;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene, NULL));
@@ -159,4 +165,59 @@ void test_a_piece_in_a_beam_has_the_light_of_the_whole_face(void)
         in_beam += is_in_beam;
     }
     TEST_ASSERT_GREATER_THAN(50, in_beam);
+}
+
+/* The code of the triangle's pixel, of its plane in double (SPEC.md, section 10.2). */
+static double exact_code(int x, int y)
+{
+    const fxl_lens *lens = &renderer.frame.view.lens;
+    const double e1[3] = {corners[1].x - (double)corners[0].x, corners[1].y - (double)corners[0].y,
+                          corners[1].z - (double)corners[0].z};
+    const double e2[3] = {corners[2].x - (double)corners[0].x, corners[2].y - (double)corners[0].y,
+                          corners[2].z - (double)corners[0].z};
+    const double n[3] = {e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2],
+                         e1[0] * e2[1] - e1[1] * e2[0]};
+    const double to[3] = {x + 0.5 - WIDTH / 2.0, HEIGHT / 2.0 - y - 0.5, lens->focal / 65536.0};
+    const double volume = n[0] * corners[0].x + n[1] * corners[0].y + n[2] * corners[0].z;
+    const double depth =
+        lens->near_z * (n[0] * to[0] + n[1] * to[1] + n[2] * to[2]) / (volume * to[2]);
+    const fxl_depth_scale scale = fxl_depth_scale_of(lens);
+    const int octave = -1 - ilogb(depth);
+    return (ldexp(depth, octave + 1) - 1 + scale.octaves - 1 - octave) * (1 << scale.mantissa) + 1;
+}
+
+/* Depths from 3.8 to 4.4 units: 4 is the end of an octave, as near is 1/4. */
+/* SPEC 10.2, 10.3 */
+void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
+{
+    static const fxl_point across[] = {
+        {-90000, -80000, 249000}, {-60000, 90000, 288000}, {100000, -60000, 268000}};
+    static const fxl_surface plain = {.opacity = 16, .flags = FXL_SURFACE_LIT};
+    const uint16_t *codes = (const uint16_t *)(const void *)(cells + 1);
+    uint32_t nearer = 0, farther = 0;
+    corners = across;
+    cells_size = sizeof cells;
+    draw(&plain, NULL, rows);
+    const fxl_depth_scale scale = fxl_depth_scale_of(&renderer.frame.view.lens);
+    for (int i = 0; i < PIXELS; i++) {
+        if (rows[i] == BACKGROUND) {
+            continue;
+        }
+        const double code = exact_code(i % WIDTH, i / WIDTH);
+        TEST_ASSERT_TRUE(codes[i] <= code + 0.01 && codes[i] >= code - 1.1);
+        const bool is_nearer = code >= ((scale.octaves - 4) << scale.mantissa) + 1;
+        nearer += is_nearer;
+        farther += !is_nearer;
+    }
+    TEST_ASSERT_TRUE(nearer > 30 && farther > 30);
+}
+
+/* Light that changes by many levels where the depth does too is divided: no plane of light alone is near it. */
+void test_a_steep_face_has_the_light_of_one_divided_at_each_pixel(void)
+{
+    static const fxl_point steep[] = {
+        {-70000, -60000, 200000}, {-60000, 110000, 390000}, {90000, -50000, 204000}};
+    const fxl_surface exact = {.opacity = 16, .flags = FXL_SURFACE_LIT, .division = FXL_DIVIDE_1};
+    corners = steep;
+    TEST_ASSERT_EQUAL(0, left_by(&exact));
 }

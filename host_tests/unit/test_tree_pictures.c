@@ -24,8 +24,8 @@ static fxl_billboard board;
 static fxl_billboard_set set;
 static fxl_model models[MODELS];
 static fxl_face faces[13];
-static fxl_point vertices[20];
-static uint16_t corners[52];
+static fxl_point vertices[16 + FXL_FACE_VERTICES_MAX];
+static uint16_t corners[48 + FXL_FACE_VERTICES_MAX];
 static uint16_t model_map[MODELS], colours[256], wide[PIXELS];
 static uint8_t texels[4], frame[PIXELS], other[PIXELS], memory[8192];
 static uint64_t tree[512];
@@ -390,5 +390,38 @@ void test_deliveries_of_surfaces_by_tree(void)
             frame_draw_pose(&renderer, &eye, other, rows, BACKGROUND);
             TEST_ASSERT_EQUAL_MEMORY(frame, other, sizeof frame);
         }
+    }
+}
+
+/* Instance 0 is a regular polygon across z, clockwise from its right corner, of 1 unit. */
+static void make_polygon(uint32_t count)
+{
+    faces[12].count = (uint8_t)count;
+    for (uint32_t i = 0; i < count; i++) {
+        const fxl_angle angle = (fxl_angle)(((uint64_t)i << 32) / count);
+        vertices[16 + i] =
+            (fxl_point){fxl_cos(angle) >> 14, -(fxl_sin(angle) >> 14), 0};
+        corners[48 + i] = (uint16_t)i;
+    }
+    models[2].vertex_count = count;
+    made->tiny->scene.vertex_count = 16 + count;
+    made->tiny->scene.index_count = 48 + count;
+}
+
+/* The plane x = 1 cuts the left corner off, so that what is left has a corner more. */
+/* bsp 3.7 */
+void test_a_piece_of_too_many_corners_is_not_cut(void)
+{
+    for (uint32_t less = 0; less < 2; less++) {
+        const uint32_t count = FXL_FACE_VERTICES_MAX - 2 * less; /* even: its left corner is alone */
+        make_polygon(count);
+        made->tiny->instances[0].centre = (fxl_point){Q16(1) + Q16(0.999), 0, Q16(10)};
+        start(&fxl_by_tree, false, false, WORDS);
+        fxl_bsp_workspace *workspace = (fxl_bsp_workspace *)renderer.order_memory;
+        workspace->pieces = room;
+        workspace->pieces_size = sizeof room;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_render(&renderer, &eye, frame, WIDTH));
+        TEST_ASSERT_EQUAL_UINT32(1 - less, workspace->unsplit);
+        TEST_ASSERT_NOT_NULL(memchr(frame, SPRITE, sizeof frame));
     }
 }

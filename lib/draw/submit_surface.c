@@ -184,17 +184,15 @@ static const fxl_shader *beams_of(const fxl_surfaces *surfaces, const fxl_scene 
     return beams != NULL && beams->code->reaches(beams, scene, instance) ? beams : NULL;
 }
 
-/* The mapped face of a face; null: it has no surface. Picks, and targets other than the painter's,
- * draw faces in their own colours. */
+/* The mapped face of a face; null: it has no surface. The painter is the target's own: a frame with
+ * another does not begin (combination.c). */
 /* surfaces 6.2 */
 static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_face *face,
                                         const fxl_renderer *renderer)
 {
     const fxl_surface_set *set = surfaces->set;
     const uint32_t number = set->face_map[face - renderer->scene->faces];
-    return number == 0 || fxl_painted_target(renderer) != surfaces->painter->target
-               ? NULL
-               : &set->faces[number - 1];
+    return number == 0 ? NULL : &set->faces[number - 1];
 }
 
 const fxl_mapped_face *fxl_surfaces_take(const fxl_surfaces *surfaces,

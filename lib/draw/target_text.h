@@ -260,12 +260,6 @@ static fxl_outcome submit_polygons(const fxl_model_view *model_view, const fxl_f
                                      &polygon, false);
 }
 
-/* Whether the renderer draws into this target. A pick looks for a face in one of its own. */
-static bool is_drawn_into(const fxl_traversal *traversal)
-{
-    return traversal->renderer->target == &FXL_TARGET;
-}
-
 /* Whether a face gives at most one polygon, which is drawn into the band at once. */
 static bool draws_one_polygon(const fxl_traversal *traversal)
 {
@@ -319,9 +313,6 @@ static bool submit(const fxl_model_view *model_view, const fxl_face *face,
                    const fxl_traversal *traversal, const fxl_shader *shader)
 {
     (void)shader;
-    if (!is_drawn_into(traversal)) {
-        return fxl_submit_shaded_face(model_view, face, traversal);
-    }
     if (draws_one_polygon(traversal)) {
         return draw_face(model_view, face, traversal);
     }
@@ -335,9 +326,7 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     const fxl_traversal *traversal = pieces->traversal;
     fxl_model_view model_view;
     (void)shader;
-    if (!is_drawn_into(traversal)) {
-        return fxl_submit_piece(pieces, points, count, face->material);
-    }
+    (void)count;
     fxl_model_view_of_polygon(&model_view, points, &traversal->renderer->frame.view,
                               &traversal->workspace->cache);
     model_view.planes = pieces->planes;

@@ -7,13 +7,14 @@
 #include "clip_polygon.h"
 
 /* part / whole as a quotient of 2^30 to 2^32, times 2^-down; 0 < part, whole < 2^62. part is
- * shifted until its highest bit is at 2^62. whole is shifted until its highest bit is at 2^31,
- * and rounded there. Error: 2^-30 of the quotient. */
+ * shifted until its highest bit is at 2^62. whole is shifted until its highest bit is at 2^31.
+ * From its highest 1 to its lowest it has at most 32 bits, so it loses none: it is a component of a
+ * direction, of 30 bits, or width height, below 2^32, times a power of 2. Error: 2^-31 of the
+ * quotient. */
 static uint64_t scaled_quotient(uint64_t part, uint64_t whole, int *down)
 {
     unsigned part_up = 62u - fxl_bit_length(part), whole_up = 62u - fxl_bit_length(whole);
-    int64_t rounded = fxl_round_shift((int64_t)(whole << whole_up), 30);
-    uint32_t divisor = rounded > UINT32_MAX ? UINT32_MAX : (uint32_t)rounded;
+    uint32_t divisor = (uint32_t)(whole << whole_up >> 30);
     uint32_t rest;
     uint64_t quotient = fxl_divide_u64(part << (part_up + 1), divisor, &rest);
     *down = 31 + (int)part_up - (int)whole_up;
@@ -33,7 +34,7 @@ static factor factor_of(uint64_t part, uint64_t whole)
     factor of = {(uint32_t)1 << 31, 0};
     int down;
     uint64_t quotient = scaled_quotient(part, whole, &down);
-    if (part != whole && (quotient <= of.mantissa || down > 31)) {
+    if (part != whole) { /* where part is more than half of whole, down is 31 */
         bool large = quotient > of.mantissa;
         of.mantissa = (uint32_t)(large ? (quotient + 1) >> 1 : quotient);
         of.shift = (uint8_t)(down - 31 - large);

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT */
+/* The corners of a face on the screen, from what the clipper has left in the cache, or found anew. */
+#include "clip_views.h"
+#include "draw/surface_polygon.h"
+#include "polygon_face.h"
+
+enum {
+    ENTRIES = 8
+};
+
+static fxl_view view;
+static polygon_face face;
+static fxl_traversal traversal;
+static fxl_screen_corners expected, found;
+static const uint16_t corners[3] = {0, 1, 2};
+
+/* A quadrilateral before the eye, of which the face is the first triangle, as the clipper has left it. */
+static void make(void)
+{
+    static fxl_clipper_work work;
+    static fxl_screen_polygon screen;
+    static const int32_t places[4][2] = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
+    fxl_polygon polygon = {.count = 4, .colour = 1};
+    view = clip_random_view(64, 48);
+    for (uint32_t i = 0; i < 4; i++) {
+        polygon.vertices[i].position =
+            clip_place(&view, places[i][0] * Q16(0.5), places[i][1] * Q16(0.25), Q16(3));
+    }
+    polygon_face_set(&face, &polygon, &view, ENTRIES);
+    face.model_view.planes = FXL_PLANES_ALL;
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_by_view(&face.model_view, &face.face, &work, &screen));
+    face.face.count = 3;
+    traversal.clipper = &fxl_clipper_view;
+    for (uint32_t i = 0; i < 3; i++) {
+        expected.points[i] = screen.points[i];
+        expected.depths[i] = fxl_fetch_vertex(&face.model_view, i)->position.z;
+    }
+}
+
+void setUp(void)
+{
+    make();
+}
+
+void tearDown(void)
+{
+}
+
+static void expect_corners(const uint16_t *vertices, bool is_triangle)
+{
+    memset(&found, 0x5A, sizeof found);
+    TEST_ASSERT_TRUE(
+        fxl_find_screen_corners(&face.model_view, &face.face, vertices, &traversal, &found));
+    for (uint32_t i = 0; i < 3; i++) {
+        TEST_ASSERT_EQUAL_INT32(expected.points[i].x, found.points[i].x);
+        TEST_ASSERT_EQUAL_INT32(expected.points[i].y, found.points[i].y);
+        TEST_ASSERT_EQUAL_INT64(expected.depths[i], found.depths[i]);
+    }
+    TEST_ASSERT_EQUAL(is_triangle, found.is_triangle);
+}
+
+void test_a_vertex_that_the_cache_lost_is_found_anew(void)
+{
+    expect_corners(corners, true);
+    for (uint32_t i = 0; i < 3; i++) {
+        make();
+        face.seen[i].tag = 0;
+        expect_corners(corners, true);
+        expect_corners(corners, true);
+    }
+}
+
+/* The triangle is a part of the quadrilateral, whose box it has. */
+void test_a_part_has_the_box_of_the_whole_face(void)
+{
+    static uint16_t indices[7] = {0, 1, 2, 0, 1, 2, 3};
+    expect_corners(corners, true);
+    const int32_t width = found.width, height = found.height;
+    face.vertices[3] = clip_place(&view, Q16(1), -Q16(0.5), Q16(3)); /* far out, on the screen */
+    face.seen[3].tag = 0;
+    face.model_view.indices = indices;
+    face.face.whole_count = 4;
+    expect_corners(corners, false);
+    TEST_ASSERT_TRUE(found.width > width && found.height > height);
+}
+
+void test_corners_that_are_not_the_face_s_are_refused(void)
+{
+    static const uint16_t other[3][3] = {{0, 1, 3}, {0, 3, 2}, {3, 1, 2}};
+    for (uint32_t i = 0; i < 3; i++) {
+        TEST_ASSERT_FALSE(fxl_find_screen_corners(&face.model_view, &face.face, other[i], &traversal, &found));
+    }
+}
