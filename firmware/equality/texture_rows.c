@@ -164,31 +164,39 @@ static void compare_runs(const fxl_segment_face *face, const fxl_paint_row *row,
     equality_case(is_same() && same);
 }
 
-typedef void holes_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+typedef bool holes_kernel(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                           int32_t x1, const fxl_hole_depths *depths);
 
-/* Pixels that are left out keep their depth. Which they are is seen where the same is painted over
- * two backgrounds. */
+/* Pixels that are hidden or left out keep their depth. Which are left out is seen where the same is
+ * painted over two backgrounds. */
 static void compare_holes(const fxl_segment_face *face, fxl_paint_row *row, int32_t x0, int32_t x1,
                           holes_kernel *core, row_kernel *portable, uint32_t bytes)
 {
     uint16_t cells[COLUMNS + 2];
-    const fxl_hole_depths depths = {any_32(), cells + 1, any_32()};
+    const fxl_hole_depths depths = {any_32(), cells + 1, any_32(), any_32() >> 31};
+    uint16_t before[COLUMNS + 2];
+    const bool is_taken = fxl_segments_suffice(face, row, x0, x1);
     bool same = true;
     memset(by_portable[2], 0x5A, sizeof by_portable[2]);
-    for (uint32_t i = 0; i < 2; i++) {
+    for (uint32_t i = 0; i < 2 && is_taken; i++) {
         row->pixels = by_portable[1 + i] + 32;
         portable(face, row, x0, x1);
     }
     for (uint32_t i = 0; i < COLUMNS + 2; i++) {
-        cells[i] = (uint16_t)i;
+        const uint32_t code = depths.code + (i - 1u) * depths.step;
+        before[i] = cells[i] = (uint16_t)((any_32() >> 30 == 0 ? code : any_32()) >> 16);
     }
     row->pixels = by_core[1] + 32;
-    core(face, row, x0, x1, &depths);
+    same &= core(face, row, x0, x1, &depths) == !is_taken;
     for (uint32_t i = 0; i < COLUMNS + 2; i++) {
-        const uint32_t at = 32 + (i - 1u) * bytes;
+        const uint32_t at = 32 + (i - 1u) * bytes,
+                       code = (depths.code + (i - 1u) * depths.step) >> 16;
         const bool drawn = memcmp(by_portable[1] + at, by_portable[2] + at, bytes) == 0;
-        same &= cells[i] == (drawn ? (depths.code + (i - 1u) * depths.step) >> 16 : i);
+        const bool is_visible = code + depths.or_equal > before[i];
+        same &= cells[i] == (drawn && is_visible ? code : before[i]);
+        if (!is_visible) {
+            memset(by_portable[1] + at, 0xA5, bytes);
+        }
     }
     memset(by_portable[2], 0xA5, sizeof by_portable[2]);
     equality_case(is_same() && same);

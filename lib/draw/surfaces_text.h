@@ -167,6 +167,21 @@ typedef struct {
     const fxl_paint_row *row;
 } surface_row;
 
+/* Whether a pixel is visible, which is known but of runs that a kernel would have tested. */
+static inline bool is_seen(const surface_row *of, const void *cells, int32_t x, uint32_t code)
+{
+#if HAS_RUNS
+    const fxl_depth_rule rule = {false, of->depth->head->or_equal};
+    return of->depth->keeps != FXL_DEPTH_TESTED || fxl_depth_passes(cells, x, code, rule);
+#else
+    (void)of;
+    (void)cells;
+    (void)x;
+    (void)code;
+    return true;
+#endif
+}
+
 /* Pixels of a surface that has holes, of one segment of 16 columns: their depth is kept where they
  * are drawn. They are painted over two backgrounds: a pixel that is the same on both was drawn. */
 __attribute__((noinline)) /* what is painted twice would be on the stack of all rows */
@@ -184,7 +199,7 @@ paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cells, fxl_dept
     }
     for (int32_t x = x0; x < x1; x++, line.code += line.step) {
         const fxl_pixel colour = painted[0][x - first];
-        if (colour == painted[1][x - first]) {
+        if (colour == painted[1][x - first] && is_seen(of, cells, x, line.code)) {
             pixels[x] = colour;
             fxl_depth_keep(cells, x, line.code, FXL_TARGET_DEPTH_BITS == 32);
         }
@@ -193,19 +208,25 @@ paint_holes(const surface_row *of, int32_t x0, int32_t x1, void *cells, fxl_dept
 
 #if HAS_RUNS
 
-/* The same by a kernel. Returns false if none paints such pixels. Not inline: its record would be
- * on the stack of others. */
+/* Whether the pixels of a surface that has holes are tested and painted by a kernel. */
+static inline bool has_hole_kernel(const fxl_paint *paint, const fxl_segment_face *segments)
+{
+    return has_plain_rows(paint, segments) && FXL_TEXELS_HAVE_HOLES(segments->kind);
+}
+
+/* All pixels of a run by that kernel. Returns false if the face has none, or it does not take their
+ * weights. Not inline: its record would be on the stack of others. */
 static __attribute__((noinline)) bool paint_holes_at_once(const surface_row *of, int32_t x0,
                                                           int32_t x1, void *cells,
                                                           const fxl_depth_line *line)
 {
     const fxl_segment_face *segments = of->row->segments;
-    const fxl_hole_depths depths = {line->step, (uint16_t *)cells,
-                                    line->code - line->step * (uint32_t)x0};
-    if (!has_plain_rows(of->paint, segments) || !FXL_TEXELS_HAVE_HOLES(segments->kind) ||
-        !fxl_segments_suffice(segments, of->row, x0, x1)) {
+    if (of->depth->keeps != FXL_DEPTH_TESTED) {
         return false;
     }
+    const fxl_hole_depths depths = {line->step, (uint16_t *)cells,
+                                    line->code - line->step * (uint32_t)x0,
+                                    of->depth->head->or_equal};
     if (segments->kind == FXL_TEXELS_STIPPLED) { /* what is seen through holes is often a hole */
         const uint32_t pattern = segments->stipple >> (4u * ((uint32_t)of->row->y & 3u));
         while (x0 < x1 && (pattern >> (x0 & 3) & 1u) == 0) {
@@ -215,11 +236,17 @@ static __attribute__((noinline)) bool paint_holes_at_once(const surface_row *of,
             return true;
         }
     }
-    PAINT_HOLES(segments, of->row, x0, x1, &depths);
-    return true;
+    return !PAINT_HOLES(segments, of->row, x0, x1, &depths);
 }
 
 #else
+
+static inline bool has_hole_kernel(const fxl_paint *paint, const fxl_segment_face *segments)
+{
+    (void)paint;
+    (void)segments;
+    return false;
+}
 
 static inline bool paint_holes_at_once(const surface_row *of, int32_t x0, int32_t x1, void *cells,
                                        const fxl_depth_line *line)
@@ -239,7 +266,7 @@ static inline __attribute__((always_inline)) void
 paint_run(const void *with, int32_t x0, int32_t x1, void *cells, fxl_depth_line line)
 {
     const surface_row *of = (const surface_row *)with;
-    if (of->depth->keeps != FXL_DEPTH_KEEPS_DRAWN) {
+    if (of->depth->keeps < FXL_DEPTH_KEEPS_DRAWN) {
         PAINT_PIXELS(of->paint, of->row, x0, x1);
         return;
     }
@@ -511,6 +538,9 @@ static ROWS_APART bool paint_by_rows(const fxl_surfaces *surfaces, fxl_workspace
         depth.keeps = FXL_DEPTH_KEEPS_DRAWN;
     }
     const fxl_segment_face *segments = segments_of(&paint, &face);
+    if (depth.keeps == FXL_DEPTH_KEEPS_DRAWN && has_hole_kernel(&paint, segments)) {
+        depth.keeps = FXL_DEPTH_TESTED;
+    }
 #if HAS_RUNS
     if (depth.keeps == FXL_DEPTH_KEEPS_ALL && fxl_depth_rows_take(&depth)) {
         fxl_scan_outline(points, count, band, &workspace->work.scan);

@@ -5,6 +5,7 @@
 #ifndef FXL_DEPTH_ROW_H
 #define FXL_DEPTH_ROW_H
 
+#include "../math/family.h"
 #include "depth_cells.h"
 #include "depth_code.h"
 
@@ -35,8 +36,10 @@ FXL_STATIC_ASSERT(sizeof(fxl_depth_head) == 8, "FXL_DEPTH_BYTES");
 /* Of which visible pixels the depth is kept. */
 enum {
     FXL_DEPTH_KEEPS_ALL = 0,
-    FXL_DEPTH_KEEPS_DRAWN = 1, /* of a surface that has holes */
-    FXL_DEPTH_KEEPS_NONE = 2   /* of a blended one, so that what it covers can be seen through it */
+    FXL_DEPTH_KEEPS_NONE = 1,  /* of a blended one, so that what it covers can be seen through it */
+    FXL_DEPTH_KEEPS_DRAWN = 2, /* of a surface that has holes */
+    FXL_DEPTH_TESTED = 3 /* the same, and its painter tests each pixel itself: a run begins with
+                          * a visible pixel, and others may be hidden. Where it has kernels */
 };
 
 /* A polygon that is painted. */
@@ -58,6 +61,17 @@ FXL_INLINED void fxl_depth_paint_line(const fxl_depth_painting *of, void *cells,
                                       int32_t x1, fxl_depth_line line, fxl_depth_rule rule,
                                       fxl_run_painter *paint, const void *with)
 {
+#if FXL_KERNELS_ARMV7M && !FXL_IS_COMPACT
+    if (of->keeps == FXL_DEPTH_TESTED) {
+        if (!fxl_depth_passes(cells, x0, line.code, rule)) {
+            x0 = fxl_depth_hidden_end(cells, x0, x1, &line, rule);
+        }
+        if (x0 < x1) {
+            paint(with, x0, x1, cells, line);
+        }
+        return;
+    }
+#endif
     while (x0 < x1) {
         const fxl_depth_line from = line;
         const int32_t end = of->keeps == FXL_DEPTH_KEEPS_ALL

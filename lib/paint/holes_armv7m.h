@@ -7,9 +7,23 @@
 
 /* clang-format off */
 
-#define F_HOLES       F_PLAIN         /* the fxl_hole_depths; then the step of the codes */
-#define F_HOLES_STEP  (F_PLAIN + 4)
-#define F_HELD        28              /* bytes that are pushed */
+#define F_HOLES       F_PLAIN         /* a cell's address less that of its pixel, or less twice that; then the
+                                       * code of the pixel after that of address 0 */
+#define F_HOLES_STEP  F_KIND          /* of the codes; wide pixels have it in `table` */
+
+/* What paints pixels of a kind. */
+    .macro  hole_code code
+    adr     r4, \code + 1
+    .if     !WIDE
+    ldr     r6, [r0, #TABLE]
+    cmp     r6, #0
+    it      ne
+    adrne   r4, \code\()_tabled + 1
+    .endif
+    str     r4, [sp, #F_CODE]
+    str     r4, [sp, #F_FULL]
+    b       .Lrow_alone
+    .endm
 
     .type   HOLES, %function
     .thumb_func
@@ -20,68 +34,46 @@ HOLES:
     sub     sp, #F_SIZE
     adr     r4, .Lreturn + 1
     strd    r4, r1, [sp, #F_DONE]
-    ldr     r6, [sp, #(F_SIZE + 36)]
-    ldr     r7, [r6]
-    strd    r6, r7, [sp, #F_HOLES]
     bl      .Lprepare
+    ldr     r4, [sp, #(F_SIZE + 36)]
+    ldm     r4, {r7-r10}                /* step, cells, code, or_equal */
+    ldr     r5, [sp, #(F_COLUMN + 4)]
+    orr     r5, r5, r10, lsl #16        /* a shift is the lowest byte */
+    str     r5, [sp, #(F_COLUMN + 4)]
+    ldr     r4, [sp, #F_ROW]
+    ldrd    r5, r11, [r4, #PAINT_ROW_PIXELS] /* and y */
+    .if     WIDE
+    str     r7, [sp, #F_TABLE]
+    sub     r8, r8, r5
+    lsr     r5, r5, #1
+    .else
+    str     r7, [sp, #F_HOLES_STEP]
+    sub     r8, r8, r5, lsl #1
+    .endif
+    mls     r9, r7, r5, r9
+    add     r9, r9, r7
+    strd    r8, r9, [sp, #F_HOLES]
     ldrb    r4, [r0, #SEGMENT_FACE_KIND]
-    .if     !WIDE
-    ldr     r6, [r0, #TABLE]
-    cmp     r6, #0
-    bne     1f
-    .endif
     cmp     r4, #1
-    ite     eq
-    adreq   r4, .Lkeyed_hole + 1
-    adrne   r4, .Lstippled_hole + 1
-    .if     !WIDE
-    b       2f
-1:  cmp     r4, #1
-    ite     eq
-    adreq   r4, .Lkeyed_hole_tabled + 1
-    adrne   r4, .Lstippled_hole_tabled + 1
-2:
-    .endif
-    str     r4, [sp, #F_CODE]
-    str     r4, [sp, #F_FULL]
-    b       .Lrow_alone
+    beq     1f
+    mov     r6, r3
+    mov     r3, r11
+    ldr     r10, [sp, #F_OWN]
+    find_pattern
+    mov     r3, r6
+    rsb     r5, r5, #0
+    and     r5, r5, #3
+    lsr     r10, r10, r5                /* bit i: of addresses that are i, modulo 4 pixels */
+    str     r10, [sp, #F_OWN]
+    hole_code .Lstippled_hole
+1:  hole_code .Lkeyed_hole
 
-/* r12: the cell of the pixel before the four that are next, lr: the code of the first pixel. Wide
- * pixels have the step of codes in r6. */
-    .macro  begin_holes
-    push    {r7-r12, lr}
-    add     r11, pixels, #(16 << WIDE)
-    ldrd    r7, r8, [sp, #(F_COLUMN + F_HELD)]
-    ldr     r3, [sp, #(F_BEFORE + F_HELD)]
-    ldr     r9, [sp, #(F_SHORT + F_HELD)]
-    str     r9, [sp, #(F_BEFORE + F_HELD)]
-    bic     r9, r3, #3
-    add     pixels, pixels, r9, lsl #WIDE
-    and     r9, r3, #3
-    ldr     r3, [sp, #(F_ROW + F_HELD)]
-    ldr     r3, [r3, #PAINT_ROW_PIXELS]
-    sub     r3, pixels, r3
-    .if     WIDE
-    asrs    r3, r3, #1
-    .endif
-    ldr     r12, [sp, #(F_HOLES + F_HELD)]
-    ldm     r12, {r10, r12, lr}         /* step, cells, code */
-    add     r12, r12, r3, lsl #1
-    add     r3, r3, r9
-    adds    r3, r3, #1
-    mla     lr, r10, r3, lr
-    .if     WIDE
-    mov     r6, r10
-    .endif
-    .endm
-
-/* Goes to the first of four pixels that are not left out; r9: how many are. */
-    .macro  go_holes first, bytes
-    movs    r3, #\bytes
-    mul     r9, r9, r3
-    adr     r3, \first + 1
-    add     r3, r3, r9
-    bx      r3
+/* A pixel that is hidden takes 6 instructions. */
+    .macro  test_hole i
+    ldrh.w  r9, [r12, #(2 * \i)]
+    sub.w   r9, r9, r8, lsr #16         /* or_equal */
+    cmp.w   r9, lr, lsr #16
+    bge.n   1f
     .endm
 
     .macro  keep_hole tabled, i
@@ -103,25 +95,32 @@ HOLES:
     .endif
     .endm
 
-    .macro  end_holes first
-    adds    pixels, #(4 << WIDE)
-    adds    r12, #8
-    cmp     pixels, r11
-    bne     \first
-    pop     {r7-r12, lr}
-    ldr     pc, [sp, #F_NEXT]
+    .macro  begin_holes
+    begin_special 1
+    leave_special 1
+    ldrd    r12, lr, [sp, #(F_HOLES + F_HELD)]
+    .if     WIDE
+    add     r9, r3, pixels, lsr #1
+    add     r12, r12, pixels
+    mla     lr, r9, r6, lr
+    .else
+    ldr     r10, [sp, #(F_HOLES_STEP + F_HELD)]
+    add     r9, r3, pixels
+    add     r12, r12, pixels, lsl #1
+    mla     lr, r9, r10, lr
+    .endif
+    ldr     r10, [sp, #(F_OWN + F_HELD)]
     .endm
 
     .macro  keyed_hole label, tabled, bytes
     .align  2
 .Lkeyed_hole\label:
     begin_holes
-    ldr     r3, [sp, #(F_FACE + F_HELD)]
-    ldr     r10, [r3, #SEGMENT_FACE_LIGHT_MAX] /* the key */
-    go_holes .Lkeyed_hole_pixels\label, \bytes
+    go_special .Lkeyed_hole_pixels\label, \bytes
     .align  2
 .Lkeyed_hole_pixels\label:
     .irp i, 1, 2, 3, 4
+    test_hole \i
     find_special
     load_special
     cmp     r3, r10
@@ -130,39 +129,39 @@ HOLES:
 1:  next_hole
     .endr
     check_bytes .Lkeyed_hole_pixels\label, \bytes
-    end_holes .Lkeyed_hole_pixels\label
+    end_special 1, .Lkeyed_hole_pixels\label
     .endm
 
     .macro  stippled_hole label, tabled, bytes
     .align  2
 .Lstippled_hole\label:
     begin_holes
-    push    {r9}
-    find_pattern (F_HELD + 4)
-    pop     {r9}
-    go_holes .Lstippled_hole_pixels\label, \bytes
+    ubfx    r9, pixels, #WIDE, #2
+    lsr     r10, r10, r9
+    go_special .Lstippled_hole_pixels\label, \bytes
     .align  2
 .Lstippled_hole_pixels\label:
     .irp i, 1, 2, 3, 4
     tst     r10, #(1 << (\i & 3))
     beq.n   1f
+    test_hole \i
     find_special
     load_special
     keep_hole \tabled, \i
 1:  next_hole
     .endr
     check_bytes .Lstippled_hole_pixels\label, \bytes
-    end_holes .Lstippled_hole_pixels\label
+    end_special 1, .Lstippled_hole_pixels\label
     .endm
 
     .if     WIDE
-    keyed_hole , 0, 36
-    stippled_hole , 0, 38
+    keyed_hole , 0, 50
+    stippled_hole , 0, 52
     .else
-    keyed_hole , 0, 40
-    stippled_hole , 0, 42
-    keyed_hole _tabled, 1, 44
-    stippled_hole _tabled, 1, 46
+    keyed_hole , 0, 54
+    stippled_hole , 0, 56
+    keyed_hole _tabled, 1, 58
+    stippled_hole _tabled, 1, 60
     .endif
 
 /* clang-format on */

@@ -250,7 +250,7 @@
     adr     r4, .Lkept + 1
     str     r4, [sp, #F_BEGIN]
     add     r4, sp, #F_SAVED
-    stm     r4, {r6-r12, lr}
+    stm     r4, {r7-r12, lr}
     mov     r10, w_low
     mov     r11, w
     ldrd    r6, r7, [r0, #SEGMENT_FACE_WEIGHT_STEP]
@@ -272,7 +272,7 @@
     ldr     r3, [sp, #F_FIRST]
     str     r3, [sp, #F_BEGIN]
     add     r3, sp, #F_SAVED
-    ldm     r3, {r6-r12, lr}
+    ldm     r3, {r7-r12, lr}
     ldr     pc, [sp, #F_RESUME]
 
 /* clang-format on */

@@ -50,16 +50,18 @@ bool fxl_paint_lit_runs(fxl_plain_runs *runs);
  * modulo 2^32. A cell has its upper half. */
 typedef struct {
     uint32_t step;
-    uint16_t *cells; /* of column 0 */
-    uint32_t code;   /* of column 0 */
+    uint16_t *cells;   /* of column 0 */
+    uint32_t code;     /* of column 0 */
+    uint32_t or_equal; /* 1: what is as near as the cell is visible too; else 0 */
 } fxl_hole_depths;
 
-/* fxl_paint_segments of texels that are keyed or stippled. It keeps the depths of the pixels that
- * are drawn. Requires a row and weights that fxl_segments_suffice takes. Only Armv7-M has it, where
- * its code is not compiled for size. */
-void fxl_paint_holes(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1,
+/* fxl_paint_segments of texels that are keyed or stippled, of the pixels that are visible: whose
+ * code / 2^16, rounded down, is above their cell. It keeps that of those that are drawn. Returns
+ * true if the kernel does not take the row's weights: then nothing is painted. Only Armv7-M has it,
+ * where its code is not compiled for size. */
+bool fxl_paint_holes(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0, int32_t x1,
                      const fxl_hole_depths *depths);
-void fxl_paint_holes_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
+bool fxl_paint_holes_565(const fxl_segment_face *face, const fxl_paint_row *row, int32_t x0,
                          int32_t x1, const fxl_hole_depths *depths);
 
 /* A sum below the last row may be beyond what is bounded: then it wraps. */

@@ -46,12 +46,13 @@
 #define F_X_END    120
 #define F_BEGIN    124 /* finds the registers from w_low on at the beginning of a run */
 #define F_FIRST    128 /* the same, of the first run of a row */
-#define F_SAVED    132 /* the registers from w_low on */
+#define F_OWN      132 /* of keyed and stippled texels: the key, or the pattern */
+#define F_SAVED    136 /* the registers from w on */
 #define F_KIND     164 /* what takes a row of the face */
 #define F_PLAIN    168 /* of a clamped face: F_CODE of a plain one */
 #define F_SIZE     176
 
-#define F_OF_16    F_SAVED /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
+#define F_OF_16    F_OWN /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
 
 /* The frame of rows of constant weight has in the places of the steps and of F_BEGIN: */
 #define F_STEPS    0  /* the step of a pixel and the reciprocal; those of 16 pixels of u, and what it is more
@@ -288,6 +289,8 @@ RUNS:
 
 /* Texels of another kind, r6: code that takes any size. r7: the table. */
 .Lprepare_special:
+    ldr     r1, [r0, #SEGMENT_FACE_LIGHT_MAX] /* the key, or the pattern */
+    str     r1, [sp, #F_OWN]
     cmp     r6, #2
     beq     1f
     bhi     2f

@@ -8,24 +8,36 @@
 
 /* Four pixels are painted a turn, and the first turn begins within the four. r7, r8: how far a
  * position is shifted to the column and to the row; r9: free; r10: the kind's own; r11: where
- * `pixels` ends. */
+ * `pixels` ends. deep: 1 where depths are kept (holes_armv7m.h): there r12 is the address of the cell
+ * before the four that are next, and lr the code of the next pixel. */
 #define F_PUSHED   20
+#define F_HELD     28                   /* the same, deep */
 
-    .macro  begin_special
+    .macro  begin_special deep
+    .if     \deep
+    push    {r7-r12, lr}
+    .else
     push    {r7-r11}
+    .endif
     add     r11, pixels, #(16 << WIDE)
-    ldrd    r7, r8, [sp, #(F_COLUMN + F_PUSHED)]
+    ldrd    r7, r8, [sp, #(F_COLUMN + F_PUSHED + 8 * \deep)]
     .endm
 
-/* Leaves out F_BEFORE pixels of 16, of so many bytes of code each, from \first on. */
-    .macro  go_special first, bytes
-    ldr     r3, [sp, #(F_BEFORE + F_PUSHED)]
-    cbz     r3, \first
-    ldr     r9, [sp, #(F_SHORT + F_PUSHED)]
-    str     r9, [sp, #(F_BEFORE + F_PUSHED)]
+/* Leaves out F_BEFORE pixels of 16: `pixels` goes on by fours, and r3 are the rest of them. */
+    .macro  leave_special deep
+    ldr     r3, [sp, #(F_BEFORE + F_PUSHED + 8 * \deep)]
+    cbz     r3, 1f
+    ldr     r9, [sp, #(F_SHORT + F_PUSHED + 8 * \deep)]
+    str     r9, [sp, #(F_BEFORE + F_PUSHED + 8 * \deep)]
     bic     r9, r3, #3
     add     pixels, pixels, r9, lsl #WIDE
     and     r3, r3, #3
+1:
+    .endm
+
+/* Goes to the first of four pixels that is not left out, each of so many bytes of code. */
+    .macro  go_special first, bytes
+    cbz     r3, \first
     movs    r9, #\bytes
     mul     r3, r3, r9
     adr     r9, \first + 1
@@ -33,11 +45,18 @@
     bx      r3
     .endm
 
-    .macro  end_special first
+    .macro  end_special deep, first
     adds    pixels, #(4 << WIDE)
+    .if     \deep
+    adds    r12, #8
+    .endif
     cmp     pixels, r11
     bne     \first
+    .if     \deep
+    pop     {r7-r12, lr}
+    .else
     pop     {r7-r11}
+    .endif
     ldr     pc, [sp, #F_NEXT]
     .endm
 
@@ -96,9 +115,9 @@
     .macro  keyed label, tabled, bytes
     .align  2
 .Lkeyed\label:
-    begin_special
-    ldr     r3, [sp, #(F_FACE + F_PUSHED)]
-    ldr     r10, [r3, #SEGMENT_FACE_LIGHT_MAX] /* the key */
+    begin_special 0
+    ldr     r10, [sp, #(F_OWN + F_PUSHED)]
+    leave_special 0
     go_special .Lkeyed_pixels\label, \bytes
     .align  2
 .Lkeyed_pixels\label:
@@ -113,31 +132,32 @@
     store_special_if ne, \i
     .endr
     check_bytes .Lkeyed_pixels\label, \bytes
-    end_special .Lkeyed_pixels\label
+    end_special 0, .Lkeyed_pixels\label
     .endm
 
-/* r10: whether the pixel 4 n + i of the 16 is drawn, in bit i. */
-    .macro  find_pattern pushed
-    ldr     r3, [sp, #(F_ROW + \pushed)]
-    ldrd    r9, r10, [r3, #PAINT_ROW_PIXELS] /* and y */
-    sub     r9, pixels, r9
-    ubfx    r9, r9, #WIDE, #2
-    and     r10, r10, #3
-    lsl     r10, r10, #2
-    ldr     r3, [sp, #(F_FACE + \pushed)]
-    ldr     r3, [r3, #SEGMENT_FACE_LIGHT_MAX] /* the pattern */
-    lsr     r3, r3, r10
-    and     r3, r3, #15
-    orr     r3, r3, r3, lsl #4
-    lsr     r10, r3, r9
+/* The pattern of four columns of a row, many times. r10: that of the face, r3: y. */
+    .macro  find_pattern
+    and     r3, r3, #3
+    lsl     r3, r3, #2
+    lsr     r10, r10, r3
+    and     r10, r10, #15
+    orr     r10, r10, r10, lsl #4
+    orr     r10, r10, r10, lsl #8
     .endm
 
 /* A pixel that is not drawn takes 3 instructions. */
     .macro  stippled label, tabled, bytes
     .align  2
 .Lstippled\label:
-    begin_special
-    find_pattern F_PUSHED
+    begin_special 0
+    ldr     r3, [sp, #(F_ROW + F_PUSHED)]
+    ldrd    r9, r3, [r3, #PAINT_ROW_PIXELS] /* and y */
+    ldr     r10, [sp, #(F_OWN + F_PUSHED)]
+    find_pattern
+    sub     r9, pixels, r9
+    ubfx    r9, r9, #WIDE, #2
+    lsr     r10, r10, r9                /* bit i: whether the pixel 4 n + i of the 16 is drawn */
+    leave_special 0
     go_special .Lstippled_pixels\label, \bytes
     .align  2
 .Lstippled_pixels\label:
@@ -153,7 +173,7 @@
 1:  add     p, step
     .endr
     check_bytes .Lstippled_pixels\label, \bytes
-    end_special .Lstippled_pixels\label
+    end_special 0, .Lstippled_pixels\label
     .endm
 
     keyed   , 0, 26
@@ -166,7 +186,8 @@
 /* Texels of 4 bits. table: what each of the 16 becomes. A texture of any size: */
     .align  2
 .Lfour_bits:
-    begin_special
+    begin_special 0
+    leave_special 0
     go_special .Lfour_bits_pixels, 38
     .align  2
 .Lfour_bits_pixels:
@@ -182,7 +203,7 @@
     add     p, step
     .endr
     check_bytes .Lfour_bits_pixels, 38
-    end_special .Lfour_bits_pixels
+    end_special 0, .Lfour_bits_pixels
 
 /* A texture of 2^log columns that is no higher. mask: half of the mask of rows; r7: how far a byte is
  * shifted to the texel, r8: 4; r9: where `pixels` ends. */
