@@ -94,7 +94,6 @@
 1:  rsb     r9, r5, #15
     mla     r8, r3, r9, r1
     mla     r9, r4, r9, r2
-.Lclamped_look:
     orr     r10, r1, r8
     orr     r11, r2, r9
     orr     r10, r10, r11
@@ -160,18 +159,6 @@
     .endr
     adds    pixels, #(16 << WIDE)
     ldr     pc, [sp, #F_NEXT]
-
-/* The pixel is divided. */
-.Lclamped_each:
-    push    {r7-r11}
-    ldr     r5, [sp, #(F_BEFORE + F_PUSHED)]
-    asr     r1, u_0, #4
-    asr     r2, v_0, #4
-    movs    r3, #0
-    movs    r4, #0
-    mov     r8, r1
-    mov     r9, r2
-    b       .Lclamped_look
 
 .Lclamped_beyond:
     hold_within r1, r8, r3

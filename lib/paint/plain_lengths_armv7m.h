@@ -125,16 +125,19 @@
     str     r11, [sp, #F_V_HIGH]
     movs    r6, #(16 - (1 << \log))
     strd    r6, r6, [sp, #F_SHORT]
+    ldrb    r9, [r0, #SEGMENT_FACE_KIND]
     ldrd    r7, r8, [sp, #F_CODE]
-    mla     r7, r6, r8, r7
-    ldrb    r8, [r0, #SEGMENT_FACE_KIND]
-    cmp     r8, #4
+    cmp     r9, #4
     .if     \log == 0
     it      eq
-    adreq   r7, .Lclamped_each + 1
+    ldrdeq  r7, r8, [sp, #F_PLAIN]
+    mla     r7, r6, r8, r7
+    ite     eq
+    adreq   r9, .Lclamped_each + 1
+    adrne   r9, \resume + 1
     adr     r8, .Lsegment_\log + 1
-    adr     r9, \resume + 1
     .else
+    mla     r7, r6, r8, r7
     ittee   eq
     adreq   r8, .Lclamped_segment_\log + 1
     adreq   r9, .Lclamped_resume_\log + 1

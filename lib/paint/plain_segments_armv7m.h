@@ -127,7 +127,12 @@
     clamped_segments 3
     clamped_segments 2
 
-/* Each pixel divided: U and V at a pixel. */
+/* Each pixel divided: U and V at a pixel; of a texture that does not repeat, held within it. */
+    .align  2
+.Lclamped_each:
+    usat    p, #16, v_0, asr #4
+    usat    r3, #16, u_0, asr #4
+    b       .Leach_texel
     .align  2
 .Lsegment_0:
     ldr     r3, [sp, #F_LAST]
@@ -145,10 +150,12 @@
     asr     u_0, u_0, r4
     smull   r1, v_0, v, r3
     asr     v_0, v_0, r5
+    ldr     pc, [sp, #F_RESUME]
     .align  2
 .Leach:
     ubfx    p, v_0, #4, #16
     lsr     r3, u_0, #4
+.Leach_texel:
     add     p, p, r3, lsl #16
     subs    pixels, #(15 << WIDE)
     add     r3, sp, #F_TEXELS
