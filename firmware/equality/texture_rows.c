@@ -405,6 +405,42 @@ static void weights(void)
     }
 }
 
+/* A coordinate that begins within a texture, whose size is `bound` in the upper word, and ends
+ * there or near it. */
+static int64_t choose_within(int32_t bound, int64_t *step)
+{
+    const uint32_t size = (uint32_t)bound;
+    const int64_t at = (int64_t)(any_32() % size) << 32 | any_32();
+    const int64_t end =
+        ((int64_t)(any_32() % (size + size / 8u)) - bound / 16) * ((int64_t)1 << 32);
+    *step = (end - at) / (int64_t)COLUMNS * 16;
+    return at;
+}
+
+/* A texture that does not repeat, on rows of constant weight that mostly lie within it. */
+static void rows_within(int32_t x0, int32_t x1)
+{
+    fxl_segment_face face;
+    fxl_paint_row row;
+    const uint32_t log = 5u + (any_32() >> 5) % 4u;
+    const int32_t weight = (int32_t)(any_32() >> 3 | 1u << 26);
+    const int64_t all = (int64_t)weight << 32 | any_32();
+    const int32_t u_down = (int32_t)((any_32() >> 8) % 7u),
+                  v_down = (int32_t)((any_32() >> 8) % 7u);
+    choose_texture(&face, log, log);
+    choose_weights(&face, &row, all, all);
+    choose_drops(&face, 10, 1);
+    face.u_drop -= u_down;
+    face.v_drop -= v_down;
+    face.drop_min = 4;
+    choose_light(&face, &row, 0);
+    choose_least(&face, &row, 1u << 20);
+    face.table = any_32() >> 15 & 1u ? ramp : NULL;
+    row.attributes[FXL_ATTRIBUTE_U] = choose_within(weight >> u_down, &face.u_step);
+    row.attributes[FXL_ATTRIBUTE_V] = choose_within(weight >> v_down, &face.v_step);
+    compare_clamped(&face, &row, x0, x1);
+}
+
 void test_texture_rows(uint32_t rounds)
 {
     for (uint32_t i = 0; i < sizeof texels; i++) {
@@ -434,5 +470,6 @@ void test_texture_rows(uint32_t rounds)
         choose_light(&face, &row, (any_32() >> 5) % 3u == 0 ? 0 : (any_32() >> 5) % (LEVELS + 1u));
         choose_least(&face, &row, 1u << least);
         compare(&face, &row, x0, x0 + 1 + (int32_t)((any_32() >> 7) % 63u));
+        rows_within(x0, x0 + 1 + (int32_t)((any_32() >> 7) % 63u));
     }
 }

@@ -52,6 +52,13 @@
 #define F_PLAIN    168 /* of a clamped face: F_CODE of a plain one */
 #define F_SIZE     176
 
+/* A clamped face of constant weight: the weight for which it has the others; of u and v the least
+ * upper word within the texture, and how many are; their changes a column. */
+#define F_WITHIN     F_OWN
+#define F_RECIPROCAL 160 /* of the weight */
+#define F_DROPS      F_COLUMN /* of a row within: less the weight's leading zeros */
+#define LOG_WITHIN   5 /* F_LOG: 16 columns, and all pixels of the row are within the texture */
+
 #define F_OF_16    F_OWN /* of texels of 4 bits: what each becomes. Such a face saves no registers. */
 
 /* The frame of rows of constant weight has in the places of the steps and of F_BEGIN: */
@@ -353,15 +360,21 @@ RUNS:
     movs    r5, #0
     strd    r4, r5, [sp, #F_CODE]
     str     r4, [sp, #F_LOG]
+    str     r5, [sp, #F_WITHIN]         /* no weight */
     adr     r5, .Lbegin + 1
     strd    r5, r5, [sp, #F_BEGIN]
+    ldrd    r4, r6, [r0, #SEGMENT_FACE_WEIGHT_STEP]
     adr     r5, .Lface_weights + 1
+    orrs    r4, r4, r6
+    it      eq
+    adreq   r5, .Lclamped_row + 1
     str     r5, [sp, #F_KIND]
     movs    r1, #0
     bx      lr
 
 #include "plain_lengths_armv7m.h"
 #include "plain_segments_armv7m.h"
+#include "clamped_rows_armv7m.h"
 #include "plain_lines_armv7m.h"
 
 /* --- pixels ----------------------------------------------------------------------------------- */

@@ -7,9 +7,14 @@
 /* clang-format off */
 
 /* The position and the step of a segment of 2^log columns. r2: U, r4: V at its end. Goes on to its
- * pixels. */
-    .macro  paint_between log
+ * pixels. Where v is not repeated, a position beyond the texture takes its carry away from u: so u is
+ * right at the pixels that are within. */
+    .macro  paint_between log, repeats=1
+    .if     \repeats
     ubfx    p, v_0, #4, #16
+    .else
+    asr     p, v_0, #4
+    .endif
     lsr     r3, u_0, #4
     add     p, p, r3, lsl #16
     sub     r3, r2, u_0
@@ -19,7 +24,11 @@
     adds    r3, #(8 << \log)
     adds    r5, #(8 << \log)
     asrs    r3, r3, #(4 + \log)
+    .if     \repeats
     sbfx    r5, r5, #(4 + \log), #16
+    .else
+    asrs    r5, r5, #(4 + \log)
+    .endif
     add     step, r5, r3, lsl #16
     .if     \log < 4
     subs    pixels, #((16 - (1 << \log)) << WIDE)
