@@ -100,21 +100,21 @@ void enumerate_blend(void)
     }
 }
 
-void enumerate_add(void)
+/* It masks both colours by the channel, so these are all its inputs. */
+void enumerate_add_channel(void)
 {
-    for (uint32_t a = 0; a < 1u << 16; a++) {
-        for (uint32_t b = 0; b < 1u << 16; b++) {
-            uint32_t wanted = 0;
-            for (uint32_t i = 0; i < 3; i++) {
-                const uint32_t sum = (a & channels[i]) + (b & channels[i]);
-                wanted |= sum < channels[i] ? sum : channels[i];
+    for (uint32_t i = 0; i < 3; i++) {
+        const uint32_t channel = channels[i], unit = lowest(channel);
+        for (uint32_t a = 0; a <= channel; a += unit) {
+            for (uint32_t b = 0; b <= channel; b += unit) {
+                const uint32_t wanted = a + b < channel ? a + b : channel;
+                TRY(a, fxl_add_channel_565(a, b, channel) == wanted);
             }
-            TRY(a << 16 | b, fxl_add_565(a, b) == wanted);
         }
     }
 }
 
-/* It masks both colours by the channel, so these are all its inputs. */
+/* So does it. */
 void enumerate_mix_channel(void)
 {
     for (uint32_t i = 0; i < 3; i++) {
