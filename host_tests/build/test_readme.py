@@ -115,6 +115,19 @@ def test_a_lopsided_window_is_a_lens_for_a_renderer():
     assert "lopsided" not in README.split("## What Fixel does not do", 1)[1]
 
 
+def test_each_claim_is_proved_or_measured_and_names_what_shows_it():
+    section = README.split("\n## What shows it\n", 1)[1].split("\n## ", 1)[0]
+    rows = [line.strip("| ").split(" | ") for line in section.splitlines() if line.startswith("| ")][2:]
+    claims = set(re.findall(r"`([a-z_0-9]+)`", (ROOT / "docs/accuracy.md").read_text(encoding="utf-8").split("## 3. ")[1].split("**3.2")[0]))
+    commands = set(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+    assert len(rows) > 15
+    for claim, how, shown in rows:
+        assert re.match(r"(proved|measured)\b", how), claim
+        named = re.findall(r"`(?:make )?([a-z_0-9]+)[^`]*`", shown)
+        assert named or "](" in shown, claim
+        assert set(named) <= claims | commands, (claim, named)
+
+
 def test_files_named_exist():
     for target in re.findall(r"\]\(([^)#]+)\)", README):
         assert (ROOT / target).exists(), target
