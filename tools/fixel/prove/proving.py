@@ -134,9 +134,11 @@ def _print(results, shown, wrong):
                   for room in rooms]
         counts.append(["all", *(sum(column) for column in list(zip(*counts))[1:])])
         print(table(counts, ["functions of", *states, "external proved"]))
-    seconds = sum(result["seconds"] for result in results)
-    print(f"{len(results) - len(bad)} of {len(results)} rows proved, {sum(result['checks'] for result in results):,} checks, "
-          f"{seconds:.0f} s of CPU time when they were computed")
+    tools = {tool: [result for result in results if result["tool"] == tool] for tool in records.TOOLS}
+    print(table([[tool, len(some), sum(each["state"] == "proved" for each in some), f"{sum(each['checks'] for each in some):,}",
+                  f"{sum(each['seconds'] for each in some):.0f}"] for tool, some in tools.items() if some],
+                ["tool", "rows", "proved", "checks, or inputs", "CPU seconds"]))
+    print(f"{len(results) - len(bad)} of {len(results)} rows proved; the seconds are those when they were computed")
 
 
 def command(options):
