@@ -50,6 +50,14 @@ def random_frames(count, height=24, width=32, seed=1):
     return [generator.integers(0, 256, (height, width), dtype=numpy.uint8) for _ in range(count)]
 
 
+def write_files(root, files):
+    """A small checkout: {path: text} below a folder, with the folders that they need."""
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
 def environment(**changes):
     """The environment of a user's own command, not of one under make test."""
     kept = {name: value for name, value in os.environ.items()

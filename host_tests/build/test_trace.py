@@ -6,7 +6,7 @@ import re
 import types
 
 import pytest
-from conftest import CHECKOUT, run_cli, run_make
+from conftest import CHECKOUT, run_cli, run_make, write_files
 
 from fixel.base.errors import ToolError
 from fixel.check import bugs, clauses, tags, trace, trace_break
@@ -64,15 +64,9 @@ PAGES = {"SPEC", "beams"}
 @pytest.fixture
 def root(tmp_path):
     """A checkout of three clauses with their code and tests."""
-    for folder in ("docs/extras", "lib", "host_tests/unit", "host_tests/build/seeded_bugs", "host_tests/build/trace"):
-        (tmp_path / folder).mkdir(parents=True)
-    (tmp_path / "SPEC.md").write_text(SPEC)
-    (tmp_path / "docs/extras/beams.md").write_text("**2.1** A beam is straight.\n")
-    (tmp_path / "lib/a.c").write_text(CODE)
-    (tmp_path / "host_tests/unit/test_a.c").write_text(TEST)
-    (tmp_path / "host_tests/build/test_b.py").write_text(PYTEST)
-    (tmp_path / bugs.BUGS).write_text(BUG % "SPEC 1.1")
-    (tmp_path / clauses.RECORD).write_text(clauses.record_text(clauses.read(tmp_path)))
+    write_files(tmp_path, {"SPEC.md": SPEC, "docs/extras/beams.md": "**2.1** A beam is straight.\n", "lib/a.c": CODE,
+                           "host_tests/unit/test_a.c": TEST, "host_tests/build/test_b.py": PYTEST, bugs.BUGS: BUG % "SPEC 1.1"})
+    write_files(tmp_path, {clauses.RECORD: clauses.record_text(clauses.read(tmp_path))})
     return tmp_path
 
 
@@ -201,18 +195,6 @@ def test_accept_takes_new_clauses_and_other_words(root, capsys):
     change(root, "SPEC.md", "A sum is", "The sum is")
     change(root, "SPEC.md", "# Page", "# Page\n\n**1.4** (informative) New.")
     assert traced(root, capsys, "--accept")[0] == 0
-    assert traced(root, capsys)[0] == 0
-
-
-def test_a_clause_that_waits_may_be_without_tags_until_it_has_them(root, capsys):
-    (root / trace.UNTAGGED).write_text("# head\nbeams 2.1: code, test\n")
-    _, _, wrong = traced(root, capsys)
-    assert len(wrong) == 1 and "beams 2.1 waits for code and test no more: take its line out" in wrong[0]
-    change(root, "host_tests/build/test_b.py", "beams 2.1", "")
-    _, _, wrong = traced(root, capsys)
-    assert len(wrong) == 1 and "beams 2.1 waits for code no more: leave 'beams 2.1: test'" in wrong[0]
-    assert traced(root, capsys, "--accept")[0] == 0
-    assert (root / trace.UNTAGGED).read_text() == "# head\nbeams 2.1: test\n"
     assert traced(root, capsys)[0] == 0
 
 

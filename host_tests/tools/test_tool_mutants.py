@@ -6,7 +6,7 @@ import sys
 import types
 
 import pytest
-from conftest import CHECKOUT
+from conftest import CHECKOUT, write_files
 
 from fixel.base.errors import ToolError
 from fixel.check import killers, lines, mutants, mutate_python, survivors, tool_mutants
@@ -120,8 +120,7 @@ class Recorder:
 
     def __init__(self, folder):
         self.folder, self.asked = folder, []
-        (folder / "tools/fixel").mkdir(parents=True)
-        (folder / "tools/fixel/a.py").write_text("def f():\n    pass\n    pass\n", encoding="utf-8")
+        write_files(folder, {"tools/fixel/a.py": "def f():\n    pass\n    pass\n"})
         (folder / "host_tests").symlink_to(folder.parent / "host_tests")
 
     def run(self, tests, cpu, lines, enough):
@@ -171,10 +170,7 @@ class Slow:
 
     def __init__(self, folder, text):
         self.folder, self.asked = folder, []
-        for name in ("tools/fixel", "host_tests"):
-            (folder / name).mkdir(parents=True)
-        (folder / "tools/fixel/a.py").write_text("def f():\n    pass\n", encoding="utf-8")
-        (folder / "host_tests/test_a.py").write_text(text, encoding="utf-8")
+        write_files(folder, {"tools/fixel/a.py": "def f():\n    pass\n", "host_tests/test_a.py": text})
 
     def run(self, tests, cpu, lines, enough):
         self.asked.append([test.partition("::")[2] for test in tests])
@@ -343,14 +339,9 @@ def campaign(tmp_path_factory):
     """[(mutant, result)] of some mutants of a small tool."""
     folder = tmp_path_factory.mktemp("campaign")
     checkout, mark = folder / "checkout", folder / "mark"
-    for room in ("tools/fixel", "host_tests/tools"):
-        (checkout / room).mkdir(parents=True)
-    (checkout / "tools/fixel/__init__.py").touch()
+    write_files(checkout, {"tools/fixel/__init__.py": "", WHERE: TOOL, "host_tests/pytest.ini": "[pytest]\n",
+                           "host_tests/conftest.py": CONFTEST, "host_tests/tools/test_a.py": TESTS % {"mark": str(mark)}})
     (checkout / ".venv").symlink_to(sys.prefix)
-    (checkout / WHERE).write_text(TOOL, encoding="utf-8")
-    (checkout / "host_tests/pytest.ini").write_text("[pytest]\n", encoding="utf-8")
-    (checkout / "host_tests/conftest.py").write_text(CONFTEST, encoding="utf-8")
-    (checkout / "host_tests/tools/test_a.py").write_text(TESTS % {"mark": str(mark)}, encoding="utf-8")
     part = tool_mutants.Tools(argparse.Namespace(enough=5.0, jobs=1), folder / "build", checkout)
     trees = part.prepare()
     mark.touch()

@@ -27,7 +27,6 @@ from fixel.check import bugs, clauses, mutants, survivors, tags, trace_break
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = pathlib.Path("host_tests/build/trace")
-UNTAGGED = FOLDER / "untagged.txt"
 UNBROKEN = FOLDER / "unbroken.toml"
 SURVIVORS = "host_tests/build/survivors.toml"
 KINDS = ("code", "test")
@@ -77,39 +76,13 @@ def unknown(found, code, tests, seeded):
     return wrong
 
 
-def waiting(root, rows):
-    """({id: kinds} of clauses that may still be without tags, sentences on entries that have to go)."""
-    path = pathlib.Path(root) / UNTAGGED
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    entries = dict(line.split(": ", 1) for line in text.splitlines() if line and not line.startswith("#"))
-    allowed = {id_: kinds.split(", ") for id_, kinds in entries.items()}
-    wrong = []
-    for id_, kinds in allowed.items():
-        done = [kind for kind in kinds if id_ not in rows or kind not in lacks(rows[id_])]
-        if done:
-            left = [kind for kind in kinds if kind not in done]
-            wrong.append(f"{UNTAGGED}: {id_} waits for {' and '.join(done)} no more: "
-                         + (f"leave '{id_}: {', '.join(left)}'" if left else "take its line out"))
-    return allowed, wrong
-
-
-def missing(rows, allowed):
-    """Sentences on clauses without code or test that the list of those that wait does not have."""
+def missing(rows):
+    """Sentences on clauses without code or test."""
     how = {"code": "put /* {} */ above the function or block that does what it says",
            "test": "put /* {} */ above the test that fails when it is broken (pytest: the id into the docstring)"}
     return [f"{row['clause'].file}:{row['clause'].line}: {id_} has no {kind}: {how[kind].format(id_)}, or mark the clause "
             "(informative) if it demands nothing"
-            for id_, row in rows.items() for kind in lacks(row) if kind not in allowed.get(id_, [])]
-
-
-def shrink(root, rows):
-    """Takes out of the list of those that wait what waits no more."""
-    path = pathlib.Path(root) / UNTAGGED
-    if path.exists():
-        allowed, _ = waiting(root, rows)
-        left = {id_: [kind for kind in kinds if id_ in rows and kind in lacks(rows[id_])] for id_, kinds in allowed.items()}
-        head = [line for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("#")]
-        output.write_file(path, "\n".join([*head, *(f"{id_}: {', '.join(kinds)}" for id_, kinds in left.items() if kinds)]) + "\n")
+            for id_, row in rows.items() for kind in lacks(row)]
 
 
 def unbroken(root, rows):
@@ -254,11 +227,9 @@ def main(argv):
         if moved:
             raise ToolError(f"{clauses.RECORD}: not changed: {len(moved)} clauses have other numbers", 1, words="\n".join(moved))
         output.write_file(pathlib.Path(options.root) / clauses.RECORD, clauses.record_text(found))
-        shrink(options.root, rows)
-    allowed, stale = waiting(options.root, rows)
     reasons, unreasoned = unbroken(options.root, rows)
     wrong = [*clauses.differences(found, clauses.recorded(options.root)), *unknown(found, code, tests, seeded),
-             *missing(rows, allowed), *stale, *unreasoned]
+             *missing(rows), *unreasoned]
     here = {id_: row for id_, row in rows.items() if options.only in id_}
     if not here:
         raise ToolError(f"no clause has '{options.only}' in its id; ids are such as 'SPEC 4.5' and 'beams 2.2'")
