@@ -49,13 +49,14 @@ static uint32_t words_beside(const fxl_surface_polygon *polygon)
     return words + (polygon->has_depth ? UNIT_WORDS + GRADIENT_WORDS : 0);
 }
 
-static uint32_t *put(uint32_t *to, const void *from, uint32_t words)
+/* In place, so that the compiler copies words: a call takes longer than what it copies. */
+FXL_ONCE uint32_t *put(uint32_t *to, const void *from, uint32_t words)
 {
-    memcpy(to, from, words * sizeof *to);
+    __builtin_memcpy(__builtin_assume_aligned(to, sizeof *to),
+                     __builtin_assume_aligned(from, sizeof *to), words * sizeof *to);
     return to + words;
 }
 
-/* In place, so that the compiler copies words: a call takes longer than what it copies. */
 FXL_ONCE const uint32_t *get(const uint32_t *from, void *to, uint32_t words)
 {
     __builtin_memcpy(__builtin_assume_aligned(to, sizeof *from),
@@ -79,8 +80,9 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
         screen->colour, (uint8_t)(screen->count + beside / 2),
         (uint8_t)(polygon->surface != FXL_NO_SURFACE ? FXL_POLYGON_SURFACE : FXL_POLYGON_DEPTH),
         screen->count};
-    to = put(to + 1, head, 1);
-    to = put(to, screen->points, 2u * screen->count);
+    memcpy(to + 1, head, sizeof head);
+    memcpy(to + 2, screen->points, screen->count * sizeof screen->points[0]);
+    to += 2 + 2u * screen->count;
     *to = polygon->surface | (uint32_t)polygon->level << LEVEL_AT |
           (uint32_t)polygon->shade << SHADE_AT | (polygon->has_depth ? HAS_DEPTH : 0) |
           (polygon->is_in_beam ? IN_BEAM : 0);
@@ -93,7 +95,9 @@ bool fxl_surface_polygon_append(fxl_display_list *list, const fxl_screen_polygon
     if (polygon->surface != FXL_NO_SURFACE) {
         to = put(to, gradients->weight_min, SURFACE_WORDS);
         to = put(to, &gradients->weight, GRADIENT_WORDS);
-        to = put(to, gradients->attributes, gradients->count * GRADIENT_WORDS);
+        for (uint32_t i = 0; i < gradients->count && i < FXL_ATTRIBUTES; i++) {
+            to = put(to, &gradients->attributes[i], GRADIENT_WORDS);
+        }
     }
     if (polygon->has_depth) {
         const int32_t unit[UNIT_WORDS] = {polygon->depth.one, 0};

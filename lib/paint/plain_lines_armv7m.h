@@ -32,28 +32,26 @@
 2:
     .endm
 
-    .macro  line_segment
+    .macro  line_position
     lsr     p, v, #16
     lsr     r3, u, #16
     add     p, p, r3, lsl #16
-    ldr     pc, [sp, #F_GO]
     .endm
 
 /* A coordinate at the segment r12, where it has what it is more in the middle of 16 columns. r1: row, r3: the
- * reciprocal. Overwrites r4 to r7. */
+ * reciprocal. Overwrites r4, r5 and r7. */
     .macro  line_at at, more, row_value, left
     mla     \at, \more, r12, \at
     ldr     r4, [r1, #(\row_value + 4)]
-    ldr     r6, [sp, #\left]
     smull   r5, r4, r4, r3
-    subs    r7, r6, #32
+    subs    r7, \left, #32
     bmi     1f
     asr     r4, r4, r7
     add     \at, \at, r4
     b       2f
-1:  rsb     r7, r6, #32
+1:  rsb     r7, \left, #32
     lsl     r4, r4, r7
-    lsr     r5, r5, r6
+    lsr     r5, r5, \left
     add     \at, \at, r4
     add     \at, \at, r5
 2:
@@ -72,24 +70,24 @@
     sub     r3, r2, r6
     lsr     r12, r2, #4
     add     pixels, r5, r3, lsl #WIDE   /* the address before the segment */
-    cmp     pixels, r8
-    it      ls
-    cmpls   r6, #0
-    ite     eq
-    ldreq   r3, [sp, #F_FULL]
-    adrne   r3, .Lpartial + 1
-    str     r3, [sp, #F_GO]
     ldr     r4, [sp, #F_LINE]
     cmp     r4, r7
     bne     .Lother_line
 .Lsame_line:
     ldm     sp, {r2, r3, r8-r11}        /* step, the reciprocal, u_more, u, v_more, v */
-    line_at u, u_more, PAINT_ROW_U, F_U_LEFT
-    line_at v, v_more, PAINT_ROW_V, F_V_LEFT
+    ldrd    r6, lr, [sp, #F_U_LEFT]
+    line_at u, u_more, PAINT_ROW_U, r6
+    line_at v, v_more, PAINT_ROW_V, lr
     ldr     last, [sp, #F_LAST]
     ldrd    texels, mask, [sp, #F_TEXELS]
     ldr     table, [sp, #F_TABLE]
-    line_segment
+    line_position
+    ldr     r3, [sp, #F_SKIP]
+    cmp     pixels, last
+    it      ls
+    cmpls   r3, #0
+    bne     .Lpartial
+    ldr     pc, [sp, #F_FULL]
 
 .Lother_line:
     ldr     lr, [sp, #F_FACE]
@@ -122,19 +120,19 @@
     cmp     pixels, r3
     it      hs
     ldrhs   pc, [sp, #F_DONE]
-    adr     r3, .Llast_partial + 1
-    str     r3, [sp, #F_GO]
-    b       .Lline_resume
+    add     u, u, u_more
+    add     v, v, v_more
+    line_position
+    b       .Llast_partial
 
     .align  2
 .Lline_next:
     cmp     pixels, last
     bhi     .Lline_rest
-    .align  2
-.Lline_resume:
     add     u, u, u_more
     add     v, v, v_more
-    line_segment
+    line_position
+    ldr     pc, [sp, #F_FULL]
 
 /* clang-format on */
 

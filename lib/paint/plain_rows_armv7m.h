@@ -275,24 +275,24 @@ RUNS:
 .Lprepared:
     strd    r4, r5, [sp, #F_CODE]
     ldrb    r1, [r0, #SEGMENT_FACE_IS_CONSTANT]
+    cbnz    r1, 4f
     str     r4, [sp, #F_LOG]            /* none: it is above 4 */
     adr     r5, .Lbegin + 1
     strd    r5, r5, [sp, #F_BEGIN]
     adr     r5, .Lface_weights + 1
     str     r5, [sp, #F_KIND]
-    cbz     r1, 4f
-    movs    r5, #0
+    bx      lr
+4:  movs    r5, #0
     str     r4, [sp, #F_FULL]
     str     r5, [sp, #F_SHORT]
     str     r5, [sp, #F_BEFORE]
     mov     r5, #0x80000000
     str     r5, [sp, #F_LINE]           /* no weight */
     adr     r4, .Lline_next + 1
-    adr     r5, .Lline_resume + 1
-    strd    r4, r5, [sp, #F_NEXT]
+    str     r4, [sp, #F_NEXT]
     adr     r4, .Lline + 1
     str     r4, [sp, #F_KIND]
-4:  bx      lr
+    bx      lr
 
 /* Texels of another kind, r6: code that takes any size. r7: the table. */
 .Lprepare_special:

@@ -219,8 +219,6 @@
     movlt   r3, r5
     sub     pixels, pixels, r3, lsl #WIDE
     str     r3, [sp, #F_BEFORE]
-    movs    r4, #0
-    str     r4, [sp, #F_SKIP]
     ldr     r4, [sp, #F_FULL]
     str     r4, [sp, #F_GO]
     ldrd    r4, r5, [sp, #F_CODE]
