@@ -2,6 +2,19 @@
 /* Functions of lib/math of one input. */
 #include "math/family.h"
 
+#if FOLDED
+/* quarter_sine_q62 is defined under another name, and where it is called with `folded` a straight
+ * line stands in for it. */
+#include "math/arith.h"
+#define quarter_sine_q62(parameter) OF_##parameter)
+#define OF_uint32_t                 quarter_of_library(uint32_t
+#define OF_folded                   line(folded
+static inline uint64_t line(uint32_t angle)
+{
+    return (uint64_t)angle << 32;
+}
+#endif
+
 #if FXL_CORE_ARMV6M
 #include "math/core.h" /* that core's text, whose products in assembly nobody calls here */
 #else
@@ -14,7 +27,29 @@
 
 #include "enumeration.h"
 
-#if FXL_CORE_ARMV6M
+#if FOLDED
+
+/* The straight line makes a wave of triangles of the sine: 2^30 at a quarter of a turn. */
+static int64_t wave(uint32_t angle)
+{
+    const int64_t part = angle & (FXL_ANGLE_QUARTER - 1u), rest = FXL_ANGLE_QUARTER - part;
+    const int64_t wanted[4] = {part, rest, -part, -rest};
+    return wanted[angle >> 30];
+}
+
+void enumerate_folded(void)
+{
+    uint32_t angle = 0;
+    (void)quarter_of_library;
+    do {
+        const int64_t sine = wave(angle), cosine = wave(angle + FXL_ANGLE_QUARTER);
+        TRY(angle, fxl_sin(angle) == sine && fxl_sin_q31(angle) == 2 * sine);
+        tried -= 1;
+        TRY(angle, fxl_cos(angle) == cosine && fxl_cos_q31(angle) == 2 * cosine);
+    } while (++angle != 0);
+}
+
+#elif FXL_CORE_ARMV6M
 
 void enumerate_leading_zeros(void)
 {
