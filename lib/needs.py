@@ -30,7 +30,7 @@ FUNCTION = re.compile(r"\b(fxl_\w+)\s*\([^;{}]*\)\s*\{")
 RECORD = re.compile(r"\b(fxl_\w+)\s*(?:\[[^\]]*\]\s*)*=")
 NAMED_BY_MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)[ \t]+(fxl_\w+)[ \t]*$", re.MULTILINE)
 PASTES = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)\((\w+)\)[ \t]+\(&\2##(\w+)\)", re.MULTILINE)     # FXL_SURFACES_OF
-IN_PLACE = re.compile(r"\bFXL_IN_PLACE\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
+IN_PLACE = re.compile(r"\bFXL_IN_PLACE(?:_LARGE)?\b[^;{}()]*\b(fxl_\w+)\s*\(")      # lib/math/arith.h
 LABEL = re.compile(r"^\s*\.glob(?:a|)l\s+(fxl_\w+)", re.MULTILINE)
 
 

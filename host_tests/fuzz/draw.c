@@ -100,8 +100,9 @@ uint32_t draw_clipper_count(void)
 static const fxl_clipper *checked(uint32_t number)
 {
     static const fxl_clipper checked_view = {.clip = checked_by_view, .by_clip_flags = true};
-    static const fxl_clipper checked_world = {
-        .clip = checked_by_world, .begin = fxl_view_set_world_frustum, .by_points = true};
+    static const fxl_clipper checked_world = {.clip = checked_by_world,
+                                              .begin = fxl_view_set_world_frustum,
+                                              .by_points = &fxl_rounded_faces};
     static fxl_clipper made;
     if (number < 2) {
         return number == 1 ? &checked_world : &checked_view;

@@ -257,7 +257,8 @@ static bool split(const fxl_shader *light, fxl_pieces *pieces, const fxl_face *f
            fxl_submit_piece(pieces, second, 3, face->material);
 }
 
-static const fxl_shader_code splitting = {reaches, fxl_submit_split_face, split, NULL, true};
+static const fxl_shader_code splitting = {reaches, fxl_submit_split_face, split,
+                                          NULL,    &fxl_rounded_faces,    NULL};
 
 void test_light_splits_the_faces_that_it_reaches(void)
 {

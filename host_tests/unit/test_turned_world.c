@@ -162,7 +162,7 @@ void test_rounded_instances_are_those_of_a_baked_model(void)
              frames[1]);
         fxl_counters counters = renderer.workspace.counters;
         spilled += counters.spilled > 0;
-        const bool is_rounded = method > 0 || is_reached || clipper->by_points;
+        const bool is_rounded = method > 0 || is_reached || clipper->by_points != NULL;
         TEST_ASSERT_EQUAL_UINT16(is_rounded && is_in_sight(), counters.rounded);
         if (is_rounded) {
             TEST_ASSERT_EQUAL_MEMORY(frames[0], frames[1], sizeof frames[0]);

@@ -77,7 +77,8 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
     return false;
 }
 
-/* A piece, or a face that is dark as a whole, to the shader that has its faces split, or to the next one. */
+/* A piece, or a face that is dark as a whole, to the shader that has its faces split, or to the
+ * next one. */
 /* beams 4.1 */
 static bool emit(const lighting *of, fxl_pieces *pieces, const fxl_face *face,
                  const fxl_point *points, uint32_t count, bool is_lit)
@@ -120,7 +121,8 @@ static bool split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *
     return true;
 }
 
-static const fxl_shader_code code = {reaches, fxl_submit_split_face, split, NULL, true};
+static const fxl_shader_code code = {reaches, fxl_submit_split_face, split,
+                                     NULL,    &fxl_rounded_faces,    NULL};
 
 /* Builds the record in the workspace; its tables follow. */
 static fxl_shader *build(const fxl_beam_set *set, uint8_t *workspace)

@@ -142,8 +142,7 @@ static uint32_t measure_instance(const fxl_traversal *traversal, const fxl_draw_
     const fxl_placement_code *turned =
         fxl_placement_code_of(traversal->renderer->scene, entry->index);
     if (turned != NULL) {
-        (void)turned->submit_instance(traversal, entry,
-                                      false); /* there is room for rows' numbers */
+        (void)turned->submit_instance(traversal, entry, NULL); /* there is room for rows' numbers */
         return NO_FACES;
     }
     const fxl_model *model = &traversal->renderer->scene

@@ -41,13 +41,18 @@ void fxl_submit_shaded_piece(fxl_pieces *pieces, const fxl_instance *instance,
 bool fxl_submit_piece_by(fxl_pieces *pieces, const fxl_shader *shader, const fxl_face *piece,
                          const fxl_point *points)
 {
-    const fxl_scene *scene = pieces->traversal->renderer->scene;
+    const fxl_renderer *renderer = pieces->traversal->renderer;
+    const fxl_scene *scene = renderer->scene;
     const fxl_instance *instance = pieces->instance;
     fxl_face made = *piece;
     shader = fxl_shader_reaching(shader, scene, instance);
-    while (shader != NULL && shader->code->split == NULL) {
-        made.material =
-            shader->code->colour(shader, pieces->traversal, instance, pieces->face, made.material);
+    while (shader != NULL && (shader->code->split == NULL ||
+                              (shader->code->takes != NULL &&
+                               !shader->code->takes(shader, renderer, pieces->face)))) {
+        if (shader->code->colour != NULL) {
+            made.material = shader->code->colour(shader, pieces->traversal, instance, pieces->face,
+                                                 made.material);
+        }
         shader = fxl_shader_reaching(shader->next, scene, instance);
     }
     return shader != NULL ? shader->code->split(shader, pieces, &made, points, made.count)

@@ -66,7 +66,7 @@ static inline bool fxl_submit_any_instance(const fxl_traversal *traversal,
 {
     const fxl_placement_code *turned =
         fxl_placement_code_of(traversal->renderer->scene, entry->index);
-    return turned != NULL ? turned->submit_instance(traversal, entry, false)
+    return turned != NULL ? turned->submit_instance(traversal, entry, NULL)
                           : fxl_submit_instance(traversal, entry);
 }
 
@@ -192,9 +192,11 @@ typedef struct fxl_shader_code {
      * traversal->workspace->screen, which every polygon of the face has then. Null: it splits. */
     uint8_t (*colour)(const fxl_shader *shader, const fxl_traversal *traversal,
                       const fxl_instance *instance, const fxl_face *face, uint8_t colour);
-    /* Whether it takes a face of a turned instance only as a polygon of the world, whose points are
-     * rounded. */
-    bool splits_in_world;
+    /* fxl_rounded_faces, if it takes a face of a turned instance only as a polygon of the world,
+     * whose points are rounded; else null. */
+    const struct fxl_shader_code *in_world;
+    /* Whether it splits a face of the model. Null: it splits each. */
+    bool (*takes)(const fxl_shader *shader, const fxl_renderer *renderer, const fxl_face *face);
 } fxl_shader_code;
 
 /* The first of a list of shaders that reaches an instance; or null. */

@@ -195,6 +195,11 @@ static const fxl_mapped_face *mapped_of(const fxl_surfaces *surfaces, const fxl_
     return number == 0 ? NULL : &set->faces[number - 1];
 }
 
+bool fxl_surfaces_map(const fxl_shader *shader, const fxl_renderer *renderer, const fxl_face *face)
+{
+    return mapped_of((const fxl_surfaces *)(const void *)shader, face, renderer) != NULL;
+}
+
 const fxl_mapped_face *fxl_surfaces_take(const fxl_surfaces *surfaces,
                                          const fxl_model_view *model_view, const fxl_face *face,
                                          const fxl_traversal *traversal, bool *fitted)
@@ -204,8 +209,9 @@ const fxl_mapped_face *fxl_surfaces_take(const fxl_surfaces *surfaces,
         *fitted = pass_on(model_view, face, traversal, &surfaces->shader);
         return NULL;
     }
-    if (beams_of(surfaces, traversal->renderer->scene, model_view->instance) != NULL) {
-        *fitted = fxl_submit_split_face(model_view, face, traversal, &surfaces->shader);
+    const fxl_shader *beams = beams_of(surfaces, traversal->renderer->scene, model_view->instance);
+    if (beams != NULL) { /* fxl_submit_split_face, which a program without beams does not link */
+        *fitted = beams->code->face(model_view, face, traversal, &surfaces->shader);
         return NULL;
     }
     return mapped;
@@ -243,9 +249,7 @@ bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_
     fxl_surface_polygon polygon;
     fxl_mapped_surface of = {surfaces, mapped_of(surfaces, pieces->face, renderer), pieces,
                              &polygon, false};
-    if (of.mapped == NULL) {
-        return fxl_submit_piece_by(pieces, shader->next, face, points);
-    }
+    FXL_ASSERT(of.mapped != NULL);
     const fxl_shader *beams = beams_of(surfaces, renderer->scene, pieces->instance);
     if (beams == NULL) {
         return submit_piece(pieces, &of, points, count);

@@ -6,6 +6,7 @@
 #include "../view/outcode.h"
 #include "../view/placement.h"
 #include "../view/view.h"
+#include "rounded_faces.h"
 #include "submit.h"
 #include "submit_instance.h"
 
@@ -164,31 +165,20 @@ static fxl_status find_visible(fxl_renderer *renderer, const fxl_pose *pose, uin
 
 /* --- points rounded in the world ------------------------------------------------------------ */
 
-/* The instance whose faces are rounded. It is the model view's shader, so that fxl_submit_face
- * leaves the faces to it. */
-typedef struct {
-    fxl_shader shader;
-    uint32_t number;
-    fxl_planes planes; /* that its points may lie outside of */
-} rounded_instance;
-
-/* Whether a shader splits the faces of an instance. */
-static bool is_split(const fxl_traversal *traversal, uint32_t number)
+/* What takes the rounded faces of an instance, if its clipper or a shader takes only such: else
+ * null. */
+/* SPEC 8.5 */
+static const fxl_shader_code *rounding_of(const fxl_traversal *traversal, uint32_t number)
 {
     const fxl_scene *scene = traversal->renderer->scene;
     const fxl_instance *instance = &scene->instances[number];
-    const fxl_shader *shader = fxl_shader_reaching(traversal->renderer->shader, scene, instance);
-    while (shader != NULL && !shader->code->splits_in_world) {
-        shader = fxl_shader_reaching(shader->next, scene, instance);
+    const fxl_shader_code *code = traversal->clipper->by_points;
+    const fxl_shader *shader = traversal->renderer->shader;
+    while (code == NULL && (shader = fxl_shader_reaching(shader, scene, instance)) != NULL) {
+        code = shader->code->in_world;
+        shader = shader->next;
     }
-    return shader != NULL;
-}
-
-/* SPEC 8.5 */
-static inline bool is_rounded(const fxl_traversal *traversal, uint32_t number)
-{
-    return traversal->clipper->by_points ||
-           (traversal->renderer->shader != NULL && is_split(traversal, number));
+    return code;
 }
 
 /* SPEC 8.5 */
@@ -196,37 +186,17 @@ static uint32_t count_rounded(const fxl_traversal *traversal, uint32_t first, ui
 {
     const fxl_frame *frame = &traversal->renderer->frame;
     uint32_t count = 0;
-    if (first == end && !traversal->clipper->by_points && traversal->renderer->shader == NULL) {
+    if (first == end && traversal->clipper->by_points == NULL &&
+        traversal->renderer->shader == NULL) {
         return 0;
     }
     for (uint32_t i = 0; i < frame->visible_count; i++) {
         const uint32_t number = frame->draw_list[i].index;
         count += fxl_placement_code_of(traversal->renderer->scene, number) != NULL &&
-                 ((i >= first && i < end) || is_rounded(traversal, number));
+                 ((i >= first && i < end) || rounding_of(traversal, number) != NULL);
     }
     return count;
 }
-
-/* The face's rounded points are a polygon of the world, which any clipper takes. */
-/* SPEC 8.5 */
-static bool submit_rounded_face(const fxl_model_view *model_view, const fxl_face *face,
-                                const fxl_traversal *traversal, const fxl_shader *shader)
-{
-    const rounded_instance *instance = (const rounded_instance *)(const void *)shader;
-    const fxl_scene *scene = traversal->renderer->scene;
-    const fxl_direction normal = normal_of(scene, instance->number, face);
-    fxl_point points[FXL_FACE_VERTICES_MAX];
-    fxl_pieces pieces;
-    (void)model_view;
-    place_face(scene, instance->number, face, points);
-    fxl_pieces_begin(&pieces, traversal);
-    pieces.planes = instance->planes;
-    fxl_submit_shaded_piece(&pieces, &scene->instances[instance->number], face, &normal, points,
-                            face->count);
-    return fxl_pieces_end(&pieces);
-}
-
-static const fxl_shader_code rounded_code = {.face = submit_rounded_face};
 
 /* --- submission ----------------------------------------------------------------------------- */
 
@@ -289,13 +259,14 @@ static void order_faces(const fxl_traversal *traversal, const fxl_model_view *mo
 }
 
 /* What takes the faces of an instance before they are clipped. */
-static void set_shader(const fxl_traversal *traversal, const fxl_draw_entry *entry, bool rounded,
-                       fxl_model_view *model_view, rounded_instance *instance)
+static void set_shader(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+                       const fxl_shader_code *rounded, fxl_model_view *model_view,
+                       fxl_rounded_instance *instance)
 {
     const fxl_renderer *renderer = traversal->renderer;
     model_view->instance = &renderer->scene->instances[entry->index];
-    if (rounded || is_rounded(traversal, entry->index)) {
-        instance->shader.code = &rounded_code;
+    instance->shader.code = rounded != NULL ? rounded : rounding_of(traversal, entry->index);
+    if (instance->shader.code != NULL) {
         instance->number = entry->index;
         instance->planes = entry->instance.planes;
         model_view->shader = &instance->shader;
@@ -305,15 +276,16 @@ static void set_shader(const fxl_traversal *traversal, const fxl_draw_entry *ent
     }
 }
 
-static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *entry, bool rounded)
+static bool submit_turned(const fxl_traversal *traversal, const fxl_draw_entry *entry,
+                          const fxl_shader_code *rounded)
 {
     const fxl_renderer *renderer = traversal->renderer;
     FXL_ALIGN_8 fxl_turned_view view;
-    rounded_instance instance;
+    fxl_rounded_instance instance;
     const fxl_model *model =
         fxl_turned_view_of_instance(&view, renderer->scene, entry->index, &renderer->frame.view,
                                     &traversal->workspace->cache, entry->instance.planes);
-    if (rounded || traversal->clipper->by_points || renderer->shader != NULL) {
+    if (rounded != NULL || traversal->clipper->by_points != NULL || renderer->shader != NULL) {
         set_shader(traversal, entry, rounded, &view.model_view, &instance);
     }
     if (model->kind == FXL_MODEL_SORTED) {

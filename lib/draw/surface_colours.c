@@ -9,7 +9,7 @@ bool fxl_find_colours(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
                       fxl_gradient_corners *corners, fxl_gradients *gradients)
 {
     int32_t(*values)[3] = corners->values;
-    if (!FXL_IS_SMALL && planes != NULL && corners->count == 0 &&
+    if (!FXL_IS_COMPACT && planes != NULL && corners->count == 0 &&
         fxl_corner_colours_unlit(mapped, planes, is_affine, gradients)) {
         return true;
     }

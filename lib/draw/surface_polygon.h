@@ -188,6 +188,9 @@ void fxl_surface_find(const fxl_surfaces *surfaces, const fxl_mapped_face *mappe
 const fxl_model_view *fxl_surfaces_view(const fxl_traversal *traversal,
                                         const fxl_instance *instance, fxl_turned_view *view);
 
+/* fxl_shader_code.takes of all painters: whether a face has a surface. */
+bool fxl_surfaces_map(const fxl_shader *shader, const fxl_renderer *renderer, const fxl_face *face);
+
 /* fxl_shader_code.split of all painters. */
 bool fxl_surfaces_split(const fxl_shader *shader, fxl_pieces *pieces, const fxl_face *face,
                         const fxl_point *points, uint32_t count);

@@ -132,7 +132,7 @@ static bool paint_surface(const fxl_surfaces *surfaces, fxl_workspace *workspace
     if (has_plain_rows(&paint, segments)) {
         fxl_paint_plain_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                                 &workspace->work.scan, PAINT_ROWS, PAINT_PIXELS);
-    } else if (FXL_TARGET_PIXEL_BITS == 8 || !paint.has_colours ||
+    } else if (FXL_IS_COMPACT || FXL_TARGET_PIXEL_BITS == 8 || !paint.has_colours ||
                !fxl_paint_colour_polygon(&paint, points, count, band, &workspace->work.scan)) {
         fxl_paint_polygon(&paint, segments, points, count, band, FXL_TARGET_PIXEL_BITS / 8,
                           &workspace->work.scan, paint_row, NULL);
@@ -756,7 +756,8 @@ static void draw(const fxl_surfaces *surfaces, fxl_workspace *workspace,
     (void)paint_surface(surfaces, workspace, &polygon, record->points, count, band);
 }
 
-static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, false};
+static const fxl_shader_code code = {fxl_surfaces_reach, submit, fxl_surfaces_split, NULL, NULL,
+                                     fxl_surfaces_map};
 
 const fxl_painter FXL_TARGET_SURFACES = {&FXL_TARGET,  &code,      draw,
                                          submit_piece, find_whole, FIND_COLOURS};

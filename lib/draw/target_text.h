@@ -342,7 +342,7 @@ static bool reaches(const fxl_shader *shader, const fxl_scene *scene, const fxl_
     return true;
 }
 
-static const fxl_shader_code code = {reaches, submit, split, NULL, false};
+static const fxl_shader_code code = {reaches, submit, split, NULL, NULL, NULL};
 static const fxl_shader last = {NULL, FXL_SHADER_TARGET, &code};
 static const fxl_target_extras extras = {fxl_mixed_draw_list, flat_with_depth, &last, NULL, NULL};
 

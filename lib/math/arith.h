@@ -193,6 +193,13 @@ static inline bool fxl_point_in_range(const fxl_point *point)
 #define FXL_IN_PLACE
 #endif
 
+/* The same for a larger one, of which any library for size has one. */
+#if !FXL_IS_COMPACT
+#define FXL_IN_PLACE_LARGE static inline
+#else
+#define FXL_IN_PLACE_LARGE
+#endif
+
 /* direction . (x, y, z), exact, in units of 2^-46.
  * Requires |x|, |y|, |z| < 2^30 and |direction| <= 1 + 2^-28. By Cauchy-Schwarz the sum
  * is below sqrt(3) * 2^60 * (1 + 2^-28) < 2^61. So is every partial sum: it is the

@@ -54,6 +54,15 @@
 /* So compiled, it paints the texels of segments and divided pixels in C, too. */
 #define FXL_TEXELS_IN_ASSEMBLY FXL_INTERSECTS_IN_ASSEMBLY
 
+/* Whether outlines that are painted row by row are scanned between two chains where they can be,
+ * or else all by active edges. Compiled for size, Armv7-M has chains only in its kernel for
+ * outlines of one colour. */
+#if FXL_IS_SMALL || (FXL_KERNELS_ARMV7M && FXL_IS_COMPACT)
+#define FXL_SCANS_BY_CHAINS 0
+#else
+#define FXL_SCANS_BY_CHAINS 1
+#endif
+
 /* So compiled, it fills rows by a text of a sixth of the bytes. */
 #if FXL_KERNELS_ARMV7M && !FXL_KERNELS_MVE && FXL_IS_COMPACT
 #define FXL_FILLS_COMPACT 1
@@ -75,6 +84,13 @@
 #define FXL_ONCE static __attribute__((noinline, unused))
 #else
 #define FXL_ONCE static inline __attribute__((always_inline))
+#endif
+
+/* Before the type of a static inline function; a library for size has one copy in a file. */
+#if FXL_IS_COMPACT
+#define FXL_ONE_COPY __attribute__((noinline))
+#else
+#define FXL_ONE_COPY inline
 #endif
 
 /* On a host the files in assembly have no code. This section states that they need no

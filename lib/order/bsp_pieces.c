@@ -251,7 +251,7 @@ static bool submit_whole(const fxl_traversal *traversal, const fxl_draw_entry *e
     faces.resume = &resume;
     const fxl_placement_code *turned =
         fxl_placement_code_of(traversal->renderer->scene, entry->index);
-    bool done = turned != NULL ? turned->submit_instance(&faces, entry, true)
+    bool done = turned != NULL ? turned->submit_instance(&faces, entry, &fxl_rounded_faces)
                                : fxl_submit_instance(&faces, entry);
     *number = done ? 0 : resume.faces;
     return done;

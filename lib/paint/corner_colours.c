@@ -124,8 +124,8 @@ typedef struct {
 /* first: at corner 0, in 10.22. d1, d2: the differences of the others, in 7.25, at most 2^31 -
  * 2^23. So sums of two products are at most 2^63 - 2^55, and a step is at most 2^31 - 2^23; two
  * products of steps are at most 2^63 - 2^55 too. Roundings: a step's, 2^-22 a pixel. */
-static inline channel_words find_channel(const shared_planes *shared, uint32_t first, int32_t d1,
-                                         int32_t d2)
+static FXL_ONE_COPY channel_words find_channel(const shared_planes *shared, uint32_t first,
+                                               int32_t d1, int32_t d2)
 {
     const int64_t along = fxl_product(d1, shared->along[0]) + fxl_product(d2, shared->along[1]);
     const int64_t down = fxl_product(d1, shared->down[0]) + fxl_product(d2, shared->down[1]);

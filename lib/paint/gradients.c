@@ -25,7 +25,7 @@ static uint64_t bits_of(int64_t value)
 }
 
 /* value * 2^shift / 2^32, rounded to nearest. Requires |value * 2^shift| <= 2^62. */
-static int32_t upper_word(int64_t value, unsigned shift)
+static FXL_ONE_COPY int32_t upper_word(int64_t value, unsigned shift)
 {
     return (int32_t)((int64_t)(((uint64_t)value << shift) + 0x80000000u) >> 32);
 }
@@ -109,6 +109,11 @@ static uint64_t largest_value(const fxl_gradient *gradient, const fxl_lens *lens
            bits_of(gradient->at + along + down);
 }
 
+static FXL_ONE_COPY void shift_up(int64_t *value, unsigned shift)
+{
+    *value = (int64_t)((uint64_t)*value << shift);
+}
+
 /* The focal length is below 2^29 and half of the screen below 2^25 + 2^15, in 16.16, and
  * an off-centre lens's centre is below 2^28: products are below 2^59, so all sums are below 2^61.
  * Exact: shifted to the left alone. */
@@ -127,9 +132,9 @@ int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gra
     }
     FXL_ASSERT(bits <= 62);
     const unsigned shift = 62 - bits;
-    gradient->along = (int64_t)((uint64_t)gradient->along << shift);
-    gradient->down = (int64_t)((uint64_t)gradient->down << shift);
-    gradient->at = (int64_t)((uint64_t)gradient->at << shift);
+    shift_up(&gradient->along, shift);
+    shift_up(&gradient->down, shift);
+    shift_up(&gradient->at, shift);
     return vector.exponent - (int)(62 - bits);
 }
 
@@ -137,7 +142,7 @@ int fxl_gradient_of_plane(fxl_block_vector vector, const fxl_view *view, fxl_gra
 
 /* At least number * 2^exponent, and at most 2^-30 of it more. Requires 0 < number < 2^63. */
 /* surfaces 2.1 */
-static fxl_real bound_of(uint64_t number, int exponent)
+static FXL_ONE_COPY fxl_real bound_of(uint64_t number, int exponent)
 {
     const int drop = (int)fxl_bit_length(number) - 32;
     const uint64_t mantissa = (number << (32 - drop) >> 32) + (drop > 0 ? 1 : 0);

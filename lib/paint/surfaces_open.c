@@ -168,14 +168,15 @@ static FXL_COLD fxl_status check_surface(const fxl_surface_set *set, const fxl_s
 }
 
 /* Whether three points of a model are on one line. Coordinates are within 2 * 8191 world units, so
- * differences are at most 32764 units, below 2^31, and a difference of two products of them is
- * below 2^63. */
+ * differences are at most 32764 units, below 2^31, and products of two are below 2^62. */
 /* surfaces 1.2 */
 static bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
 {
-    const int64_t x1 = b->x - (int64_t)a->x, y1 = b->y - (int64_t)a->y, z1 = b->z - (int64_t)a->z;
-    const int64_t x2 = c->x - (int64_t)a->x, y2 = c->y - (int64_t)a->y, z2 = c->z - (int64_t)a->z;
-    return y1 * z2 == z1 * y2 && z1 * x2 == x1 * z2 && x1 * y2 == y1 * x2;
+    const int32_t x1 = b->x - a->x, y1 = b->y - a->y, z1 = b->z - a->z;
+    const int32_t x2 = c->x - a->x, y2 = c->y - a->y, z2 = c->z - a->z;
+    return fxl_multiply_s32(y1, z2) == fxl_multiply_s32(z1, y2) &&
+           fxl_multiply_s32(z1, x2) == fxl_multiply_s32(x1, z2) &&
+           fxl_multiply_s32(x1, y2) == fxl_multiply_s32(y1, x2);
 }
 
 static FXL_COLD fxl_status check_texels(const fxl_mapped_face *mapped, bool are_colours)

@@ -3,7 +3,7 @@
 #include "edge.h"
 #include "scan.h"
 
-#if !FXL_KERNELS_ARMV7M
+#if !FXL_KERNELS_ARMV7M || !FXL_SCANS_BY_CHAINS
 
 /* Goes down a chain to the edge that crosses a row, and sets the edge on that row. */
 static void begin_edge(const fxl_scan *scan, fxl_chain *chain, int32_t row, fxl_edge *edge)
@@ -27,7 +27,7 @@ const fxl_trapezoid *fxl_scan_next_trapezoid(fxl_scan *scan)
     fxl_trapezoid *trapezoid = &scan->trapezoid;
     int32_t row = trapezoid->end_row;
     int32_t end_row = scan->end_row;
-    if (FXL_IS_SMALL || row >= end_row) {
+    if (!FXL_SCANS_BY_CHAINS || row >= end_row) {
         return scan->by_chains ? NULL : fxl_scan_next_of_active_edges(scan);
     }
     for (int side = 0; side < 2; side++) {

@@ -6,7 +6,7 @@
 #include "../math/family.h"
 #include "../math/offsets.h"
 
-#if FXL_KERNELS_ARMV7M
+#if FXL_KERNELS_ARMV7M && FXL_SCANS_BY_CHAINS
 
 
     .syntax unified

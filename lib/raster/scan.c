@@ -72,7 +72,7 @@ static void survey(const fxl_screen_point *points, uint32_t count, int32_t width
     } while (i < count);
     found->top_row = top_row;
     found->end_row = end_row;
-    found->by_chains = !FXL_IS_SMALL && down == end_row - top_row && farthest < places &&
+    found->by_chains = FXL_SCANS_BY_CHAINS && down == end_row - top_row && farthest < places &&
                        down < FXL_EDGE_HEIGHT_MAX >> 16;
 }
 
@@ -208,6 +208,7 @@ static bool next_row_of_chains(fxl_scan *scan, fxl_span *span)
 
 bool fxl_scan_next(fxl_scan *scan, fxl_span *span)
 {
-    return !FXL_IS_SMALL && scan->by_chains ? next_row_of_chains(scan, span)
-                                            : fxl_active_edges_next(&scan->active_edges, span);
+    return FXL_SCANS_BY_CHAINS && scan->by_chains
+               ? next_row_of_chains(scan, span)
+               : fxl_active_edges_next(&scan->active_edges, span);
 }

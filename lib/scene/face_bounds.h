@@ -21,8 +21,11 @@ static inline void fxl_widen(int32_t value, int32_t *low, int32_t *high)
 /* The bounding box of a face: minimum + maximum of each coordinate. A model's vertices are below
  * 2^30, so the sums are below 2^31. */
 /* formats 1.6 */
-static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *indices,
-                                     uint32_t count)
+FXL_IN_PLACE_LARGE fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *indices,
+                                          uint32_t count)
+#if FXL_IS_COMPACT && !defined(FXL_HERE)
+    ;
+#else
 {
     const uint16_t *end = indices + count;
     fxl_point low = vertices[*indices];
@@ -36,6 +39,7 @@ static inline fxl_point fxl_face_box(const fxl_point *vertices, const uint16_t *
     fxl_point box = {low.x + high.x, low.y + high.y, low.z + high.z};
     return box;
 }
+#endif
 
 /* The distance of the face's plane from the model's origin, along the normal, in units of 2^-46.
  * Each coordinate is below 2^30: see fxl_dot. */

@@ -11,6 +11,7 @@ struct fxl_camera;
 struct fxl_view_frustum;
 struct fxl_draw_entry;
 struct fxl_renderer;
+struct fxl_shader_code;
 struct fxl_traversal;
 struct fxl_turned_view; /* lib/view/placement.h */
 
@@ -42,10 +43,11 @@ struct fxl_placement_code {
                                struct fxl_draw_entry *entries, uint32_t *left_out);
     /* fxl_submit_by_distance. */
     bool (*submit)(const struct fxl_traversal *traversal);
-    /* fxl_submit_instance of a turned instance. rounded: its points are rounded in the world,
-     * whatever the clipper needs. */
+    /* fxl_submit_instance of a turned instance. rounded: fxl_rounded_faces, if its points are
+     * rounded in the world, whatever the clipper needs; else null. */
     bool (*submit_instance)(const struct fxl_traversal *traversal,
-                            const struct fxl_draw_entry *entry, bool rounded);
+                            const struct fxl_draw_entry *entry,
+                            const struct fxl_shader_code *rounded);
     /* The instances in sight whose points are rounded in the world, if all in the places from first
      * to end - 1 of the frame's order are: fxl_counters.rounded. */
     uint32_t (*count_rounded)(const struct fxl_traversal *traversal, uint32_t first, uint32_t end);

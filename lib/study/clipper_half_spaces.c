@@ -69,4 +69,4 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
 }
 
 const fxl_clipper fxl_clipper_half_spaces = {
-    .clip = clip, .workspace_size = sizeof(fxl_volume_workspace), .by_points = true};
+    .clip = clip, .workspace_size = sizeof(fxl_volume_workspace), .by_points = &fxl_rounded_faces};

@@ -25,5 +25,6 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
     return clip_in_frustum(model_view, face, screen, &steps);
 }
 
-const fxl_clipper fxl_clipper_normalised = {
-    .clip = clip, .workspace_size = sizeof(fxl_normalised_workspace), .by_points = true};
+const fxl_clipper fxl_clipper_normalised = {.clip = clip,
+                                            .workspace_size = sizeof(fxl_normalised_workspace),
+                                            .by_points = &fxl_rounded_faces};

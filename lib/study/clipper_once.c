@@ -27,4 +27,4 @@ static fxl_clip_result clip(const fxl_model_view *model_view, const fxl_face *fa
 }
 
 const fxl_clipper fxl_clipper_once = {
-    .clip = clip, .workspace_size = sizeof(fxl_once_workspace), .by_points = true};
+    .clip = clip, .workspace_size = sizeof(fxl_once_workspace), .by_points = &fxl_rounded_faces};

@@ -63,5 +63,6 @@ fxl_clip_result fxl_clip_by_world(const fxl_model_view *model_view, const fxl_fa
     return FXL_CLIP_CUT;
 }
 
-const fxl_clipper fxl_clipper_world = {
-    .clip = fxl_clip_by_world, .begin = fxl_view_set_world_frustum, .by_points = true};
+const fxl_clipper fxl_clipper_world = {.clip = fxl_clip_by_world,
+                                       .begin = fxl_view_set_world_frustum,
+                                       .by_points = &fxl_rounded_faces};

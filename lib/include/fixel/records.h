@@ -163,10 +163,14 @@ typedef struct {
     /* clip answers FXL_CLIP_OUTSIDE for each face whose vertices, as fxl_fetch_vertex gives them,
      * all have the clip flag of one plane. Then the renderer may leave such faces out. */
     bool by_clip_flags;
-    /* clip works from the points of the world, and not from vertices that fxl_fetch_vertex gives.
-     * Then the points of turned instances are rounded in the world (SPEC.md, section 8.5). */
-    bool by_points;
+    /* &fxl_rounded_faces, if clip works from the points of the world, and not from vertices that
+     * fxl_fetch_vertex gives; else null. Then the points of turned instances are rounded in the
+     * world (SPEC.md, section 8.5). */
+    const struct fxl_shader_code *by_points;
 } fxl_clipper;
+
+/* What takes faces of turned instances whose points are rounded in the world: for by_points. */
+extern const struct fxl_shader_code fxl_rounded_faces;
 
 /* fxl_clip_by_view: the default. It needs no workspace. If the caller gives it an fxl_clip_stats,
  * and its size, as its workspace, it counts in it. */

@@ -1,0 +1,5 @@
+/* SPDX-License-Identifier: MIT */
+#include "../math/arith.h"
+
+#define FXL_HERE
+#include "face_bounds.h"
