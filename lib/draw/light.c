@@ -68,9 +68,9 @@ static void place_face(const fxl_scene *scene, const fxl_instance *instance, con
     place->middle.z = 2 * centre->z + box.z;
 }
 
-static inline fxl_q2_30 brightness_of(const fxl_light_settings *settings,
-                                      const fxl_renderer *renderer, const fxl_instance *instance,
-                                      const fxl_face *face)
+static FXL_ONE_COPY fxl_q2_30 brightness_of(const fxl_light_settings *settings,
+                                            const fxl_renderer *renderer,
+                                            const fxl_instance *instance, const fxl_face *face)
 {
     fxl_lit_place place;
     place_face(renderer->scene, instance, face, &place);

@@ -20,9 +20,10 @@ bool fxl_surfaces_reach(const fxl_shader *shader, const fxl_scene *scene,
 
 /* The values of a face's attributes at its corners. */
 /* surfaces 1.2 */
-static uint32_t find_values(const fxl_surfaces *surfaces, const fxl_model_view *model_view,
-                            const fxl_mapped_face *mapped, const fxl_traversal *traversal,
-                            int32_t (*values)[3])
+static FXL_ONE_COPY uint32_t find_values(const fxl_surfaces *surfaces,
+                                         const fxl_model_view *model_view,
+                                         const fxl_mapped_face *mapped,
+                                         const fxl_traversal *traversal, int32_t (*values)[3])
 {
     const fxl_surface *surface = &surfaces->set->surfaces[mapped->surface];
     uint32_t count = 0;

@@ -24,8 +24,8 @@ static inline uint32_t sum_of(uint32_t a, uint32_t b)
 /* The light that travels along the direction. Both vectors are below 1 + 2^-26, so the sum is below
  * 2^61. Errors: the sum's shift 1, the product's 1. */
 /* light 2.2 */
-static inline uint32_t from_direction(const fxl_direction *direction, fxl_q2_30 strength,
-                                      const fxl_direction *normal)
+static FXL_ONE_COPY uint32_t from_direction(const fxl_direction *direction, fxl_q2_30 strength,
+                                            const fxl_direction *normal)
 {
     const int64_t facing = -((int64_t)normal->x * direction->x + (int64_t)normal->y * direction->y +
                              (int64_t)normal->z * direction->z);

@@ -170,7 +170,7 @@ static FXL_COLD fxl_status check_surface(const fxl_surface_set *set, const fxl_s
 /* Whether three points of a model are on one line. Coordinates are within 2 * 8191 world units, so
  * differences are at most 32764 units, below 2^31, and products of two are below 2^62. */
 /* surfaces 1.2 */
-static bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
+static FXL_ONE_COPY bool on_one_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
 {
     const int32_t x1 = b->x - a->x, y1 = b->y - a->y, z1 = b->z - a->z;
     const int32_t x2 = c->x - a->x, y2 = c->y - a->y, z2 = c->z - a->z;
@@ -196,8 +196,9 @@ static FXL_COLD fxl_status check_texels(const fxl_mapped_face *mapped, bool are_
 }
 
 /* surfaces 1.4 */
-static FXL_COLD fxl_status check_face(const fxl_surface_set *set, const fxl_scene *scene,
-                                      const fxl_model *model, const fxl_mapped_face *mapped)
+static FXL_COLD FXL_ONE_COPY fxl_status check_face(const fxl_surface_set *set,
+                                                   const fxl_scene *scene, const fxl_model *model,
+                                                   const fxl_mapped_face *mapped)
 {
     if (mapped->reserved != 0) {
         return FXL_E_RESERVED;

@@ -307,7 +307,7 @@ uint32_t fxl_turned_cluster_planes(const fxl_turned_view *turned, const fxl_clus
 
 /* A row of the view along a column of the orientation. Both may have an entry of -2^30 - 4, so
  * fxl_multiply_s31 would not do. */
-static inline fxl_q2_30 row_along(const fxl_direction *row, int32_t x, int32_t y, int32_t z)
+static FXL_ONE_COPY fxl_q2_30 row_along(const fxl_direction *row, int32_t x, int32_t y, int32_t z)
 {
     return (fxl_q2_30)fxl_round_shift(fxl_multiply_s32(row->x, x) + fxl_multiply_s32(row->y, y) +
                                           fxl_multiply_s32(row->z, z),
