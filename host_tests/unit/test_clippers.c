@@ -105,6 +105,7 @@ void test_a_polygon_inside_is_projected(void)
 }
 
 /* The planes of a lens as half-spaces are the planes of the view: the same bits. */
+/* clippers 7.1 */
 void test_half_spaces_cut_as_the_view_does(void)
 {
     static fxl_clipper_work work;
