@@ -51,7 +51,7 @@ static void expect_normal(const fxl_camera *camera, double x, double y, double z
                      4.0);
 }
 
-/* SPEC 4.3 */
+/* SPEC 4.3, accuracy 1.1 */
 void test_normals_are_within_four_units(void)
 {
     for (int i = 0; i < UNIT_REPEAT / 20; i++) {
@@ -109,7 +109,7 @@ static void expect_unit_vector(double side, double depth, fxl_q2_30 unit_side, f
     TEST_ASSERT_NEAR(unit_depth, depth / length * FXL_Q2_30_ONE, 1.0);
 }
 
-/* SPEC 4.3 */
+/* SPEC 4.3, accuracy 1.1 */
 void test_the_view_frustum_is_that_of_the_lens(void)
 {
     const int64_t unit = (int64_t)1 << 30;

@@ -28,7 +28,7 @@ void test_ninety_degrees_is_half_the_width(void)
     TEST_ASSERT_EQUAL_INT32(4, lens.inset);
 }
 
-/* SPEC 4.2 */
+/* SPEC 4.2, accuracy 1.1 */
 void test_focal_is_within_its_bound(void)
 {
     const fxl_angle ends[] = {FXL_FOV_MIN, FXL_FOV_MAX, FXL_FOV_MIN + 1, FXL_FOV_MAX - 1};

@@ -52,7 +52,7 @@ static void expect_level(const fxl_light_settings *of, double exact, uint32_t le
     TEST_ASSERT_TRUE(level <= floor((exact + bound) * top + 0.5));
 }
 
-/* light 2.2, 2.3, 2.4, 2.5 */
+/* light 2.2, 2.3, 2.4, 2.5, accuracy 1.2 */
 void test_brightness_is_that_of_the_definition(void)
 {
     uint32_t between = 0;

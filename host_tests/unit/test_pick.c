@@ -198,6 +198,26 @@ void test_the_edge_of_the_screen(void)
     TEST_ASSERT_TRUE(seen[0] > 100 && seen[1] > 100);
 }
 
+/* pick 1.3 */
+/* As far away as the focal length, a unit is a pixel. */
+void test_points_on_the_edges_themselves(void)
+{
+    static const int32_t ways[][2] = {{-1, 0}, {0, 1}, {1, 0}, {0, -1}};
+    const fxl_pose pose = {{0, 0, 0}, 0, 0, 0};
+    const fxl_lens lens = unit_lens(WIDTH, HEIGHT);
+    fxl_view view;
+    fxl_view_set_lens(&view, &lens);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_view_set_pose(&view, &pose));
+    for (int i = 0; i < 4; i++) {
+        const fxl_point point = {ways[i][0] * WIDTH * 32768, ways[i][1] * HEIGHT * 32768, lens.focal};
+        fxl_screen_place place;
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_find_on_screen(&view, &point, &place));
+        TEST_ASSERT_EQUAL_INT32((ways[i][0] + 1) * WIDTH * 32768, place.at.x);
+        TEST_ASSERT_EQUAL_INT32((1 - ways[i][1]) * HEIGHT * 32768, place.at.y);
+        TEST_ASSERT_EQUAL(i < 2 ? FXL_POINT_VISIBLE : FXL_POINT_OFF_SCREEN, place.place);
+    }
+}
+
 void test_a_vertex_is_where_its_face_begins(void)
 {
     const fxl_pose pose = {{0, 0, Q16(-5)}, 0, 0, 0};

@@ -230,7 +230,7 @@ void test_the_reach_of_a_placement(void)
 
 /* --- matrix, points, eye --------------------------------------------------------------------- */
 
-/* SPEC 8.2 */
+/* SPEC 8.2, accuracy 1.1 */
 void test_each_entry_of_the_matrix_is_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
@@ -273,7 +273,7 @@ void test_no_placement_leaves_the_view(void)
     }
 }
 
-/* SPEC 8.5 */
+/* SPEC 8.5, accuracy 1.1 */
 void test_points_and_directions_are_rounded_once(void)
 {
     for (int round = 0; round < UNIT_REPEAT / 10; round++) {
