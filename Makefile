@@ -21,7 +21,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 
 # The commands, and other targets of the command line that are no files.
 COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
-    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants size \
+    clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size \
     predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
 # The variables of the commands: those in the brackets at the end of a command's line of help. Other settings.
@@ -491,6 +491,12 @@ mutants: ## put random small mistakes into the library and the tools; a test mus
 	@$(TOOL) mutants --seed 1 --count 100 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
 	    host_tests/fuzz/corpus/$(target).zip $(FUZZ_REPLAY_OBJECTS_$(target)))
+
+BREAKS_COVERED = $(COVERAGE_TESTS) $(FUZZ_TARGETS:%=$(COVERAGE_OUT)/replay_%)
+breaks: ## break what the project claims, by a list of breaks that nobody wrote for the tests; commands must fail and name them [SEED=1 DRAW=20 ONLY= SAMPLES=]
+	@tools/setup.sh units report coverage rules predict
+	@$(MAKE) $(UNIT_PROGRAMS) $(BREAKS_COVERED)
+	@$(TOOL) breaks --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
 format: ## format the C sources with clang-format
 	@tools/setup.sh format

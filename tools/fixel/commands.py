@@ -50,6 +50,7 @@ ROOMS = {
     "Tests": {
         "test": ("fixel.check.test", "run the tests that make has built"),
         "test-anywhere": ("fixel.check.test_anywhere", "run the tests of packages and of other machines"),
+        "breaks": ("fixel.check.breaks", "break what the project claims, and see which commands notice"),
         "corpus": ("fixel.check.corpus", "list the fuzzer's corpus, or add an input"),
         "coverage": ("fixel.check.coverage", "print what the library's tests reach"),
         "equality": ("fixel.check.equality", "compare every kernel with the portable one"),

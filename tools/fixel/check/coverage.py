@@ -26,6 +26,7 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    made.add_argument("--root", default=str(CHECKOUT), help="the checkout that the library was built in")
     made.add_argument("--library", required=True, help="the library with counters, a shared object")
     made.add_argument("--tests", nargs="+", required=True, help="unit tests that load it")
     made.add_argument("--replay", nargs=2, action="append", default=[], metavar=("PROGRAM", "CORPUS"),
@@ -55,13 +56,14 @@ def main(argv):
     options = parser().parse_args(argv)
     if shutil.which(f"llvm-cov-{options.version}") is None:
         raise ToolError(f"not run: needs clang {options.version} and its llvm tools")
-    stated = gaps.read(CHECKOUT / options.reasons) if options.reasons else {}
+    root = pathlib.Path(options.root).resolve()
+    stated = gaps.read(root / options.reasons) if options.reasons else {}
     programs = [[test] for test in options.tests]
     library = pathlib.Path(options.library).resolve()
     with scratch.folder("coverage", library.parent) as folder, scratch.folder("corpus") as inputs:
         programs += [[program, *corpus.unpack(corpus.read(archive), inputs)] for program, archive in options.replay]
         counts, failed = clang_coverage.run_programs(programs, folder.resolve(), options.jobs)
-        files = clang_coverage.measured(library, counts, options.version, CHECKOUT)
+        files = clang_coverage.measured(library, counts, options.version, root)
     rooms = clang_coverage.by_room(files)
     listed = {name: {kind: counted[kind] for kind in clang_coverage.KINDS} for name, counted in files.items()}
     output.write_json(options.out, {"rooms": rooms, "files": listed, "open": gaps.as_rows(files, stated)})

@@ -28,6 +28,7 @@ def parser():
     how = made.add_mutually_exclusive_group()
     how.add_argument("--renew", action="store_true", help="take into the record what has become less; refused if something is new")
     how.add_argument("--accept-new", action="store_true", help="take what is new into the record too; the page must deviate from its rule there")
+    made.add_argument("--root", default=str(ROOT), help="the checkout that is checked")
     made.add_argument("--json", default="build/rules.json", help="the result as JSON (default: build/rules.json)")
     return made
 
@@ -62,23 +63,24 @@ def refusals(page, findings, record):
     return undecided, new, said
 
 
-def write_record(findings):
-    (ROOT / RECORD).write_text(misra.record_text(findings), encoding="utf-8")
+def write_record(root, findings):
+    (root / RECORD).write_text(misra.record_text(findings), encoding="utf-8")
     print(f"{RECORD} has {len(findings):,} findings")
 
 
 def main(argv):
     options = parser().parse_args(argv)
-    page = misra.read_page(ROOT / PAGE)
+    root = pathlib.Path(options.root).resolve()
+    page = misra.read_page(root / PAGE)
     misra.require_version()
-    findings = misra.findings(ROOT)
-    record = json.loads((ROOT / RECORD).read_text(encoding="utf-8"))
+    findings = misra.findings(root)
+    record = json.loads((root / RECORD).read_text(encoding="utf-8"))
     rows = report(page, findings)
     print(table(rows, ["rule", "findings", "files", "decision", "what it asks"]))
     kept = sum(rule.decision == "kept" for rule in page.values())
     undecided, new, said = refusals(page, findings, record)
     fewer = misra.fewer(findings, record)
-    output.write_json(ROOT / options.json, {
+    output.write_json(root / options.json, {
         "cppcheck": misra.VERSION, "new": len(new), "not_allowed": len(undecided), "fewer": fewer,
         "rules": [dict(zip(("rule", "findings", "files", "decision", "words"), row)) for row in rows],
         "findings": [vars(each) for each in findings]})
@@ -86,7 +88,7 @@ def main(argv):
     if undecided or (new and not options.accept_new):
         raise ToolError("the library breaks rules where it did not", 1, "\n".join(said))
     if options.accept_new or options.renew:
-        write_record(findings)
+        write_record(root, findings)
     elif fewer:
         print(f"{fewer} findings fewer than on record: make rules RENEW=1 takes that into {RECORD}")
     for rule in misra.stale(page, findings):

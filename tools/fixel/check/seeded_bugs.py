@@ -75,13 +75,18 @@ def make_copy(root, folder):
         shutil.copytree(source, folder / "build" / source.relative_to(built))
 
 
-def build_tests(folder, tests, jobs):
-    """Builds tests in a copy; what the compiler said, or None if all went well."""
+def build_targets(folder, targets, jobs):
+    """Builds files in a copy, by their names for make; what the compiler said, or None if all went well."""
     environment = {name: value for name, value in os.environ.items()
                    if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES")}
-    done = children.run(["make", "-s", f"-j{jobs}", *map(target, tests)],
+    done = children.run(["make", "-s", f"-j{jobs}", *targets],
                         cwd=folder, stderr=subprocess.STDOUT, text=True, errors="replace", env=environment)
     return done.stdout if done.returncode else None
+
+
+def build_tests(folder, tests, jobs):
+    """The same of tests."""
+    return build_targets(folder, map(target, tests), jobs)
 
 
 def run_test(folder, test):
