@@ -24,11 +24,33 @@ static bool same_scan(const fxl_scan *a, const fxl_scan *b)
     return same;
 }
 
+/* The same pixels of a core that has no chains: the spans of active edges, a case each, and one for
+ * the end. */
+static bool compare_spans(const fxl_screen_point *points, uint32_t count, const fxl_band *band)
+{
+    static fxl_scan core, portable;
+    fxl_span by_core, by_portable;
+    fxl_scan_outline(points, count, band, &core);
+    portable_scan_outline(points, count, band, &portable);
+    if (!portable.by_chains) {
+        return false;
+    }
+    while (portable_scan_next(&portable, &by_portable)) {
+        equality_case(fxl_scan_next(&core, &by_core) && by_core.y == by_portable.y &&
+                      by_core.x0 == by_portable.x0 && by_core.x1 == by_portable.x1);
+    }
+    equality_case(!fxl_scan_next(&core, &by_core));
+    return true;
+}
+
 /* Counts one case for each trapezoid, and one for the end. Returns false where the outline has
  * more than two chains. */
 static bool compare(const fxl_screen_point *points, uint32_t count, const fxl_band *band)
 {
     static fxl_scan core, portable;
+    if (!FXL_SCANS_BY_CHAINS) {
+        return compare_spans(points, count, band);
+    }
     fxl_scan_outline(points, count, band, &core);
     fxl_scan_outline(points, count, band, &portable);
     if (!core.by_chains) {

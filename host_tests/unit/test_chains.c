@@ -289,7 +289,7 @@ static void check_polygon(const fxl_screen_polygon *polygon, const fxl_band *ban
     fxl_span expected, span;
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(polygon, band, &spans));
     TEST_ASSERT_EQUAL(FXL_OK, fxl_scan_begin(polygon, band, &trapezoids));
-    if (by_chains && !FXL_IS_SMALL) {
+    if (by_chains && FXL_SCANS_BY_CHAINS) {
         TEST_ASSERT_TRUE_MESSAGE(spans.by_chains, "the quick way was not taken");
     }
     fxl_active_edges_begin(&crossings, polygon->points, polygon->count, spans.outline_first,
