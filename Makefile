@@ -20,7 +20,7 @@ ONE_OF = $(strip $(foreach word,$(2),$(if $(and $(findstring |$(1)|,|$(word)|),$
 # --- the user's variables ----------------------------------------------------
 
 # The commands, and other targets of the command line that are no files.
-COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere boards benchmark bench clippers \
+COMMANDS := all run view flash boot gdb compare report screen showcase pictures wire lib test test-anywhere test-campaigns boards benchmark bench clippers \
     clippers-accept bench-diff bench-baseline profile equality fuzz corpus kills seeded-bugs trace prove coverage rules mutants breaks size \
     predict costs one-file packages docs release api-check format clean
 TARGETS := help $(COMMANDS) all-boards boards-programs bench-programs test-programs
@@ -232,7 +232,7 @@ endif
 REPORT_TOOLS := $(addprefix $(BUILD)/host/,oracle designs judge raycast stage_errors)
 REPORT_PROGRAMS = $(if $(ONLY),$(BUILD)/host/oracle,$(BOARD_WALK.host) $(BOARD_WALK.$(BOARD_CHOSEN)) $(REPORT_TOOLS))
 
-report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SEED= ONLY= MINUTES=20 JOBS= FRESH=1]
+report: ## measure every claim about accuracy, beside plain 16.16 and float32: an HTML page, JSON [BOARD= SAMPLES= SCENE= ALLOW_OUTSIDE=1 CPU_LIMIT= MEMORY_LIMIT= SEED= ONLY= MINUTES=20 JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh report
 	@$(MAKE) $(REPORT_PROGRAMS)
 	@$(TOOL) report --out $(BUILD)/report --build $(BUILD) --board $(BOARD_CHOSEN)
@@ -379,6 +379,11 @@ test-anywhere: ## run the tests of packages and of what make test has no tools f
 	@$(MAKE) $(HOST_WALK) $(HOST_TOOLS) $(BUILD)/host/libfixel.a
 	@$(TOOL) test-anywhere --json $(BUILD)/anywhere.json
 
+test-campaigns: ## run a campaign on a cluster of three workers of which one is killed: the bytes must be those of one process and of eight
+	@tools/setup.sh cluster
+	@$(MAKE) $(BUILD)/host/oracle
+	@$(PY) -m pytest -q -p no:cacheprovider host_tests/anywhere/campaigns
+
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
 
 COMPARED_BOARDS = $(if $(filter host,$(TEST_BOARD)),$(error BOARD=host: all boards are compared with the host; name another),$(or $(TEST_BOARD),$(TARGET_BOARDS)))
@@ -408,7 +413,7 @@ bench: ## count the instructions of frames and kernels on four cores, beside the
 	@$(TOOL) bench --cores $(BENCH_CORES_ASKED) $(if $(BENCH_LEFT_OUT),--left-out $(BENCH_LEFT_OUT)) \
 	    --out $(BENCH_OUT) --build $(BUILD)
 
-clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY=]
+clippers: ## compare every clipper with every visibility method: an HTML page, JSON [FRAMES= ONLY= JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh report
 	@$(MAKE) $(CLIPPERS_BUILT) $(BOARD_WALK.host)
 	@$(TOOL) clippers --out $(BUILD)/clippers --build $(BUILD) --cores $(CLIPPERS_CORES)
@@ -433,10 +438,10 @@ profile: ## show where a workload's instructions go: functions, lines, flame gra
 	@$(MAKE) $(BENCH_COUNTER) $(PROFILE_PROGRAM)
 	@$(TOOL) profile --workload w1 --core m3 --build $(BUILD)
 
-equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 JOBS= KEEP=bench/equality.json]
+equality: ## compare every kernel of every core with the portable one, on the emulated core [THOUSANDS=10000 KEEP=bench/equality.json JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh run
 	@$(MAKE) $(EQUALITY_PROGRAMS)
-	@$(TOOL) equality $(EQUALITY_PROGRAMS)
+	@$(TOOL) equality $(EQUALITY_KINDS) --build $(BUILD)
 
 fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60 EXAMPLES=1500]
 	@tools/setup.sh fuzz
@@ -458,12 +463,12 @@ seeded-bugs: ## break the library on purpose, one place at a time; the tests mus
 	@tools/setup.sh units
 	@$(TOOL) seeded-bugs --build $(BUILD)
 
-trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 FRESH=1]
+trace: ## join each clause of the specification with its code and its tests; BREAK=1: the tests must fail when it is broken [BREAK=1 ONLY= SAMPLE= ACCEPT=1 JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh $(if $(value BREAK),units,tools)
 	@$(if $(value BREAK),$(MAKE) $(UNIT_PROGRAMS))
 	@$(TOOL) trace --build $(BUILD) --units $(UNIT_OUT) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK'
 
-prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 FRESH=1]
+prove: ## prove properties of the library's text for every input, and say of each function what shows it; JSON [ONLY= BUGS=1 JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh predict
 	@$(TOOL) prove --build $(BUILD)
 

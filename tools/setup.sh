@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs what a command of Fixel needs and this machine lacks.
 #
-# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|rules|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere...
+# usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|rules|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|oracle|cluster|anywhere...
 #
 #   run     cross compiler, QEMU, Python packages for running boards
 #   view    the same, and Python packages for a web page
@@ -27,6 +27,8 @@
 #   riscv   compiler, C library and QEMU for the board rv32 (70 MB to fetch)
 #   api     compiler for the host, and abidiff of libabigail
 #   docs    Doxygen (50 MB on disk); Python packages as for run
+#   oracle  compiler for the host, GMP, Python packages as for run: what the samples of a report take
+#   cluster the same as oracle, and Python packages for plots, tests, and campaigns on a cluster
 #   anywhere the same as run, pico, riscv, api and docs, a C++ compiler, CMake, pkg-config, GCC for AVR, which must refuse the library,
 #           the builder of Arduino, cargo where Debian has one that is new enough, and libclang, by which a crate reads the headers of LVGL
 #
@@ -177,13 +179,15 @@ find_missing() {
         pico) need_board; need_node ;;
         riscv) need_riscv ;;
         api) need_host_compiler; has abidiff || need abigail-tools ;;
+        oracle) need_host_compiler; need_gmp; need_python run ;;
+        cluster) need_host_compiler; need_gmp; need_python run report test cluster ;;
         docs) has doxygen || need doxygen; need_python run ;;
         anywhere)
             need_board; need_riscv; need_node; need_compilers; has pkg-config || need pkg-config; has abidiff || need abigail-tools
             has doxygen || need doxygen; has avr-gcc || need gcc-avr
             has arduino-builder || need arduino-builder; [ -d /usr/share/arduino/hardware/arduino/avr ] || need arduino-core-avr
             need_cargo ;;
-        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, rules, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs or anywhere" ;;
+        *) die "unknown set-up '$what': run, view, report, units, test, lib, lib-riscv, format, fuzz, coverage, rules, tools, simplify, completion, predict, gdb, probe, pico, riscv, api, docs, oracle, cluster or anywhere" ;;
         esac
     done
     has python3 || need python3
@@ -332,7 +336,7 @@ case "${1-}" in
 --packages-only) packages_only=yes; shift ;;
 --missing) missing_only=yes; shift ;;
 esac
-[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|rules|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|anywhere..."
+[ $# -gt 0 ] || die "usage: tools/setup.sh [--packages-only|--missing] run|view|report|units|test|lib|lib-riscv|format|fuzz|coverage|rules|tools|simplify|completion|predict|gdb|probe|pico|riscv|api|docs|oracle|cluster|anywhere..."
 if [ -n "$missing_only" ]; then
     find_missing "$@"
     printf '%s\n' "${packages# }"

@@ -23,7 +23,10 @@ void equality_case(bool same);
 /* Returns the number of inputs in this test. */
 uint32_t equality_cases(void);
 
-/* Returns random bits; the same in every run. */
+/* Begins the random inputs of a shard, which no other has. */
+void any_of_shard(uint32_t shard);
+
+/* Returns random bits; the same in every run of a shard. */
 uint32_t any_32(void);
 uint64_t any_64(void);
 

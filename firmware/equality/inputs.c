@@ -2,15 +2,28 @@
 #include "equality.h"
 
 static uint32_t state = 0x9E3779B9u;
+static uint64_t of_shard; /* stays 0 in shard 0 */
+
+/* Steele's splitmix64 makes seeds far apart of numbers that are near. */
+void any_of_shard(uint32_t shard)
+{
+    uint64_t seed = shard * UINT64_C(0x9E3779B97F4A7C15); /* modulo 2^64, as the products below */
+    seed = (seed ^ seed >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    seed = (seed ^ seed >> 27) * UINT64_C(0x94D049BB133111EB);
+    of_shard = seed ^ seed >> 31;
+}
 
 /* Marsaglia's xorshift, 32 bits: period 2^32 - 1, so a test takes a run of them
- * that no other has. */
+ * that no other has. That of a shard has 64 bits and a period of 2^64 - 1. */
 uint32_t any_32(void)
 {
     state ^= state << 13;
     state ^= state >> 17;
     state ^= state << 5;
-    return state;
+    of_shard ^= of_shard << 13;
+    of_shard ^= of_shard >> 7;
+    of_shard ^= of_shard << 17;
+    return state ^ (uint32_t)(of_shard >> 32);
 }
 
 uint64_t any_64(void)

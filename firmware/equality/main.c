@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The argument frames=N asks for N mod 2^20 thousand random inputs a kernel, of kernel N / 2^20
- * alone, counted from 1, or of all where that is 0. N = 0: their names and nothing else, as
+/* The argument frames=N asks for N mod 2^10 thousand random inputs a kernel, of kernel N / 2^26
+ * alone, counted from 1, or of all where that is 0. N / 2^10 mod 2^16 is the number of the shard:
+ * each has random inputs of its own, after all boundary inputs. N = 0: the kernels' names and
+ * nothing else, as
  *   equality: kernel NAME
  * Prints for each kernel
  *   equality: NAME CASES
@@ -14,7 +16,8 @@
 #include <stddef.h>
 
 #define ROUNDS       1000u
-#define KERNEL_SHIFT 20u
+#define SHARD_SHIFT  10u
+#define KERNEL_SHIFT 26u
 
 static uint32_t cases, differences;
 
@@ -51,8 +54,9 @@ int main(int argc, char **argv)
     bool failed = false;
     bench_start(argc, argv);
     const uint32_t asked = system_frames(), only = asked >> KERNEL_SHIFT;
-    const uint32_t thousands = asked & ((1u << KERNEL_SHIFT) - 1u);
+    const uint32_t thousands = asked & ((1u << SHARD_SHIFT) - 1u);
     uint32_t number = 1;
+    any_of_shard(asked >> SHARD_SHIFT & ((1u << (KERNEL_SHIFT - SHARD_SHIFT)) - 1u));
     for (const equality_test *each = equality_tests; each->name != NULL; each++, number++) {
         if (asked == 0) {
             system_text("equality: kernel ");

@@ -22,7 +22,7 @@ CHECKED_IN = {"CORE": ["lib", "bench"], "ONLY": ["coverage"]}
 # Any value that is not empty means yes.
 SWITCHES = {"SIZE"}
 # Commands that call none of the tools.
-WITHOUT_TOOL = {"help", "lib", "all", "format", "clean"}
+WITHOUT_TOOL = {"help", "lib", "all", "format", "clean", "test-campaigns"}
 
 # Recorded: the options, and the variables that make exported.
 RECORDER = """#!/usr/bin/env python3

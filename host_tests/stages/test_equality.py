@@ -7,15 +7,20 @@ import re
 import pytest
 
 from board_programs import ROOT, made
-from conftest import run_cli
+from conftest import assert_one_sentence, run_cli
+from fixel.campaign.shards import Shard
 from fixel.check import kernel_equality
 
 OF_WHOLE_ARMV7M = ("depth-outlines", "smooth-outlines", "smooth-planes", "depth-runs")
 CORES = ("m0", "m3", "m4f", "m55", "m0-small", "m3-small", "m3-os")
 
 
-def equality(core, journal, *more):
-    return run_cli("equality", made(f"build/equality/{core}.elf"), "--journal", str(journal), *more)
+def equality(core, build, *more, **changes):
+    """fixel equality with a build folder of its own, which has the programs."""
+    if not (build / "equality").exists():
+        (build / "equality").mkdir(parents=True)
+        (build / "equality" / f"{core}.elf").symlink_to(made(f"build/equality/{core}.elf"))
+    return run_cli("equality", core, "--build", build, *more, **changes)
 
 
 def kernels_of(core):
@@ -29,7 +34,7 @@ def kernels_of(core):
 
 @pytest.mark.parametrize("core", CORES)
 def test_kernels_are_equal(core, tmp_path):
-    done = equality(core, tmp_path / "journal.json", "--thousands", "10")
+    done = equality(core, tmp_path, "--thousands", "10")
     assert done.returncode == 0, done.stdout + done.stderr
     lines = re.findall(rf"^{core} +(\S+) +([0-9,]+) inputs  0 differ", done.stdout, re.MULTILINE)
     assert sorted(name for name, _ in lines) == sorted(kernels_of(core)), done.stdout
@@ -37,34 +42,38 @@ def test_kernels_are_equal(core, tmp_path):
 
 
 def test_what_is_done_is_not_done_again(tmp_path):
-    journal = tmp_path / "journal.json"
-    first = equality("m3", journal, "--thousands", "1")
-    assert first.returncode == 0 and "(before)" not in first.stdout, first.stdout + first.stderr
-    again = equality("m3", journal, "--thousands", "1")
-    assert again.stdout.count("(before)") == first.stdout.count(" inputs  0 differ")
-    rows = json.loads(journal.read_text(encoding="utf-8"))["rows"]
-    rows[0]["program"] = "another"
-    journal.write_text(json.dumps({"rows": rows}), encoding="utf-8")
-    third = equality("m3", journal, "--thousands", "1")
-    assert third.stdout.count("(before)") == again.stdout.count("(before)") - 1
-    more = equality("m3", journal, "--thousands", "2")
-    assert "(before)" not in more.stdout
+    allowed = {"FIXEL_KEPT": "", "CI": ""}
+    first, again = (equality("m3", tmp_path, "--thousands", "1", **allowed) for _ in range(2))
+    count = len(kernels_of("m3"))
+    assert first.returncode == 0 and first.stdout == again.stdout, first.stdout + first.stderr
+    assert f"{count} of {count} shards done, 0 of them by earlier" in first.stderr
+    assert f"{count} of {count} shards done, {count} of them by earlier" in again.stderr
+    more = equality("m3", tmp_path, "--thousands", "2", **allowed)
+    assert f"{count} of {count} shards done, 0 of them by earlier" in more.stderr
+    assert sum(row["inputs"] for row in json.loads((tmp_path / "equality/equality.json").read_text())["rows"]) >= 2000 * count
+
+
+def test_each_shard_has_inputs_of_its_own():
+    """Their numbers reach the program: kernels that skip some inputs count others."""
+    elf = made("build/equality/m3.elf")
+    names = kernel_equality.kernels(elf)
+    counted = [tuple(kernel_equality.compare(elf, 1, kernel, shard)[0][1] for shard in (0, 0, 1, 65535))
+               for kernel in range(1, len(names) + 1)]
+    assert all(first == same for first, same, _, _ in counted)
+    assert any(len({first, *others}) == 3 for first, _, *others in counted)
+
+
+def test_a_plan_has_all_inputs_once(monkeypatch):
+    monkeypatch.setattr(kernel_equality, "kernels", lambda elf: ["a", "b"])
+    some = kernel_equality.plan("build", ["m0", "m3"], 2500)
+    assert [shard.parameters["thousands"] for shard in some] == 4 * [1000, 1000, 500]
+    assert [shard.parameters["shard"] for shard in some] == 4 * [0, 1, 2] and [shard.number for shard in some] == list(range(12))
+    assert [shard.kind for shard in some[::3]] == ["m0 a", "m0 b", "m3 a", "m3 b"]
+    rows = kernel_equality.merge(some, [{"inputs": 10, "differ": shard.number % 2} for shard in some])
+    assert rows[1] == {"core": "m0", "kernel": "b", "inputs": 30, "differ": 2}
+    with pytest.raises(ValueError):
+        kernel_equality.merge(some[:1] + [Shard("equality", 1, {}, "m0 a", 1)], [{"inputs": 1, "differ": 0}])
 
 
 def test_nothing_is_refused():
-    done = run_cli("equality", "no-such.elf", "--thousands", "0")
-    assert done.returncode == 2
-    assert "--thousands is 1 to 1,000,000" in done.stderr
-
-
-def test_a_journal_has_one_row_of_each_kernel_and_core(tmp_path, capsys):
-    def row(core, kernel, program="p", thousands=1):
-        return {"core": core, "kernel": kernel, "program": program, "thousands": thousands, "inputs": 1, "differ": 0, "seconds": 0.5}
-    journal = kernel_equality.Journal(tmp_path / "journal.json")
-    for each in (row("m3", "b"), row("m3", "a"), row("m0", "a"), row("m3", "a", "q", 7)):
-        journal.keep(each)
-    assert len(capsys.readouterr().out.splitlines()) == 4
-    kept = kernel_equality.Journal(tmp_path / "journal.json")
-    assert kept.rows == [row("m0", "a"), row("m3", "a", "q", 7), row("m3", "b")]
-    assert kept.find("m3", "a", "q", 7) == kept.find("m3", "a", "q", 6) == row("m3", "a", "q", 7)
-    assert [kept.find(*of) for of in (("m3", "a", "q", 8), ("m3", "a", "p", 1), ("m0", "b", "p", 1))] == 3 * [None]
+    assert_one_sentence(run_cli("equality", "m3", "--thousands", "0"), "--thousands", "from 1 to 65,536,000")

@@ -147,6 +147,12 @@ def test_a_shard_that_fails_is_one_sentence(command):
     assert_one_sentence(run_cli(*command.words("out"), "--jobs", 2), "report, oracle", "was killed")
 
 
+def test_a_program_that_is_not_built_is_one_sentence(command):
+    (command.build / "host/oracle").unlink()
+    for changes in ({}, ALLOWED):
+        assert_one_sentence(run_cli(*command.words("out"), **changes), "host/oracle", "make all builds")
+
+
 def test_a_damaged_shard_is_computed_anew(command):
     command("one", **ALLOWED)
     command.asked()
@@ -161,6 +167,9 @@ def test_the_rate_and_the_hours_of_large_campaigns():
     (row,) = rates.rows(done, {0: 1.0, 1: 1.0, 2: 2.0, 3: 0.0})
     assert row == {"kind": "a", "shards": 4, "samples": 2000, "seconds": 4.0, "shard_seconds": 1.0, "samples_a_second": 500.0,
                    "core_hours": {"10^9": 555.556, "10^10": 5555.556, "10^12": 555555.556}}
+    assert rates.whole([row], done[:2], 100) == {"kind": "all, in proportion", "shards": 2, "samples": 100, "seconds": 2.0,
+                                                 "shard_seconds": 1.0, "samples_a_second": 50.0,
+                                                 "core_hours": {"10^9": 5555.556, "10^10": 55555.556, "10^12": 5555555.556}}
     assert "core hours of 10^12" in rates.shown([row]) and "5.556e+05" in rates.shown([row])
 
 

@@ -8,6 +8,7 @@ every core drew the frames of the host, 1 not, 2 the comparison could not be run
 import argparse
 
 from fixel import commands
+from fixel.campaign import runner
 
 
 def parser():
@@ -20,6 +21,7 @@ def parser():
     made.add_argument("--build", default="build", help="folder that make builds in")
     made.add_argument("--accept", action="store_true",
                       help="only take the run in --out into docs/clipping.md and bench/clippers.json")
+    runner.add_options(made)
     return made
 
 

@@ -5,10 +5,9 @@ import pathlib
 
 import jinja2
 
-from fixel.bench import bench_page, clippers_plots
+from fixel.bench import bench_page, clippers_plots, clippers_run
 from fixel.report import report_page
 from fixel.bench.bench_plan import NAMES
-from fixel.report.report_frames import Shown
 from fixel.base.table import table
 
 TEMPLATES = pathlib.Path(__file__).resolve().parents[2] / "templates"
@@ -102,19 +101,13 @@ def terminal(plan, result):
 
 # --- the page ------------------------------------------------------------------------
 
-def _shown(hosts, key, frame):
-    host = hosts[key]
-    return Shown(key[2], frame, host.verdict["frames"][frame]["pixels_differing"], host.drawn.palette,
-                 host.drawn.frames[frame].pixels, host.twin.frames[frame].pixels)
-
-
 def scene_pictures(plan, result, hosts):
     """A picture of each scene: its middle frame, by the first combination."""
     pictures = []
     for scene, frames in result["frames"].items():
         key = next((key for key in hosts if key[2] == scene), None)
         if key:
-            shown = _shown(hosts, key, frames // 2)
+            shown = clippers_run.shown(scene, hosts[key], frames // 2)
             block = report_page.frame_block(shown)["panels"][0][0]
             pictures.append({"scene": scene, "what": plan.scenes[scene]["what"], "frames": frames, "png": block["png"]})
     return pictures
@@ -124,9 +117,7 @@ def difference_blocks(hosts):
     """The frames that differ most from double, each of another clipper and scene."""
     worst = {}
     for key, host in hosts.items():
-        number = max(range(len(host.verdict["frames"])),
-                     key=lambda each, of=host: of.verdict["frames"][each]["pixels_differing"])
-        shown = _shown(hosts, key, number)
+        shown = clippers_run.shown(key[2], host, host["differing"].index(max(host["differing"])))
         pair = (key[0], key[2])
         if shown.differing and (pair not in worst or worst[pair][1].differing < shown.differing):
             worst[pair] = (key, shown)

@@ -10,6 +10,7 @@ from fixel.board import qemu
 from fixel.base.errors import ToolError, one_line
 from fixel.board.programs import read_json
 from fixel.base.table import coloured
+from fixel.campaign import runner
 
 PATTERNS = ["clippers.html", "clippers.json"]
 FRAMES_MAX = 100_000
@@ -29,27 +30,35 @@ def compile_scenes(plan, folder, frames):
             for key, made in parallel.run("compiling scenes", jobs).items()}
 
 
-def measure(plan, cores, folder, frames):
-    """(clippers.json, what the host drew)."""
-    scenes = compile_scenes(plan, folder, frames)
+def shards_of(plan, cores, scenes):
+    """{(core, "frames" or "operations", combination, scene's name): shard}."""
     tasks = [(each, scene) for each in plan.combinations() for (_, tree), scene in scenes.items()
              if tree == plan.hidden[each.hidden]["tree"]]
-    hosts = parallel.run("drawing on the host, and judging", {
-        (each.clipper, each.hidden, scene["name"]): (clippers_run.on_host, plan, each, scene, scene["file"], folder)
-        for each, scene in tasks})
-    drawn = parallel.run("drawing on emulated cores", {
-        (core, each, scene["name"]): (clippers_run.on_core, plan, core, each, scene["file"])
-        for core in cores for each, scene in tasks})
     first = next(iter(plan.hidden))
-    counted = parallel.run("counting the clippers' instructions", {
-        (core, each.clipper, scene["name"]): (clippers_run.operations, plan, core, each.clipper, scene["file"])
-        for core in cores for each, scene in tasks if each.hidden == first and not plan.hidden[first]["tree"]})
+    cells = [(core, "frames", each, scene) for core in (clippers_run.HOST, *cores) for each, scene in tasks]
+    if not plan.hidden[first]["tree"]:
+        cells += [(core, "operations", each, scene) for core in cores for each, scene in tasks if each.hidden == first]
+    return {(core, what, each, scene["name"]): clippers_run.shard_of(number, what, core, each, scene)
+            for number, (core, what, each, scene) in enumerate(cells)}
+
+
+def measure(plan, cores, folder, options):
+    """(clippers.json, what the host drew)."""
+    scenes = compile_scenes(plan, folder, options.frames)
+    some = shards_of(plan, cores, scenes)
+    done = runner.run("drawing on the host and on emulated cores, and judging", list(some.values()), options)
+    results = dict(zip(some, runner.whole(done), strict=True))
+    done.tell(options.build)
+    hosts = {(each.clipper, each.hidden, name): result for (core, _, each, name), result in results.items() if core == clippers_run.HOST}
+    drawn = {(core, each, name): result for (core, what, each, name), result in results.items()
+             if core != clippers_run.HOST and what == "frames"}
+    counted = {(core, each.clipper, name): result for (core, what, each, name), result in results.items() if what == "operations"}
     sizes = {(core, each): clippers_run.size(plan, core, each) for core, each, _ in drawn}
-    images = {(each, scene["name"]): scene for each, scene in tasks}
+    images = {(each, name): scenes[name, plan.hidden[each.hidden]["tree"]] for _, each, name in drawn}
     rows = [clippers_rows.row(plan, core, each, images[each, name], hosts[each.clipper, each.hidden, name], one,
                               sizes[core, each]) for (core, each, name), one in drawn.items()]
     result = {"frames": {name: scene["image"].frames for (name, _), scene in scenes.items()}, "rows": rows,
-              "operations": clippers_rows.operation_rows(counted, hosts, first)}
+              "operations": clippers_rows.operation_rows(counted, hosts, next(iter(plan.hidden)))}
     return {**result, "complaints": clippers_rows.complaints(plan, result)}, hosts
 
 
@@ -74,6 +83,7 @@ def command(options):
     """The command; its exit code."""
     if options.frames is not None and not 1 <= options.frames <= FRAMES_MAX:
         raise ToolError(f"--frames {options.frames} is outside 1..{FRAMES_MAX:,}")
+    runner.jobs_of(options)
     plan = clippers_plan.Plan(options.build, options.only)
     if options.accept:
         accept(plan, options.out)
@@ -82,7 +92,7 @@ def command(options):
     cores = [core for core in plan.cores if options.cores is None or core in options.cores]
     with output.replaced_folder(options.out, PATTERNS) as folder, \
             scratch.folder("clippers", options.build) as work:
-        result, hosts = measure(plan, cores, work, options.frames)
+        result, hosts = measure(plan, cores, work, options)
         output.write_json(folder / "clippers.json", result)
         output.write_file(folder / "clippers.html", clippers_page.render(plan, result, hosts))
     print(clippers_page.terminal(plan, result))

@@ -10,20 +10,20 @@ CLAIM_BEYOND = 1e-4     # of outlines may be beyond the claim: docs/extras/clipp
 
 def row(plan, core, combination, scene, host, drawn, text_bytes):
     """A row: one combination, scene and core."""
-    verdict, found = host.verdict, host.found
+    verdict, found = host["verdict"], host["found"]
     return {"clipper": combination.clipper, "hidden": combination.hidden, "scene": scene["name"], "board": core,
-            "frames": len(drawn.instructions), "instructions": clippers_run.summary(drawn.instructions),
-            "text_bytes": text_bytes, "ram_bytes": drawn.memory, "stack_bytes": drawn.stack,
+            "frames": len(drawn["instructions"]), "instructions": clippers_run.summary(drawn["instructions"]),
+            "text_bytes": text_bytes, "ram_bytes": drawn["memory"], "stack_bytes": drawn["stack"],
             "max_error_units": found["max_error_units"], "max_error_units_at_all": found["max_error_units_at_all"],
             "pixels": verdict["pixels"], "pixels_differing": verdict["pixels_differing"],
             "pixels_tied": verdict["pixels_tied"], "pixels_unexplained": verdict["pixels_unexplained"],
             "max_edge_distance_px": verdict["max_edge_distance_px"],
             "explained_px": plan.explained(combination.clipper, scene["image"]),
-            "equal_to_host": clippers_run.frame_sums(drawn.pixels) == host.sums,
-            "crcs": [f"{value:08x}" for value in host.sums],
+            "equal_to_host": drawn["sums"] == host["sums"],
+            "crcs": [f"{value:08x}" for value in host["sums"]],
             **{key: found[key] for key in ("faces", "crossing", "missed", "refused", "beyond", "vertices",
                                            "screen_px", "view_units", "intersections", "distances")},
-            "split_bands": sum(frame.counters.get("split_bands", 0) for frame in host.drawn.frames)}
+            "split_bands": host["split_bands"]}
 
 
 def operation_rows(counted, hosts, hidden):
@@ -33,7 +33,7 @@ def operation_rows(counted, hosts, hidden):
     intersections and distances from planes are the whole scene's, the rest is that of the polygons cut."""
     rows = []
     for (core, clipper, scene), taken in counted.items():
-        found = hosts[clipper, hidden, scene].found
+        found = hosts[clipper, hidden, scene]["found"]
         rows.append({"clipper": clipper, "scene": scene, "board": core, "crossing": found["crossing"], **taken,
                      "intersections": found["intersections"], "distances": found["distances"]})
     return rows

@@ -1,64 +1,126 @@
 # SPDX-License-Identifier: MIT
-"""Runs the programs of make clippers: on the host with the reference renderer, and on emulated cores."""
+"""Runs the programs of make clippers: on the host with the reference renderer, and on emulated cores. Each run is a shard of
+a campaign (fixel/campaign/shards.py). Its parameters have the scene image, so that it depends on the programs alone."""
 
+import base64
 import collections
-import dataclasses
 import json
 import pathlib
 import statistics
 import zlib
 
+import numpy
+
 from fixel.base import scratch
-from fixel.bench import bench_run, counter, link_map
-from fixel.board import dump, programs
+from fixel.bench import bench_run, clippers_plan, counter, link_map
+from fixel.board import dump, programs, qemu
 from fixel.base.errors import ToolError
 from fixel.bench.machine_code import MachineCode
+from fixel.campaign.shards import Shard
+from fixel.image import image
+from fixel.report.report_frames import Shown
 
 # Kinds of instructions (thumb.py).
 OPERATIONS = {"multiplications": ("multiply", "multiply add", "long multiply", "long multiply add"),
               "divisions": ("divide",)}
 MARKERS = ("operations_begin", "operations_end")
+HOST = "host"
+SHARD_SETUP = "report"
 
 
-@dataclasses.dataclass
-class OnHost:
-    """A scene drawn by a combination on the host: the judge's verdict, what the clipper did, and
-    each frame's CRC."""
-    verdict: dict
-    found: dict
-    sums: list
-    drawn: object       # dump.Dump: the library's frames
-    twin: object        # the same from double
+# --- the campaign ------------------------------------------------------------------
 
+def shard_of(number, what, core, combination, scene):
+    """A shard. what: "frames", on the host or a core, or "operations"."""
+    return Shard("clippers", number, {"what": what, "core": core, "clipper": combination.clipper, "hidden": combination.hidden,
+                                      "image": packed(scene["file"].read_bytes())},
+                 f"{core} {what}", 0)
+
+
+def run_shard(build, parameters):
+    plan = clippers_plan.Plan(build)
+    combination = clippers_plan.Combination(parameters["clipper"], parameters["hidden"])
+    with scratch.folder("clippers") as folder:
+        file = folder / "scene.fxls"
+        file.write_bytes(unpacked(parameters["image"]))
+        if parameters["what"] == "operations":
+            return operations(plan, parameters["core"], combination.clipper, file)
+        if parameters["core"] == HOST:
+            return on_host(plan, combination, file, folder)
+        return on_core(plan, parameters["core"], combination, file)
+
+
+def _programs(build, parameters):
+    plan = clippers_plan.Plan(build)
+    combination = clippers_plan.Combination(parameters["clipper"], parameters["hidden"])
+    if parameters["core"] == HOST:
+        return [plan.host_program(combination.name), plan.build / "host" / "judge"]
+    return [plan.operations_program(parameters["core"], combination.clipper) if parameters["what"] == "operations" else
+            plan.program(parameters["core"], combination.name), plan.counter]
+
+
+def shard_inputs(build, parameters):
+    return [*_programs(build, parameters), clippers_plan.PLAN, "" if parameters["core"] == HOST else qemu.version()]
+
+
+def shard_targets(build, parameters):
+    return list(map(str, _programs(build, parameters)))
+
+
+def packed(data):
+    """Bytes as text."""
+    return base64.b64encode(zlib.compress(data)).decode()
+
+
+def unpacked(text):
+    return zlib.decompress(base64.b64decode(text))
+
+
+def shown(name, host, number):
+    """A frame of a scene of which the host's result has the pictures, for the page."""
+    one = host["shown"][str(number)]
+    return Shown(name, number, host["differing"][number], numpy.frombuffer(unpacked(host["palette"]), numpy.uint8).reshape(-1, 3),
+                 *(numpy.frombuffer(unpacked(one[side]), one["type"]).reshape(one["shape"]) for side in ("drawn", "twin")))
+
+
+# --- what is run -------------------------------------------------------------------
 
 def frame_sums(frames):
     """CRC-32 of each frame's pixels."""
     return [zlib.crc32(pixels.tobytes()) for pixels in frames]
 
 
-def on_host(plan, combination, scene, file, folder):
-    """Draws a scene with lib/ and with double, and judges."""
-    name = f"{combination.name}-{scene['name']}"
-    drawn, twin, report = (pathlib.Path(folder) / f"{name}{end}" for end in (".fxld", "-double.fxld", ".json"))
+def on_host(plan, combination, file, folder):
+    """A scene drawn with lib/ and with double, and judged: the judge's verdict, what the clipper did, each frame's CRC, and
+    pictures of the middle frame and of the one that differs most."""
+    drawn, twin, report = (folder / name for name in ("drawn.fxld", "double.fxld", "judge.json"))
     said = programs.run_program([plan.host_program(combination.name), plan.clippers[combination.clipper]["sides"],
                                  file, drawn])
-    explained = plan.explained(combination.clipper, scene["image"])
+    explained = plan.explained(combination.clipper, image.load(file))
     programs.run_program([plan.build / "host" / "judge", file, drawn, "--json", report, "--twin", twin,
                           "--distance", repr(explained),
                           "--clipper", combination.clipper,
                           "--hidden", "tree" if plan.hidden[combination.hidden]["tree"] else "sorted"])
-    frames = dump.read_dump(drawn)
+    frames, doubles, verdict = dump.read_dump(drawn), dump.read_dump(twin), programs.read_json(report)
     try:
         found = json.loads(said)
     except ValueError as error:
         raise ToolError(f"{combination.name}: its output is not the JSON agreed on: {error}", 1) from error
-    return OnHost(programs.read_json(report), found, frame_sums([frame.pixels for frame in frames.frames]),
-                  frames, dump.read_dump(twin))
+    differing = [entry["pixels_differing"] for entry in verdict.pop("frames")]
+    pictures = {len(differing) // 2, differing.index(max(differing))}
+    return {"verdict": verdict, "found": found, "sums": frame_sums([frame.pixels for frame in frames.frames]),
+            "split_bands": sum(frame.counters.get("split_bands", 0) for frame in frames.frames), "differing": differing,
+            "palette": packed(frames.palette.tobytes()),
+            "shown": {str(number): {"drawn": packed(frames.frames[number].pixels.tobytes()),
+                                    "twin": packed(doubles.frames[number].pixels.tobytes()),
+                                    "type": str(frames.frames[number].pixels.dtype), "shape": frames.frames[number].pixels.shape}
+                      for number in sorted(pictures)}}
 
 
 def on_core(plan, core, combination, file):
-    """Drawn (bench_run): a scene drawn on an emulated core."""
-    return bench_run.draw(plan, core, combination.name, file)
+    """A scene drawn on an emulated core."""
+    drawn = bench_run.draw(plan, core, combination.name, file)
+    return {"instructions": drawn.instructions, "sums": frame_sums(drawn.pixels), "memory": drawn.memory, "stack": drawn.stack}
 
 
 def operations(plan, core, clipper, file):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs the shards of a campaign: those that an earlier command has kept are not computed again, the others run on this
-machine. Results come in the order of the shards, so whoever merges them in that order gets the same
+machine or on a cluster. Results come in the order of the shards, so whoever merges them in that order gets the same
 result however many processes there were and whatever was kept.
 
 A result is kept when its shard is done, in the folder shards of the build folder, under the content of all that it depends
@@ -11,27 +11,43 @@ import contextlib
 import itertools
 import os
 import pathlib
+import re
 import sys
 
-from fixel.base import kept, output
+from fixel.base import children, kept, output
 from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError
 from fixel.base.progress import Progress
 from fixel.campaign import local, rates, shards
 
+CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 JOBS_MAX = 1024
+ADDRESS = re.compile(r"(tcp|tls)://[^/\s]+:\d{1,5}")
 FOLDER, MOST = "shards", 4_000_000_000      # bytes: a hundred campaigns
 
 
 def add_options(parser):
     """Those of each campaign."""
     parser.add_argument("--jobs", default="0", help="processes at a time; 0: one for each core (JOBS=)")
+    parser.add_argument("--cluster", default="", metavar="tcp://HOST:PORT",
+                        help="a Dask scheduler, whose workers compute the shards (CLUSTER=)")
     kept.add_option(parser)
 
 
 def jobs_of(options):
     """How many processes there are."""
     return whole_number("--jobs", str(options.jobs), 0, JOBS_MAX) or os.cpu_count() or 1
+
+
+def _pool(options, todo):
+    if not options.cluster:
+        return local.Pool(options.build, min(jobs_of(options), len(todo)))
+    if not ADDRESS.fullmatch(options.cluster):
+        raise ToolError(f"CLUSTER is '{options.cluster}'; it must be the address of a Dask scheduler, such as tcp://192.168.1.7:8786")
+    if children.run(["tools/setup.sh", "cluster"], cwd=CHECKOUT, stdout=None, stderr=None).returncode:
+        raise ToolError("CLUSTER needs the Python package Dask, and set-up could not install it; its words are above")
+    from fixel.campaign import cluster      # it needs packages that nothing else needs
+    return cluster.Pool(options.cluster)
 
 
 class Budget:
@@ -57,10 +73,13 @@ class Done:
         """The results, of all shards."""
         return [self.results[shard.number] for shard in self.shards]
 
-    def tell(self, build):
-        """How far it went and how fast, for people and as JSON."""
+    def tell(self, build, size=None):
+        """How far it went and how fast, for people and as JSON. size: of the campaign in samples, where each kind of shards
+        has a share of them."""
         done = [shard for shard in self.shards if shard.number in self.results]
         table = rates.rows(done, self.seconds)
+        if size and len(table) > 1:
+            table.append(rates.whole(table, self.shards, size))
         output.write_json(pathlib.Path(build) / "campaigns" / f"{self.shards[0].campaign}.json",
                           {"shards": len(self.shards), "done": len(done), "kept": self.kept, "kinds": table})
         print(f"{self.label}: {len(done):,} of {len(self.shards):,} shards done, {self.kept:,} of them by earlier commands",
@@ -99,11 +118,12 @@ def _compute(todo, options, limit, done, to):
     def go_on():
         return next(begun) < must or budget.is_left()
 
-    with local.Pool(options.build, min(jobs_of(options), len(todo))) as pool, contextlib.closing(pool.compute(todo, go_on)) as answers:
+    with _pool(options, todo) as pool, contextlib.closing(pool.compute(todo, go_on)) as answers:
         for shard, answer in answers:
             done.take(shard, answer)
             budget.spent += answer["seconds"]
-            if store.writes and keys.key(shard) == wanted[shard.number]:    # nobody has built the programs anew meanwhile
+            lasts = not (isinstance(answer["result"], dict) and shards.AGAIN in answer["result"])
+            if store.writes and lasts and keys.key(shard) == wanted[shard.number]:    # nobody has built the programs anew meanwhile
                 store.keep_value(wanted[shard.number], answer)
             progress(len(done.results))
 

@@ -17,16 +17,22 @@ import os
 import pathlib
 
 from fixel.base import kept
+from fixel.base.errors import ToolError
 
 CAMPAIGNS = {
+    "clippers": "fixel.bench.clippers_run",
+    "equality": "fixel.check.kernel_equality",
+    "prove": "fixel.prove.proving",
     "report": "fixel.report.report_shards",
+    "trace": "fixel.check.trace_shards",
 }
+AGAIN = "again"     # a result that has this key is not kept: another run may end otherwise
 
 
 @dataclasses.dataclass(frozen=True)
 class Shard:
     """number: its place in the campaign, which is its place in the merge. parameters: what JSON holds. kind: shards of one kind
-    take the same time a sample. samples: how many it has."""
+    take the same time a sample. samples: how many it has, 0 if it is none of samples."""
     campaign: str
     number: int
     parameters: dict
@@ -46,7 +52,10 @@ class Keys:
         self._build, self._digests = pathlib.Path(build), {}
 
     def _digest(self, path):
-        state = os.stat(path)
+        try:
+            state = os.stat(path)
+        except OSError as error:
+            raise ToolError(f"{path}: cannot be read: {error.strerror}; make all builds the programs of campaigns") from error
         name = (os.fspath(path), state.st_mtime_ns, state.st_size, state.st_ino)
         if name not in self._digests:
             with open(path, "rb") as file:

@@ -2,25 +2,24 @@
 """Compares each core's kernels with the portable ones, on the emulated core itself.
 
 A program has both kernels, gives them the same boundary inputs and random inputs, and counts the
-differences. The tool prints a line for each kernel. Exit: 0 all kernels are equal, 1 a kernel differs.
-A journal beside the programs keeps what is done: the tool skips a kernel that the same program has
-already compared with as many inputs.
+differences. The tool prints a line for each kernel, and writes them to DIR/equality/equality.json. The inputs are
+a campaign: shards of a million random inputs. Exit: 0 all kernels are equal, 1 a kernel differs.
 """
 
 import argparse
-import os
 
 from fixel import commands
+from fixel.campaign import runner
 
 
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    made.add_argument("elf", nargs="+", help="the program of a core")
-    made.add_argument("--thousands", type=int, default=10000, help="random inputs for each kernel, in thousands")
-    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="kernels at a time")
-    made.add_argument("--keep", metavar="FILE", help="write the result, for the report of make bench")
-    made.add_argument("--journal", help="the journal (default: equality.json beside the first program)")
+    made.add_argument("cores", nargs="+", metavar="core", help="a core whose program is built, such as m3 or m0-small")
+    made.add_argument("--thousands", default="10000", help="random inputs for each kernel, in thousands (THOUSANDS=)")
+    made.add_argument("--build", default="build", help="folder that make builds in")
+    made.add_argument("--keep", metavar="FILE", help="write the result there too, for the report of make bench (KEEP=)")
+    runner.add_options(made)
     return made
 
 

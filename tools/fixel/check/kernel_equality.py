@@ -1,22 +1,21 @@
 # SPDX-License-Identifier: MIT
 """Each kernel of a core beside the portable one, on the emulated core."""
 
-import concurrent.futures
-import hashlib
-import json
 import pathlib
 import re
-import threading
-import time
 
 from fixel.board import ending as endings
 from fixel.base import output, scratch
-from fixel.board import emulator, firmware, qemu
+from fixel.base.arguments import whole_number
 from fixel.base.errors import ToolError
+from fixel.board import emulator, firmware, qemu
+from fixel.campaign import runner
+from fixel.campaign.shards import Shard
 
 TIMEOUT = 3600.0    # seconds of CPU time for a kernel
-THOUSANDS_MAX = 1000000
-KERNEL_SHIFT = 20   # as in firmware/equality/main.c
+SHARD = 1000        # thousands of random inputs
+SHARD_SHIFT, KERNEL_SHIFT = 10, 26  # as in firmware/equality/main.c
+THOUSANDS_MAX = SHARD << KERNEL_SHIFT - SHARD_SHIFT
 LINE = re.compile(r"^equality: (\S+) (\d+)\nequality: differences (\d+)$", re.MULTILINE)
 NAME = re.compile(r"^equality: kernel (\S+)$", re.MULTILINE)
 MARKER = re.compile(r"^equality: done$", re.MULTILINE)
@@ -42,9 +41,9 @@ def kernels(elf):
     return names
 
 
-def compare(elf, thousands, kernel=0, timeout=TIMEOUT):
+def compare(elf, thousands, kernel=0, shard=0, timeout=TIMEOUT):
     """[(name, cases, differences)] of one kernel, counted from 1, or of all of them."""
-    done = LINE.findall(execute(elf, kernel << KERNEL_SHIFT | thousands, timeout))
+    done = LINE.findall(execute(elf, kernel << KERNEL_SHIFT | shard << SHARD_SHIFT | thousands, timeout))
     if not done:
         raise ToolError(f"{elf} compared nothing")
     return [(name, int(cases), int(wrong)) for name, cases, wrong in done]
@@ -59,74 +58,66 @@ def first_difference(elf, thousands, timeout):
     return f"{wrong[0]} differs" if wrong else None
 
 
-class Journal:
-    """What was compared: rows of core, kernel, thousands, inputs, differ, seconds, program."""
+# --- as a campaign (fixel/campaign/shards.py) ----------------------------------
 
-    def __init__(self, path):
-        self.path = pathlib.Path(path)
-        self.lock = threading.Lock()
-        try:
-            self.rows = json.loads(self.path.read_text(encoding="utf-8"))["rows"]
-        except (OSError, ValueError, KeyError, TypeError):
-            self.rows = []
-
-    def find(self, core, kernel, program, thousands):
-        return next((row for row in self.rows if (row["core"], row["kernel"], row["program"]) ==
-                     (core, kernel, program) and row["thousands"] >= thousands), None)
-
-    def keep(self, row):
-        with self.lock:
-            self.rows = [each for each in self.rows
-                         if (each["core"], each["kernel"]) != (row["core"], row["kernel"])] + [row]
-            self.rows.sort(key=lambda each: (each["core"], each["kernel"]))
-            output.write_file(self.path, json.dumps({"rows": self.rows}, indent=1) + "\n")
-            print_row(row)
-
-    def show(self, row):
-        with self.lock:
-            print_row(row, "  (before)")
+SHARD_SETUP = "run"
 
 
-def print_row(row, note=""):
-    print(f"{row['core']:9} {row['kernel']:14} {row['inputs']:12,} inputs  {row['differ']:,} differ"
-          f"  {row['seconds']:6.1f} s{note}", flush=True)
+def elf_of(build, core):
+    """The program of a core."""
+    return pathlib.Path(build) / "equality" / f"{core}.elf"
 
 
-def work(job, thousands, journal):
-    """A kernel's row, compared or from the journal."""
-    elf, program, number, kernel = job
-    core = pathlib.Path(elf).stem
-    row = journal.find(core, kernel, program, thousands)
-    if row is not None:
-        journal.show(row)
-        return row
-    begin = time.monotonic()
-    [(_, inputs, differ)] = compare(elf, thousands, number)
-    row = {"core": core, "kernel": kernel, "thousands": thousands, "inputs": inputs, "differ": differ,
-           "seconds": round(time.monotonic() - begin, 1), "program": program}
-    journal.keep(row)
-    return row
+def run_shard(build, parameters):
+    """What a kernel of a core gave: {"inputs", "differ"}."""
+    [(_, inputs, differ)] = compare(elf_of(build, parameters["core"]), parameters["thousands"], parameters["kernel"],
+                                    parameters["shard"])
+    return {"inputs": inputs, "differ": differ}
 
 
-def jobs_of(elf):
-    names = kernels(elf)
-    program = hashlib.sha256(pathlib.Path(elf).read_bytes()).hexdigest()[:16]
-    return [(elf, program, number, name) for number, name in enumerate(names, 1)]
+def shard_inputs(build, parameters):
+    return [elf_of(build, parameters["core"]), qemu.version()]
+
+
+def shard_targets(build, parameters):
+    return [str(elf_of(build, parameters["core"]))]
+
+
+def plan(build, cores, thousands):
+    """The shards of all kernels of some cores, one kernel after the other; each has boundary inputs too."""
+    found = []
+    for core in cores:
+        for number, name in enumerate(kernels(elf_of(build, core)), 1):
+            for shard, first in enumerate(range(0, thousands, SHARD)):
+                count = min(SHARD, thousands - first)
+                found.append(Shard("equality", len(found), {"core": core, "kernel": number, "shard": shard, "thousands": count},
+                                   f"{core} {name}", 1000 * count))
+    return found
+
+
+def merge(some, results):
+    """[{"core", "kernel", "inputs", "differ"}] of the shards' results, in order."""
+    rows = {}
+    for shard, result in zip(some, results, strict=True):
+        core, kernel = shard.kind.split()
+        row = rows.setdefault(shard.kind, {"core": core, "kernel": kernel, "inputs": 0, "differ": 0})
+        for key in result:
+            row[key] += result[key]
+    return list(rows.values())
 
 
 def command(options):
     """The command; its exit code."""
-    if not 1 <= options.thousands <= THOUSANDS_MAX:
-        raise ToolError(f"--thousands is 1 to {THOUSANDS_MAX:,}")
-    if options.jobs < 1:
-        raise ToolError("--jobs is 1 or more")
-    jobs = [job for elf in options.elf for job in jobs_of(elf)]
-    journal = Journal(options.journal or pathlib.Path(options.elf[0]).parent / "equality.json")
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        rows = list(pool.map(lambda job: work(job, options.thousands, journal), jobs))
-    if options.keep:
-        kept = [{key: row[key] for key in ("core", "kernel", "inputs", "differ")} for row in rows]
-        output.write_json(options.keep, {"rows": kept})
+    thousands = whole_number("--thousands", options.thousands, 1, THOUSANDS_MAX)
+    runner.jobs_of(options)
+    some = plan(options.build, options.cores, thousands)
+    done = runner.run("kernels compared, in shards", some, options)
+    rows = merge(some, runner.whole(done))
+    done.tell(options.build, 1000 * thousands)
+    for path in filter(None, (pathlib.Path(options.build) / "equality" / "equality.json", options.keep)):
+        output.write_json(path, {"rows": rows})
+    for row in rows:
+        print(f"{row['core']:9} {row['kernel']:18} {row['inputs']:14,} inputs  {row['differ']:,} differ")
     inputs, wrong = (sum(row[key] for row in rows) for key in ("inputs", "differ"))
-    print(f"{inputs:,} inputs of {len(rows)} kernels in {len(options.elf)} programs, {wrong:,} differ")
+    print(f"{inputs:,} inputs of {len(rows)} kernels in {len(options.cores)} programs, {wrong:,} differ")
     return 1 if wrong else 0

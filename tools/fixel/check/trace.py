@@ -7,23 +7,21 @@
 Fails where a normative clause has no code or no test, where a tag or a seeded bug names a clause that there is not, and
 where a clause has another number than on record. --only prints a line for each clause with that word in its id.
 --accept takes new clauses and changed first words into the record. --break breaks each clause, by its seeded bugs or by
-mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py).
+mutants of the tagged lines, and runs only the tests tagged with it (trace_break.py, trace_shards.py).
 Writes all as JSON. Exit: 0 all is well, 1 something is missing or no test sees a clause broken, 2 could not run.
 """
 
 import argparse
-import concurrent.futures
-import os
+import importlib
 import pathlib
-import queue
 import sys
 import tomllib
 
-from fixel.base import kept, output, sampling, spent
+from fixel.base import output, sampling, spent
 from fixel.base.errors import ToolError
-from fixel.base.progress import Progress
 from fixel.base.table import table
-from fixel.check import bugs, clauses, mutants, survivors, tags, trace_break
+from fixel.campaign import runner
+from fixel.check import bugs, clauses, tags
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 FOLDER = pathlib.Path("host_tests/build/trace")
@@ -143,30 +141,6 @@ def print_rows(rows, only):
 
 # --- breaking ------------------------------------------------------------------------
 
-def break_all(rows, options):
-    """What breaking each of the rows gave, in their order."""
-    units, scratch = pathlib.Path(options.units).resolve(), pathlib.Path(options.build).resolve() / "trace"
-    known = survivors.load(CHECKOUT / SURVIVORS, CHECKOUT, mutants.mutants_of)
-    store = kept.Kept(options.build, options.fresh)
-    trees = trace_break.make_trees(scratch, options.cc, units, CHECKOUT, max(1, min(options.jobs, len(rows))))
-    free, done = queue.SimpleQueue(), []
-    for tree in trees:
-        free.put(trace_break.Breaker(tree, known))
-
-    def work(row):
-        breaker = free.get()
-        try:
-            to = scratch / "clauses" / f"{row['id'].replace(' ', '-')}.json"
-            return trace_break.one(breaker, row, store, to, (CHECKOUT, units, options.cc))
-        finally:
-            free.put(breaker)
-            done.append(row)
-            progress(len(done))
-
-    with Progress("clauses broken", len(rows)) as progress, concurrent.futures.ThreadPoolExecutor(len(trees)) as pool:
-        return list(pool.map(work, rows))
-
-
 def judge_broken(results, reasons):
     """Sentences on clauses that no test sees broken, and on reasons that hold no more."""
     wrong = []
@@ -203,8 +177,7 @@ def parser():
     made.add_argument("--sample", type=int, default=0, help="break so many clauses (all)")
     made.add_argument("--units", help="the folder of the unit tests that make has built")
     made.add_argument("--cc", help="the compiler and the flags of the unit tests")
-    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    kept.add_option(made)
+    runner.add_options(made)
     return made
 
 
@@ -236,7 +209,8 @@ def main(argv):
     print_rows(here, options.only)
     said = {"clauses": [as_json(row) for row in rows.values()], "wrong": wrong}
     if options.breaks:
-        results = break_all(chosen(here, reasons, options), options)
+        broken = importlib.import_module("fixel.check.trace_shards")    # which uses this module
+        results = broken.break_all(chosen(here, reasons, options), options)
         wrong += judge_broken(results, reasons)
         shown = sum(result["shown"] for result in results)
         print(f"{shown} of {len(results)} clauses broken are seen by their tests; {len(reasons)} have a reason in {UNBROKEN}")

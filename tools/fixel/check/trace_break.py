@@ -8,16 +8,14 @@ the first five are killed, eight of ten. A mutant that does not compile, or that
 that host_tests/build/survivors.toml has, is not counted.
 
 Each is tried in a copy of the sources below the build folder: the changed sources are compiled, and linked before the
-library that make has built for the unit tests. What a clause gave is kept by content (kept.py).
+library that make has built for the unit tests. trace_shards.py breaks many clauses side by side.
 """
 
 import dataclasses
-import json
 import pathlib
 import shlex
 import shutil
 
-from fixel.base import output
 from fixel.base.errors import ToolError
 from fixel.check import library_mutants, mutate, survivors
 
@@ -232,28 +230,8 @@ def is_seen_here(bug):
 
 
 def inputs(id_, code, suites, bugs, checkout, units, compiler):
-    """All that the result of a clause depends on, for kept.py."""
+    """All that the result of a clause depends on."""
     files = sorted({tag.file for tag in code} | {bug.file for bug in bugs})
     return [id_, compiler, [(tag.file, tag.line, tag.last) for tag in code], [dataclasses.astuple(bug) for bug in bugs],
             [(suite.name, suite.tests) for suite in suites], *(checkout / file for file in files),
             *(units / suite.name for suite in suites), pathlib.Path(__file__)]
-
-
-def one(breaker, row, kept, to, about):
-    """The result of a row of the trace, as kept or new. about: (checkout, units, compiler)."""
-    suites = suites_of(row["tests"])
-    bugs = list(filter(is_seen_here, row["bugs"]))
-    if not suites:
-        return {"clause": row["id"], "shown": False, "by": "no unit test of the host has it", "tried": []}
-    checkout, units, compiler = about
-    to.parent.mkdir(parents=True, exist_ok=True)
-
-    def compute():
-        output.write_json(to, breaker.clause(row["id"], row["code"], suites, bugs))
-
-    kept.obtain(f"trace {row['id']}", inputs(row["id"], row["code"], suites, bugs, checkout, units, compiler), [to], compute)
-    return json.loads(to.read_text(encoding="utf-8"))
-
-
-def make_trees(scratch, compiler, units, checkout, count):
-    return [Tree(scratch / str(number), shlex.join(shlex.split(compiler)), units, checkout) for number in range(count)]

@@ -44,7 +44,7 @@ def try_bug(programs, folder, bug, row, store, versions):
     return {"bug": bug.id, "row": row.id, "noticed": noticed, "words": words}
 
 
-def command(programs, root, options, rows, store):
+def command(programs, root, jobs, rows, options, store):
     """fixel prove --bugs; its exit code."""
     by_id = {row.id: row for row in rows}
     some = records.of_proofs(root)
@@ -65,10 +65,10 @@ def command(programs, root, options, rows, store):
                 progress(len(done))
 
     with scratch.folder("bugs") as copies, Progress("bugs of proofs", len(some)) as progress:
-        for number in range(max(1, options.jobs)):
+        for number in range(jobs):
             make_copy(root, copies / str(number))
             free.put(copies / str(number))
-        with concurrent.futures.ThreadPoolExecutor(max(1, options.jobs)) as pool:
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
             tried = list(pool.map(one, some))
     bare = [row.id for row in rows if row.id not in {bug.prove for bug in some}]
     output.write_json(pathlib.Path(options.build) / "prove/bugs.json", {"bugs": tried, "without": bare})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Proves properties of the shipped text for every input: the rows of host_tests/proofs.
 
-    fixel prove [--only WORD] [--bugs] [--fresh]
+    fixel prove [--only WORD] [--bugs] [--fresh] [--cluster tcp://HOST:PORT]
 
 Every function of the rooms is proved, proved within a row of another, or measured, which host_tests/proofs/ROOM/measured.toml
 says with the reason. Writes DIR/prove/prove.json. With --bugs each seeded bug that names a row must make the row fail.
@@ -11,8 +11,9 @@ Exit: 0 all proved, 1 a row is not proved, was skipped or lost a check, a functi
 
 import argparse
 import importlib
-import os
 import pathlib
+
+from fixel.campaign import runner
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -24,11 +25,10 @@ def parser():
     made.add_argument("--root", default=str(CHECKOUT), help="the checkout that is proved")
     made.add_argument("--only", default="", help="only rows with this in their id, function or file")
     made.add_argument("--bugs", action="store_true", help="put each seeded bug that names a row into a copy; the row must fail (BUGS=1)")
-    made.add_argument("--fresh", action="store_true", help="prove everything, also what an earlier command has kept (FRESH=1)")
     made.add_argument("--tidy", action="store_true", help="write the numbers of checks into the rows, and take what is proved now, or gone, out of the "
                            "lists of what is measured")
     made.add_argument("--seconds", type=int, default=120, help="of CPU time that a row may take")
-    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    runner.add_options(made)
     return made
 
 

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""What fixel prove does: the rows, side by side and kept by content, then the table of all functions."""
+"""What fixel prove does: the rows, each case of them a shard of a campaign (fixel/campaign/shards.py), then the table of all
+functions."""
 
-import concurrent.futures
 import dataclasses
+import functools
 import json
+import os
 import pathlib
 import sys
-import threading
 
 from fixel.base import kept, output, scratch
 from fixel.base.errors import ToolError
-from fixel.base.progress import Progress
 from fixel.base.table import coloured, table
+from fixel.campaign import runner
+from fixel.campaign.shards import AGAIN, Shard
 from fixel.prove import cbmc, functions, others, provers, recomputed, rows as records
 
 PROVERS = {"cbmc": cbmc, "z3": others, "gappa": others, "enumeration": others, "recomputed": recomputed}
@@ -68,22 +70,69 @@ def _summed(row, cases):
     return {**result, "state": "proved", "checks": checks, "within": within}
 
 
-def prove_all(programs, root, rows, store, jobs):
+# --- as a campaign ---------------------------------------------------------------------
+
+SHARD_SETUP = "predict"
+
+
+def _say(words):
+    print(f"prove: {words}", file=sys.stderr, flush=True)
+
+
+@functools.cache
+def _programs(build):
+    """(the provers' programs, what they say that they are)."""
+    programs = provers.obtain(build, _say)
+    return programs, provers.versions(programs)
+
+
+@functools.cache
+def _rows(root):
+    return {row.id: row for row in records.read(root)}
+
+
+def _root(parameters):
+    return pathlib.Path(parameters["root"]) if parameters["root"] else provers.CHECKOUT
+
+
+def run_shard(build, parameters):
+    """{"checks", "within"} of a proved case, or {"failed"}: of one that took too long only for now."""
+    cbmc.SECONDS = parameters["seconds"]
+    root, row = _root(parameters), _rows(_root(parameters))[parameters["row"]]
+    try:
+        found = PROVERS[row.tool].prove(_programs(build)[0], root, row, parameters["case"])
+    except cbmc.TooLong as error:
+        return {"failed": str(error), AGAIN: True}
+    except cbmc.Failed as error:
+        return {"failed": str(error)}
+    except ToolError as error:
+        return {"failed": error.shown().replace("\n", " "), AGAIN: True}
+    return {key: found[key] for key in ("checks", "within")}
+
+
+def shard_inputs(build, parameters):
+    try:
+        return list(map(repr, _inputs(_root(parameters), _rows(_root(parameters))[parameters["row"]], parameters["case"], _programs(build)[1])))
+    except ToolError:       # the shard says so once more, and what it says is of this text alone
+        return [os.urandom(16).hex()]
+
+
+def shard_targets(_build, _parameters):
+    return []
+
+
+def prove_all(root, rows, options):
     """The results of rows, in their order."""
-    versions = provers.versions(programs)
     work = [(row, case) for row in rows for case in row.cases]
-    done, lock = [], threading.Lock()
-
-    def one(each):
-        answer = prove_case(programs, root, *each, store, versions)
-        with lock:
-            done.append(each)
-            progress(len(done))
-        return answer
-
-    with Progress("proofs", len(work)) as progress, concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
-        answers = iter(list(pool.map(one, work)))
-    return [_summed(row, [(case, next(answers)) for case in row.cases]) for row in rows]
+    place = None if root == provers.CHECKOUT else str(root)
+    some = [Shard("prove", number, {"row": row.id, "case": case, "root": place, "seconds": options.seconds}, row.tool, 0)
+            for number, (row, case) in enumerate(work)]
+    done = runner.run("proofs", some, options)
+    answers = zip(work, runner.whole(done), strict=True)
+    found = [(case, {**answer, "seconds": done.seconds[number]}) for number, ((_, case), answer) in enumerate(answers)]
+    done.tell(options.build)
+    cases = iter(found)
+    return [_summed(row, [next(cases) for _ in row.cases]) for row in rows]
 
 
 # --- the table of all functions --------------------------------------------------------
@@ -148,13 +197,14 @@ def command(options):
     chosen = [row for row in rows if options.only in f"{row.id} {row.function} {row.place}"]
     if not chosen:
         raise ToolError(f"no row has '{options.only}' in its id, function or file")
-    programs = provers.obtain(options.build, lambda words: print(f"prove: {words}", file=sys.stderr, flush=True))
-    cbmc.SECONDS = options.seconds
-    store = kept.Kept(options.build, options.fresh)
+    jobs = runner.jobs_of(options)
     if options.bugs:
         from fixel.prove import bugs    # which uses this module
-        return bugs.command(programs, root, options, chosen, store)
-    results = prove_all(programs, root, chosen, store, options.jobs)
+        cbmc.SECONDS = options.seconds
+        return bugs.command(_programs(options.build)[0], root, jobs, chosen, options, kept.Kept(options.build, options.fresh))
+    if not options.cluster:
+        _programs(options.build)    # fetched once, before the processes ask for them
+    results = prove_all(root, chosen, options)
     gone = set()
     shown, wrong = [], records.circles(rows) + records.lemmas(root, rows)
     if not options.only:

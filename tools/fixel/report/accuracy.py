@@ -124,7 +124,8 @@ def checked(options):
         whole_number("SAMPLES", options.samples, 1, SAMPLES_MAX)
     options.seed = whole_number("SEED", options.seed, 0, 2 ** 64 - 1)
     runner.jobs_of(options)
-    options.minutes = whole_number("MINUTES", options.minutes, 0, MINUTES_MAX)
+    minutes = "0" if options.cluster and options.minutes is None else options.minutes or report_shards.MINUTES
+    options.minutes = whole_number("MINUTES", minutes, 0, MINUTES_MAX)
     options.only = options.only.split()
     known = [kind.what for kind in report_shards.CLAIMS]
     for word in options.only:

@@ -22,7 +22,8 @@ def parser():
     made.add_argument("--scene", help="judge only the frames of this .toml, .obj or .fxls (SCENE=)")
     bounded.add_options(made)
     made.add_argument("--board", default="mps2-an385", help="board that counts instructions for the claim scale")
-    made.add_argument("--minutes", default="20", help="minutes of two cores that samples beyond ten million may take; 0: any number (MINUTES=)")
+    made.add_argument("--minutes", help="of two cores that samples beyond ten million may take: 20, and on a cluster any number; 0: any number "
+                                        "(MINUTES=)")
     made.add_argument("--out", default="build/report")
     made.add_argument("--build", default="build", help="folder that make builds in")
     runner.add_options(made)

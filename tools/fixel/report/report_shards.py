@@ -23,11 +23,11 @@ from fixel.campaign.shards import Shard
 SAMPLES = 10_000_000
 FEWEST = 100    # of any kind
 MOST_SHARDS = 4000      # of any kind: those of more samples are longer
-CORES = 2               # of which --minutes speaks
+MINUTES, CORES = "20", 2    # what samples beyond the default may take
 
 # --- as a campaign (fixel/campaign/shards.py) ----------------------------------
 
-SHARD_SETUP = "report"
+SHARD_SETUP = "oracle"
 
 
 def run_shard(build, parameters):
@@ -147,7 +147,7 @@ def draw(options, kinds):
             ended.add(what)
         elif what not in ended:
             by_kind[what].append(done.results[shard.number])
-    done.tell(options.build)
+    done.tell(options.build, options.samples)
     if ended:
         print(f"after {options.minutes} minutes of {CORES} cores the report is about the shards that are done: the same command goes "
               "on with the others, and MINUTES=0 lets it run to its end", file=sys.stderr)
