@@ -170,7 +170,8 @@ void test_no_pixel_is_left_out_or_painted_twice(void)
     TEST_ASSERT_TRUE(moved <= 1);
 }
 
-/* A clipper that writes down which pieces it got, by colour and a sum of their corners, and draws none. */
+/* A clipper that writes down which pieces it got, by colour and a sum of their corners, and draws
+ * none. */
 static uint32_t taken[PIECES], taken_count;
 
 static fxl_clip_result take_down(const fxl_model_view *model_view, const fxl_face *face,

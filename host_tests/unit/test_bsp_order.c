@@ -383,8 +383,8 @@ void test_an_eye_on_a_plane_is_behind_it(void)
     }
 }
 
-/* Before and behind the cube of the tree, which is about (0, 0, 10), a cube lies in one leaf, and needs no memory for
- * pieces to be drawn as with it. */
+/* Before and behind the cube of the tree, which is about (0, 0, 10), a cube lies in one leaf, and
+ * needs no memory for pieces to be drawn as with it. */
 /* bsp 3.7 */
 void test_what_lies_in_one_leaf_is_drawn_whole_there(void)
 {
@@ -406,7 +406,8 @@ void test_what_lies_in_one_leaf_is_drawn_whole_there(void)
     }
 }
 
-/* Vertices on the plane are in both parts. With any memory that is too small for the parts, the cube is whole. */
+/* Vertices on the plane are in both parts. With any memory that is too small for the parts, the
+ * cube is whole. */
 /* bsp 3.7 */
 void test_any_memory_too_small_for_vertices_on_a_plane(void)
 {
@@ -426,7 +427,8 @@ void test_any_memory_too_small_for_vertices_on_a_plane(void)
     }
 }
 
-/* Nodes without faces above the tree, which is in front of their planes, and nothing behind them. */
+/* Nodes without faces above the tree, which is in front of their planes, and nothing behind them.
+ */
 static void deepen_in_front(void)
 {
     const uint32_t above = 3, count = above + BSP_NODES;
@@ -438,7 +440,7 @@ static void deepen_in_front(void)
         deep[i].radius += (fxl_q16_16)(count - i) + (i < above ? Q16(20) : 0);
         if (i < above) {
             deep[i].distance_low = 0;
-            deep[i].distance_high = (uint32_t)-(1000 << 14);
+            deep[i].distance_high = (uint32_t) - (1000 << 14);
             deep[i].face_count = 0;
         }
     }

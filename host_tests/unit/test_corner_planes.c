@@ -252,7 +252,8 @@ typedef struct {
     uint32_t checked, refused, thin, bent, balanced, far_apart;
 } word_counts;
 
-/* The words of a face whose depths differ by less than `spread`, in light that is nearly the same everywhere or in any. */
+/* The words of a face whose depths differ by less than `spread`, in light that is nearly the same
+ * everywhere or in any. */
 static void check_words(double spread, bool is_even, word_counts *counts)
 {
     fxl_gradients gradients;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of RGB565 that frames seldom have: light that leaves its ramp, and textures in light that is the same
- * everywhere. */
+/* Rows of RGB565 that frames seldom have: light that leaves its ramp, and textures in light that is
+ * the same everywhere. */
 #include <string.h>
 
 #include "paint/segments.h"
@@ -65,7 +65,8 @@ static void choose_texture(uint8_t flags)
     }
 }
 
-/* Opaque texels, which are painted in a loop of their own, and the same with a key that no texel has. */
+/* Opaque texels, which are painted in a loop of their own, and the same with a key that no texel
+ * has. */
 /* SPEC 9.7 */
 void test_even_light_of_a_texture_without_segments(void)
 {
@@ -101,7 +102,8 @@ void test_segments_of_even_light(void)
     TEST_ASSERT_TRUE(fxl_segments_find_565(&paint, &face));
 }
 
-/* From three levels below the ramp to three above it: the dark colour, what is between, and the bright one. */
+/* From three levels below the ramp to three above it: the dark colour, what is between, and the
+ * bright one. */
 /* SPEC 9.7 */
 void test_light_that_leaves_the_ramp_is_held(void)
 {

@@ -133,7 +133,8 @@ void test_entries_are_checked(void)
     entry_word(FXL_E_RANGE, AT_MOTION_KEYS, 4, 1);
     entry_word(FXL_E_INDEX, AT_MOTION_KEYS, 0, 1);
     entry_word(FXL_OK, AT_MOTION_KEYS, 16, 0xFFFFFFFFu);
-    /* Instance 1 has a scale of 2: its sphere reaches to the end of the world, and a unit beyond. */
+    /* Instance 1 has a scale of 2: its sphere reaches to the end of the world, and a unit beyond.
+     */
     const uint32_t inner = (uint32_t)(FXL_COORDINATE_MAX - FXL_PLACEMENT_SLACK - 2 * TINY_RADIUS);
     entry_word(FXL_OK, AT_INSTANCES, 16, inner);
     entry_word(FXL_E_RANGE, AT_INSTANCES, 16, inner + 1);

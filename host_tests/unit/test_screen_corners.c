@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The corners of a face on the screen, from what the clipper has left in the cache, or found anew. */
+/* The corners of a face on the screen, from what the clipper has left in the cache, or found anew.
+ */
 #include "clip_views.h"
 #include "draw/surface_polygon.h"
 #include "polygon_face.h"
@@ -14,7 +15,8 @@ static fxl_traversal traversal;
 static fxl_screen_corners expected, found;
 static const uint16_t corners[3] = {0, 1, 2};
 
-/* A quadrilateral before the eye, of which the face is the first triangle, as the clipper has left it. */
+/* A quadrilateral before the eye, of which the face is the first triangle, as the clipper has left
+ * it. */
 static void make(void)
 {
     static fxl_clipper_work work;
@@ -28,7 +30,8 @@ static void make(void)
     }
     polygon_face_set(&face, &polygon, &view, ENTRIES);
     face.model_view.planes = FXL_PLANES_ALL;
-    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE, fxl_clip_by_view(&face.model_view, &face.face, &work, &screen));
+    TEST_ASSERT_EQUAL(FXL_CLIP_INSIDE,
+                      fxl_clip_by_view(&face.model_view, &face.face, &work, &screen));
     face.face.count = 3;
     traversal.clipper = &fxl_clipper_view;
     for (uint32_t i = 0; i < 3; i++) {
@@ -88,6 +91,7 @@ void test_corners_that_are_not_the_face_s_are_refused(void)
 {
     static const uint16_t other[3][3] = {{0, 1, 3}, {0, 3, 2}, {3, 1, 2}};
     for (uint32_t i = 0; i < 3; i++) {
-        TEST_ASSERT_FALSE(fxl_find_screen_corners(&face.model_view, &face.face, other[i], &traversal, &found));
+        TEST_ASSERT_FALSE(
+            fxl_find_screen_corners(&face.model_view, &face.face, other[i], &traversal, &found));
     }
 }

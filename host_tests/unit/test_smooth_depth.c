@@ -212,7 +212,8 @@ void test_codes_of_a_face_that_crosses_the_end_of_an_octave(void)
     TEST_ASSERT_TRUE(nearer > 30 && farther > 30);
 }
 
-/* Light that changes by many levels where the depth does too is divided: no plane of light alone is near it. */
+/* Light that changes by many levels where the depth does too is divided: no plane of light alone is
+ * near it. */
 void test_a_steep_face_has_the_light_of_one_divided_at_each_pixel(void)
 {
     static const fxl_point steep[] = {

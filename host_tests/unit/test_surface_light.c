@@ -254,8 +254,7 @@ void test_the_light_of_a_corner_is_rounded_once(void)
     for (uint32_t i = 0; i < UNIT_REPEAT; i++) {
         const fxl_q2_30 brightness = (fxl_q2_30)(unit_random() % (FXL_Q2_30_ONE + 1u));
         const uint32_t levels_less_1 = 1 + unit_random() % 63;
-        const double exact =
-            ((double)brightness / FXL_Q2_30_ONE * levels_less_1 + 0.5) * 65536;
+        const double exact = ((double)brightness / FXL_Q2_30_ONE * levels_less_1 + 0.5) * 65536;
         const double off = fabs(fxl_light_corner_level(brightness, levels_less_1) - exact);
         TEST_ASSERT_TRUE(off <= 0.6);
         largest = fmax(largest, off);

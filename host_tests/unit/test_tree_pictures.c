@@ -133,8 +133,8 @@ void test_a_billboard_is_in_the_leaf_of_its_centre(void)
     TEST_ASSERT_TRUE(before > 1000 && behind > 1000);
 }
 
-/* A billboard that stands on its centre is in the leaf of its middle, as if that were its centre; turned instances have
- * a scale. */
+/* A billboard that stands on its centre is in the leaf of its middle, as if that were its centre;
+ * turned instances have a scale. */
 /* bsp 3.8 */
 void test_the_middle_of_a_billboard_is_above_its_centre(void)
 {
@@ -399,8 +399,7 @@ static void make_polygon(uint32_t count)
     faces[12].count = (uint8_t)count;
     for (uint32_t i = 0; i < count; i++) {
         const fxl_angle angle = (fxl_angle)(((uint64_t)i << 32) / count);
-        vertices[16 + i] =
-            (fxl_point){fxl_cos(angle) >> 14, -(fxl_sin(angle) >> 14), 0};
+        vertices[16 + i] = (fxl_point){fxl_cos(angle) >> 14, -(fxl_sin(angle) >> 14), 0};
         corners[48 + i] = (uint16_t)i;
     }
     models[2].vertex_count = count;
@@ -413,7 +412,8 @@ static void make_polygon(uint32_t count)
 void test_a_piece_of_too_many_corners_is_not_cut(void)
 {
     for (uint32_t less = 0; less < 2; less++) {
-        const uint32_t count = FXL_FACE_VERTICES_MAX - 2 * less; /* even: its left corner is alone */
+        const uint32_t count =
+            FXL_FACE_VERTICES_MAX - 2 * less; /* even: its left corner is alone */
         make_polygon(count);
         made->tiny->instances[0].centre = (fxl_point){Q16(1) + Q16(0.999), 0, Q16(10)};
         start(&fxl_by_tree, false, false, WORDS);
