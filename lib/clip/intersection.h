@@ -14,8 +14,7 @@ extern "C" {
 /* Returns floor(2^64 inside / (inside - outside)). Requires inside >= 0 > outside and a
  * difference below 2^63. Distances of points below 2^61 from one plane meet this. */
 uint64_t fxl_intersection_fraction(fxl_q18_46 inside, fxl_q18_46 outside)
-    FXL_REQUIRES(inside >= 0 && inside < (int64_t)1 << 62 && outside < 0)
-    FXL_REQUIRES(outside >= -((int64_t)1 << 62)) FXL_ASSIGNS();
+    FXL_REQUIRES(inside >= 0 && outside < 0 && inside <= INT64_MAX + outside) FXL_ASSIGNS();
 
 /* Returns from + (to - from) fraction / 2^64, rounded towards from: error less than one unit.
  * Requires both below 2^61. */

@@ -24,6 +24,7 @@ fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_p
         high += fxl_multiply_s32(plane->normal.z, (int32_t)(point->z >> 32));
         low += fxl_multiply_su32(plane->normal.z, (uint32_t)point->z);
     }
+    FXL_LEMMA(FXL_BELOW(high * 4 + (low >> 30), ((int64_t)1 << 62) - 1));
     return high * 4 + (low >> 30) + plane->offset;
 }
 

@@ -73,7 +73,9 @@ void fxl_clip_place(const fxl_point *point, fxl_view_point *place)
 
 /* Returns how far a point is inside: normal . (x, y, z) + offset, rounded downward to a unit of
  * 2^-46, below 2^63. The sign is always right. Requires |x|, |y|, |z| < 2^61. */
-fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point);
+fxl_q18_46 fxl_half_space_distance(const fxl_half_space *plane, const fxl_view_point *point)
+    FXL_REQUIRES(FXL_OBJECT(plane) && FXL_OBJECT(point) && FXL_HALF_SPACE(plane))
+    FXL_REQUIRES(FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1)) FXL_ASSIGNS();
 
 /* Returns the outcode of a point: bit i is set where the point lies outside plane i. Exact. */
 uint32_t fxl_volume_code(const fxl_volume *volume, const fxl_view_point *point);

@@ -201,6 +201,7 @@ static int32_t offset_of(const scaling *by, int64_t side)
     /* |upper| <= 2^30, G <= 2^30. */
     int32_t quotient = (int32_t)(fxl_multiply_s32(upper, (int32_t)by->scale) >> 32);
     uint32_t rest = product + (by->depth >> 1) - (uint32_t)quotient * by->depth;
+    FXL_LEMMA(rest >> 1 < by->depth && FXL_BELOW(quotient, 1 << 28));
     FXL_ASSERT(rest >> 1 < by->depth);
     return rest >= by->depth ? quotient + 1 : quotient;
 }

@@ -61,3 +61,154 @@ void prove_cut_bit(void)
     ASSERT("its bit", fxl_cut_bit(distance, vertex) == (distance >= 0 ? (uint32_t)1 << vertex : 0));
     PROOF_ENDS();
 }
+
+/* --- a plane ----------------------------------------------------------------------------------------- */
+
+static fxl_view_polygon polygon_in, polygon_out;
+static fxl_q18_46 distances_of_in[FXL_POLYGON_CAPACITY];
+
+static bool in_view(const fxl_view_point *point)
+{
+    return FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1);
+}
+
+/* For fxl_intersect_edge: what its contract says. */
+void any_intersection(const fxl_view_point *from, const fxl_view_point *to, const fxl_q18_46 *inside, const fxl_q18_46 *outside,
+                             fxl_view_point *point)
+{
+    ASSERT("from the inside to the outside", *inside > 0 && *inside < (int64_t)1 << 62 && *outside < 0 && *outside >= -((int64_t)1 << 62));
+    ASSERT("ends in the view", in_view(from) && in_view(to) && point != from && point != to);
+    ANY_CONTENT(point);
+    ASSUME(in_view(point));
+}
+
+void prove_copy(void)
+{
+    const uint32_t from = nondet_u32(), to = nondet_u32();
+    const fxl_cut cut = {&polygon_in, &polygon_out, distances_of_in, nondet_u32()};
+    ANY_CONTENT(&polygon_in);
+    ASSUME(from < FXL_POLYGON_CAPACITY && to < FXL_POLYGON_CAPACITY && in_view(&polygon_in.vertices[from].position));
+    copy(&cut, from, to);
+    ASSERT("in the view", in_view(&polygon_out.vertices[to].position));
+    PROOF_ENDS();
+}
+
+void prove_cross(void)
+{
+    const uint32_t inside = nondet_u32(), outside = nondet_u32(), to = nondet_u32();
+    const fxl_cut cut = {&polygon_in, &polygon_out, distances_of_in, nondet_u32()};
+    ANY_CONTENT(&polygon_in);
+    ANY_CONTENT(distances_of_in);
+    ASSUME(inside < FXL_POLYGON_CAPACITY && outside < FXL_POLYGON_CAPACITY && to < FXL_POLYGON_CAPACITY);
+    ASSUME(in_view(&polygon_in.vertices[inside].position) && in_view(&polygon_in.vertices[outside].position));
+    ASSUME(distances_of_in[inside] > 0 && distances_of_in[inside] < (int64_t)1 << 62);
+    ASSUME(distances_of_in[outside] < 0 && distances_of_in[outside] >= -((int64_t)1 << 62));
+    cross(&cut, inside, outside, to);
+    ASSERT("in the view", in_view(&polygon_out.vertices[to].position));
+    PROOF_ENDS();
+}
+
+/* For fxl_view_distance: what its contract says. */
+fxl_q18_46 any_distance(const fxl_view_frustum *frustum, int plane, const fxl_view_point *point)
+{
+    const fxl_q18_46 distance = nondet_s64();
+    (void)frustum;
+    ASSERT("of a plane, and in the view", plane >= 0 && plane < FXL_PLANE_COUNT && in_view(point));
+    ASSUME(WITHIN(distance, ((int64_t)1 << 62) - 1));
+    return distance;
+}
+
+/* For fxl_cut_edge: what its own row assumes and asserts. */
+bool any_cut_edge(fxl_cut *cut, fxl_cut_copy *copies, fxl_cut_cross *crosses, uint32_t bits, uint32_t current, uint32_t count)
+{
+    const uint32_t next = current + 1 == count ? 0 : current + 1, before = cut->count;
+    ASSERT("a plane's own", copies == copy && crosses == cross && cut->in == &polygon_in && cut->out == &polygon_out);
+    ASSERT("a state that a step takes", count >= 3 && count <= FXL_POLYGON_CAPACITY && current < count && before <= 2 * current);
+    ASSERT("the bits of its distances", (bits >> current & 1u) == (uint32_t)(cut->distances[current] >= 0) &&
+                                            (bits >> next & 1u) == (uint32_t)(cut->distances[next] >= 0));
+    cut->count = nondet_u32();
+    ASSUME(cut->count >= before && cut->count <= FXL_POLYGON_CAPACITY && cut->count <= 2 * (current + 1));
+    return nondet_bool();
+}
+
+void prove_clip_view_to_plane(void)
+{
+    fxl_view_frustum frustum;
+    const int plane = (int)nondet_s32();
+    ANY_CONTENT(&polygon_in);
+    ASSUME(plane >= 0 && plane < FXL_PLANE_COUNT && polygon_in.count >= 3 && polygon_in.count <= FXL_POLYGON_CAPACITY);
+    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
+        ASSUME(in_view(&polygon_in.vertices[i].position));
+    }
+    const fxl_clip_result result = fxl_clip_view_to_plane(&polygon_in, &frustum, plane, &polygon_out, distances_of_in);
+    ASSERT("cut, it is a polygon", result != FXL_CLIP_CUT || (polygon_out.count >= 3 && polygon_out.count <= FXL_POLYGON_CAPACITY));
+    PROOF_ENDS();
+}
+
+/* --- the planes -------------------------------------------------------------------------------------- */
+
+static fxl_clip_view_work work;
+
+static bool is_polygon(const fxl_view_polygon *polygon)
+{
+    return (polygon == &polygon_in || polygon == &work.polygons[0] || polygon == &work.polygons[1]) && polygon->count >= 3 &&
+           polygon->count <= FXL_POLYGON_CAPACITY;
+}
+
+/* For fxl_clip_stats_add, whose own row takes any of its counts. */
+void any_stats(fxl_clip_stats *stats, const fxl_q18_46 *distances, uint32_t measured, uint32_t result_count)
+{
+    (void)stats;
+    ASSERT("counts of polygons", distances == work.distances && measured <= FXL_POLYGON_CAPACITY && result_count <= FXL_POLYGON_CAPACITY);
+}
+
+/* For fxl_clip_view_to_plane: what its own row assumes and asserts. */
+fxl_clip_result any_cut(const fxl_view_polygon *in, const fxl_view_frustum *frustum, int plane, fxl_view_polygon *out,
+                               fxl_q18_46 *distances)
+{
+    const uint32_t result = nondet_u32();
+    (void)frustum;
+    ASSERT("a polygon, by a plane", is_polygon(in) && plane >= 0 && plane < FXL_PLANE_COUNT);
+    ASSERT("into another one", out != in && (out == &work.polygons[0] || out == &work.polygons[1]) && distances == work.distances);
+    if (result == FXL_CLIP_CUT) {
+        out->count = nondet_u8();
+        ASSUME(out->count >= 3 && out->count <= FXL_POLYGON_CAPACITY);
+    }
+    return (fxl_clip_result)result;
+}
+
+void prove_clip_view_by_planes(void)
+{
+    fxl_view_frustum frustum;
+    fxl_clip_stats stats;
+    const fxl_view_polygon *in = nondet_bool() ? &polygon_in : &work.polygons[0], *left;
+    ANY_CONTENT(&polygon_in);
+    ANY_CONTENT(&work);
+    ASSUME(is_polygon(in));
+    const fxl_planes planes = nondet_u8() & FXL_PLANES_ALL;
+    const fxl_clip_result result = fxl_clip_view_by_planes(in, &frustum, planes, &work, nondet_bool() ? &stats : NULL, &left);
+    ASSERT("nothing, the input, or a polygon of the workspace", left == NULL || is_polygon(left));
+    ASSERT("inside or cut, it has a result", left != NULL || (result != FXL_CLIP_INSIDE && result != FXL_CLIP_CUT));
+    PROOF_ENDS();
+}
+
+void prove_clip_view_to_planes(void)
+{
+    fxl_view_frustum frustum;
+    const fxl_view_polygon *left;
+    ANY_CONTENT(&polygon_in);
+    ASSUME(is_polygon(&polygon_in));
+    (void)fxl_clip_view_to_planes(&polygon_in, &frustum, nondet_u8() & FXL_PLANES_ALL, &work, &left);
+    ASSERT("nothing, the input, or a polygon of the workspace", left == NULL || is_polygon(left));
+    PROOF_ENDS();
+}
+
+void prove_clip_stats_add(void)
+{
+    fxl_clip_stats stats;
+    const uint32_t measured = nondet_u32();
+    ANY_CONTENT(distances_of_in);
+    ASSUME(measured <= FXL_POLYGON_CAPACITY);
+    fxl_clip_stats_add(nondet_bool() ? &stats : NULL, distances_of_in, measured, nondet_u32());
+    PROOF_ENDS();
+}

@@ -41,3 +41,23 @@ void prove_intersect_edge(void)
     fxl_intersect_edge(from, to, inside, outside, point);
     PROOF_ENDS();
 }
+
+void prove_intersection_screen(void)
+{
+    const fxl_q16_16 from = nondet_s32(), to = nondet_s32();
+    const fxl_q18_46 inside = nondet_s64(), outside = nondet_s64();
+    ASSUME(WITHIN(from, FXL_SCREEN_COORDINATE_MAX) && WITHIN(to, FXL_SCREEN_COORDINATE_MAX));
+    ASSUME(inside >= 0 && inside < 1 << 29 && outside < 0 && outside > -(1 << 29) && inside - outside < 1 << 29);
+    (void)fxl_intersection_screen(from, to, inside, outside);
+    PROOF_ENDS();
+}
+
+/* For fxl_divide_round: what the row of Z3 says of a part of an extent, rounded. */
+int32_t any_part(int64_t numerator, uint32_t denominator)
+{
+    const int32_t part = nondet_s32();
+    (void)numerator;
+    ASSERT("a divisor", denominator > 0 && denominator < 1u << 29);
+    ASSUME(WITHIN(part, 1 << 29));
+    return part;
+}

@@ -24,3 +24,56 @@ void prove_append_point(void)
     ASSERT("never more than the capacity", front.count <= FXL_POLYGON_CAPACITY && back.count <= FXL_POLYGON_CAPACITY);
     PROOF_ENDS();
 }
+
+/* --- a piece ------------------------------------------------------------------------------------------- */
+
+static fxl_piece piece, front_part, back_part;
+static const fxl_plane plane;
+
+static bool in_world(const fxl_point *point)
+{
+    return FXL_POINT_BELOW(point, FXL_COORDINATE_MAX);
+}
+
+/* For fxl_plane_distance: what its contract says. */
+fxl_q18_46 fxl_plane_distance(const fxl_plane *from, const fxl_point *point)
+{
+    const fxl_q18_46 distance = nondet_s64();
+    ASSERT("a point of the world", from == &plane && in_world(point));
+    ASSUME(WITHIN(distance, ((int64_t)1 << 62) - 1));
+    return distance;
+}
+
+/* For fxl_split_edge: what its contract says. */
+fxl_point any_split_edge(const fxl_point *front, const fxl_point *behind, fxl_q18_46 front_distance, fxl_q18_46 behind_distance)
+{
+    fxl_point point;
+    ASSERT("ends in the world", in_world(front) && in_world(behind));
+    ASSERT("on two sides", front_distance > 0 && front_distance < (int64_t)1 << 62 && behind_distance < 0 && behind_distance > -((int64_t)1 << 62));
+    ASSUME(in_world(&point));
+    return point;
+}
+
+/* For append_point: what its own row assumes and asserts. */
+bool any_append(const fxl_point *point, fxl_q18_46 distance, fxl_piece *front, fxl_piece *back)
+{
+    (void)distance;
+    ASSERT("into both parts", in_world(point) && front == &front_part && back == &back_part);
+    ASSERT("never more than the capacity", front->count <= FXL_POLYGON_CAPACITY && back->count <= FXL_POLYGON_CAPACITY);
+    front->count = nondet_u32();
+    back->count = nondet_u32();
+    ASSUME(front->count <= FXL_POLYGON_CAPACITY && back->count <= FXL_POLYGON_CAPACITY);
+    return nondet_bool();
+}
+
+void prove_split_piece(void)
+{
+    ANY_CONTENT(&piece);
+    ASSUME(piece.count >= 2 && piece.count <= FXL_POLYGON_CAPACITY);
+    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
+        ASSUME(in_world(&piece.points[i]));
+    }
+    const fxl_split_result result = fxl_split_piece(&piece, &plane, &front_part, &back_part);
+    ASSERT("no part beyond the capacity", result != FXL_SPLIT_BOTH || (front_part.count <= FXL_POLYGON_CAPACITY && back_part.count <= FXL_POLYGON_CAPACITY));
+    PROOF_ENDS();
+}

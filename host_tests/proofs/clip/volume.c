@@ -38,3 +38,82 @@ void prove_volume_from_sides(void)
     fxl_volume_from_sides(&sides, focal, nondet_u32() | 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
     PROOF_ENDS();
 }
+
+/* For fxl_multiply_su32 and fxl_multiply_s32: any product of its size. */
+int64_t any_su32(int32_t a, uint32_t b)
+{
+    const int64_t product = nondet_s64(), size = a < 0 ? -(int64_t)a : a;
+    (void)b;
+    ASSUME(WITHIN(product, size * ((int64_t)1 << 32)));
+    return product;
+}
+
+int64_t any_s32(int32_t a, int32_t b)
+{
+    const int64_t product = nondet_s64(), size = a < 0 ? -(int64_t)a : a;
+    ASSERT("upper words of the view", WITHIN(b, 1 << 29));
+    ASSUME(WITHIN(product, size * ((int64_t)1 << 29)));
+    return product;
+}
+
+void prove_half_space_distance(void)
+{
+    fxl_half_space *plane;
+    fxl_view_point *point;
+    (void)fxl_half_space_distance(plane, point);
+    PROOF_ENDS();
+}
+
+static fxl_volume volume;
+
+/* For fxl_half_space_distance: any distance. */
+fxl_q18_46 any_distance(const fxl_half_space *plane, const fxl_view_point *point)
+{
+    ASSERT("a plane of the volume, a point of the view", plane >= volume.planes && plane < volume.planes + FXL_PLANE_COUNT &&
+                                                             FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1));
+    return nondet_s64();
+}
+
+void prove_volume_code(void)
+{
+    fxl_view_point point;
+    ASSUME(FXL_POINT_BELOW(&point, ((int64_t)1 << 61) - 1));
+    ASSERT("bits of planes", fxl_volume_code(&volume, &point) >> FXL_PLANE_COUNT == 0);
+    PROOF_ENDS();
+}
+
+void prove_volume_holds(void)
+{
+    fxl_view_point point;
+    ASSUME(FXL_POINT_BELOW(&point, ((int64_t)1 << 61) - 1));
+    (void)fxl_volume_holds(&volume, &point);
+    PROOF_ENDS();
+}
+
+void prove_volume_from_window(void)
+{
+    fxl_volume window;
+    const fxl_status status = fxl_volume_from_window(nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32(), nondet_s32(),
+                                                     nondet_bool() ? NULL : &window);
+    for (int i = 0; i < FXL_PLANE_COUNT; i++) {
+        ASSERT("half-spaces", status != FXL_OK || FXL_HALF_SPACE(&window.planes[i]));
+    }
+    PROOF_ENDS();
+}
+
+/* For fxl_view_frustum_from_lens: what it makes of a lens. */
+void fxl_view_frustum_from_lens(const fxl_lens *lens, fxl_view_frustum *frustum)
+{
+    (void)lens;
+    ANY_CONTENT(frustum);
+    ASSUME(frustum->x_side >= 0 && frustum->y_side >= 0 && frustum->inset >= 0 && frustum->inset <= (int64_t)1 << 46);
+    ASSUME(frustum->near_z >= 0 && frustum->near_z < (int64_t)1 << 61 && frustum->far_z >= 0 && frustum->far_z < (int64_t)1 << 61);
+}
+
+void prove_volume_from_lens(void)
+{
+    fxl_lens lens;
+    ASSUME(lens.focal > 0 && lens.focal < 1 << 29);
+    fxl_volume_from_lens(&lens, nondet_u32() | 1u << FXL_PLANE_NEAR | 1u << FXL_PLANE_FAR, &volume);
+    PROOF_ENDS();
+}

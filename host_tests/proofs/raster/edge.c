@@ -65,3 +65,102 @@ void prove_edge_first_dividend(void)
     ASSERT("in the range of a dividend", WITHIN(dividend, FXL_EDGE_DIVIDEND_MAX));
     PROOF_ENDS();
 }
+
+/* --- an edge of a chain --------------------------------------------------------------------------------- */
+
+static bool on_screen(const fxl_screen_point *point)
+{
+    return FXL_ON_SCREEN(point);
+}
+
+/* Two points of an outline that is scanned by chains. */
+static bool is_edge(const fxl_screen_point *top, const fxl_screen_point *bottom)
+{
+    return on_screen(top) && on_screen(bottom) && bottom->y > top->y && bottom->y - top->y <= FXL_EDGE_HEIGHT_MAX &&
+           WITHIN(bottom->x - top->x, (FXL_SCREEN_MAX + 1) * 65536);
+}
+
+/* For fxl_edge_divide: what rows of its own prove, that of Z3 also how large the whole part is. */
+void any_divide(const fxl_edge_divider *divider, int32_t dividend, int32_t *whole, uint32_t *fraction)
+{
+    const int32_t any = nondet_s32(), size = dividend < 0 ? -dividend : dividend;
+    ASSERT("a height", divider->height >= 1 && divider->height <= FXL_EDGE_HEIGHT_MAX);
+    ASSERT("a dividend", WITHIN(dividend, FXL_EDGE_DIVIDEND_MAX));
+    ASSUME(WITHIN(any, (divider->height >= 65536 ? size >> 16 : size) + 1));
+    *whole = any;
+    *fraction = nondet_u32();
+}
+
+/* For fxl_edge_divider_shift: what its own row asserts. */
+unsigned any_shift(const fxl_edge_divider *divider)
+{
+    const unsigned shift = nondet_u32();
+    ASSERT("a height", divider->height >= 1 && divider->height <= FXL_EDGE_HEIGHT_MAX);
+    ASSUME(shift <= 31);
+    return shift;
+}
+
+void prove_edge_set_near(void)
+{
+    fxl_screen_point top, bottom;
+    fxl_edge edge;
+    ASSUME(is_edge(&top, &bottom) && bottom.y - top.y >= 65536);
+    if (fxl_edge_set_near(&top, &bottom, nondet_u32(), &edge)) {
+        ASSERT("near the screen", WITHIN(edge.x, 1 << 13) && WITHIN(edge.step, 1026));
+    }
+    PROOF_ENDS();
+}
+
+/* For fxl_edge_set_near, fxl_edge_set_far, fxl_divide_floor and fxl_edge_first_dividend. */
+bool any_near(const fxl_screen_point *top, const fxl_screen_point *bottom, uint32_t last, fxl_edge *edge)
+{
+    ASSERT("an edge of two rows", is_edge(top, bottom) && bottom->y - top->y >= 65536 && last >= 1);
+    if (nondet_bool()) {
+        return false;
+    }
+    fxl_edge any;
+    ASSUME(WITHIN(any.x, 1 << 13) && WITHIN(any.step, 1026));
+    *edge = any;
+    return true;
+}
+
+int32_t fxl_edge_set_far(const fxl_screen_point *top, const fxl_screen_point *bottom, int32_t row, int32_t rows, fxl_edge *edge)
+{
+    const int32_t good = nondet_s32();
+    (void)edge;
+    ASSERT("an edge that crosses the row", is_edge(top, bottom) && WITHIN(row, FXL_SCREEN_MAX) && rows > 0 && fxl_centre_of(row) >= top->y &&
+                                               fxl_centre_of(row) < bottom->y);
+    ASSUME(good >= 1 && good <= rows);
+    return good;
+}
+
+int32_t any_floor(int32_t numerator, int32_t denominator, int32_t *remainder)
+{
+    const int32_t quotient = nondet_s32();
+    ASSERT("a divisor", denominator > 0 && numerator > INT32_MIN);
+    ASSUME(numerator >= 0 ? quotient >= 0 && quotient <= numerator : quotient < 0 && quotient >= numerator);
+    *remainder = nondet_s32();
+    return quotient;
+}
+
+int32_t any_dividend(int32_t start, int32_t dx, int32_t height, int32_t top_y)
+{
+    const int32_t dividend = nondet_s32();
+    (void)start;
+    ASSERT("an edge", WITHIN(dx, (FXL_SCREEN_MAX + 1) * 65536) && height > 0 && height <= FXL_EDGE_HEIGHT_MAX);
+    ASSERT("of the screen", WITHIN(top_y, FXL_SCREEN_COORDINATE_MAX));
+    ASSUME(WITHIN(dividend, FXL_EDGE_DIVIDEND_MAX));
+    return dividend;
+}
+
+void prove_edge_set(void)
+{
+    fxl_screen_point top, bottom;
+    fxl_edge edge;
+    const int32_t row = nondet_s32(), rows = nondet_s32();
+    ASSUME(is_edge(&top, &bottom) && row >= 0 && row < FXL_SCREEN_MAX && rows > 0 && rows <= 4096);
+    ASSUME(fxl_first_centre_from(top.y) <= row && fxl_first_centre_from(bottom.y) == row + rows);
+    const int32_t good = fxl_edge_set(&top, &bottom, row, rows, &edge);
+    ASSERT("for some of the rows", good >= 1 && good <= rows);
+    PROOF_ENDS();
+}

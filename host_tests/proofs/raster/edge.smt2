@@ -23,3 +23,7 @@
 (echo "proved")
 (push) (assert (<= (- 1152921504606846976) n 1152921504606846976)) (assert (= q (ite (>= n 0) (div n h) (- (div (- n) h)))))
 (assert (not (<= (- 1152921504606846976) q 1152921504606846976))) (check-sat) (pop)
+; Of a height of a pixel or more it is at most the 2^16th part of the dividend.
+(echo "proved")
+(push) (assert (<= 65536 h)) (assert (= q (ite (>= n 0) (div n h) (- (div (- n) h)))))
+(assert (not (<= (- (div (ite (< n 0) (- n) n) 65536)) q (div (ite (< n 0) (- n) n) 65536)))) (check-sat) (pop)

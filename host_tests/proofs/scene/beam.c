@@ -82,3 +82,17 @@ void prove_beam_from_point(void)
     ASSERT("a plane for each side, and the window's", status != FXL_OK || beam.plane_count == count + 1u);
     PROOF_ENDS();
 }
+
+void prove_beam_from_direction(void)
+{
+    fxl_direction travel;
+    fxl_point window[FXL_BEAM_PLANES_MAX - 1];
+    fxl_beam beam;
+    const uint32_t count = nondet_u32();
+    ASSUME(count <= 4);
+    /* as in fxl_beam_shines_on */
+    ASSUME(WITHIN(travel.x, 1 << 30) && WITHIN(travel.y, 1 << 30) && WITHIN(travel.z, 1 << 30));
+    const fxl_status status = fxl_beam_from_direction(nondet_bool() ? NULL : &travel, nondet_bool() ? NULL : window, count, nondet_bool() ? NULL : &beam);
+    ASSERT("a plane for each side, and the window's", status != FXL_OK || beam.plane_count == count + 1u);
+    PROOF_ENDS();
+}

@@ -64,3 +64,135 @@ void prove_check_envelope(void)
                                                                  sizeof image.head + image.head.section_count * sizeof(fxl_image_section)));
     PROOF_ENDS();
 }
+
+/* --- the list of sections, entry by entry ------------------------------------------------------------------ */
+
+/* For fxl_scene_section: any entry of the kind, or none. */
+static fxl_image_section found_section;
+const fxl_image_section *any_section(const fxl_image_header *head, uint32_t kind)
+{
+    ASSERT("of the image", head == &image.head);
+    found_section.kind = (uint16_t)kind;
+    found_section.count = nondet_u32();
+    return nondet_bool() ? &found_section : NULL;
+}
+
+void prove_count_of(void)
+{
+    (void)count_of(&image.head, nondet_u32());
+    PROOF_ENDS();
+}
+
+/* For count_of: any count, the same for a kind. */
+static uint32_t counts[SECTION_KINDS];
+uint32_t any_count(const fxl_image_header *head, uint32_t kind)
+{
+    ASSERT("a kind", head == &image.head && kind >= 1 && kind < SECTION_KINDS);
+    return counts[kind];
+}
+
+void prove_check_presence(void)
+{
+    fxl_scene_fault fault;
+    ANY_CONTENT(counts);
+    const fxl_status status = check_presence(&image.head, &fault);
+    const uint32_t kind = nondet_u32();
+    ASSUME(kind >= SECTION_PALETTE && kind <= SECTION_INSTANCES);
+    ASSERT("the tables that every scene has", status != FXL_OK || counts[kind] != 0);
+    ASSERT("one path", status != FXL_OK || (counts[SECTION_POSES] == 0) != (counts[SECTION_SEGMENTS] == 0));
+    ASSERT("beams with their colours", status != FXL_OK || (counts[SECTION_BEAMS] == 0) == (counts[SECTION_LIT_COLOURS] == 0));
+    ASSERT("motions with placements", status != FXL_OK || counts[SECTION_MOTIONS] == 0 || (counts[SECTION_PLACEMENTS] != 0 && counts[SECTION_KEYS_OF_MOTIONS] != 0));
+    ASSERT("light with its ramp", status != FXL_OK || (counts[SECTION_LIGHT] == 0) == (counts[SECTION_RAMP] == 0));
+    PROOF_ENDS();
+}
+
+void prove_check_counts(void)
+{
+    fxl_scene_fault fault;
+    ANY_CONTENT(counts);
+    ANY_CONTENT(&image);
+    const fxl_status status = check_counts(&image.head, &fault);
+    ASSERT("256 colours", status != FXL_OK || counts[SECTION_PALETTE] == 256);
+    ASSERT("no more placements than instances", status != FXL_OK || counts[SECTION_PLACEMENTS] <= counts[SECTION_INSTANCES]);
+    ASSERT("no more motions than placements", status != FXL_OK || counts[SECTION_MOTIONS] <= counts[SECTION_PLACEMENTS]);
+    ASSERT("maps as long as what they map", status != FXL_OK || ((counts[SECTION_FACE_MAP] == 0 || counts[SECTION_FACE_MAP] == counts[SECTION_FACES]) &&
+                                                                (counts[SECTION_BILLBOARD_MAP] == 0 ||
+                                                                 counts[SECTION_BILLBOARD_MAP] == counts[SECTION_MODELS])));
+    PROOF_ENDS();
+}
+
+/* For check_entry and check_place: what their rows assume and assert. */
+fxl_status any_entry(const fxl_image_section *one, const place *next)
+{
+    const bool good = nondet_bool();
+    ASSERT("an entry of the table", (const uint8_t *)(one + 1) <= image.bytes + image.head.image_size);
+    ASSUME(!good || one->kind > next->kind);
+    return good ? FXL_OK : FXL_E_OFFSET;
+}
+
+fxl_status any_place(const fxl_image_header *head, const fxl_image_section *one, place *next)
+{
+    const uint32_t before = next->at;
+    const bool good = nondet_bool();
+    ASSERT("behind what was taken", head == &image.head && next->at % 4 == 0 && next->at >= sizeof image.head && next->at <= head->image_size &&
+                                        one->kind >= 1);
+    next->at = nondet_u32();
+    next->kind = one->kind;
+    next->is_exact = nondet_bool();
+    ASSUME(!good || (next->at >= before && next->at <= head->image_size && next->at % 4 == 0));
+    return good ? FXL_OK : FXL_E_COUNT;
+}
+
+#define ENTRIES 8
+
+void prove_check_list(void)
+{
+    fxl_scene_fault fault;
+    ANY_CONTENT(&image);
+    /* as check_envelope leaves it */
+    ASSUME(image.head.section_count <= ENTRIES && image.head.image_size <= sizeof image && image.head.image_size % 4 == 0);
+    ASSUME(image.head.image_size >= sizeof image.head + image.head.section_count * sizeof(fxl_image_section));
+    (void)check_list(&image.head, &fault);
+    PROOF_ENDS();
+}
+
+/* For check_envelope, check_list, check_presence and check_counts: any status. */
+static unsigned passed;
+fxl_status any_envelope(const fxl_image_header *head, size_t size)
+{
+    (void)size;
+    ASSERT("of the image", head == &image.head && passed == 0);
+    passed = nondet_bool();
+    return passed ? FXL_OK : FXL_E_CRC;
+}
+
+fxl_status any_check(const fxl_image_header *head, fxl_scene_fault *fault)
+{
+    (void)fault;
+    ASSERT("after those before it passed", head == &image.head && passed >= 1 && passed <= 3);
+    if (nondet_bool()) {
+        passed = 0;
+        return FXL_E_COUNT;
+    }
+    passed++;
+    return FXL_OK;
+}
+
+void prove_scene_sections_check(void)
+{
+    fxl_scene_fault fault;
+    const fxl_status status = fxl_scene_sections_check(&image.head, nondet_size(), nondet_bool() ? &fault : NULL);
+    ASSERT("all four checks passed", status != FXL_OK || passed == 4);
+    PROOF_ENDS();
+}
+
+void prove_fault_of(void)
+{
+    fxl_scene_fault fault;
+    fxl_image_section list[3];
+    const uint32_t number = nondet_u32();
+    ASSUME(number < 3);
+    const fxl_status status = (fxl_status)nondet_u32();
+    ASSERT("the status that is given", fault_of(list, number, status, &fault) == status);
+    PROOF_ENDS();
+}

@@ -60,3 +60,39 @@ void prove_lens_from_window(void)
     ASSERT("its screen", status != FXL_OK || (lens.width >= 1 && lens.width <= FXL_SCREEN_MAX && lens.height >= 1 && lens.height <= FXL_SCREEN_MAX));
     PROOF_ENDS();
 }
+
+/* For fxl_cos_q31 and fxl_sin_q31: the sine of 10 to 150 degrees is above 2^28. */
+int64_t fxl_cos_q31(fxl_angle angle)
+{
+    const int64_t cosine = nondet_s64();
+    (void)angle;
+    ASSUME(WITHIN(cosine, (int64_t)1 << 31));
+    return cosine;
+}
+
+int64_t fxl_sin_q31(fxl_angle angle)
+{
+    const int64_t sine = nondet_s64();
+    ASSERT("10 to 150 degrees", angle >= FXL_FOV_MIN && angle <= FXL_FOV_MAX);
+    ASSUME(sine > (int64_t)1 << 28 && sine <= (int64_t)1 << 31);
+    return sine;
+}
+
+/* For fxl_multiply_s64: any product of factors below 2^25 and at most 2^32. */
+int64_t any_product(int64_t a, int64_t b)
+{
+    const int64_t product = nondet_s64();
+    ASSERT("factors in their ranges", a >= 32768 && a <= FXL_SCREEN_MAX * 32768 && b >= 0 && b <= (int64_t)1 << 32);
+    ASSUME(product >= 0 && product <= (int64_t)1 << 57);
+    return product;
+}
+
+void prove_lens_from_fov(void)
+{
+    fxl_lens lens;
+    const fxl_status status = fxl_lens_from_fov(nondet_u16(), nondet_u16(), nondet_u32(), nondet_s32(), nondet_s32(), nondet_s32(),
+                                                nondet_bool() ? NULL : &lens);
+    ASSERT("its screen", status != FXL_OK || (lens.width >= 1 && lens.width <= FXL_SCREEN_MAX && lens.height >= 1 && lens.height <= FXL_SCREEN_MAX));
+    ASSERT("its depths", status != FXL_OK || (lens.near_z >= FXL_NEAR_MIN && lens.near_z < lens.far_z && lens.far_z <= FXL_FAR_MAX));
+    PROOF_ENDS();
+}

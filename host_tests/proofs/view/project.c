@@ -45,3 +45,105 @@ void prove_project_visible(void)
     (void)fxl_project_visible(projection, view, screen);
     PROOF_ENDS();
 }
+
+/* --- by a reciprocal ------------------------------------------------------------------------------------ */
+
+void prove_scale_of(void)
+{
+    fxl_projection projection;
+    const uint32_t depth = nondet_u32();
+    ASSUME(FXL_PROJECTION(&projection) && projection.depth_min != INT32_MAX && depth >= 1u << 30 && depth <= 1u << 31);
+    (void)scale_of(&projection, depth);
+    PROOF_ENDS();
+}
+
+static bool is_scaling(const scaling *by, int64_t side)
+{
+    return by->zeros >= 3 && by->zeros <= 26 && by->depth >= 1u << 30 && by->depth <= 1u << 31 && by->factor >= 4 && by->factor < 1u << 28 &&
+           WITHIN(side, (int64_t)1 << (65 - by->zeros));
+}
+
+void prove_offset_of(void)
+{
+    scaling by;
+    const int64_t side = nondet_s64();
+    ASSUME(is_scaling(&by, side) && by.scale <= 1u << 30);
+    ASSERT("below 2^28 pixels", WITHIN(offset_of(&by, side), (1 << 28) + 1));
+    PROOF_ENDS();
+}
+
+/* For offset_of: what its own row assumes, but for the scale, and asserts. */
+int32_t any_offset(const scaling *by, int64_t side)
+{
+    const int32_t offset = nondet_s32();
+    ASSERT("a side and its depth", is_scaling(by, side));
+    ASSUME(WITHIN(offset, (1 << 28) + 1));
+    return offset;
+}
+
+/* For fxl_project_any: what its contract says. */
+fxl_status any_projection(const fxl_projection *projection, const fxl_view_point *view, fxl_screen_point *screen)
+{
+    const int64_t limit = ((int64_t)1 << 61) - 1;
+    ASSERT("a projection, and in the view", FXL_PROJECTION(projection) && FXL_POINT_BELOW(view, limit));
+    if (nondet_bool()) {
+        return FXL_E_RANGE;
+    }
+    const int32_t x = nondet_s32(), y = nondet_s32();
+    screen->x = x;
+    screen->y = y;
+    return FXL_OK;
+}
+
+void prove_project_inside(void)
+{
+    fxl_projection projection;
+    fxl_view_point view;
+    fxl_screen_point screen;
+    ASSUME(FXL_PROJECTION(&projection) && view.z > 0 && view.z < (int64_t)1 << 61);
+    ASSUME(WITHIN(view.x, 2 * view.z) && WITHIN(view.y, 2 * view.z));
+    ASSUME(WITHIN(view.x, ((int64_t)1 << 61) - 1) && WITHIN(view.y, ((int64_t)1 << 61) - 1));
+    const fxl_status status = fxl_project_inside(&projection, &view, &screen);
+    ASSERT("its statuses", status == FXL_OK || status == FXL_E_RANGE);
+    PROOF_ENDS();
+}
+
+/* For fxl_project_inside: what its own row assumes. */
+fxl_status any_inside(const fxl_projection *projection, const fxl_view_point *view, fxl_screen_point *screen)
+{
+    ASSERT("inside", view->z > 0 && WITHIN(view->x, 2 * view->z) && WITHIN(view->y, 2 * view->z));
+    return any_projection(projection, view, screen);
+}
+
+static fxl_lens any_lens(void)
+{
+    fxl_lens lens;
+    ASSUME(lens.width >= 1 && lens.width <= FXL_SCREEN_MAX && lens.height >= 1 && lens.height <= FXL_SCREEN_MAX && lens.focal > 0 &&
+           lens.focal < 1 << 29);
+    return lens;
+}
+
+void prove_project_point(void)
+{
+    const fxl_lens lens = any_lens();
+    fxl_view_point view;
+    fxl_screen_point screen;
+    ASSUME(FXL_POINT_BELOW(&view, ((int64_t)1 << 61) - 1));
+    (void)fxl_project_point(&lens, &view, &screen);
+    PROOF_ENDS();
+}
+
+void prove_project_polygon(void)
+{
+    const fxl_lens lens = any_lens();
+    static fxl_view_polygon view;
+    static fxl_screen_polygon screen;
+    ANY_CONTENT(&view);
+    ASSUME(view.count <= FXL_POLYGON_CAPACITY);
+    for (uint32_t i = 0; i < FXL_POLYGON_CAPACITY; i++) {
+        ASSUME(FXL_POINT_BELOW(&view.vertices[i].position, ((int64_t)1 << 61) - 1));
+    }
+    const fxl_status status = fxl_project_polygon(&lens, &view, &screen);
+    ASSERT("all vertices or none", screen.count == (status == FXL_OK ? view.count : 0));
+    PROOF_ENDS();
+}

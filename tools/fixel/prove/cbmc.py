@@ -71,6 +71,16 @@ def prove(programs, root, row, case):
         spent += cpu
         if code:
             raise Failed(f"goto-cc: {_last(said)}")
+        if row.stands_in:
+            # also where the function is called by a pointer
+            replaced = [word for name, to in row.stands_in.items() for word in ("--replace-calls", f"{name}:{to}")]
+            for step, words in enumerate((["--remove-function-pointers"], replaced)):
+                called = folder / f"called_{step}.goto"
+                said, code, cpu = _run(programs, root, ["goto-instrument", *words, program, called], SECONDS - spent)
+                spent += cpu
+                if code:
+                    raise Failed(f"goto-instrument: {_last(said)}")
+                program = called
         said, code, cpu = _run(programs, root, ["goto-instrument", "--reachable-call-graph", program], SECONDS - spent)
         spent += cpu
         within = _texts(root, row, case, folder, _within(said, row))

@@ -17,7 +17,7 @@ TOOLS = ("cbmc", "z3", "gappa", "enumeration", "recomputed")
 FIELDS = {"function": str, "property": str}
 OPTIONAL = {"id": str, "file": str, "tool": str, "harness": str, "contract": bool, "uses": list, "stubs": dict, "unwind": int,
             "cases": list, "checks": int, "flags": list, "links": list, "loops": bool, "equations": bool, "text": list, "program": str,
-            "induction": str, "unwindset": dict, "every": bool}
+            "induction": str, "unwindset": dict, "stands_in": dict, "every": bool}
 CAMPAIGNS = ("equality", "fuzz", "report", "unit tests", "frames", "seeded bugs", "stages")
 
 
@@ -33,6 +33,7 @@ class Row:
     contract: bool = False      # the contract at the declaration is what is proved
     uses: list = dataclasses.field(default_factory=list)    # functions that are taken by their contracts
     stubs: dict = dataclasses.field(default_factory=dict)   # functions that the harness defines itself: why that may be
+    stands_in: dict = dataclasses.field(default_factory=dict)   # {a function with a row of its own: the harness's that is called for it}
     unwind: int = 6             # rounds of each loop: also of the checks of what a contract assigns
     unwindset: dict = dataclasses.field(default_factory=dict)   # loops apart: {FUNCTION.NUMBER: times}
     cases: list = dataclasses.field(default_factory=lambda: [None])     # of the macro CASE: a run for each
@@ -184,6 +185,9 @@ def circles(rows):
     exact = {row.name for row in rows if row.tool == "z3"}
     wrong = [f"{row.id}: no row of Z3 proves the equations of {row.name}" for row in rows if row.equations and row.name not in exact]
     wrong += [f"{row.id} uses the contract of {name}, which no row proves" for row in rows for name in row.uses if name not in proved]
+    every = {row.name for row in rows}
+    wrong += [f"{row.id} calls {to} for {name}, which no row proves" for row in rows for name, to in row.stands_in.items()
+              if name not in every and name not in row.stubs]
     for row in rows:
         reached, waiting = set(), list(row.uses)
         while waiting:

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+#include "clip/clip_by_view.c"
+#include "proof.h"
+
+#define VERTICES 8 /* of a model */
+#define CORNERS  FXL_FACE_VERTICES_MAX
+
+static fxl_view view;
+static uint16_t indices[CORNERS];
+static fxl_clipper_work work;
+static fxl_screen_polygon screen;
+static fxl_face face;
+
+/* Vertices in the cache are in the view; projected ones lie on the screen. */
+static bool is_vertex(const fxl_cached_vertex *vertex)
+{
+    return FXL_POINT_BELOW(&vertex->position, ((int64_t)1 << 61) - 1);
+}
+
+static bool on_screen(const fxl_screen_point *point)
+{
+    return point->x > -32768 && point->x <= (FXL_SCREEN_MAX << 16) + 32768 && point->y > -32768 && point->y <= (FXL_SCREEN_MAX << 16) + 32768;
+}
+
+static fxl_cached_vertex fetched;
+
+/* For fxl_fetch_vertex, which has a row of its own: any vertex of the view, or one that was projected. */
+fxl_cached_vertex *any_fetch(const fxl_model_view *model_view, uint32_t number)
+{
+    ASSERT("a vertex of the model", model_view->view == &view && number < VERTICES);
+    ANY_CONTENT(&fetched);
+    ASSUME(is_vertex(&fetched));
+    return &fetched;
+}
+
+/* For fxl_project_inside: a vertex inside all planes lies on the screen, to half a pixel. */
+fxl_status fxl_project_inside(const fxl_projection *projection, const fxl_view_point *point, fxl_screen_point *place)
+{
+    fxl_screen_point any;
+    ASSERT("in the view", projection == &view.projection && FXL_POINT_BELOW(point, ((int64_t)1 << 61) - 1));
+    ASSUME(on_screen(&any));
+    *place = any;
+    return nondet_bool() ? FXL_OK : FXL_E_RANGE;
+}
+
+static fxl_model_view any_face(void)
+{
+    fxl_model_view of;
+    ANY_CONTENT(indices);
+    ANY_CONTENT(&face);
+    ASSUME(face.count >= 3 && face.count <= CORNERS && face.first_index == 0);
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        ASSUME(indices[i] < VERTICES);
+    }
+    of.view = &view;
+    of.indices = indices;
+    of.clipper_workspace = NULL;
+    return of;
+}
+
+/* For is_outside and fxl_clip_assembled, which have rows of their own. */
+bool any_is_outside(const fxl_model_view *model_view, const fxl_face *of)
+{
+    (void)model_view;
+    ASSERT("this face", of == &face);
+    return nondet_bool();
+}
+
+fxl_clip_result any_assembled(const fxl_model_view *model_view, const fxl_face *of, fxl_clipper_work *to, fxl_screen_polygon *result)
+{
+    (void)model_view;
+    const fxl_clip_result assembled = (fxl_clip_result)nondet_u32();
+    ASSERT("this face", of == &face && to == &work && result == &screen);
+    ASSUME(assembled != FXL_CLIP_BETWEEN);
+    return assembled;
+}
+
+void prove_clip_by_view(void)
+{
+    const fxl_model_view of = any_face();
+    const fxl_clip_result result = fxl_clip_by_view(&of, &face, &work, &screen);
+    ASSERT("between or inside, all of the face", result != FXL_CLIP_BETWEEN || (screen.count == face.count && screen.colour == face.material));
+    PROOF_ENDS();
+}
+
+void prove_is_outside(void)
+{
+    const fxl_model_view of = any_face();
+    (void)is_outside(&of, &face);
+    PROOF_ENDS();
+}

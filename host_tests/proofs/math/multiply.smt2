@@ -1,0 +1,20 @@
+; SPDX-License-Identifier: MIT
+; Products of lib/math/core.h on integers: how large they are beside their first factor.
+(declare-const a Int) (declare-const b Int)
+(define-fun W () Int 4294967296)
+(define-fun size () Int (ite (< a 0) (- a) a))
+(assert (<= (- 2147483648) a 2147483647))
+(echo "possible")
+(push) (assert (= a -2147483648)) (assert (= b 4294967295)) (check-sat) (pop)
+(echo "proved")
+(push) (assert (<= 0 b)) (assert (< b W)) (assert (not (<= (- (* size W)) (* a b) (* size W)))) (check-sat) (pop)
+(echo "proved")
+(push) (assert (<= (- 2147483648) b 2147483647)) (assert (not (<= (- (* size 2147483648)) (* a b) (* size 2147483648)))) (check-sat) (pop)
+(echo "proved")
+(push) (assert (<= (- 536870912) b 536870912)) (assert (not (<= (- (* size 536870912)) (* a b) (* size 536870912)))) (check-sat) (pop)
+; Two factors that are not below 0: a product below 2^63 is the whole one.
+(declare-const c Int) (declare-const d Int) (assert (<= 0 c)) (assert (<= 0 d))
+(echo "proved")
+(push) (assert (<= c 16777216)) (assert (<= d 2147483648)) (assert (> (* c d) 36028797018963968)) (check-sat) (pop)
+(echo "proved")
+(push) (assert (<= c 33554432)) (assert (<= d 4294967296)) (assert (> (* c d) 144115188075855872)) (check-sat) (pop)

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+#include "scene/bsp_check.c"
+#include "scene_tables.h"
+
+#define NODES 2
+
+static fxl_bsp_node nodes[NODES];
+
+/* A checked scene with a tree whose object was checked, too. */
+static void any_tree(void)
+{
+    any_checked_scene();
+    ANY_CONTENT(nodes);
+    scene.bsp_nodes = nodes;
+    ASSUME(scene.bsp_node_count >= 1 && scene.bsp_node_count <= NODES && scene.bsp_instance < scene.instance_count);
+}
+
+static const fxl_model *model_of_tree(void)
+{
+    return &models[instances[scene.bsp_instance].model];
+}
+
+/* What check_nodes leaves of a node before its faces are looked at. */
+static bool is_node(const fxl_bsp_node *node)
+{
+    return FXL_DIRECTION(&node->normal) && WITHIN(fxl_bsp_distance(node), (int64_t)1 << 61) && node->radius >= 0 && node->radius <= FXL_RADIUS_MAX &&
+           WITHIN(node->centre.x, 2 * FXL_COORDINATE_MAX) && WITHIN(node->centre.y, 2 * FXL_COORDINATE_MAX) &&
+           WITHIN(node->centre.z, 2 * FXL_COORDINATE_MAX);
+}
+
+void prove_check_owner(void)
+{
+    any_checked_scene();
+    const fxl_status status = check_owner(&scene, &fault);
+    ASSERT("an instance of the scene", status != FXL_OK || scene.bsp_instance < scene.instance_count);
+    ASSERT("of a sorted model without clusters", status != FXL_OK || (model_of_tree()->kind == FXL_MODEL_SORTED && model_of_tree()->first_cluster == 0));
+    PROOF_ENDS();
+}
+
+/* For fxl_is_unit and fxl_dot: what their contracts say. */
+bool any_unit(const fxl_direction *normal)
+{
+    const bool unit = nondet_bool();
+    ASSUME(!unit || FXL_DIRECTION(normal));
+    return unit;
+}
+
+fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+{
+    const fxl_q18_46 dot = nondet_s64();
+    ASSERT("a unit normal, below 2^30", FXL_DIRECTION(direction) && WITHIN(x, 1 << 30) && WITHIN(y, 1 << 30) && WITHIN(z, 1 << 30));
+    ASSUME(WITHIN(dot, (int64_t)7 << 59));
+    return dot;
+}
+
+void prove_check_plane(void)
+{
+    fxl_bsp_node node;
+    const fxl_status status = check_plane(&node);
+    ASSERT("a unit normal, and a distance below 2^61", status != FXL_OK || (FXL_DIRECTION(&node.normal) && WITHIN(fxl_bsp_distance(&node), (int64_t)1 << 61)));
+    PROOF_ENDS();
+}
+
+void prove_lies_on(void)
+{
+    any_tree();
+    const fxl_model *model = model_of_tree();
+    const uint32_t i = nondet_u32();
+    ASSUME(is_node(&nodes[0]) && i >= model->first_face && i < FACES && i - model->first_face < model->face_count);
+    (void)lies_on(&scene, model, &faces[i], &nodes[0]);
+    PROOF_ENDS();
+}
+
+void prove_square_between(void)
+{
+    fxl_point a, b;
+    const int32_t limit = 2 * FXL_COORDINATE_MAX;
+    ASSUME(FXL_POINT_BELOW(&a, limit) && FXL_POINT_BELOW(&b, limit));
+    (void)square_between(&a, &b);
+    PROOF_ENDS();
+}
+
+void prove_square(void)
+{
+    (void)square(nondet_s32());
+    PROOF_ENDS();
+}
+
+void prove_sphere_in_range(void)
+{
+    any_tree();
+    ASSERT("twice the range", !sphere_in_range(&scene, &nodes[0]) ||
+                                  (WITHIN(nodes[0].centre.x, 2 * FXL_COORDINATE_MAX) && WITHIN(nodes[0].centre.y, 2 * FXL_COORDINATE_MAX) &&
+                                   WITHIN(nodes[0].centre.z, 2 * FXL_COORDINATE_MAX) && nodes[0].radius >= 0 && nodes[0].radius <= FXL_RADIUS_MAX));
+    PROOF_ENDS();
+}
+
+/* For square_between: any square of points below 2^30. */
+uint64_t any_square(const fxl_point *a, const fxl_point *b)
+{
+    ASSERT("below 2^30", FXL_POINT_BELOW(a, 2 * FXL_COORDINATE_MAX) && FXL_POINT_BELOW(b, 2 * FXL_COORDINATE_MAX));
+    return nondet_u64();
+}
+
+/* For square. */
+uint64_t any_radius_square(fxl_q16_16 radius)
+{
+    ASSERT("a radius", radius >= 0 && radius <= FXL_RADIUS_MAX);
+    return nondet_u64();
+}
+
+void prove_sphere_holds(void)
+{
+    any_tree();
+    const fxl_model *model = model_of_tree();
+    const uint32_t number = nondet_u32();
+    ASSUME(number < scene.bsp_node_count);
+    for (uint32_t i = 0; i < NODES; i++) {
+        ASSUME(i > number || is_node(&nodes[i]));
+    }
+    ASSUME(nodes[number].first_face <= model->face_count && nodes[number].face_count <= model->face_count - nodes[number].first_face);
+    (void)sphere_holds(&scene, model, number);
+    PROOF_ENDS();
+}
+
+/* For check_plane, sphere_in_range, lies_on and sphere_holds: what their rows assume and assert. */
+fxl_status any_plane(const fxl_bsp_node *node)
+{
+    const bool good = nondet_bool();
+    ASSUME(!good || (FXL_DIRECTION(&node->normal) && WITHIN(fxl_bsp_distance(node), (int64_t)1 << 61)));
+    return good ? FXL_OK : FXL_E_NORMAL;
+}
+
+bool any_range(const fxl_scene *of, const fxl_bsp_node *node)
+{
+    const bool good = nondet_bool();
+    ASSERT("of the scene", of == &scene && node >= nodes && node < nodes + scene.bsp_node_count);
+    ASSUME(!good || is_node(node) || !FXL_DIRECTION(&node->normal));
+    return good;
+}
+
+bool any_lies_on(const fxl_scene *of, const fxl_model *model, const fxl_face *face, const fxl_bsp_node *node)
+{
+    ASSERT("a face of the model, a checked node", of == &scene && face >= faces + model->first_face &&
+                                                      face < faces + model->first_face + model->face_count && is_node(node));
+    return nondet_bool();
+}
+
+bool any_holds(const fxl_scene *of, const fxl_model *model, uint32_t number)
+{
+    ASSERT("faces of the model, a checked node", of == &scene && number < scene.bsp_node_count && is_node(&nodes[number]) &&
+                                                     nodes[number].first_face <= model->face_count &&
+                                                     nodes[number].face_count <= model->face_count - nodes[number].first_face);
+    return nondet_bool();
+}
+
+void prove_check_nodes(void)
+{
+    any_tree();
+    (void)check_nodes(&scene, &fault);
+    PROOF_ENDS();
+}
+
+void prove_check_links(void)
+{
+    any_tree();
+    (void)check_links(&scene, &fault);
+    PROOF_ENDS();
+}
+
+/* For check_owner, check_nodes and check_links: any status. */
+static unsigned passed;
+fxl_status any_check(const fxl_scene *of, fxl_scene_fault *to)
+{
+    ASSERT("a tree of nodes", of == &scene && to == &fault && scene.bsp_node_count >= 1 && scene.bsp_node_count <= FXL_BSP_NODES_MAX);
+    passed += nondet_bool();
+    return (fxl_status)nondet_u32();
+}
+
+void prove_bsp_check(void)
+{
+    any_checked_scene();
+    scene.bsp_nodes = nondet_bool() ? nodes : NULL;
+    (void)fxl_bsp_check(&scene, &fault);
+    PROOF_ENDS();
+}

@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT */
+/* Any scene of small tables, for the proofs of its checks, and what each check leaves to those after it. */
+#ifndef SCENE_TABLES_H
+#define SCENE_TABLES_H
+
+#include "fixel/scene.h"
+#include "proof.h"
+
+#define VERTICES  4
+#define INDICES   6
+#define FACES     2
+#define MODELS    2
+#define INSTANCES 2
+
+static fxl_point vertices[VERTICES];
+static uint16_t indices[INDICES];
+static fxl_face faces[FACES];
+static fxl_model models[MODELS];
+static fxl_instance instances[INSTANCES];
+static fxl_scene scene;
+static fxl_scene_fault fault;
+
+/* Tables of any length up to the above, with any content. */
+static inline void any_scene(void)
+{
+    ANY_CONTENT(&scene);
+    ANY_CONTENT(vertices);
+    ANY_CONTENT(indices);
+    ANY_CONTENT(faces);
+    ANY_CONTENT(models);
+    ANY_CONTENT(instances);
+    scene.vertices = vertices;
+    scene.indices = indices;
+    scene.faces = faces;
+    scene.models = models;
+    scene.instances = instances;
+    scene.face_bounds = NULL;
+    scene.bsp_nodes = NULL;
+    scene.beams = NULL;
+    scene.lit = NULL;
+    scene.clusters = NULL;
+    scene.cluster_code = NULL;
+    scene.placements = NULL;
+    scene.placement_code = NULL;
+    ASSUME(scene.vertex_count <= VERTICES && scene.index_count <= INDICES && scene.face_count <= FACES);
+    ASSUME(scene.model_count <= MODELS && scene.instance_count <= INSTANCES);
+}
+
+/* What check_faces leaves of a face. */
+static inline bool is_face(const fxl_face *face)
+{
+    return face->count >= 3 && face->count <= FXL_SCENE_FACE_VERTICES_MAX &&
+           (face->whole_count == 0 || (face->whole_count >= 3 && face->whole_count <= FXL_SCENE_FACE_VERTICES_MAX)) &&
+           face->first_index <= scene.index_count && (uint32_t)face->count + face->whole_count <= scene.index_count - face->first_index;
+}
+
+/* What check_models leaves of a model, but for its indices. */
+static inline bool is_model(const fxl_model *model)
+{
+    return model->kind <= FXL_MODEL_SORTED && model->radius >= 0 && model->radius <= FXL_RADIUS_MAX && model->vertex_count >= 3 &&
+           model->face_count >= 1 && model->first_vertex <= scene.vertex_count &&
+           model->vertex_count <= scene.vertex_count - model->first_vertex && model->first_face <= scene.face_count &&
+           model->face_count <= scene.face_count - model->first_face;
+}
+
+/* What check_indices leaves: the indices of a model's faces are below its number of vertices. */
+static inline bool has_indices(const fxl_model *model)
+{
+    for (uint32_t i = 0; i < FACES; i++) {
+        for (uint32_t corner = 0; corner < INDICES; corner++) {
+            if (i >= model->first_face && i - model->first_face < model->face_count && corner < (uint32_t)faces[i].count + faces[i].whole_count &&
+                indices[faces[i].first_index + corner] >= model->vertex_count) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static inline bool is_instance(const fxl_instance *instance)
+{
+    return instance->recolour == 0 && instance->model < scene.model_count &&
+           WITHIN(instance->centre.x, FXL_COORDINATE_MAX) && WITHIN(instance->centre.y, FXL_COORDINATE_MAX) &&
+           WITHIN(instance->centre.z, FXL_COORDINATE_MAX);
+}
+
+/* Each vertex is within twice the range: below 2^30. */
+static inline bool is_vertex(const fxl_point *vertex)
+{
+    return WITHIN(vertex->x, 2 * FXL_COORDINATE_MAX) && WITHIN(vertex->y, 2 * FXL_COORDINATE_MAX) && WITHIN(vertex->z, 2 * FXL_COORDINATE_MAX);
+}
+
+/* A scene whose faces, models, indices, instances and vertices were checked. */
+static inline void any_checked_scene(void)
+{
+    any_scene();
+    for (uint32_t i = 0; i < FACES; i++) {
+        ASSUME(i >= scene.face_count || is_face(&faces[i]));
+    }
+    for (uint32_t i = 0; i < MODELS; i++) {
+        ASSUME(i >= scene.model_count || (is_model(&models[i]) && has_indices(&models[i])));
+    }
+    for (uint32_t i = 0; i < INSTANCES; i++) {
+        ASSUME(i >= scene.instance_count || is_instance(&instances[i]));
+    }
+    for (uint32_t i = 0; i < VERTICES; i++) {
+        ASSUME(i >= scene.vertex_count || is_vertex(&vertices[i]));
+    }
+    ASSUME(scene.instance_count >= 1 && scene.model_count >= 1);
+}
+
+#endif

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+#include "view/model_view.c"
+#include "proof.h"
+
+#define ENTRIES 8
+
+static fxl_cached_vertex entries[ENTRIES];
+static fxl_vertex_cache cache;
+static fxl_view view;
+
+/* A cache of up to 8 entries, in any state. */
+static void any_cache(void)
+{
+    ANY_CONTENT(entries);
+    ANY_CONTENT(&cache);
+    ANY_CONTENT(&view);
+    cache.entries = nondet_bool() ? entries : NULL;
+    ASSUME(cache.mask == 0 || (cache.entries != NULL && (cache.mask == 1 || cache.mask == 3 || cache.mask == 7)));
+    ASSUME(cache.count % TAG_INSTANCE == 0);
+    ASSUME(FXL_DIRECTION(&view.camera.axes.right) && FXL_DIRECTION(&view.camera.axes.up) && FXL_DIRECTION(&view.camera.axes.forward));
+    ASSUME(FXL_POINT_BELOW(&view.camera.position, FXL_COORDINATE_MAX));
+}
+
+void prove_vertex_cache_init(void)
+{
+    const uint32_t count = nondet_u32();
+    any_cache();
+    ASSUME(count <= ENTRIES);
+    fxl_vertex_cache_init(&cache, count != 0 || nondet_bool() ? entries : NULL, count);
+    ASSERT("a power of two, at most all", (cache.mask & (cache.mask + 1)) == 0 && cache.mask < (count == 0 ? 1 : count));
+    ASSERT("memory for it", (cache.entries == NULL) == (count == 0));
+    PROOF_ENDS();
+}
+
+void prove_next_tag(void)
+{
+    any_cache();
+    const uint32_t before = cache.count, i = nondet_u32();
+    ASSUME(i <= cache.mask);
+    const uint32_t tag = next_tag(&cache);
+    ASSERT("never 0, and not that of a vertex", tag != 0 && tag % TAG_INSTANCE == 0);
+    ASSERT("begun anew, no vertex is known", tag > before || (entries_of(&cache)[i].tag == 0));
+    PROOF_ENDS();
+}
+
+/* For next_tag, and for fxl_dot: what its contract says. */
+uint32_t any_tag(fxl_vertex_cache *of)
+{
+    const uint32_t tag = nondet_u32();
+    ASSERT("of the cache", of == &cache);
+    ASSUME(tag != 0 && tag % TAG_INSTANCE == 0);
+    return tag;
+}
+
+fxl_q18_46 any_dot(const fxl_direction *direction, int32_t x, int32_t y, int32_t z)
+{
+    const fxl_q18_46 dot = nondet_s64();
+    ASSERT("a direction, below 2^30", FXL_DIRECTION(direction) && WITHIN(x, 1 << 30) && WITHIN(y, 1 << 30) && WITHIN(z, 1 << 30));
+    ASSUME(WITHIN(dot, (int64_t)7 << 59));
+    return dot;
+}
+
+static bool is_model_view(const fxl_model_view *of)
+{
+    return of->view == &view && of->mask == cache.mask && of->entries == entries_of(&cache) && of->planes == FXL_PLANES_ALL &&
+           FXL_POINT_BELOW(&of->translation, (int64_t)7 << 59);
+}
+
+void prove_model_view_of_instance(void)
+{
+    fxl_model_view of;
+    fxl_scene scene;
+    fxl_instance instance;
+    static fxl_model models[2];
+    static fxl_point vertices[4];
+    any_cache();
+    ANY_CONTENT(models);
+    scene.models = models;
+    scene.vertices = vertices;
+    ASSUME(instance.model < 2 && models[instance.model].first_vertex < 4 && FXL_POINT_BELOW(&instance.centre, FXL_COORDINATE_MAX));
+    fxl_model_view_of_instance(&of, &scene, &instance, &view, &cache);
+    ASSERT("a model view, its offset below 2^30", is_model_view(&of) && FXL_POINT_BELOW(&of.offset, (1 << 30) - 1));
+    PROOF_ENDS();
+}
+
+void prove_model_view_of_polygon(void)
+{
+    fxl_model_view of;
+    static fxl_point points[FXL_POLYGON_CAPACITY];
+    any_cache();
+    fxl_model_view_of_polygon(&of, points, &view, &cache);
+    ASSERT("a model view, its offset below 2^30", is_model_view(&of) && FXL_POINT_BELOW(&of.offset, (1 << 30) - 1));
+    PROOF_ENDS();
+}
