@@ -6,7 +6,9 @@
 #include "fixel/scene.h"
 #include "proof.h"
 
-#define VERTICES  4
+#ifndef VERTICES
+#define VERTICES 4
+#endif
 #define INDICES   6
 #define FACES     2
 #define MODELS    2
