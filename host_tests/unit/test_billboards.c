@@ -309,13 +309,15 @@ void test_near_far_and_sides_leave_sprites_out(void)
     static const struct {
         fxl_q16_16 x, y, z;
         uint32_t drawn, outside, refused;
-    } cases[] = {{0, 0, Q16(9.937), 1, 0, 0},  /* just beyond the near plane of 1/16 */
-                 {0, 0, Q16(9.94), 0, 1, 0},   /* nearer */
-                 {0, 0, Q16(11), 0, 1, 0},     /* behind the eye */
-                 {0, 0, Q16(-989), 1, 0, 0},   /* before far, 1000 */
-                 {0, 0, Q16(-990.5), 0, 1, 0}, /* beyond */
-                 {Q16(12.1), 0, 0, 0, 1, 0},   /* its right side is beside the left border */
-                 {Q16(11.9), 0, 0, 1, 0, 0},   /* it is on the screen */
+    } cases[] = {{0, 0, Q16(9.937), 1, 0, 0},      /* just beyond the near plane of 1/16 */
+                 {0, 0, Q16(9.9375) - 4, 1, 0, 0}, /* on it, with the inset of 4 */
+                 {0, 0, Q16(9.9375) - 3, 0, 1, 0}, {0, 0, Q16(9.94), 0, 1, 0}, /* nearer */
+                 {0, 0, Q16(11), 0, 1, 0},                                     /* behind the eye */
+                 {0, 0, Q16(-989), 1, 0, 0},     /* before far, 1000 */
+                 {0, 0, Q16(-990) + 4, 1, 0, 0}, /* on it */
+                 {0, 0, Q16(-990) + 3, 0, 1, 0},   {0, 0, Q16(-990.5), 0, 1, 0}, /* beyond */
+                 {Q16(12.1), 0, 0, 0, 1, 0}, /* its right side is beside the left border */
+                 {Q16(11.9), 0, 0, 1, 0, 0}, /* it is on the screen */
                  {0, Q16(-9.1), 0, 0, 1, 0}};
     tiny->scene.instances = &tiny->instances[1];
     tiny->scene.instance_count = 1;

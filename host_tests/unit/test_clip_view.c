@@ -273,6 +273,54 @@ void test_a_ground_is_cut_by_sides_near_and_far(void)
     expect_clipped(ground, 4, 4);
 }
 
+/* Cuts by each plane alone, near first or last. Null where nothing is left. */
+static const fxl_view_polygon *cut_one_by_one(const fxl_view_polygon *polygon, bool is_reversed)
+{
+    const fxl_lens lens = unit_lens(64, 64);
+    fxl_view_frustum frustum;
+    fxl_view_frustum_from_lens(&lens, &frustum);
+    for (int i = 0; i < FXL_PLANE_COUNT && polygon != NULL; i++) {
+        const int plane = is_reversed ? FXL_PLANE_COUNT - 1 - i : i;
+        fxl_clip_view_to_planes(polygon, &frustum, (fxl_planes)(1u << plane), &work, &polygon);
+    }
+    return polygon;
+}
+
+/* The order shows in the last bits of a vertex that two planes make. */
+/* SPEC 4.7 */
+void test_planes_cut_in_the_order_of_their_numbers(void)
+{
+    uint32_t others = 0;
+    for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+        fxl_view_polygon polygon = {.colour = 3, .count = 3};
+        const fxl_view_polygon *result = NULL;
+        for (int k = 0; k < 3; k++) {
+            polygon.vertices[k].position =
+                (fxl_view_point){unit_wide(52), unit_wide(52), unit_wide(52)};
+        }
+        clip(&polygon, &result);
+        if (result == NULL || result == &polygon) {
+            continue;
+        }
+        workspace.out = *result;
+        result = cut_one_by_one(&polygon, false);
+        TEST_ASSERT_NOT_NULL(result);
+        expect_same("one by one", &workspace.out, result);
+        result = cut_one_by_one(&polygon, true);
+        bool is_other = result == NULL || result->count != workspace.out.count;
+        for (int k = 0; k < workspace.out.count && !is_other; k++) {
+            int at = 0;
+            while (at < result->count &&
+                   !same_vertex(&workspace.out.vertices[k], &result->vertices[at])) {
+                at++;
+            }
+            is_other = at == result->count;
+        }
+        others += is_other;
+    }
+    TEST_ASSERT_TRUE(others > 0);
+}
+
 void test_frustum_refuses_what_exceeds_the_capacity(void)
 {
     fxl_view_polygon polygon = {.colour = 1, .count = FXL_POLYGON_CAPACITY};

@@ -152,7 +152,7 @@ static void take_clusters_out(tiny_scene *tiny)
 }
 
 /* The same pixels as without clusters, and the counters that SPEC.md, section 4.11, defines. */
-/* SPEC 4.4 */
+/* SPEC 4.4, 4.11 */
 void test_frames_with_clusters(void)
 {
     uint32_t left_out = 0, drawn = 0;
@@ -193,6 +193,7 @@ void test_frames_with_clusters(void)
 }
 
 /* An eye in the cones of clusters 0 and 1: of the cube's faces only +y and -z show. */
+/* SPEC 4.11 */
 void test_clusters_turned_away_count_as_backfacing(void)
 {
     cluster_scene *made = cluster_make();

@@ -277,6 +277,20 @@ void test_a_segment_hits_the_nearest(void)
     TEST_ASSERT_TRUE(hits[0] > UNIT_REPEAT / 200 && hits[1] > UNIT_REPEAT / 200);
 }
 
+/* Of two cubes in one place the first is hit. */
+/* collide 2.2 */
+void test_a_segment_hits_the_first_of_equals(void)
+{
+    tiny_scene *tiny = tiny_make();
+    tiny->instances[2].centre = tiny->instances[0].centre;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    const fxl_point from = {Q16(0.25), Q16(0.5), Q16(-6)}, to = {Q16(0.5), Q16(0.25), Q16(16)};
+    fxl_hit hit;
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_cast_segment(&tiny->scene, &from, &to, &hit));
+    TEST_ASSERT_EQUAL_UINT32(0, hit.instance);
+    TEST_ASSERT_EQUAL_UINT32(4, hit.face);
+}
+
 /* Into a closed cube, through its edges and corners exactly: there is no gap. */
 /* collide 2.1 */
 void test_no_segment_passes_between_faces(void)

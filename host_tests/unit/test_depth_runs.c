@@ -59,7 +59,7 @@ void test_runs_end_where_the_definition_says(void)
 }
 
 /* Which of two at the same nearness is visible: the first, or with or_equal the second. */
-/* SPEC 10.4 */
+/* SPEC 10.4, 10.5 */
 void test_ties(void)
 {
     static const uint16_t narrow[] = {7, 8, 9};
@@ -104,6 +104,7 @@ void test_runs_of_wide_cells(void)
 /* SPEC 10.3, 10.6 */
 void test_the_scale_of_a_lens(void)
 {
+    uint32_t equals = 0;
     for (int i = 0; i < UNIT_REPEAT; i++) {
         fxl_lens lens = {.near_z = unit_between(16, 65536)};
         const int64_t far_z =
@@ -111,15 +112,23 @@ void test_the_scale_of_a_lens(void)
         lens.far_z = (int32_t)(far_z > INT32_MAX     ? INT32_MAX
                                : far_z > lens.near_z ? far_z
                                                      : lens.near_z + 1);
+        const int64_t power = (int64_t)lens.near_z << unit_between(1, 14);
+        if (i % 2 != 0 && power > 2 * lens.near_z) { /* at a power of two, or just beside it */
+            lens.far_z = (int32_t)((power - 1) * 256 / 257 + unit_between(-1, 2));
+        }
         const fxl_depth_scale scale = fxl_depth_scale_of(&lens);
         const double ratio = lens.far_z * (257.0 / 256) / lens.near_z;
         const double reached = (double)((int64_t)1 << scale.octaves);
         TEST_ASSERT_TRUE(ratio <= reached);
-        TEST_ASSERT_TRUE(scale.octaves == 1 || ratio + 2.0 / lens.near_z > reached / 2);
+        const int64_t least = (int64_t)lens.far_z + lens.far_z / 256 + 1;
+        TEST_ASSERT_TRUE(least <= (int64_t)lens.near_z << scale.octaves);
+        TEST_ASSERT_TRUE(scale.octaves == 1 || least > (int64_t)lens.near_z << (scale.octaves - 1));
+        equals += least == (int64_t)lens.near_z << scale.octaves;
         const int64_t codes = (int64_t)scale.octaves << scale.mantissa;
         TEST_ASSERT_TRUE(codes + 1 <= 65536 && scale.mantissa <= 15);
         TEST_ASSERT_TRUE(scale.mantissa == 15 || 2 * codes + 1 > 65536);
     }
+    TEST_ASSERT_TRUE(equals > UNIT_REPEAT / 20);
 }
 
 void test_a_number_shifted_either_way(void)

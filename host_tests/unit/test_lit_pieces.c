@@ -169,6 +169,19 @@ void test_an_edge_in_a_plane_is_shared(void)
     }
 }
 
+/* A face that reaches 4/65536 into a beam touches it; one that reaches farther has a lit piece. */
+/* beams 3.1 */
+void test_a_corner_near_a_plane_lies_on_it(void)
+{
+    const fxl_beam beam = shaft(right, 4);
+    for (int32_t off = 1; off <= 6; off++) {
+        const fxl_point behind[] = {
+            at(-4, -4), at(-4, 4), {off, at(0, 4).y, at(0, 4).z}, {off, at(0, -4).y, at(0, -4).z}};
+        add_face(&beam, 1, behind, 4);
+        TEST_ASSERT_EQUAL(off > 4, lit_count());
+    }
+}
+
 /* Faces that share an edge, in two planes or one, split by one beam or two. Coordinates are
  * mostly whole, so that corners and edges often lie in the planes. */
 static void any_faces(uint32_t beam_count, int grid)

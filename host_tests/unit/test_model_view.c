@@ -114,6 +114,7 @@ void test_what_was_seen_of_another_object_is_stale(void)
 
 /* After 65535 objects their count begins anew; what the first of all left in the
  * cache must not be taken for what the first anew asks for. */
+/* SPEC 4.10 */
 void test_the_count_of_objects_begins_anew(void)
 {
     start(ENTRIES);

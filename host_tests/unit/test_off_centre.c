@@ -422,3 +422,24 @@ void test_a_moved_view_is_drawn_with_a_centred_lens(void)
     TEST_ASSERT_EQUAL_INT32(lens.width * 32768, drawn.centre_x);
     TEST_ASSERT_EQUAL_INT32(lens.height * 32768, drawn.centre_y);
 }
+
+/* F = l + l / 2^25 + 2, where l is the whole number nearest to the root. */
+/* SPEC 4.2 */
+void test_the_focal_length_that_a_moved_view_is_drawn_with(void)
+{
+    for (int i = 0; i < UNIT_REPEAT / 10; i++) {
+        const fxl_lens lens = any_off_centre_lens();
+        fxl_view_set_lens(&view, &lens);
+        const int64_t x = lens.centre_x - lens.width * 32768,
+                      y = lens.centre_y - lens.height * 32768,
+                      square = (int64_t)lens.focal * lens.focal + (x * x > y * y ? x * x : y * y);
+        int64_t length = (int64_t)(sqrt((double)square) + 0.5);
+        while ((2 * length - 1) * (2 * length - 1) > 4 * square) {
+            length--;
+        }
+        while ((2 * length + 1) * (2 * length + 1) < 4 * square) {
+            length++;
+        }
+        TEST_ASSERT_EQUAL_INT32(length + (length >> 25) + 2, fxl_view_drawn_focal(&view));
+    }
+}

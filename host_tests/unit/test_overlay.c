@@ -340,7 +340,8 @@ void test_text_anywhere_is_its_characters_side_by_side(void)
     static const uint8_t mask[2] = {0, 8};
     for (int i = 0; i < UNIT_REPEAT / 100; i++) {
         char text[6];
-        const fxl_text_style style = {&fxl_font_5x7, 8, 0};
+        const int32_t cell = i % 2 ? unit_between(1, 9) : 0; /* characters advance by 2 to 6 */
+        const fxl_text_style style = {&fxl_font_5x7, 8, (uint8_t)cell};
         const int32_t x = any(), y = any();
         int64_t pen = x, top = y;
         uint32_t width = 0, widest = 0, lines = 1;
@@ -356,9 +357,11 @@ void test_text_anywhere_is_its_characters_side_by_side(void)
             const fxl_glyph *glyph = &fxl_font_5x7.glyphs[text[k] - 32];
             const fxl_sprite picture = {
                 fxl_font_5x7.bits + glyph->first_byte, mask, glyph->width, glyph->height, 1, 0};
-            want_sprite(pen, top + glyph->top, &picture);
-            pen += glyph->advance;
-            width += glyph->advance;
+            const int32_t room = cell != 0 ? cell - glyph->advance : 0;
+            const int32_t right = room < 0 ? -((1 - room) / 2) : room / 2;
+            want_sprite(pen + right, top + glyph->top, &picture);
+            pen += cell != 0 ? cell : glyph->advance;
+            width += (uint32_t)(cell != 0 ? cell : glyph->advance);
             widest = width > widest ? width : widest;
         }
         text[5] = '\0';

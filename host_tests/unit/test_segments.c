@@ -760,3 +760,18 @@ void test_weights_that_are_too_small_are_safe(void)
         }
     }
 }
+
+/* Of 16 pixels an opacity draws so many, those whose number in the pattern is below it. */
+/* SPEC 9.6 */
+void test_which_pixels_an_opacity_draws(void)
+{
+    static const uint32_t numbers[4][4] = {
+        {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    for (uint32_t opacity = 0; opacity <= 17; opacity++) {
+        for (int32_t at = 0; at < 256; at++) {
+            const int32_t x = at % 16, y = at / 16;
+            const bool is_drawn = opacity >= 16 || numbers[y % 4][x % 4] < opacity;
+            TEST_ASSERT_EQUAL(!is_drawn, fxl_is_stippled_away(opacity, x, y));
+        }
+    }
+}

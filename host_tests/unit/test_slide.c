@@ -181,6 +181,22 @@ void test_a_sphere_within_a_face_may_stay(void)
     TEST_ASSERT_TRUE(slide.blocked == 1 && sphere.centre.x == 0);
 }
 
+/* Between two cubes that are nearer than its diameter each pushes it against the other: after six
+ * pushes it still touches one, and stays. */
+/* collide 3.1 */
+void test_a_sphere_is_pushed_six_times(void)
+{
+    fxl_sphere sphere = {{Q16(1.375), 0, 0}, Q16(0.5)};
+    const fxl_point none = {0, 0, 0};
+    fxl_slide slide;
+    tiny->instances[2].centre = (fxl_point){Q16(2.75), 0, 0};
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_slide_sphere(&tiny->scene, &sphere, &none, &slide));
+    TEST_ASSERT_EQUAL_UINT32(6 + 1, slide.contacts);
+    TEST_ASSERT_EQUAL_UINT32(1, slide.blocked);
+    TEST_ASSERT_EQUAL_INT32(Q16(1.375), sphere.centre.x);
+}
+
 /* A push leaves 12 units of 1/65536 between a sphere and a face: 4 that the face may be off its
  * plane, and 8. */
 /* collide 3.1 */

@@ -49,6 +49,15 @@ void test_a_flat_line(void)
     EXPECT("", ".#", "..####"); /* y at the centres 1.5, 2.5 ..: 1.9 2.14 2.38 2.62 2.86 */
 }
 
+/* wire 2.1 */
+void test_a_diagonal_line_is_not_steep(void)
+{
+    draw(whole, at(1.25, 1.75), at(4.25, 4.75));
+    EXPECT("", "", ".#", "..#", "...#"); /* y at the centres 1.5, 2.5, 3.5: 2 3 4 */
+    draw(whole, at(4.25, 2.25), at(1.25, 5.25));
+    EXPECT("", "", "", "...#", "..#", ".#"); /* 5 4 3 */
+}
+
 /* wire 2.1, 2.3 */
 void test_a_steep_line(void)
 {

@@ -207,11 +207,15 @@ void test_the_edge_of_the_world_is_exact(void)
     TEST_ASSERT_EQUAL(FXL_OK, fxl_world_set_placement(&world, handle, &placement));
     edge.y -= 1;
     TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, handle, &edge));
-    edge.y = -(FXL_COORDINATE_MAX - TINY_RADIUS);
     const fxl_handle unturned = world_spawned(&instance, NULL);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, unturned, &edge));
-    edge.y -= 1;
-    TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, unturned, &edge));
+    for (int axis = 0; axis < 6; axis++) {
+        const int32_t sign = axis < 3 ? 1 : -1;
+        edge = (fxl_point){0, 0, 0};
+        (&edge.x)[axis % 3] = sign * (FXL_COORDINATE_MAX - TINY_RADIUS);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_world_move(&world, unturned, &edge));
+        (&edge.x)[axis % 3] += sign;
+        TEST_ASSERT_EQUAL(FXL_E_RANGE, fxl_world_move(&world, unturned, &edge));
+    }
 }
 
 /* world 1.1 */
