@@ -199,10 +199,12 @@ class Commands:
         if said:
             raise ToolError(f"{targets[0]} does not build with a break", words=said)
 
-    def _tool(self, *words):
-        """(exit code, what it printed) of a tool of the checkout."""
-        done = children.run([sys.executable, LAUNCHER, *map(str, words)], cwd=self._root, text=True, errors="replace")
-        if done.returncode > 1:
+    def _tool(self, writes, *words):
+        """(exit code, what it printed) of a tool of the checkout, in the copy. writes: its JSON file, without which it did not end."""
+        writes = self._copy / "build" / writes
+        writes.unlink(missing_ok=True)
+        done = children.run([sys.executable, LAUNCHER, *map(str, words)], cwd=self._copy, text=True, errors="replace")
+        if done.returncode > 1 or not writes.exists():
             raise ToolError(f"fixel {words[0]} could not run", words=done.stderr[-10 * WORDS:])
         return done.returncode, f"{done.stdout}\n{done.stderr}"
 
@@ -210,15 +212,14 @@ class Commands:
         """The claim alone."""
         with made(self._copy, [each]):
             self._make("build/host/oracle")
-            code, said = self._tool("report", "--only", each.names, "--samples", self._options.samples,
-                                    "--build", self._copy / "build", "--out", self._copy / "build/report")
+            code, said = self._tool("report/claims.json", "report", "--only", each.names, "--samples", self._options.samples)
         lines = [line for line in said.splitlines() if "FAIL" in line]
         result = PASSED if code == 0 else NAMED if any(each.names in line for line in lines) else UNNAMED
         return Step(f"make report ONLY={each.names} SAMPLES={self._options.samples}", result, " ".join(lines)[:WORDS])
 
     def trace(self, each):
         with made(self._copy, [each]):
-            _, said = self._tool("trace", "--root", self._copy, "--build", self._copy / "build")
+            _, said = self._tool("trace.json", "trace", "--root", self._copy)
         return _line_with("make trace", said, each.names)
 
     # --- what looks at the whole library ---
@@ -238,21 +239,19 @@ class Commands:
         return _line_with("make coverage", self._together(each, self._cover), f"{each.file}", f"| {each.names} |")
 
     def _cover(self):
-        built, to = self._root / COVERAGE, self._copy / COVERAGE
-        self._make(f"{COVERAGE}/libfixel-coverage.so")
-        tests = [path.stem for path in sorted(self._root.glob(UNITS))]
-        replays = {f"replay_{path.stem}": path for path in sorted(self._root.glob("host_tests/fuzz/corpus/*.zip"))}
-        for name in (*tests, *replays):     # they find the library beside themselves
-            shutil.copy(built / name, to / name)
-        return self._tool("coverage", "--root", self._copy, "--library", to / "libfixel-coverage.so", "--tests", *(to / name for name in tests),
-                          *(word for name, corpus in replays.items() for word in ("--replay", to / name, corpus)),
-                          "--reasons", "host_tests/unit/uncovered.toml", "--out", to / "coverage.json")[1]
+        self._make(f"{COVERAGE}/libfixel-coverage.so")      # which the programs look for below the folder that they run in
+        built = self._build / "host/coverage"
+        tests = [built / path.stem for path in sorted(self._root.glob(UNITS))]
+        replays = [word for path in sorted(self._root.glob("host_tests/fuzz/corpus/*.zip"))
+                   for word in ("--replay", built / f"replay_{path.stem}", path)]
+        return self._tool("coverage.json", "coverage", "--root", self._copy, "--library", f"{COVERAGE}/libfixel-coverage.so", "--tests", *tests,
+                          *replays, "--reasons", "host_tests/unit/uncovered.toml", "--out", "build/coverage.json")[1]
 
     def rules(self, each):
         return _line_with("make rules", self._together(each, self._check_rules), f"{each.file}:", f": rule {each.names}:")
 
     def _check_rules(self):
-        return self._tool("rules", "--root", self._copy, "--json", self._copy / "build/rules.json")[1]
+        return self._tool("rules.json", "rules", "--root", self._copy, "--json", "build/rules.json")[1]
 
 
 def _line_with(command, said, *words):
