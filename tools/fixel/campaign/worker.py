@@ -134,7 +134,16 @@ class Place:
             raise Refusal(f"{what} fails there: {' / '.join(said[-3:])}")
         return done.stdout
 
-    def compute(self, request):
+    def answer(self, request, setup, targets):
+        """The answer to a request, or why there is none. Here, where its class is known: a worker has this module as often as
+        commands have sent it, and a Refusal of one is none of another."""
+        try:
+            self.ready(setup, targets)
+            return self._compute(request)
+        except Refusal as refusal:
+            return {"refused": str(refusal)}
+
+    def _compute(self, request):
         """What a process of the checkout answers to a request."""
         with self._guard:
             server = self._free.pop() if self._free else None
@@ -186,10 +195,7 @@ def compute(checkout, request, setup, targets):
     """The answer to the request of a shard of a checkout."""
     worker = get_worker()
     place = getattr(worker, "fixel_places", {}).get(checkout)
-    try:
-        if place is None:
-            raise Refusal(f"it has no checkout {checkout[:16]}, of which the shard is")
-        place.ready(setup, targets)
-        return place.compute(request)
-    except Refusal as refusal:
-        return {"refused": f"the worker {worker.address} refuses the shard: {refusal}"}
+    answer = place.answer(request, setup, targets) if place else {"refused": f"it has no checkout {checkout[:16]}, of which the shard is"}
+    if "refused" in answer:
+        answer["refused"] = f"the worker {worker.address} refuses the shard: {answer['refused']}"
+    return answer
