@@ -10,6 +10,7 @@ import contextlib
 import dataclasses
 import filecmp
 import functools
+import os
 import pathlib
 import shlex
 import shutil
@@ -47,24 +48,18 @@ def refresh(root, folder):
     """Makes a copy like the checkout. Only files that differ are written, so that make builds no more than it must."""
     for name in COPIED:
         source, to = pathlib.Path(root) / name, folder / name
+        for old in [each for each in to.rglob("*") if each.is_file() and not (source / each.relative_to(to)).exists()]:
+            old.unlink()
         if source.is_dir():
-            _refresh_folder(source, to)
-        elif source.exists() and not (to.exists() and filecmp.cmp(source, to, shallow=False)):
+            shutil.copytree(source, to, ignore=UNCOPIED, copy_function=_renew, dirs_exist_ok=True)
+        elif source.exists():
             to.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(source, to)
+            _renew(source, to)
 
 
-def _refresh_folder(source, to):
-    names = {each.name for each in source.iterdir()}
-    names -= UNCOPIED(str(source), names)
-    to.mkdir(parents=True, exist_ok=True)
-    for old in [each for each in to.iterdir() if each.name not in names]:
-        shutil.rmtree(old) if old.is_dir() else old.unlink()
-    for each in (source / name for name in sorted(names)):
-        if each.is_dir():
-            _refresh_folder(each, to / each.name)
-        elif not ((to / each.name).exists() and filecmp.cmp(each, to / each.name, shallow=False)):
-            shutil.copy(each, to / each.name)
+def _renew(source, to):
+    if not (os.path.exists(to) and filecmp.cmp(source, to, shallow=False)):
+        shutil.copy(source, to)
 
 
 @contextlib.contextmanager
@@ -184,8 +179,9 @@ class Commands:
         return sorted((row for row in prove_rows.read(self._root) if wanted(row)), key=lambda row: row.tool != "cbmc")
 
     def proofs(self, each):
-        """The rows of the function."""
-        return self._try_rows(each, self._rows(lambda row: row.name == each.names), f"make prove ONLY={each.names}")
+        """The rows of the function; where it has none and is proved within others, those of its file."""
+        rows = self._rows(lambda row: row.name == each.names)
+        return self._try_rows(each, rows, f"make prove ONLY={each.names}") if rows else self.proofs_of_file(each)
 
     def proofs_of_file(self, each):
         """The other rows of the file's functions."""
