@@ -173,9 +173,12 @@ static bool move(fxl_q18_46 from, fxl_q18_46 to, const parameter *t, bool negati
     const uint64_t limit = (uint64_t)1 << 61;
     const uint64_t extent = fxl_magnitude(to - from);
     const uint64_t part = fxl_multiply_high(extent, t->fraction); /* below 2^62 */
-    const uint64_t whole = extent * t->whole;
-    if (fxl_multiply_high(extent, t->whole) != 0 || whole >= 2 * limit) {
+    if (fxl_multiply_high(extent, t->whole) != 0) {
         return false; /* from is below 2^61, so the result would not be */
+    }
+    const uint64_t whole = extent * t->whole; /* below 2^64, because the upper half is 0 */
+    if (whole >= 2 * limit) {
+        return false; /* out of range likewise */
     }
     const int64_t along = (int64_t)(whole + part); /* below 2^63 */
     const bool down = (to < from) != negative;

@@ -32,16 +32,19 @@ bool fxl_display_list_append(fxl_display_list *list, const fxl_screen_polygon *p
 const fxl_screen_polygon *fxl_display_list_next(const fxl_display_list *list, fxl_rows rows,
                                                 uint32_t *place)
 {
+    if (*place >= list->used) {
+        return NULL; /* before any address: the words of an empty list may be null */
+    }
     const uint32_t *record = list->words + *place, *end = list->words + list->used;
     const fxl_screen_polygon *found = NULL;
-    while (record < end && found == NULL) {
+    do {
         const fxl_rows reached = {(uint16_t)record[0], (uint16_t)(record[0] >> 16)};
         const fxl_screen_polygon *polygon = (const fxl_screen_polygon *)(const void *)(record + 1);
         record += FXL_DISPLAY_LIST_WORDS((uint32_t)polygon->count);
         if (fxl_rows_meet(reached, rows)) {
             found = polygon;
         }
-    }
+    } while (record < end && found == NULL);
     *place = (uint32_t)(record - list->words);
     return found;
 }
