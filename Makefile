@@ -379,9 +379,10 @@ test-anywhere: ## run the tests of packages and of what make test has no tools f
 	@$(MAKE) $(HOST_WALK) $(HOST_TOOLS) $(BUILD)/host/libfixel.a
 	@$(TOOL) test-anywhere --json $(BUILD)/anywhere.json
 
-test-campaigns: ## run a campaign on a cluster of three workers of which one is killed: the bytes must be those of one process and of eight
+test-campaigns: ## run a campaign on a cluster of three workers of which one is killed: the bytes must be those of one process and of eight; and fuzz by one and by eight
 	@tools/setup.sh cluster
 	@$(MAKE) $(BUILD)/host/oracle
+	@test -n "$$(tools/setup.sh --missing fuzz)" || $(MAKE) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/fuzz_%)
 	@$(PY) -m pytest -q -p no:cacheprovider host_tests/anywhere/campaigns
 
 boards-programs: $(foreach board,$(BOARDS),$(BOARD_WALK.$(board)) $(BOARD_UNITS.$(board)))
@@ -443,10 +444,10 @@ equality: ## compare every kernel of every core with the portable one, on the em
 	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(TOOL) equality $(EQUALITY_KINDS) --build $(BUILD)
 
-fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [SECONDS=60 EXAMPLES=1500]
+fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [RUNS=20000 EXAMPLES=1500 JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
-	@$(TOOL) fuzz --seconds 60 --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
+	@$(TOOL) fuzz --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'
 
 CORPUS_PROGRAMS = $(if $(ADD),$(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
 corpus: ## list the fuzzer's corpus, or add a file to that of a harness, with what the library answers [HARNESS= ADD=]

@@ -2,12 +2,14 @@
 """What fuzzing found worth keeping: run again with the sanitizers, with the answers on record, and enough to reach the
 library's branches."""
 
+import pathlib
 import subprocess
 
 import branches
 import pytest
+from conftest import CHECKOUT
 from fixel.base.errors import ToolError
-from fixel.check import corpus, fuzz
+from fixel.check import corpus, fuzz, fuzz_shards
 
 TARGETS = list(corpus.HARNESSES)
 LEAST = 90          # per cent of the branches of lib/
@@ -67,16 +69,52 @@ def test_corpus_is_small():
     assert sum(corpus.archive_of(target).stat().st_size for target in TARGETS) <= SIZE_MAX
 
 
-def test_a_fuzzer_starts_on_a_folder_that_the_next_one_uses_too(monkeypatch, tmp_path):
-    started = []
-    monkeypatch.setattr(fuzz.corpus, "unpacked", lambda target, build: build / "inputs")
-    monkeypatch.setattr(fuzz.children, "start", lambda command, **options: started.append(command))
-    for number in (0, 1):
-        worker = fuzz.start_worker("scene", number, tmp_path / "build", 5)
-        assert worker.target == "scene" and (tmp_path / f"build/fuzz/scene-{number}.log").exists()
-    assert [list(map(str, command[:4])) for command in started] == 2 * [[
-        str(tmp_path / "build" / name) for name in ("host/fuzz/fuzz_scene", "fuzz/corpus/scene", "inputs")] + ["-max_total_time=5"]]
-    assert (tmp_path / "build/fuzz/corpus/scene").is_dir() and (tmp_path / "build/fuzz/findings").is_dir()
+# A fuzzer whose every second seed finds something; its words name its process, as those of a sanitizer do.
+FUZZER = """#!/bin/sh
+test "$1" = -merge=1 && exec cp found/new corpus/
+for word in "$@"; do
+    case $word in -seed=*) seed=${word#-seed=} ;; -runs=*) runs=${word#-runs=} ;; esac
+done
+test "$(tr ',' '\\n' <list | sort -c && wc -c <list)" -gt 1000 || exit 9
+printf "%s" "$seed" >found/new
+echo "stat::number_of_executed_units: $runs" >&2
+test $((seed % 2)) -gt 0 && exit
+echo "==$$==ERROR: AddressSanitizer: heap-buffer-overflow on address 0x$$ at pc 0x$$" >&2
+printf "crash of %s" "$seed" >crash-1
+echo "artifact_prefix='./'; Test unit written to ./crash-1" >&2
+exit 1
+"""
+
+
+def test_one_process_and_eight_find_the_same(tmp_path, monkeypatch):
+    monkeypatch.chdir(CHECKOUT)
+    for harness in TARGETS:
+        program = fuzz_shards.program_of(tmp_path, harness)
+        program.parent.mkdir(parents=True, exist_ok=True)
+        program.write_text(FUZZER)
+        program.chmod(0o755)
+    rows = []
+    for jobs in (1, 8):
+        options = fuzz.parser().parse_args(["--build", str(tmp_path), "--jobs", str(jobs)])
+        options.runs = 3 * fuzz_shards.SHARD + 1
+        rows.append(fuzz.run_fuzzers(options))
+    assert rows[0] == rows[1]
+    what = "ERROR: AddressSanitizer: heap-buffer-overflow on address at pc"
+    for row, harness in zip(rows[0], TARGETS, strict=True):
+        assert row["harness"] == harness and row["runs"] == options.runs and row["inputs"] == {"new": b"4"}
+        assert row["findings"] == [{"kind": "crash", "what": what, "input": b"crash of 2", "shards": 2}]
+    found = fuzz.findings_of(rows[0], tmp_path)
+    assert [pathlib.Path(each["input"]).name.rpartition("-")[0] for each in found] == [f"{harness}-crash" for harness in TARGETS]
+    assert all((CHECKOUT / each["input"]).read_bytes() == b"crash of 2" for each in found)
+
+
+def test_a_fuzzer_that_ends_without_an_input_is_one_sentence(tmp_path):
+    program = fuzz_shards.program_of(tmp_path, "scene")
+    program.parent.mkdir(parents=True)
+    program.write_text("#!/bin/sh\necho 'no memory' >&2\nexit 3\n")
+    program.chmod(0o755)
+    with pytest.raises(ToolError, match="^fuzz_scene ended with 3: no memory$"):
+        fuzz_shards.run_shard(tmp_path, {"harness": "scene", "shard": 0, "runs": 1})
 
 
 def test_an_input_is_added_once(monkeypatch, tmp_path, capsys):

@@ -22,6 +22,7 @@ from fixel.base.errors import ToolError
 CAMPAIGNS = {
     "clippers": "fixel.bench.clippers_run",
     "equality": "fixel.check.kernel_equality",
+    "fuzz": "fixel.check.fuzz_shards",
     "prove": "fixel.prove.proving",
     "report": "fixel.report.report_shards",
     "trace": "fixel.check.trace_shards",
