@@ -109,6 +109,44 @@ def row(name, **more):
     return rows.Row(function=f"lib/math/arith.c:{name}", property="", place=pathlib.Path("arith.c"), id=name, **more)
 
 
+PROGRAM = """
+prove_f /* prove_f */
+        // 0 file host_tests/proofs/math/arith.c line 3 function prove_f
+        CALL prove_f::1::x := f(prove_f::1::x)
+     1: CALL gone(prove_f::1::x)
+        // 1 file host_tests/proofs/math/arith.c line 4 function prove_f
+        END_FUNCTION
+
+f /* f */
+        // 2 file lib/math/../view/arith.c line 7 function f
+        CALL clear$link1(f::x)
+        CALL *f::table.check(f::x)
+     2: END_FUNCTION
+
+clear /* clear */
+        // 3 file lib/math/arith.c line 9 function clear
+        END_FUNCTION
+
+clear$link1 /* clear$link1 */
+        // 4 file lib/view/arith.c line 9 function clear
+        END_FUNCTION
+
+gone /* gone */
+        // 5 file lib/view/arith.c line 19 function gone
+        END_FUNCTION
+
+by_pointer /* by_pointer */
+        // 6 file lib/view/arith.c line 29 function by_pointer
+        END_FUNCTION
+"""
+
+
+def test_only_what_is_called_by_name_is_within_a_row():
+    """A function that the harness has in its place is not, and a static function is that of its own file."""
+    found = cbmc._within(PROGRAM, row("f", harness="prove_f", stands_in={"gone": "any_gone"}))
+    assert {each for each in found if each[0].startswith("lib/")} == {("lib/view/arith.c", "f"), ("lib/view/arith.c", "clear")}
+
+
 def test_a_contract_without_a_row_and_a_circle_are_found():
     assert rows.circles([row("a", contract=True, uses=["b"])]) == ["a uses the contract of b, which no row proves"]
     both = [row("a", contract=True, uses=["b"]), row("b", contract=True, uses=["a"])]

@@ -177,6 +177,21 @@ fxl_clip_result any_cut(const fxl_view_polygon *in, const fxl_view_frustum *frus
     return (fxl_clip_result)result;
 }
 
+void prove_by_plane(void)
+{
+    fxl_view_frustum frustum;
+    fxl_clip_stats stats;
+    const int plane = (int)(nondet_u8() % FXL_PLANE_COUNT);
+    ANY_CONTENT(&polygon_in);
+    ANY_CONTENT(&work);
+    const clipping to = {&frustum, &work, nondet_bool() ? &stats : NULL};
+    const fxl_view_polygon *in = nondet_bool() ? &polygon_in : &work.polygons[0];
+    ASSUME(is_polygon(in));
+    const fxl_clip_result result = by_plane(&to, plane, in, &work.polygons[1]);
+    ASSERT("a polygon where it is cut", result != FXL_CLIP_CUT || is_polygon(&work.polygons[1]));
+    PROOF_ENDS();
+}
+
 void prove_clip_view_by_planes(void)
 {
     fxl_view_frustum frustum;

@@ -197,6 +197,14 @@ void prove_active_edges_next(void)
     PROOF_ENDS();
 }
 
+/* For memset: it writes a row of the band. */
+void *any_memset(void *to, int byte, size_t size)
+{
+    (void)byte;
+    ASSERT("pixels of the band", size >= 1 && size <= STRIDE && __CPROVER_w_ok(to, size));
+    return to;
+}
+
 void prove_active_edges_fill(void)
 {
     static uint8_t pixels[ROWS * STRIDE];
@@ -207,7 +215,7 @@ void prove_active_edges_fill(void)
     ASSUME(band.stride == STRIDE && band.rows >= 1 && band.rows <= ROWS && band.first_row + band.rows <= FXL_SCREEN_MAX);
     ASSUME(edges.left >= 0 && edges.left < edges.right && edges.right <= STRIDE && edges.row == span.y);
     ASSUME(span.y >= band.first_row && span.y < edges.steady_end && edges.steady_end <= band.first_row + band.rows);
-    ASSUME(span.x0 >= edges.left && span.x0 < span.x1 && span.x1 <= edges.right);
+    ASSUME(span.x0 >= edges.left && span.x0 < span.x1 && span.x1 <= edges.right && edges.found_count >= 2);
     ASSUME(WITHIN(edges.found[0].slope.x, 1 << 30) && WITHIN(edges.found[1].slope.x, 1 << 30));
     fxl_active_edges_fill(&edges, &span, &band, nondet_u8());
     ASSERT("a row of the band", edges.row >= span.y && edges.row < edges.steady_end);

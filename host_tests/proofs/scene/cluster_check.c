@@ -38,10 +38,20 @@ void prove_centre_is_among(void)
     PROOF_ENDS();
 }
 
+/* One round: a vertex of a face. */
 void prove_sphere_holds(void)
 {
-    any_cluster();
-    ASSUME(clusters[0].face_count == 1 && in.faces[0].count == 3 && clusters[0].radius >= 0 && is_vertex(&clusters[0].centre));
+    any_checked_scene();
+    ANY_CONTENT(clusters);
+    const uint32_t first = faces[0].first_index;
+    ASSUME(first < INDICES && indices[first] < VERTICES && is_vertex(&vertices[indices[first]]));
+    ASSUME(clusters[0].radius >= 0 && is_vertex(&clusters[0].centre));
+    clusters[0].face_count = 1;
+    faces[0].count = 1;
+    in.cluster = &clusters[0];
+    in.faces = faces;
+    in.vertices = vertices;
+    in.indices = indices;
     (void)sphere_holds(&in);
     PROOF_ENDS();
 }

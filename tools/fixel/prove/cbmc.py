@@ -14,8 +14,12 @@ MEMORY = 6 << 30        # bytes of address space of a prover: two at a time leav
 DEFINES = ("-DFXL_PROVE", "-std=gnu11", "-Ilib/include", "-Ilib", "-Ihost_tests/proofs")
 CHECKS = ("--bounds-check", "--pointer-check", "--pointer-overflow-check", "--signed-overflow-check", "--undefined-shift-check",
           "--div-by-zero-check", "--pointer-primitive-check", "--unwinding-assertions", "--object-bits", "12")
+RESULT = "within: by calls alone"      # of what a result says: another text here, and nothing that was kept is used
 REACHED = "the harness ends"        # PROOF_ENDS of proof.h: it must fail
-EDGE = re.compile(r'^\s*"?([\w:$.]+)"? -> "?([\w:$.]+)"?', re.MULTILINE)
+# Lines of goto-instrument --show-goto-functions: where a function begins, the place of an instruction, a call that is not by pointer.
+BEGINS = re.compile(r"([\w$]+) /\* \1 \*/")
+PLACE = re.compile(r"\s+// \d+ file (\S+) line ")
+CALLS = re.compile(r"\s+(?:\d+: )?CALL (?:.*? := )?([A-Za-z_][\w$]*)\(")
 NO_CONTRACT = "deriving empty"
 
 
@@ -71,6 +75,9 @@ def prove(programs, root, row, case):
         spent += cpu
         if code:
             raise Failed(f"goto-cc: {_last(said)}")
+        said, code, cpu = _run(programs, root, ["goto-instrument", "--show-goto-functions", program], SECONDS - spent)
+        spent += cpu
+        within = _texts(root, row, case, folder, _within(said, row))
         if row.stands_in:
             # also where the function is called by a pointer
             replaced = [word for name, to in row.stands_in.items() for word in ("--replace-calls", f"{name}:{to}")]
@@ -81,9 +88,6 @@ def prove(programs, root, row, case):
                 if code:
                     raise Failed(f"goto-instrument: {_last(said)}")
                 program = called
-        said, code, cpu = _run(programs, root, ["goto-instrument", "--reachable-call-graph", program], SECONDS - spent)
-        spent += cpu
-        within = _texts(root, row, case, folder, _within(said, row))
         if row.contract or row.uses or row.loops:
             words = ["goto-instrument", "--dfcc", row.harness, *(["--enforce-contract", row.name] if row.contract else []),
                      *[word for name in row.uses for word in ("--replace-call-with-contract", name)],
@@ -108,25 +112,33 @@ def _last(said):
     return next((line for line in lines if "error" in line.lower()), lines[-1] if lines else "it said nothing")
 
 
-def _within(graph, row):
-    """The functions of the program that are reached from the harness and have their own text there."""
-    calls = {}
-    for caller, called in EDGE.findall(graph):
-        calls.setdefault(caller, []).append(called)
+def _within(shown, row):
+    """(file, name) of the functions that the harness, or one that it calls, calls by name, and that have their own text in the
+    program. One that a pointer of its type might mean is none of them."""
+    calls, files, caller = {}, {}, None
+    for line in shown.splitlines():
+        if begins := BEGINS.match(line):
+            caller = begins[1]
+            calls[caller] = []
+        elif place := PLACE.match(line):
+            files.setdefault(caller, os.path.normpath(place[1]))
+        elif called := CALLS.match(line):
+            calls[caller].append(row.stands_in.get(called[1], called[1]))
     found, waiting = set(), [row.harness]
     while waiting:
         name = waiting.pop()
         if name not in found and name not in row.uses:
             found.add(name)
             waiting += calls.get(name, [])
-    return found - {row.harness}
+    # of two static functions of a name, the linker adds to that of one
+    return {(files[name], name.partition("$")[0]) for name in found if name in files}
 
 
-def _texts(root, row, case, folder, names):
+def _texts(root, row, case, folder, within):
     """FILE:NAME of those that are functions of the library. Without FXL_PROVE the compiler takes the harness, too."""
     sources = [row.place, *row.links]
     flags = ("-w", "-Ihost_tests/proofs", *_defines(row, case))
-    return {f"{file}:{name}" for source in sources for file, _, _, name in functions.defined_in(root, source, folder, flags) if name in names}
+    return {f"{file}:{name}" for source in sources for file, _, _, name in functions.defined_in(root, source, folder, flags) if (file, name) in within}
 
 
 def judge(said):

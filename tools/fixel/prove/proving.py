@@ -27,7 +27,7 @@ def placed(row, root):
 def _inputs(root, row, case, versions):
     """All that the result of a case depends on."""
     words = (row.harness, row.contract, row.uses, row.unwind, row.unwindset, row.flags, row.loops, row.text, *([row.stands_in] if row.stands_in else []))
-    return [versions, words, cbmc.CHECKS, cbmc.DEFINES, PROVERS[row.tool].preprocessed(root, row, case)]
+    return [versions, words, cbmc.CHECKS, cbmc.DEFINES, cbmc.RESULT, PROVERS[row.tool].preprocessed(root, row, case)]
 
 
 def prove_case(programs, root, row, case, store, versions):

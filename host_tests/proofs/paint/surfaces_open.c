@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+#include "paint/surfaces_open.c"
+#include "scene/scene_tables.h"
+
+#define TEXELS  4096
+#define ENTRIES 2
+
+static uint8_t texels[TEXELS];
+static fxl_scene_texture from[ENTRIES];
+static fxl_texture textures[ENTRIES];
+static fxl_surface surfaces[ENTRIES];
+static fxl_mapped_face mapped[ENTRIES];
+static fxl_direction normals[ENTRIES];
+static uint16_t face_map[FACES];
+static fxl_scene_image image;
+static fxl_surface_set set;
+
+static bool is_in_range(const fxl_scene_texture *texture)
+{
+    return texture->log_width <= FXL_TEXTURE_LOG_MAX && texture->log_height <= FXL_TEXTURE_LOG_MAX && texture->levels >= 1 &&
+           texture->levels <= FXL_TEXTURE_LOG_MAX + 1;
+}
+
+/* Bytes of a texture's first level. */
+static uint32_t first_bytes(const fxl_scene_texture *texture)
+{
+    const uint32_t count = 1u << (texture->log_width + texture->log_height);
+    return texture->format == FXL_TEXTURE_565 ? 2 * count : texture->format == FXL_TEXTURE_4 ? count / 2 : count;
+}
+
+void prove_texel_bytes(void)
+{
+    fxl_scene_texture texture;
+    ASSUME(is_in_range(&texture));
+    const uint32_t bytes = texel_bytes(&texture);
+    ASSERT("at most nine times the most of a level", bytes <= 9u << 17);
+    ASSERT("at least those of its first level", bytes >= first_bytes(&texture));
+    PROOF_ENDS();
+}
+
+/* For texel_bytes. */
+uint32_t any_bytes(const fxl_scene_texture *texture)
+{
+    const uint32_t bytes = nondet_u32();
+    ASSERT("in its range", is_in_range(texture));
+    ASSUME(bytes <= 9u << 17 && bytes >= first_bytes(texture));
+    return bytes;
+}
+
+void prove_check_place(void)
+{
+    fxl_scene_texture texture;
+    const uint32_t size = nondet_u32();
+    const fxl_status status = check_place(&texture, size);
+    ASSERT("its first level lies in the texels", status != FXL_OK || (uint64_t)texture.texels + first_bytes(&texture) <= size);
+    ASSERT("so do its colours", status != FXL_OK || texture.format != FXL_TEXTURE_4 || (uint64_t)texture.colours + 16 <= size);
+    PROOF_ENDS();
+}
+
+/* For check_place and fxl_surfaces_check. */
+fxl_status any_place(const fxl_scene_texture *texture, uint32_t size)
+{
+    const bool good = nondet_bool();
+    ASSERT("of the table", texture >= from && texture < from + ENTRIES && size <= TEXELS);
+    ASSUME(!good || (texture->texels <= size && (texture->format != FXL_TEXTURE_4 || texture->colours <= size)));
+    return good ? FXL_OK : FXL_E_OFFSET;
+}
+
+static bool passed;
+fxl_status any_set(const fxl_surface_set *found, const fxl_scene *of, uint32_t pixel_bits, fxl_scene_fault *to)
+{
+    (void)pixel_bits, (void)to;
+    const uint32_t i = nondet_u32();
+    ASSERT("of the image", of == &image.scene && found->textures == textures);
+    ASSUME(i < ENTRIES);
+    ASSERT("texels of the image", i >= found->texture_count || (textures[i].texels >= texels && textures[i].texels <= texels + TEXELS));
+    passed = nondet_bool();
+    return passed ? FXL_OK : FXL_E_COUNT;
+}
+
+void prove_surfaces_open(void)
+{
+    const uint32_t capacity = nondet_u32();
+    ANY_CONTENT(&image);
+    ANY_CONTENT(from);
+    image.surfaces.textures = from;
+    image.surfaces.texels = texels;
+    image.surfaces.face_map = nondet_bool() ? face_map : NULL;
+    ASSUME(image.surfaces.texture_count <= ENTRIES && image.surfaces.texel_bytes <= TEXELS && capacity <= ENTRIES);
+    const fxl_status status = fxl_surfaces_open(nondet_bool() ? &image : NULL, textures, capacity, nondet_bool() ? &set : NULL, &fault);
+    ASSERT("opened after its check, with its tables", status != FXL_OK || (passed && set.textures == textures && set.texture_count <= capacity));
+    ASSERT("refused, it stays", status == FXL_OK || set.textures == NULL);
+    PROOF_ENDS();
+}
+
+void prove_check_texture(void)
+{
+    fxl_texture texture;
+    const bool pixels_of_16 = nondet_bool();
+    texture.texels = nondet_bool() ? texels + (nondet_u32() & 3u) : NULL;
+    texture.colours = nondet_bool() ? texels : NULL;
+    const fxl_status status = check_texture(&texture, pixels_of_16 ? &of_565 : &of_palette);
+    ASSERT("sides and levels in their range", status != FXL_OK || (texture.log_width <= 8 && texture.log_height <= 8 && texture.levels >= 1 && texture.levels <= 9));
+    ASSERT("colours where it has 4 bits", status != FXL_OK || (texture.format == FXL_TEXTURE_4) == (texture.colours != NULL));
+    ASSERT("16 bits in frames of them alone", status != FXL_OK || texture.format != FXL_TEXTURE_565 || (pixels_of_16 && ((uintptr_t)texture.texels & 1u) == 0));
+    PROOF_ENDS();
+}
+
+void prove_check_surface(void)
+{
+    fxl_surface surface;
+    const bool pixels_of_16 = nondet_bool();
+    set.texture_count = nondet_u32();
+    set.blend = nondet_bool() ? texels : NULL;
+    const fxl_status status = check_surface(&set, &surface, pixels_of_16 ? &of_565 : &of_palette);
+    ASSERT("a texture of the table, or none", status != FXL_OK || surface.texture <= set.texture_count);
+    ASSERT("an opacity in its range", status != FXL_OK || (surface.opacity >= 1 && surface.opacity <= 16 && surface.sixteenths <= 16));
+    ASSERT("a table where it blends", status != FXL_OK || pixels_of_16 || (surface.flags & FXL_SURFACE_BLEND) == 0 || set.blend != NULL);
+    ASSERT("no texture of interpolated colours", status != FXL_OK || surface.texture == 0 || (surface.flags & FXL_SURFACE_COLOURS) == 0);
+    PROOF_ENDS();
+}
+
+void prove_on_one_line(void)
+{
+    fxl_point a, b, c;
+    ASSUME(is_vertex(&a) && is_vertex(&b) && is_vertex(&c));
+    (void)on_one_line(&a, &b, &c);
+    PROOF_ENDS();
+}
+
+void prove_check_texels(void)
+{
+    fxl_mapped_face face;
+    const bool are_colours = nondet_bool();
+    const uint32_t i = nondet_u32();
+    ASSUME(i < 3);
+    const fxl_status status = check_texels(&face, are_colours);
+    const fxl_texel *texel = &face.texels[i];
+    ASSERT("in their range", status != FXL_OK || are_colours || (WITHIN(texel->u, FXL_TEXEL_MAX) && WITHIN(texel->v, FXL_TEXEL_MAX)));
+    ASSERT("colours of 24 bits", status != FXL_OK || !are_colours || ((uint32_t)texel->u < 1u << 24 && texel->v == 0));
+    PROOF_ENDS();
+}
+
+/* For on_one_line and check_texels. */
+bool any_line(const fxl_point *a, const fxl_point *b, const fxl_point *c)
+{
+    ASSERT("vertices of a checked model", is_vertex(a) && is_vertex(b) && is_vertex(c));
+    return nondet_bool();
+}
+
+fxl_status any_texels(const fxl_mapped_face *face, bool are_colours)
+{
+    (void)are_colours;
+    ASSERT("of the table", face >= mapped && face < mapped + ENTRIES);
+    return (fxl_status)nondet_u32();
+}
+
+/* Tables of any length up to two, with any content. */
+static void any_tables(void)
+{
+    any_checked_scene();
+    ANY_CONTENT(surfaces);
+    ANY_CONTENT(mapped);
+    ANY_CONTENT(face_map);
+    ANY_CONTENT(&set);
+    set.surfaces = surfaces;
+    set.faces = mapped;
+    set.normals = normals;
+    set.textures = textures;
+    set.face_map = face_map;
+    ASSUME(set.surface_count <= ENTRIES && set.face_count <= ENTRIES && set.normal_count <= ENTRIES && set.texture_count <= ENTRIES);
+}
+
+void prove_check_face(void)
+{
+    any_tables();
+    const fxl_model *model = &models[0];
+    const fxl_mapped_face *face = &mapped[0];
+    const uint32_t i = nondet_u32();
+    ASSUME(i < 3);
+    const fxl_status status = check_face(&set, &scene, model, face);
+    ASSERT("a surface of the table", status != FXL_OK || face->surface < set.surface_count);
+    ASSERT("vertices of the model", status != FXL_OK || face->vertices[i] < model->vertex_count);
+    ASSERT("normals of the table", status != FXL_OK || (surfaces[face->surface].flags & FXL_SURFACE_LIT) == 0 || face->normals[i] < set.normal_count);
+    PROOF_ENDS();
+}
+
+/* For check_face, check_texture, check_surface, fxl_is_unit and check_faces. */
+fxl_status any_face(const fxl_surface_set *of, const fxl_scene *in, const fxl_model *model, const fxl_mapped_face *face)
+{
+    ASSERT("a face of the table, and its model", of == &set && in == &scene && model >= models && model < models + scene.model_count && face >= mapped &&
+                                                     face < mapped + set.face_count);
+    return (fxl_status)nondet_u32();
+}
+
+void prove_check_faces(void)
+{
+    any_tables();
+    const fxl_status status = check_faces(&set, &scene, &fault);
+    const uint32_t i = nondet_u32();
+    ASSUME(i < models[0].face_count);
+    ASSERT("each is a record of the table, or none", status != FXL_OK || face_map[models[0].first_face + i] <= set.face_count);
+    PROOF_ENDS();
+}
+
+fxl_status any_texture(const fxl_texture *texture, const frame_kind *kind)
+{
+    ASSERT("of the table", texture >= textures && texture < textures + set.texture_count && kind != NULL);
+    return (fxl_status)nondet_u32();
+}
+
+fxl_status any_surface(const fxl_surface_set *of, const fxl_surface *surface, const frame_kind *kind)
+{
+    ASSERT("of the table", of == &set && surface >= surfaces && surface < surfaces + set.surface_count && kind != NULL);
+    return (fxl_status)nondet_u32();
+}
+
+bool any_unit(const fxl_direction *normal)
+{
+    ASSERT("of the table", normal >= normals && normal < normals + set.normal_count);
+    return nondet_bool();
+}
+
+fxl_status any_faces(const fxl_surface_set *of, const fxl_scene *in, fxl_scene_fault *to)
+{
+    ASSERT("of the scene", of == &set && in == &scene && to == &fault);
+    return (fxl_status)nondet_u32();
+}
+
+void prove_surfaces_check(void)
+{
+    any_tables();
+    set.textures = nondet_bool() ? textures : NULL;
+    set.normals = nondet_bool() ? normals : NULL;
+    set.surfaces = nondet_bool() ? surfaces : NULL;
+    set.faces = nondet_bool() ? mapped : NULL;
+    set.face_map = nondet_bool() ? face_map : NULL;
+    const fxl_status status = fxl_surfaces_check(nondet_bool() ? &set : NULL, nondet_bool() ? &scene : NULL, nondet_u32(), &fault);
+    ASSERT("tables that it needs", status != FXL_OK || (set.surfaces != NULL && set.faces != NULL && set.face_map != NULL &&
+                                                        (set.textures != NULL || set.texture_count == 0)));
+    ASSERT("blended colours of a byte", status != FXL_OK || (set.blend_first <= 255 && set.blend_first + set.blend_count <= 256));
+    PROOF_ENDS();
+}
