@@ -14,6 +14,11 @@ uint32_t unit_random(void)
     return state;
 }
 
+void unit_seed(uint32_t seed)
+{
+    state = seed * 2654435769u; /* odd, so not 0 */
+}
+
 int32_t unit_between(int32_t low, int32_t high)
 {
     uint64_t count = (uint64_t)((int64_t)high - low + 1);

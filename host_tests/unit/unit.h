@@ -31,6 +31,9 @@
 /* The same numbers in every run of a test program. */
 uint32_t unit_random(void);
 
+/* Other numbers from here on, by a seed above 0. */
+void unit_seed(uint32_t seed);
+
 /* A random number of low..high, both included. */
 int32_t unit_between(int32_t low, int32_t high);
 

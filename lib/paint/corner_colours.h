@@ -29,8 +29,8 @@ void fxl_corner_colours_light(const fxl_light_settings *settings, const int32_t 
 /* The gradients of a small triangle with a constant weight, in words. Where is_affine, that weight
  * is asked for; false otherwise if it changes a channel by more than FXL_AFFINE_ERROR_LIGHT. Also
  * false where the face is no triangle, or where a corner's share of a pixel changes by 4 or more a
- * pixel: *gradients is then undefined. Error in the triangle, beyond that, given the corners: 2^-25
- * (1 + b) of a channel (corner_planes.h), and 2048 2^-22 level. */
+ * pixel: *gradients is then undefined. Error in the triangle, beyond that, given the corners: k of
+ * the range of a channel (corner_planes.h), and 2048 2^-22 level. */
 bool fxl_corner_colours_linear(const fxl_corner_planes *planes, int32_t (*values)[3],
                                bool is_affine, fxl_gradients *gradients);
 

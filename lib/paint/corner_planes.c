@@ -98,8 +98,9 @@ static inline void locate(fxl_corner_planes *planes)
 
 /* Edges are below 2^23 in 1/65536 pixel, so the area is below 2^47; of a small face it is at
  * least 2^25, of a thin one 2^19. Its upper 31 bits have a reciprocal r within 2^-29. The edges are
- * scaled to less than 2^31, so a product with r is at most 2^62. What is cut off a coefficient is
- * less than 2^-29 of the largest. */
+ * scaled to less than 2^31, so a product with r is at most 2^62. The longer side of the box
+ * is scaled to 2^30 or more, so with r of at least 2^30 its coefficient would be at least 2^28:
+ * what is cut off a coefficient is less than 2^-28 of that. */
 /* SPEC 9.1.1 */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              bool for_words, fxl_corner_planes *planes)

@@ -75,16 +75,17 @@ typedef struct {
  *
  * A thin face, whose triangle fills 1/1024 to 1/16 of the box, one whose 1/z differ by more, and
  * one with sides up to FXL_WORDS_SIDE_MAX, are for words: only fxl_corner_planes_linear takes them,
- * the first two if 1/z changes by less than the largest one a pixel. Of a thin face that fills 1/n
- * the coefficients cost n / 16 times what they cost another.
- */
+ * the first two if 1/z changes by less than the largest one a pixel.
+ *
+ * In the triangle the rounding of the coefficients moves a plane by less than k = 2^-29 + 2^-28 n
+ * (1 + b) of the range of its values at the corners, where the triangle fills 1/n of the box and b
+ * is the ratio of the longer side of the box to the shorter one. */
 bool fxl_corner_planes_begin(const fxl_screen_corners *corners, const fxl_lens *lens,
                              bool for_words, fxl_corner_planes *planes);
 
-/* The depth of the face on the screen. Error in the triangle, given the corners on the screen, with
- * b the ratio of the longer side of the box to the shorter one: less than 2^-25 (1 + b) of the
- * largest depth there, and 1/16 unit of the upper word. Corners are off by 0.52/65536 pixel, which
- * moves the plane by so much times its slope. */
+/* The depth of the face on the screen. Error in the triangle, given the corners on the screen: k
+ * (above) of the range of depths, 2^-25 of the largest one, and 1/16 unit of the upper word.
+ * Corners are off by 0.52/65536 pixel, which moves the plane by so much times its slope. */
 void fxl_corner_planes_depth(fxl_corner_planes *planes, fxl_depth_plane *plane);
 
 /* The depth of a triangle of one octave, and its light, in words: fxl_depth_plane that
@@ -110,8 +111,8 @@ bool fxl_find_smooth_planes(const fxl_screen_corners *corners, const fxl_lens *l
  * constant. It is constant too where that changes no attribute by more than FXL_AFFINE_ERROR_TEXEL
  * or FXL_AFFINE_ERROR_LIGHT: with attributes that differ by D over the corners, and weights by E
  * from the least weight w on, attributes are off by at most D E / (4 w) in the triangle. Error,
- * beyond that, given the corners: 2^-25 (1 + b) of the largest value, 1/65536, and 1/16 unit of the
- * upper words of the attribute and of the weight. */
+ * beyond that, given the corners: of a constant weight, k of the range and 1/16 unit of the upper
+ * word; of any other, what docs/accuracy.md, section 5.1.1, says. */
 void fxl_corner_planes_find(fxl_corner_planes *planes, int32_t (*values)[3], uint32_t count,
                             bool is_affine, fxl_gradients *gradients);
 
