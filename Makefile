@@ -444,7 +444,7 @@ equality: ## compare every kernel of every core with the portable one, on the em
 	@$(MAKE) $(EQUALITY_PROGRAMS)
 	@$(TOOL) equality $(EQUALITY_KINDS) --build $(BUILD)
 
-fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [RUNS=20000 EXAMPLES=1500 JOBS= CLUSTER= FRESH=1]
+fuzz: ## fuzz the scene loader, the whole pipeline and the tools' input, print the branches reached [RUNS=10000 EXAMPLES=1500 JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh fuzz
 	@$(MAKE) $(FUZZ_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%)
 	@$(TOOL) fuzz --examples $(FUZZ_TOOLS_EXAMPLES) --build $(BUILD) --clang '$(FUZZ_CLANG)'

@@ -89,7 +89,7 @@ $(foreach target,$(FUZZ_TARGETS),$(eval $(call FUZZ_PROGRAM,$(target))))
 
 # --- the tools' input ------------------------------------------------------------
 
-# make test has a fixed seed and few examples; here are ten times as many, and another seed with each SECONDS=.
+# make test has a fixed seed and few examples; here are ten times as many, and another seed with each RUNS=.
 FUZZ_TOOLS_EXAMPLES := 1500
 
 FUZZ_PROGRAMS := $(foreach target,$(FUZZ_TARGETS),$(FUZZ_OUT)/fuzz_$(target) $(FUZZ_OUT)/cover_$(target))

@@ -186,7 +186,7 @@ def print_result(result, total):
 def parser():
     """The options of the command."""
     made = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    made.add_argument("--runs", default="20000", help="of each harness (RUNS=)")
+    made.add_argument("--runs", default="10000", help="of each harness (RUNS=)")
     made.add_argument("--examples", type=int, default=0,
                       help="first give the tools so many random inputs a test; --runs chooses which")
     made.add_argument("--build", default="build", help="folder of the programs")
