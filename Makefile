@@ -491,10 +491,10 @@ rules: ## check lib/ by the rules of MISRA C:2012 that cppcheck 2.10 knows: the 
 MUTANTS_PART := $(call ONE_OF,$(PART),lib tools)
 MUTANTS_LIB := $(if $(filter tools,$(MUTANTS_PART)),,$(UNIT_PROGRAMS) $(FUZZ_TARGETS:%=$(FUZZ_OUT)/replay_%))
 MUTANTS_TOOLS := $(if $(filter lib,$(MUTANTS_PART)),,all $(BENCH_TESTED) $(CLIPPERS_TESTED))
-mutants: ## put random small mistakes into the library and the tools; a test must fail for most of them [SEED=1 COUNT=100 PART= ONLY=]
+mutants: ## put random small mistakes into the library and the tools; a test must fail for most of them [SEED=1 COUNT=100 PART= ONLY= JOBS= CLUSTER= FRESH=1]
 	@tools/setup.sh $(if $(MUTANTS_LIB),units) $(if $(MUTANTS_TOOLS),test)
 	@$(MAKE) $(MUTANTS_LIB) $(MUTANTS_TOOLS)
-	@$(TOOL) mutants --seed 1 --count 100 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --tests $(UNIT_PROGRAMS) \
+	@$(TOOL) mutants --seed 1 --count 100 --build $(BUILD) --cc '$(HOSTCC) $(UNIT_CFLAGS) -DFXL_ASSERT_HOOK' --units $(UNIT_OUT) \
 	    $(foreach target,$(FUZZ_TARGETS),--replay $(FUZZ_OUT)/replay_$(target) host_tests/fuzz/record/$(target).txt \
 	    host_tests/fuzz/corpus/$(target).zip $(FUZZ_REPLAY_OBJECTS_$(target)))
 

@@ -4,6 +4,7 @@
 import types
 
 import pytest
+from conftest import CHECKOUT
 
 from fixel.check import library_mutants, mutate
 
@@ -78,3 +79,8 @@ def test_only_tests_that_include_a_mutated_header_are_built_anew(tmp_path):
         assert library_mutants.build_including(tree, tests, file) == built
     new = tmp_path / "tree/tests/one.o"
     assert ran == [["cc", "-c", "one.c"], ["cc", new, "unity.o"], ["cc", "-c", "broken.c"]]
+
+
+def test_the_tests_that_are_left_out_or_come_last_are_there():
+    names = library_mutants.SLOW + library_mutants.LAST
+    assert names and all((CHECKOUT / library_mutants.UNITS / f"{name}.c").is_file() for name in names)

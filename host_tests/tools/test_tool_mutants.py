@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What make mutants takes for a mistake in a tool, how it tries one, and the survivors that it knows."""
 
-import argparse
 import sys
-import types
 
 import pytest
 from conftest import CHECKOUT, write_files
 
 from fixel.base.errors import ToolError
-from fixel.check import killers, lines, mutants, mutate_python, survivors, tool_mutants
+from fixel.check import lines, mutants, mutate_python, survivors, tool_mutants, trees
 
 CODE = '''"""A text with 1 + 1."""
 LIMIT = 1 + 1
@@ -109,9 +107,10 @@ def test_functions_of_tests_and_their_arguments():
     assert lines.arguments_of(text) == {"test_a": ["b"], "test_d": ["e"], "f": []}
 
 
-def test_quick_tests_come_first_and_parameters_of_one_are_spread():
-    seconds = {"f::a[1]": 0.1, "f::a[2]": 0.1, "f::a[3]": 0.1, "f::b": 0.15, "f::c": 9.0}
-    assert lines.spread(set(seconds), seconds) == ["f::a[1]", "f::b", "f::a[2]", "f::a[3]", "f::c"]
+def test_the_first_parameters_of_all_tests_come_first_and_those_of_files_with_a_tools_name():
+    tests = {"f/test_a.py::a[1]", "f/test_a.py::a[2]", "f/test_a.py::a[3]", "f/test_a.py::b", "f/test_c.py::c"}
+    assert [test[-4:] for test in lines.spread(tests)] == ["a[1]", "y::b", "y::c", "a[2]", "a[3]"]
+    assert [test[-4:] for test in lines.spread(tests, "x/c.py")] == ["y::c", "a[1]", "y::b", "a[2]", "a[3]"]
 
 
 class Recorder:
@@ -192,22 +191,11 @@ def test_functions_after_one_that_does_not_end_are_recorded(tmp_path):
     made = lines.record(tree, "test_a.py", list(names))
     assert tree.asked == [list(names), list(names)[1:], list(names)[2:], ["test_4"]]
     # A test that does not end is not known, nor what needs a fixture that does not end.
-    assert made["seconds"] == {f"test_a.py::test_{word}": 1.0 for word in "124"}
+    assert made["tests"] == [f"test_a.py::test_{word}" for word in "124"]
     assert made["lines"] == {"tools/fixel/a.py:f:1": [f"test_a.py::test_{word}" for word in "124"]}
     again = Slow(tmp_path / "again", "".join(f"def test_slow{number}():\n    pass\n" for number in range(9)))
     lines.record(again, "test_a.py", [f"test_slow{number}" for number in range(9)])
     assert len(again.asked) == lines.RUNS
-
-
-def test_tests_that_killed_before_come_first(tmp_path):
-    known = killers.Killers(tmp_path / "killers.json")
-    known.add("a.py:f", ["t3"])
-    known.add("a.py:f", ["t2"])
-    known.add("a.py:g", ["t1"])
-    known.write()
-    known = killers.Killers(tmp_path / "killers.json")
-    assert known.first("a.py:f", ["t1", "t2", "t3", "t4"]) == ["t2", "t3", "t1", "t4"]
-    assert known.first("a.py:h", ["t1", "t2"]) == ["t1", "t2"]
 
 
 class Endless:
@@ -224,18 +212,39 @@ class Endless:
             return 0, [{"test": test, "passed": True} for test in tests]
         return "it used 15 s of CPU time", []
 
-    def said(self):
-        return ""
-
 
 @pytest.mark.parametrize("ends, result", [(True, "killed"), (False, "survived")])
 def test_a_test_that_does_not_end_kills_if_it_ends_without_the_mutant(tmp_path, ends, result):
     text = "def f(a):\n    return a < 1\n"
     (tmp_path / "a.py").write_text(text, encoding="utf-8")
-    part = tool_mutants.Tools(argparse.Namespace(enough=5.0, jobs=1), tmp_path, tmp_path)
-    part._records = types.SimpleNamespace(seconds={"t": 1.0}, tests=lambda *_: ["t"], place=lambda *_: None)
     mutant = mutate_python.mutants("a.py", text)[0]
-    assert part.run(Endless(tmp_path, text, ends), mutant)["result"] == result
+    assert tool_mutants.Trial(Endless(tmp_path, text, ends)).run(mutant, ["t"])["result"] == result
+
+
+class Missing:
+    """In place of a copy of the checkout: pytest runs nothing where it does not find a test."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def write(self, file, text):
+        (self.folder / file).write_text(text, encoding="utf-8")
+
+    def run(self, tests, _cpu, *_):
+        if "gone" in tests:
+            return 4, []
+        passed = (self.folder / "a.py").read_text(encoding="utf-8") == ALONE
+        return int(not passed), [{"test": test, "passed": passed} for test in tests]
+
+
+ALONE = "def f(a):\n    return a < 1\n"
+
+
+def test_a_test_that_is_gone_keeps_no_other_from_killing(tmp_path):
+    (tmp_path / "a.py").write_text(ALONE, encoding="utf-8")
+    trial, mutant = tool_mutants.Trial(Missing(tmp_path)), mutate_python.mutants("a.py", ALONE)[0]
+    assert trial.run(mutant, ["gone", "t"]) == {"result": "killed"}
+    assert trial.run(mutant, ["gone"]) == {"result": "survived", "words": "no test that passes without it executes it"}
 
 
 # --- a campaign in a checkout of a few lines ------------------------------------
@@ -321,15 +330,15 @@ WHERE = "tools/fixel/a.py"
 
 
 TRIED = [
-    ("return value < 3", "'<' becomes '>='", "killed", "tools/test_a.py::test_limit["),
-    ("return value < 3", "'3' becomes '2'", "killed", "tools/test_a.py::test_limit[2]"),
-    ("if value > 0:", "'>' becomes '<='", "killed", "tools/test_a.py::test_positive["),
-    ("if value > 0:", "'0' becomes '1'", "killed", "tools/test_a.py::test_positive[1]"),
+    ("return value < 3", "'<' becomes '>='", "killed", ""),
+    ("return value < 3", "'3' becomes '2'", "killed", ""),
+    ("if value > 0:", "'>' becomes '<='", "killed", ""),
+    ("if value > 0:", "'0' becomes '1'", "killed", ""),
     ("if value > 0:", "'>' becomes '>='", "known", "0 is answered by 0 either way"),
-    ("value.append(1)", "'value.append(1)' becomes 'pass'", "killed", "tools/test_a.py::test_called_by_a_program"),
-    ("return value == 1", "'==' becomes '!='", "killed", "tools/test_a.py::test_in_a_process_that_looks_at_no_variable"),
+    ("value.append(1)", "'value.append(1)' becomes 'pass'", "killed", ""),
+    ("return value == 1", "'==' becomes '!='", "killed", ""),
     ("return value or 3", "'or' becomes 'and'", "survived", "no test that passes without it"),
-    ("value -= 1", "'value -= 1' becomes 'pass'", "killed", "of CPU time"),
+    ("value -= 1", "'value -= 1' becomes 'pass'", "killed", ""),
     ("while value > 0:", "'>' becomes '>='", "survived", ""),
 ]
 
@@ -342,17 +351,21 @@ def campaign(tmp_path_factory):
     write_files(checkout, {"tools/fixel/__init__.py": "", WHERE: TOOL, "host_tests/pytest.ini": "[pytest]\n",
                            "host_tests/conftest.py": CONFTEST, "host_tests/tools/test_a.py": TESTS % {"mark": str(mark)}})
     (checkout / ".venv").symlink_to(sys.prefix)
-    part = tool_mutants.Tools(argparse.Namespace(enough=5.0, jobs=1), folder / "build", checkout)
-    trees = part.prepare()
+    records = lines.Records(folder / "lines", checkout)
+    records.complete(lambda: [trees.Tree(folder / "recorded", checkout)])
     mark.touch()
     wanted = [(line, change) for line, change, _, _ in TRIED]
-    drawn = [each for each in mutants.draw(part.files(), "", 1, checkout) if each[0][1:3] in wanted]
+    drawn = [each for each in mutants.draw(tool_mutants.files(checkout), "", 1, checkout) if each[0][1:3] in wanted]
     known = {(WHERE, "if value > 0:", "'>' becomes '>='"): "0 is answered by 0 either way"}
+    tree = trees.Tree(folder / "tree", checkout)
+    trial = tool_mutants.Trial(tree)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(tool_mutants, "CPU_MORE", 1.0)
-        tried = mutants.try_all(part, trees, drawn, 100, known)
-    assert (trees[0].folder / WHERE).read_text(encoding="utf-8") == TOOL
-    part.close()
+        patch.setattr(tool_mutants, "CPU_TEST", 0.5)
+        tried = mutants.try_all(drawn, 100, known, lambda some: {place: trial.run(mutant, records.tests(mutant, TOOL))
+                                                                 for place, _, mutant in some})
+    assert (tree.folder / WHERE).read_text(encoding="utf-8") == TOOL
+    tree.close()
     return tried
 
 
@@ -380,3 +393,17 @@ def test_a_sample_ends_with_the_last_that_counts():
     tried = [("a", {"result": "killed"}), ("b", {"result": "known"}), ("c", {"result": "survived"}), ("d", {"result": "killed"})]
     assert mutants.up_to(tried, 2) == tried[:3]
     assert mutants.up_to(tried, 9) == tried
+
+
+def test_as_many_more_are_tried_as_do_not_count():
+    drawn, asked = [((str(number), "", "", 1), number) for number in range(20)], []
+    known = {("3", "", ""): "known"}
+
+    def compute(some):
+        asked.append([place for place, _, _ in some])
+        return {place: {"result": "killed" if place % 2 else "no mutant"} for place, _, _ in some}
+
+    tried = mutants.try_all(drawn, 4, known, compute)
+    assert [number for number, _ in tried] == list(range(10)) and tried[3][1] == {"result": "known", "words": "known"}
+    assert asked == [[0, 1, 2, 4], [5, 6, 7], [8], [9]]
+    assert [number for number, _ in mutants.try_all(drawn, 99, known, compute)] == list(range(20))

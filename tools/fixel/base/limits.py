@@ -162,6 +162,11 @@ def cpu_of(process):
     return sum(map(int, fields[11:15])) / TICKS if fields else 0.0
 
 
+def cpu_of_descendants(process):
+    """CPU seconds of what a process has started and what lives, with those of its children that have ended."""
+    return sum(cpu for each, cpu in _tree(process).items() if each != process)
+
+
 def _content(file, text):
     file.seek(0)
     data = file.read()

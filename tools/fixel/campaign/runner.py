@@ -69,6 +69,13 @@ class Done:
     def take(self, shard, answer):
         self.results[shard.number], self.seconds[shard.number] = answer["result"], answer["seconds"]
 
+    def add(self, other):
+        """Takes what is done of other shards of the campaign."""
+        self.shards += other.shards
+        self.results.update(other.results)
+        self.seconds.update(other.seconds)
+        self.kept += other.kept
+
     def in_order(self):
         """The results, of all shards."""
         return [self.results[shard.number] for shard in self.shards]

@@ -13,14 +13,16 @@ import traceback
 if __name__ == "__main__":
     sys.path[0] = str(pathlib.Path(__file__).resolve().parents[2])
 
+from fixel.base import limits
 from fixel.base.errors import ToolError
 from fixel.campaign import shards
 
 
 def cpu_seconds():
-    """Of this process and its ended children."""
-    return sum(getattr(resource.getrusage(who), part) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
-               for part in ("ru_utime", "ru_stime"))
+    """Of this process and its children: of those that have ended, and of those that live from shard to shard."""
+    return limits.cpu_of_descendants(os.getpid()) + sum(
+        getattr(resource.getrusage(who), part) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+        for part in ("ru_utime", "ru_stime"))
 
 
 def answer(request):

@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: MIT
 """Mutants of the library: in copies of its sources below the build folder, tried with the unit tests of the host and with
-a replay of the fuzzer's corpus, whose answers must be those on record.
+a replay of the fuzzer's corpus, whose answers must be those on record. Each is a shard (fixel/campaign/shards.py).
 
 One that no compiler takes, or that leaves the machine code as it was, is no mistake and is not counted. mutate.py says
 which mistakes there are. The library of each is a shared object, so that only the mutated sources are compiled, and no
 test but those that include a mutated header. A test is run where the program that make links of it holds the mutated
-source. Tests that take more than --slow seconds of CPU time are left out.
+source. The tests of SLOW are left out. Nothing that is measured decides what is run.
+
+A process has a copy of its own (Trial). What all copies are made of is built once, by the first process that needs it.
 """
 
 import concurrent.futures
+import contextlib
 import dataclasses
+import fcntl
+import functools
+import json
 import os
 import pathlib
 import re
@@ -17,20 +23,25 @@ import shlex
 import shutil
 import subprocess
 
-from fixel.base import children, limits
+from fixel.base import children, kept, limits, scratch
 from fixel.base.errors import ToolError
-from fixel.base.progress import steps
-from fixel.check import corpus, mutate
+from fixel.check import corpus, fuzz_shards, mutate, survivors
 
+NAME, CAMPAIGN = "library", "library-mutants"
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 ROOMS = "lib/*/*.[ch]"
 # What is not mutated: what is of one family of cores, or chooses a family, and the public headers.
 KEPT = re.compile(r"_(?:armv6m|armv7m|mve)\.|/(?:family|offsets)\.|^lib/include/")
-SOURCES = "lib"
+COPIED = ("lib", "boards", "host_tests/unit")
+UNITS = "host_tests/unit"
 LIBRARY = "libmutant.so"
-CPU_WORDS = "of CPU time"           # of fixel.base.limits, where a test took too much
-CPU_LEAST, CPU_TIMES = 5.0, 10      # a test's limit of CPU time: so many times what it takes, at least
+SLOW = ("test_watertight", "test_watertight_clippers")  # they take more than 5 seconds of CPU time
+LAST = ("test_sequences", "test_corner_colours", "test_surface_light")  # they take more than 1 second
+CPU, CPU_LAST = 20.0, 60.0      # a test's limit of CPU time; of LAST
 PLAIN = re.compile(r"-fsanitize=\S+|-fno-sanitize-recover=\S+|-M\w+|-g\b|-W\S+|-O\d")
+
+SHARD_SETUP = "units"
+_held = contextlib.ExitStack()      # copies and locks of this process
 
 
 @dataclasses.dataclass(frozen=True)
@@ -102,20 +113,16 @@ class Tree:
                 if mutate.includes(self.object(source).with_suffix(".d"), self.folder, file)]
 
 
-def make_trees(scratch, compiler, count):
-    """So many trees whose libraries are built as they are."""
-    shutil.rmtree(scratch / "0", ignore_errors=True)
-    for name in (SOURCES, "boards", "host_tests/unit"):
-        shutil.copytree(CHECKOUT / name, scratch / "0" / name)
-    first = Tree(scratch / "0", compiler)
-    with concurrent.futures.ThreadPoolExecutor(count) as pool:
-        said = [each for each in pool.map(first.compile, first.sources()) if each] or [first.link()]
+def make_tree(folder, compiler):
+    """A tree whose library is built as it is."""
+    for name in COPIED:
+        shutil.copytree(CHECKOUT / name, folder / name)
+    tree = Tree(folder, compiler)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        said = [each for each in pool.map(tree.compile, tree.sources()) if each] or [tree.link()]
     if said[0]:
         raise ToolError("the library does not build", words=said[0])
-    for number in range(1, count):
-        shutil.rmtree(scratch / str(number), ignore_errors=True)
-        shutil.copytree(scratch / "0", scratch / str(number))
-    return [Tree(scratch / str(number), compiler) for number in range(max(1, count))]
+    return tree
 
 
 def link_test(tree, objects, to):
@@ -123,16 +130,49 @@ def link_test(tree, objects, to):
     return tree.run([*tree.compiler, *objects, tree.folder / LIBRARY, "-lm", "-o", to])
 
 
-def link_tests(tree, tests):
-    """{test: its program with the shared library}."""
-    folder = tree.folder.parent / "tests"
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir()
-    for test in tests:
-        said = link_test(tree, test.objects, folder / test.name)
+def make_base(folder, compiler, tests):
+    """Fills a folder with what the trees of all processes have in common: a tree, the tests linked with its library, with
+    which they pass, and names.json, the global names of each test."""
+    tree = make_tree(folder / "tree", compiler)
+    (folder / "tests").mkdir()
+
+    def check(test):
+        program = folder / "tests" / test.name
+        said = link_test(tree, test.objects, program)
         if said:
             raise ToolError(f"{test.name} cannot be linked", words=said)
-    return {test: folder / test.name for test in tests}
+        words = run_test(tree, test, program, cpu_of(test))
+        if words:
+            raise ToolError(f"{test.name} fails without a mutant: {words}", exit_code=1)
+        return test.name, sorted(symbols(test.program))
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        (folder / "names.json").write_text(json.dumps(dict(pool.map(check, tests))), encoding="utf-8")
+
+
+def hold(folder, make):
+    """A folder that make(new folder) has filled, by one process for all. It stays while a process that has it lives; another
+    one of its kind goes when nobody has it."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    lock = _held.enter_context(open(folder.with_suffix(".lock"), "ab"))
+    while True:
+        fcntl.flock(lock, fcntl.LOCK_SH)
+        if folder.exists():
+            return
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not folder.exists():
+            _remove_others(folder)
+            with scratch.folder("mutants", folder.parent) as new:
+                make(new)
+                new.rename(folder)
+
+
+def _remove_others(folder):
+    for path in folder.parent.glob(f"{NAME}-*.lock"):
+        with open(path, "ab") as lock, contextlib.suppress(BlockingIOError):
+            if path != folder.with_suffix(".lock"):
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                shutil.rmtree(path.with_suffix(""), ignore_errors=True)
 
 
 def build_including(tree, tests, file):
@@ -151,11 +191,18 @@ def build_including(tree, tests, file):
     return built
 
 
+def cpu_of(test):
+    """The CPU time that a test may take."""
+    return CPU_LAST if test.name in LAST else CPU
+
+
 def run_test(tree, test, program, cpu):
-    """None if a test passes with a tree's library, else its first words of failure."""
-    paths = {**os.environ, "LD_LIBRARY_PATH": str(tree.folder), "UBSAN_OPTIONS": "print_stacktrace=0"}
+    """None if a test passes with a tree's library, else its first words of failure. It runs at the same addresses each time
+    where the system allows that: a mutant may read what nobody has written."""
+    paths = {"PATH": os.defpath, "LD_LIBRARY_PATH": str(tree.folder), "UBSAN_OPTIONS": "print_stacktrace=0"}
     try:
-        done = limits.run([str(program), *test.arguments], cpu, merge=True, text=True, cwd=tree.folder, env=paths)
+        done = limits.run([*fuzz_shards.prefix(), str(program), *test.arguments], cpu, merge=True, text=True,
+                          cwd=tree.folder, env=paths)
     except limits.LimitError as error:
         return str(error)
     if done.returncode == 0:
@@ -171,26 +218,11 @@ def symbols(file):
     return {line.split()[-1] for line in done.stdout.splitlines() if line}
 
 
-def time_tests(tree, tests, slow):
-    """{test: seconds of CPU time} of the library as it is, without tests that take more than slow seconds."""
-    seconds = {}
-    for test in steps("tests as they are", sorted(tests, key=lambda test: test.name)):
-        before = os.times()
-        words = run_test(tree, test, tests[test], slow)
-        if words and CPU_WORDS in words:
-            continue
-        if words:
-            raise ToolError(f"{test.name} fails without a mutant: {words}", exit_code=1)
-        after = os.times()
-        seconds[test] = after.children_user + after.children_system - before.children_user - before.children_system
-    return seconds
-
-
-def likely_first(file, seconds, names, linked, including):
+def likely_first(file, tests, names, linked, including):
     """The tests that include the file or link one of the names: those with a word of its name first, then quick ones."""
     words = set(pathlib.Path(file).stem.split("_"))
-    return sorted((test for test in seconds if not names or test in including or names & linked[test.name]),
-                  key=lambda test: (-len(words & set(test.name.split("_"))), seconds[test]))
+    return sorted((test for test in tests if not names or test in including or not names.isdisjoint(linked[test.name])),
+                  key=lambda test: (-len(words & set(test.name.split("_"))), test.name in LAST, test.name))
 
 
 def build_mutant(tree, sources, text, good, file):
@@ -206,15 +238,13 @@ def build_mutant(tree, sources, text, good, file):
         same = same and before == after
     if same:
         return "same machine code"
-    for source in sources:
-        said = tree.compile(source)
-        if said:
-            return said
-    return tree.link()
+    if any(tree.compile(source) for source in sources):
+        return "does not compile"
+    return "does not link" if tree.link() else None
 
 
-def try_mutant(tree, mutant, tests, seconds, linked):
-    """{"result", "by", "words"} of a mutant; afterwards the tree is as it was."""
+def try_mutant(tree, mutant, tests, linked):
+    """{"result"} of a mutant, with "words" if it is none; afterwards the tree is as it was. tests: {test: its program}."""
     file = tree.folder / mutant.file
     good = file.read_text(encoding="utf-8")
     sources = tree.dependents(mutant.file)
@@ -223,12 +253,11 @@ def try_mutant(tree, mutant, tests, seconds, linked):
     try:
         said = build_mutant(tree, sources, mutant.apply(good), good, file) if sources else "not compiled"
         if said:
-            return {"result": "no mutant", "words": said.strip().splitlines()[0]}
+            return {"result": "no mutant", "words": said}
         including = build_including(tree, tests, mutant.file)
-        for test in likely_first(mutant.file, seconds, names, linked, including):
-            words = run_test(tree, test, including.get(test, tests[test]), max(CPU_LEAST, CPU_TIMES * seconds[test]))
-            if words:
-                return {"result": "killed", "by": test.name, "words": words}
+        for test in likely_first(mutant.file, tests, names, linked, including):
+            if run_test(tree, test, including.get(test, tests[test]), cpu_of(test)):
+                return {"result": "killed"}
         return {"result": "survived"}
     finally:
         file.write_text(good, encoding="utf-8")
@@ -236,45 +265,77 @@ def try_mutant(tree, mutant, tests, seconds, linked):
             place.write_bytes(content)
 
 
-class Library:
-    """What mutants.py tries mutants of."""
-    name = "library"
+def files(checkout):
+    """The files that mutants are made of."""
+    return sorted(path for path in checkout.glob(ROOMS) if KEPT.search(path.relative_to(checkout).as_posix()) is None)
 
-    def __init__(self, options, scratch, checkout):
-        self._options, self._scratch, self._checkout = options, scratch / "library", checkout
-        self._tests, self._seconds, self._linked = {}, {}, {}
+
+def unit_programs(settings):
+    """The unit tests that make builds, without the slow ones."""
+    sources = sorted((CHECKOUT / UNITS).glob("test_*.c"))
+    return [pathlib.Path(settings["units"]) / source.stem for source in sources if source.stem not in SLOW]
+
+
+class Trial:
+    """Tries mutants, in a tree of its own."""
+
+    def __init__(self, folder, build, settings):
+        tests = [*map(unit_test, unit_programs(settings)), *(replay(folder / "inputs", *each) for each in settings["replays"])]
+        base = build / "mutants" / f"{NAME}-{kept.key_of(inputs_of(settings))[:16]}"
+        hold(base, lambda new: make_base(new, settings["compiler"], tests))
+        shutil.copytree(base / "tree", folder / "tree")
+        self._tree = Tree(folder / "tree", settings["compiler"])
+        self._tests = {test: base / "tests" / test.name for test in tests}
+        self._linked = json.loads((base / "names.json").read_text(encoding="utf-8"))
+
+    def run(self, mutant):
+        return try_mutant(self._tree, mutant, self._tests, self._linked)
+
+
+@functools.cache
+def _trial(build, settings):
+    folder = _held.enter_context(scratch.folder("mutants", build))
+    return Trial(folder, build, json.loads(settings))
+
+
+@functools.cache
+def _copied():
+    """The files that a tree has."""
+    return sorted(path for name in COPIED for path in (CHECKOUT / name).rglob("*") if path.is_file())
+
+
+def inputs_of(settings):
+    """What the result of each mutant depends on."""
+    replays = [pathlib.Path(file) for each in settings["replays"] for file in each]
+    return [settings["compiler"], *_copied(), *unit_programs(settings), *replays, pathlib.Path(__file__)]
+
+
+def run_shard(build, parameters):
+    mutant = survivors.find(CHECKOUT, parameters["mutant"], mutate.mutants)
+    return _trial(build.resolve(), json.dumps(parameters["settings"], sort_keys=True)).run(mutant)
+
+
+def shard_inputs(_build, parameters):
+    return inputs_of(parameters["settings"])
+
+
+def shard_targets(_build, parameters):
+    return [*map(str, unit_programs(parameters["settings"])), *(each[0] for each in parameters["settings"]["replays"])]
+
+
+class Plan:
+    """The parameters of the shards."""
+
+    def __init__(self, options):
+        self._settings = {"units": options.units, "compiler": options.cc, "replays": options.replay}
 
     @staticmethod
     def add_options(parser):
-        parser.add_argument("--slow", type=float, default=5.0, help="seconds; unit tests that take more are left out")
         parser.add_argument("--cc", help="the compiler and the flags of the unit tests")
-        parser.add_argument("--tests", nargs="+", default=[], help="the unit tests of the host")
+        parser.add_argument("--units", help="the folder of the unit tests of the host")
         parser.add_argument("--replay", nargs="+", action="append", default=[], metavar=("PROGRAM", "RECORD"),
                             help="a program that replays a corpus, the record of its answers, the corpus's archive, its objects")
 
-    def files(self):
-        """The files that mutants are made of."""
-        return sorted(path for path in self._checkout.glob(ROOMS)
-                      if KEPT.search(path.relative_to(self._checkout).as_posix()) is None)
-
-    def prepare(self):
-        """The copies in which mutants are tried."""
-        options = self._options
-        trees = make_trees(self._scratch, options.cc, options.jobs)
-        self._tests = link_tests(trees[0], [*map(unit_test, options.tests), *self._replays()])
-        self._seconds = time_tests(trees[0], self._tests, options.slow)
-        self._linked = {test.name: symbols(test.program) for test in self._tests}
-        return trees
-
-    def _replays(self):
-        return [replay(self._scratch / "inputs", *each) for each in self._options.replay]
-
-    def run(self, tree, mutant):
-        return try_mutant(tree, mutant, self._tests, self._seconds, self._linked)
-
-    def left_out(self):
-        """The tests that take too long."""
-        return sorted(test.name for test in set(self._tests) - set(self._seconds))
-
-    def close(self):
-        pass
+    def parameters(self, key, _mutant):
+        """Of the shard of a mutant."""
+        return {"mutant": key, "settings": self._settings}

@@ -14,6 +14,7 @@ import hashlib
 import json
 import pathlib
 import queue
+import re
 import shutil
 
 from fixel.base import output
@@ -22,7 +23,6 @@ from fixel.base.progress import Progress
 RUN, RUNS = 6.0, 6  # CPU seconds of a run of a file of tests, and runs; what did not end in them is not known
 PARAMETERS = 1.0    # CPU seconds for the parameters of a test; its later ones are taken for like the slowest of these
 KEPT = 30           # tests for a line
-LEAST = 0.05        # CPU seconds; a test costs no less: its file is imported
 FUNCTION = ast.FunctionDef, ast.AsyncFunctionDef
 
 
@@ -49,14 +49,20 @@ class Functions:
         return None
 
 
-def spread(tests, seconds):
-    """Tests, the quickest first; of several that differ only in parameters, each later one counts as slower."""
-    cost, before = {}, {}
-    for test in sorted(tests, key=lambda test: (seconds[test], test)):
+def words_of(file):
+    """The words of a file's path."""
+    return set(re.split(r"[/_.]", file))
+
+
+def spread(tests, file=""):
+    """Tests in an order in which the later parameters of each stand behind the earlier ones of all. Those whose file has more
+    words of a tool's file come first."""
+    words, place, before = words_of(file), {}, {}
+    for test in sorted(tests):
         function = test.partition("[")[0]
-        before[function] = before.get(function, 0) + 1
-        cost[test] = before[function] * max(seconds[test], LEAST)
-    return sorted(cost, key=lambda test: (cost[test], test))
+        place[test] = before.get(function, 0)
+        before[function] = place[test] + 1
+    return sorted(place, key=lambda test: (-len(words & words_of(test.partition("::")[0])), place[test], test))
 
 
 def files_of_tests(checkout):
@@ -82,19 +88,18 @@ def function_of(test):
 
 
 def observe(tree, file, names):
-    """(CPU seconds and places of each test of functions that passed, parameters that were skipped) of a file of tests. A
+    """(the places of each test of functions that passed, parameters that were skipped) of a file of tests. A
     run that takes too long is ended, and the next one begins with the function in which that was, or behind it if the run
     began with it. If it was in a fixture, no function with this fixture is tried again."""
     folder, uses = tree.folder / "lines", arguments_of((tree.folder / "host_tests" / file).read_text(encoding="utf-8"))
     read = functools.cache(lambda name: Functions((tree.folder / "tools/fixel" / name).read_text(encoding="utf-8")))
-    seconds, places, skipped = {}, {}, []
+    places, skipped = {}, []
     for _ in range(RUNS):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir()
         code, report = tree.run([f"{file}::{name}" for name in names], RUN, lines=folder, enough=PARAMETERS)
         for each in report:
             if each["passed"]:
-                seconds[each["test"]] = each["cpu"]
                 places[each["test"]] = places_of(folder / str(each["number"]), read)
         skipped += [each["test"] for each in report if each["skipped"]]
         if not isinstance(code, str) or not (folder / "begun").exists():
@@ -103,25 +108,24 @@ def observe(tree, file, names):
         names = [name for name in names[names.index(function_of(begun)) or 1:] if fixture not in uses[name]]
         if not names:
             break
-    return seconds, places, skipped
+    return places, skipped
 
 
 def record(tree, file, names):
-    """{"seconds": {test: CPU seconds}, "lines": {"FILE:FUNCTION:LINE": tests}} of functions of a file of tests."""
-    seconds, places, skipped = observe(tree, file, names)
+    """{"tests": those that are known, "lines": {"FILE:FUNCTION:LINE": tests}} of functions of a file of tests."""
+    places, skipped = observe(tree, file, names)
     like = {}
     for test in places:
         like.setdefault(function_of(test), []).append(test)
     for test in skipped:
         others = like.get(function_of(test), [])
         if others:
-            seconds[test] = max(seconds[other] for other in others)
             places[test] = set().union(*(places[other] for other in others))
     found = {}
-    for test in seconds:
+    for test in places:
         for place in places[test]:
             found.setdefault(place, []).append(test)
-    return {"seconds": seconds, "lines": {place: spread(tests, seconds)[:KEPT] for place, tests in found.items()}}
+    return {"tests": sorted(places), "lines": {place: spread(tests)[:KEPT] for place, tests in found.items()}}
 
 
 def places_of(file, read):
@@ -140,7 +144,7 @@ class Records:
 
     def __init__(self, folder, checkout):
         self._folder, self._checkout, self._functions = pathlib.Path(folder), checkout, {}
-        self.seconds, self._lines = {}, {}
+        self._lines = {}
 
     def _file(self, file):
         return self._folder / file.replace("/", "-").replace(".py", ".json")
@@ -150,14 +154,13 @@ class Records:
         try:
             kept = json.loads(self._file(file).read_text(encoding="utf-8"))
             of = {name: content for name, content in kept["of"].items() if wanted.get(name) == content}
-        except (OSError, ValueError, AttributeError):   # none, or one of another version
-            return {"of": {}, "seconds": {}, "lines": {}}
-        seconds = {test: taken for test, taken in kept["seconds"].items() if function_of(test) in of}
-        lines = {place: [test for test in tests if test in seconds] for place, tests in kept["lines"].items()}
-        return {"of": of, "seconds": seconds, "lines": lines}
+            known = {test for test in kept["tests"] if function_of(test) in of}
+        except (OSError, ValueError, AttributeError, KeyError):     # none, or one of another version
+            return {"of": {}, "tests": set(), "lines": {}}
+        lines = {place: [test for test in tests if test in known] for place, tests in kept["lines"].items()}
+        return {"of": of, "tests": known, "lines": lines}
 
     def _take(self, record):
-        self.seconds.update(record["seconds"])
         for place, tests in record["lines"].items():
             self._lines.setdefault(place, []).extend(tests)
 
@@ -188,7 +191,7 @@ class Records:
                 free.put(tree)
             lines = {place: old["lines"].get(place, []) + new["lines"].get(place, [])
                      for place in {*old["lines"], *new["lines"]}}
-            output.write_json(self._file(file), {"of": wanted[file], "seconds": {**old["seconds"], **new["seconds"]},
+            output.write_json(self._file(file), {"of": wanted[file], "tests": sorted({*old["tests"], *new["tests"]}),
                                                  "lines": lines})
             self._take(new)
 
@@ -207,12 +210,12 @@ class Records:
         return self._functions[mutant.file].place(mutant.line)
 
     def tests(self, mutant, text):
-        """The tests that execute a mutant's line, the quickest first; then others that execute its function."""
+        """The tests that execute a mutant's line; then others that execute its function."""
         place = self.place(mutant, text)
         if place is None:
             return []
         found = []
         for line in dict.fromkeys((place[1], 0)):
             tests = set(self._lines.get(f"{mutant.file}:{place[0]}:{line}", [])) - set(found)
-            found += spread(tests, self.seconds)
+            found += spread(tests, mutant.file)
         return found

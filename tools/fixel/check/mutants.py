@@ -2,30 +2,27 @@
 """Tests the tests: puts small mistakes into the library and the tools, drawn at random, one at a time.
 
 A mutant is killed where a test fails with it; it survives where all pass. library_mutants.py and tool_mutants.py say
-how one is tried; both work in copies below --build, never in the checkout. Of each part --count mutants are drawn.
+how one is tried; both work in copies below --build, never in the checkout. Of each part --count mutants are drawn: each is
+a shard of a campaign (fixel/campaign/shards.py), and where some do not count, the next ones of the seed's order follow.
 host_tests/build/survivors.toml has mutants that change no result, with the reason of each. One of them that is drawn is
 not counted, and is printed apart. Writes all mutants as JSON. Exit: 0 done, 1 a test fails without a mutant, or fewer
 than --least per cent were killed, 2 could not run.
 """
 
 import argparse
-import concurrent.futures
 import os
 import pathlib
-import queue
 import sys
-import threading
 
 from fixel.base import output, spent
 from fixel.base.errors import ToolError
-from fixel.base.progress import Progress
-from fixel.check import mutate, mutate_python, survivors
-from fixel.check.library_mutants import Library
-from fixel.check.tool_mutants import Tools
+from fixel.campaign import runner
+from fixel.campaign.shards import Shard
+from fixel.check import library_mutants, mutate, mutate_python, survivors, tool_mutants
 
 CHECKOUT = pathlib.Path(__file__).resolve().parents[3]
 KNOWN = "host_tests/build/survivors.toml"
-PARTS = {"lib": Library, "tools": Tools}
+PARTS = {"lib": library_mutants, "tools": tool_mutants}
 NICE = 5
 UNCOUNTED = ("no mutant", "known")
 
@@ -45,44 +42,41 @@ def draw(files, only, seed, checkout=CHECKOUT):
     return sorted(found, key=lambda pair: survivors.place_of(seed, pair[0]))
 
 
-def try_all(part, trees, drawn, count, known):
-    """[(mutant, result)] in the order in which they were drawn, until so many count."""
-    free, results, lock, places = queue.SimpleQueue(), {}, threading.Lock(), iter(range(len(drawn)))
-    for tree in trees:
-        free.put(tree)
+def counted(tried):
+    """How many of the mutants count."""
+    return sum(result["result"] not in UNCOUNTED for _, result in tried)
 
-    def counted():
-        return sum(result["result"] not in UNCOUNTED for result in results.values())
 
-    def work():
-        tree = free.get()
-        while True:
-            with lock:
-                place = next(places, None) if counted() < count else None
-            if place is None:
-                return
-            key, mutant = drawn[place]
-            result = {"result": "known", "words": known[key[:3]]} if key[:3] in known else part.run(tree, mutant)
-            with lock:
-                results[place] = result
-                progress(min(counted(), count))
-                if result["result"] == "survived":
-                    print(f"survived: {mutant}", file=sys.stderr, flush=True)
+def batch(drawn, count, known):
+    """The beginning of what is drawn, up to so many that are not known."""
+    some = []
+    for key, mutant in drawn:
+        if count == 0:
+            break
+        some.append((key, mutant))
+        count -= key[:3] not in known
+    return some
 
-    with Progress(f"mutants of the {part.name}", count) as progress, concurrent.futures.ThreadPoolExecutor(len(trees)) as pool:
-        for future in [pool.submit(work) for _ in trees]:
-            future.result()
-    return up_to([(drawn[place][1], results[place]) for place in sorted(results)], count)
+
+def try_all(drawn, count, known, compute):
+    """[(mutant, result)] in the order in which they were drawn, until so many count. compute([(place, key, mutant)]): {place:
+    result}."""
+    tried = []
+    while some := batch(drawn[len(tried):], count - counted(tried), known):
+        results = compute([(len(tried) + number, key, mutant) for number, (key, mutant) in enumerate(some) if key[:3] not in known])
+        tried += [(mutant, {"result": "known", "words": known[key[:3]]} if key[:3] in known else results[number])
+                  for number, (key, mutant) in enumerate(some, len(tried))]
+    return up_to(tried, count)
 
 
 def up_to(tried, count):
-    """The beginning of what was tried, with so many that count: trees that work side by side try some more."""
-    found, counted = [], 0
-    for mutant, result in tried:
-        if counted == count:
+    """The beginning of what was tried, with so many that count."""
+    found = []
+    for each in tried:
+        if count == 0:
             break
-        found.append((mutant, result))
-        counted += result["result"] not in UNCOUNTED
+        found.append(each)
+        count -= counted([each])
     return found
 
 
@@ -110,12 +104,23 @@ def print_result(name, result):
 
 def run(part, drawn, options, known):
     """Tries the mutants of a part: the result as JSON has it."""
-    print(f"mutants: {len(drawn)} of the {part.name} to draw from", file=sys.stderr, flush=True)
-    try:
-        tried = try_all(part, part.prepare(), drawn, options.count, known)
-    finally:
-        part.close()
-    return {**judge(tried, options.seed), "left_out": part.left_out()}
+    print(f"mutants: {len(drawn)} of the {part.NAME} to draw from", file=sys.stderr, flush=True)
+    label = f"mutants of the {part.NAME}"
+    plan, done = part.Plan(options), runner.Done(label, [])
+
+    def compute(some):
+        if not some:
+            return {}
+        made = runner.run(label, [Shard(part.CAMPAIGN, place, plan.parameters(key, mutant), "mutant", 0)
+                                  for place, key, mutant in some], options)
+        runner.whole(made)
+        done.add(made)
+        return made.results
+
+    tried = try_all(drawn, options.count, known, compute)
+    if done.shards:
+        done.tell(options.build)
+    return judge(tried, options.seed)
 
 
 def parser():
@@ -127,9 +132,8 @@ def parser():
     made.add_argument("--only", default="", help="only of files with this in their path")
     made.add_argument("--least", type=float, default=0.0, help="per cent that must be killed")
     made.add_argument("--build", default="build", help="the build folder")
-    made.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    for part in PARTS.values():
-        part.add_options(made)
+    library_mutants.Plan.add_options(made)
+    runner.add_options(made)
     return made
 
 
@@ -138,14 +142,14 @@ def main(argv):
     os.nice(NICE)
     known = survivors.load(CHECKOUT / KNOWN, CHECKOUT, mutants_of)
     scratch = pathlib.Path(options.build).resolve() / "mutants"
-    parts = {word: PARTS[word](options, scratch, CHECKOUT) for word in ([options.part] if options.part else sorted(PARTS))}
-    drawn = {word: draw(part.files(), options.only, options.seed) for word, part in parts.items()}
+    parts = {word: PARTS[word] for word in ([options.part] if options.part else sorted(PARTS))}
+    drawn = {word: draw(part.files(CHECKOUT), options.only, options.seed) for word, part in parts.items()}
     if not any(drawn.values()):
-        raise ToolError(f"no file of the {' or the '.join(part.name for part in parts.values())} has '{options.only}' in "
+        raise ToolError(f"no file of the {' or the '.join(part.NAME for part in parts.values())} has '{options.only}' in "
                         "its path and a mutant")
     results = {word: run(parts[word], drawn[word], options, known) for word in parts if drawn[word]}
     for word, result in results.items():
         output.write_json(scratch / f"{word}-seed-{options.seed}.json", result)
-        print_result(parts[word].name, result)
+        print_result(parts[word].NAME, result)
     spent.tell()
     return 1 if any(result["percent"] < options.least for result in results.values()) else 0

@@ -35,6 +35,12 @@ def place_of(seed, key):
     return hashlib.sha256(repr((seed, key)).encode()).digest()
 
 
+def find(checkout, key, mutants_of):
+    """The mutant of a key of keyed()."""
+    text = (pathlib.Path(checkout) / key[0]).read_text(encoding="utf-8")
+    return dict(keyed(mutants_of(key[0], text), text))[tuple(key)]
+
+
 def load(path, checkout, mutants_of):
     """{(file, line's text, change): reason} of a file of survivors. mutants_of(file, text): all mutants of a file."""
     entries = tomllib.loads(pathlib.Path(path).read_text(encoding="utf-8")).get("survivors", [])

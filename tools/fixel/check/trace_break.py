@@ -36,6 +36,7 @@ UNITS = "host_tests/unit/"
 COPIED = ("lib", "boards", "host_tests/unit")
 NEEDED = ((5, 4), (10, 8))      # so many mutants tried, so many of them killed
 MOST = 30                       # mutants that are looked at
+CPU_LEAST, CPU_TIMES = 5.0, 10  # a test's limit of CPU time: so many times what it takes, at least
 
 
 @dataclasses.dataclass(frozen=True)
@@ -177,8 +178,7 @@ class Breaker:
                     return {"change": str(change), "result": "does not compile"}
                 changed.append(tree.object(source))
             for suite in suites:
-                words = suite.fails(tree, changed, change.file, library_mutants.CPU_LEAST +
-                                    library_mutants.CPU_TIMES * suite.seconds)
+                words = suite.fails(tree, changed, change.file, CPU_LEAST + CPU_TIMES * suite.seconds)
                 if words:
                     return {"change": str(change), "result": "killed", "by": f"{suite.name}: {words}"}
             same = isinstance(change, mutate.Mutant) and self._is_same(sources, file, good, change)

@@ -73,10 +73,6 @@ class Tree:
         report = self._report.read_text(encoding="utf-8").splitlines() if self._report.exists() else []
         return code, [json.loads(line) for line in report]
 
-    def said(self):
-        """The output of the last run."""
-        return self._said.read_text(encoding="utf-8", errors="replace")
-
     def close(self):
         if self._server is not None:
             self._server.close()
