@@ -215,7 +215,7 @@ def test_the_page_has_its_sections():
     assert set(BLOCKS) == {"main.c", "main.cpp", "picture.c", "bands.h", "bands.c", "cores.c", "loop.c", "steer.c",
                            "turn.c", "display.c", "ahead.c", "spin.c", "screen.c", "window.c"}
     assert set(BOARD_BLOCKS) == {"start.c", "chip.ld", "firmware.c"}
-    assert PAGE.count("\n## ") == 7 and PAGE.count("```") == 2 * len(BLOCKS)
+    assert PAGE.count("\n## ") == 8 and PAGE.count("```") == 2 * len(BLOCKS)
 
 
 def test_each_program_is_what_a_reader_types():
