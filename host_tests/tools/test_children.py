@@ -198,10 +198,10 @@ def test_no_setpriv(tmp_path, monkeypatch):
 
 
 def test_every_tool_starts_its_children_so():
-    """No tool has another way."""
+    """No tool has another way. What is sent to a worker of a cluster can include nothing of Fixel, and ends its children itself."""
     other = re.compile(r"subprocess\.(Popen|run|call|check_call|check_output)\(|os\.(system|popen|spawn\w*|posix_spawn\w*)\(")
     found = [f"{file.relative_to(CHECKOUT)}: {line.strip()}" for file in TOOLS.rglob("*.py")
-             if file.name != "children.py"
+             if file.name != "children.py" and file != TOOLS / "fixel/campaign/worker.py"
              for line in file.read_text(encoding="utf-8").splitlines() if other.search(line)]
     assert not found
 
