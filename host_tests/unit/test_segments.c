@@ -741,7 +741,8 @@ void test_what_segments_do_not_take(void)
     TEST_ASSERT_FALSE(fxl_segments_find_565(&paint, &face));
 }
 
-/* Weights below the least one: the texels may be any, but are texels. */
+/* Weights below the least one, which no face has: pixels are any texels, or stay as they are, as by
+ * the kernels of Armv7-M. */
 void test_weights_that_are_too_small_are_safe(void)
 {
     choose_size(5, 5);
@@ -756,7 +757,8 @@ void test_weights_that_are_too_small_are_safe(void)
         face.weight_step = gradients.weight.along * 16;
         paint_row(row_pixels, 0, COLUMNS);
         for (uint32_t x = 0; x < COLUMNS; x++) {
-            TEST_ASSERT_TRUE(row_pixels[x] >= 100 && row_pixels[x] < 150);
+            const uint8_t pixel = row_pixels[x];
+            TEST_ASSERT_TRUE((pixel >= 100 && pixel < 150) || pixel == UNTOUCHED);
         }
     }
 }
