@@ -53,6 +53,26 @@ def test_a_convex_model_alone_needs_no_depth_and_a_flat_one_no_light_at_run_time
     assert bars.depth_bits == 16 and bars.surfaces is None
 
 
+def notes_of(path, wanted=look.Look()):
+    return compiler.compile_scene(str(path), 2, look=wanted)[1]
+
+
+def test_coordinates_on_an_image_that_no_file_names_are_told(tmp_path):
+    text = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/3 2/2\nf 1/1 2/2 4/3\n"
+    said = {name: [note for note in notes_of(path) if "no image is named" in note] for name, path in (
+        ("bare", tmp_path / "bare.obj"), ("missing", tmp_path / "missing.obj"), ("plain", CUBE))
+        if name == "plain" or path.write_text(("mtllib none.mtl\n" if name == "missing" else "") + text)}
+    assert {name: len(notes) for name, notes in said.items()} == {"bare": 1, "missing": 0, "plain": 0}
+    assert "bare.obj" in said["bare"][0] and "map_Kd" in said["bare"][0]
+    assert not [note for note in notes_of(tmp_path / "bare.obj", look.Look(texels=0)) if "no image is named" in note]
+
+
+def test_faces_are_told_to_be_sorted_where_there_is_no_depth(tmp_path):
+    said = {depth: [note for note in notes_of(CASES / "raised_bars.obj", look.Look(depth=depth)) if "sorted far to near" in note]
+            for depth in (0, 16)}
+    assert len(said[0]) == 1 and not said[16]
+
+
 @pytest.mark.parametrize("words, expected", [
     ([], ("rgb565", 16, 256, 40)), (["--palette"], ("palette", 16, 256, 40)), (["--flat"], ("rgb565", 16, 256, 0)),
     (["--no-textures"], ("rgb565", 16, 0, 40)), (["--sorted"], ("rgb565", 0, 256, 40)), (["--smooth", "20"], ("rgb565", 16, 256, 20)),

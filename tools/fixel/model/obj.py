@@ -19,7 +19,7 @@ from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
-from fixel.model.surface import GREY, MEAN_NOTE, WHITE, Material, Surfaces, mean_tint
+from fixel.model.surface import GREY, MEAN_NOTE, MISSING_NOTE, WHITE, Material, Surfaces, mean_tint
 
 FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
@@ -221,7 +221,7 @@ class _Materials:
 
     def result(self):
         """The surfaces, None where the file has no material; and notes."""
-        notes = [f"{self.missing}: its materials are left out"] if self.missing else []
+        notes = [f"{self.missing}: {MISSING_NOTE}"] if self.missing else []
         if self.unknown and self.reader.materials:
             notes.append(f"{self.name}: faces whose material no mtllib has: {self.unknown:,}")
         if self.bare:

@@ -30,6 +30,7 @@ def mean_tint(colours):
     return tuple((2 * sum(parts) + len(colours)) // (2 * len(colours)) for parts in zip(*colours))
 
 
+MISSING_NOTE = "its materials are left out"
 MEAN_NOTE = "the vertices have colours: each face has the mean of its corners' colours"
 TINT_NOTE = "vertices of faces with an image have colours: the mean of a face's corners multiplies its image"
 APART_MIN = 4       # of 255: corners whose colours differ by no more have one colour

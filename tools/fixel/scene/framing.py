@@ -14,7 +14,7 @@ from fixel.model import model_file
 from fixel.scene import model_parts, model_scenery, texture_size, toml_images, toml_model, toml_scene, toml_text
 from fixel.base.errors import ToolError
 from fixel.model.mesh import UNIT, dot, newell, open_edges
-from fixel.model.surface import MEAN_NOTE
+from fixel.model.surface import MEAN_NOTE, MISSING_NOTE
 from fixel.base.reading import shortened
 from fixel.scene.look import PLAIN
 from fixel.scene.corner_normals import OWN_COSINE
@@ -127,6 +127,14 @@ class Place:
 
 
 AMBIENT = Fraction(1, 3)
+
+
+def _without_image(mesh, name, look, read_notes):
+    """What there is to say of a mesh whose faces have texture coordinates, and whose file names no material and no image."""
+    if not look.texels or mesh.surfaces or not any(mesh.uvs) or any(note.endswith(MISSING_NOTE) for note in read_notes):
+        return []
+    return [f"{name}: there are texture coordinates, and no image is named: all faces have one colour. Name the image in the file (OBJ: mtllib, "
+            "usemtl, and map_Kd in the MTL file; PLY: comment TextureFile), or in a scene file (texture, and mapping = \"file\")"]
 
 
 def _look_of(mesh, look, moves, place, radius):
@@ -247,6 +255,7 @@ def compile_model(path, frames=None, progress=None, screen=None, framing=WALK, l
     told = {mesh.scenery.left_out.get(kind) for kind in played.uses}
     if any("vertex_colours" in thing for thing in data["objects"]):
         read_notes = [note for note in read_notes if not note.endswith(MEAN_NOTE)]
+    more += _without_image(mesh, shortened(name), look, read_notes)
     read_notes, more, notes = [note for note in read_notes if note not in told], played.notes + more, _first_of_a_kind(notes)
     if scene.depth_bits and _needs_no_depth(scene):
         scene.depth_bits = 0

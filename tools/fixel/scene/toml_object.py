@@ -24,6 +24,7 @@ KEYS = {"name", "solid", "sides", "taper", "rings", "cells", "seed", "sea", "ins
         "moves", "two_sided", "clusters", *toml_model.KEYS, *toml_motion.KEYS, *toml_texture.KEYS}
 SCALE_MAX = 1 << 30     # such as of a model in metres whose sides are nanometres
 INSTANCES_MAX = 65535
+SORTED_NOTE = "not convex, so its faces are sorted far to near"
 _UNTURNED = (Fraction(0),) * 3
 
 
@@ -235,7 +236,7 @@ class Objects:
             raise ToolError(f"{table.at('kind')}: this model is not convex (some vertices stand "
                             "out in front of some face); leave kind away or say \"sorted\"")
         if not stated and not convex:
-            self.notes.append(f"{table.where}: not convex, so its faces are sorted far to near")
+            self.notes.append(f"{table.where}: {SORTED_NOTE}")
         return image.CONVEX if convex and stated != "sorted" else image.SORTED
 
     def _wish(self, table, look):

@@ -17,7 +17,7 @@ from fixel.base.errors import ToolError
 from fixel.image.image import Face, Model, Object, SceneImage
 from fixel.base.reading import quoted, shortened
 from fixel.scene.surfaces import Records
-from fixel.scene.toml_object import Objects
+from fixel.scene.toml_object import SORTED_NOTE, Objects
 from fixel.scene.toml_table import Table
 
 FRAMES_MAX = 1_000_000      # of a path
@@ -432,6 +432,8 @@ def _compile_data(data, name, folder, frames, progress, screen, files):
     scene.moving = tuple(i for i, item in enumerate(instances) if item.moves)
     if target.has_colours(scene):   # the reader of the file spoke of means
         notes = [note for note in notes if not note.endswith(MEAN_NOTE)]
+    if scene.depth_bits:    # whatever the order, the nearest face is seen
+        notes = [note for note in notes if not note.endswith(SORTED_NOTE)]
     return scene, list(dict.fromkeys(notes))
 
 
