@@ -6,7 +6,7 @@ import pytest
 
 from fixel.image import image
 from fixel.model import texture_image
-from fixel.scene import compiler, image_parts, look
+from fixel.scene import compiler, image_cut, image_parts, look
 from fixel.scene.palette import rgb565
 from model_files import glb, gltf, png
 from test_model_files import colours, compiled
@@ -92,15 +92,50 @@ def test_texels_beside_a_triangle_do_not_count():
         assert near_alone == (50, 50, 50) and found in ((50, 50, 50), None)
 
 
+def shown(made, face, place=(0.5, 0.25)):
+    """(the colour of RGB565 that a face shows at a place between three of its corners, whether it is a texel)."""
+    number = made.surfaces.surfaces[face.mapped.surface].texture if face.mapped else 0
+    if not number:
+        return rgb565(made.palette[face.colour]), False
+    one = made.surfaces.textures[number - 1]
+    texels = numpy.array(face.mapped.texels, dtype=float) / 65536
+    u, v = texels[0] + place[0] * (texels[1] - texels[0]) + place[1] * (texels[2] - texels[0])
+    number = (int(v) % (1 << one.log_height) << one.log_width) + int(u) % (1 << one.log_width)
+    return int.from_bytes(one.texels[2 * number:2 * number + 2], "little"), True
+
+
 def test_of_very_many_colours_the_most_frequent_are_flat(tmp_path, monkeypatch):
-    """The palette has no room for more; the others keep a texture."""
+    """The palette has no room for more; the others are texels of one picture, which nothing mixes."""
     from fixel.scene import toml_images
     monkeypatch.setattr(toml_images, "PLAIN_MAX", 2)
     pixels = [[(10, 20, 30), (90, 20, 30), (10, 99, 30), (9, 9, 99)]]
     uvs = [((i + 0.5) / 4, 0.5) for i in (0, 1, 1, 2, 3, 3, 3) for _ in range(4)]
-    made = scene_of(tmp_path, uvs, pixels, images="{ size = 4 }")
-    plain = [made.palette[face.colour] for face in made.models[0].faces if face.mapped is None]
-    assert sorted(set(plain)) == [(9, 9, 99), (90, 20, 30)] and len(plain) == 10 and len(made.models[0].faces) == 14
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(*squares(7), uvs=uvs, image=png(pixels))))
+    for bits, flat in ((16, 10), (8, 14)):      # texels of 8 bits are of the palette themselves
+        (tmp_path / "s.toml").write_text('[view]\npixels = "rgb565"\n[[objects]]\nmodel = "m.glb"\nshade = false\nmerge = false\n'
+                                         f'images = {{ size = 4, bits = {bits} }}\n')
+        made, _ = compiler.compile_scene(str(tmp_path / "s.toml"))
+        plain = [made.palette[face.colour] for face in made.models[0].faces if face.mapped is None]
+        assert {(9, 9, 99), (90, 20, 30)} <= set(plain) and len(plain) == flat and len(made.models[0].faces) == 14
+        others = {shown(made, face)[0] for face in made.models[0].faces if face.mapped}
+        assert others == ({1 << 11 | 5 << 5 | 4, 1 << 11 | 24 << 5 | 4} if bits == 16 else set())
+
+
+@pytest.mark.parametrize("pixels", ["rgb565", "palette"])
+def test_all_cells_of_a_palette_of_256_colours_have_their_own(tmp_path, pixels):
+    """More colours than the palette of a scene has room for, each on a face that fills its cell to the border."""
+    row = numpy.random.default_rng(7).integers(0, 256, (1, 256, 3), dtype=numpy.uint8)
+    uvs = [(x / 256, y) for i in range(256) for x, y in ((i, 0), (i + 1, 0), (i + 1, 1), (i, 1))]
+    (tmp_path / "m.glb").write_bytes(glb(*gltf(*squares(256), uvs=uvs, image=png(row))))
+    made, _ = compiler.compile_scene(str(tmp_path / "m.glb"), 2, look=look.Look(pixels))
+    model, bits = made.models[0], numpy.array([31, 63, 31])
+    for face in model.faces:
+        left = min(model.vertices[corner][0] for corner in face.corners) - min(x for x, _, _ in model.vertices)
+        cell = round(left / (max(x for x, _, _ in model.vertices) - min(x for x, _, _ in model.vertices)) * 511 / 2)
+        value, _ = shown(made, face)
+        found = numpy.array([value >> 11, value >> 5 & 63, value & 31]) * 255 / bits
+        assert abs(found - row[0, cell]).max() < 9, cell
+    assert made.surfaces is None or [(each.log_width, each.log_height, each.levels) for each in made.surfaces.textures] == [(4, 4, 1)]
 
 
 def test_what_is_clear_keeps_its_texture():
@@ -108,22 +143,109 @@ def test_what_is_clear_keeps_its_texture():
     assert image_parts.colours(texture(clear), [[(0, 0), (1, 0), (1, 1)]]) == [None]
 
 
+def cut_of(pixels, outlines, size=256, clamp=False):
+    """The cuts of an image and the outlines on it."""
+    found = image_cut.Outlines(texture(pixels), outlines, clamp)
+    return image_cut.cuts(found, size), found
+
+
+def canvas_of(pixels, outlines, size=256, clamp=False):
+    """The canvas of the only cut."""
+    ((cut, numbers),), found = cut_of(pixels, outlines, size, clamp)
+    return image_cut.canvas(found, cut, numbers).pixels[..., :3]
+
+
+def rectangle(left, top, right, bottom, width, height):
+    """An outline of texels of an image of so many."""
+    return [(x / width, y / height) for x, y in ((left, top), (right, top), (right, bottom), (left, bottom))]
+
+
 def test_a_texture_is_cut_to_what_faces_show_and_padded():
-    pixels = numpy.random.default_rng(4).integers(0, 256, (64, 128, 3))
-    square = [(32 / 128, 16 / 64), (64 / 128, 16 / 64), (64 / 128, 32 / 64), (32 / 128, 32 / 64)]
-    assert image_parts.rectangle(texture(pixels), [square]) == (30, 14, 66, 34)
+    """By 2 texels, which have the colours of the nearest that are shown: not of what lies beside them in the image."""
+    pixels = numpy.random.default_rng(4).integers(0, 256, (64, 128, 3), dtype=numpy.uint8)
+    square = rectangle(32, 16, 64, 32, 128, 64)
     moved = [(u + 3, v - 2) for u, v in square]     # by whole images
-    assert image_parts.rectangle(texture(pixels), [square, moved]) == (30, 14, 66, 34)
-    assert numpy.allclose(image_parts.within(moved, texture(pixels), (30, 14, 66, 34)),
-                          [(2 / 36, 2 / 20), (34 / 36, 2 / 20), (34 / 36, 18 / 20), (2 / 36, 18 / 20)])
-    assert image_parts.rectangle(texture(pixels), [[(0, 0), (1.5, 0), (1, 1)]]) is None     # it repeats
-    assert image_parts.rectangle(texture(pixels), [[(0, 0), (1, 0), (1, 0.9)]]) is None     # nearly all
-    assert image_parts.rectangle(texture(pixels), [[(0, 0), (0.1, 0), (0, 0.1)]]) == (0, 0, 15, 9)
+    for outlines in ([square], [square, moved]):
+        ((cut, numbers),), found = cut_of(pixels, outlines)
+        assert (cut.across.side, cut.down.side, cut.clamps, numbers) == (64, 32, False, list(range(len(outlines))))
+        for number in numbers:
+            assert numpy.allclose(image_cut.within(found, cut, number),
+                                  [(2 / 64, 2 / 32), (34 / 64, 2 / 32), (34 / 64, 18 / 32), (2 / 64, 18 / 32)])
+    shown = canvas_of(pixels, [square])
+    assert (shown[2:18, 2:34] == pixels[16:32, 32:64]).all()
+    assert (shown[:3, 2:34] == pixels[16, 32:64]).all() and (shown[17:, 2:34] == pixels[31, 32:64]).all()
+    assert (shown[2:18, :3] == pixels[16:32, 32:33]).all() and (shown[2:18, 33:] == pixels[16:32, 63:64]).all()
+
+
+def test_what_is_not_cut():
+    pixels = numpy.zeros((64, 128, 3))
+    assert cut_of(pixels, [[(0, 0), (1.5, 0), (1, 1)]])[0] is None      # it repeats
+    assert cut_of(pixels, [[(0, 0), (1, 0), (1, 0.9)]])[0] is None      # nearly all
+    assert cut_of(numpy.zeros((90, 128, 3)), [[(0, 0), (9, 0), (1, 1)]])[0] is None     # more than a canvas holds
+    ((cut, _),), _ = cut_of(pixels, [[(0, 0), (0.1, 0), (0, 0.1)]])
+    assert (cut.across.first, cut.across.end, cut.down.first, cut.down.end) == (0, 13, 0, 7)
+
+
+@pytest.mark.parametrize("size", [(98, 82), (13, 11), (255, 3), (1, 200)])
+def test_an_image_of_any_size_keeps_its_texels(size):
+    """On a canvas that has room for them, and where faces repeat it too."""
+    width, height = size
+    pixels = numpy.random.default_rng(8).integers(0, 256, (height, width, 3), dtype=numpy.uint8)
+    whole = rectangle(0, 0, width, height, width, height)
+    ((cut, _),), _ = cut_of(pixels, [whole])
+    shown = canvas_of(pixels, [whole])
+    assert (shown[cut.down.start:, cut.across.start:][:height, :width] == pixels).all()
+    if max(size) < 20:
+        twice = canvas_of(pixels, [[(2 * u, 3 * v) for u, v in whole]])
+        assert (twice[2:, 2:][:3 * height, :2 * width] == numpy.tile(pixels, (3, 2, 1))).all()
+
+
+def test_texels_that_no_face_shows_mix_with_none():
+    """A part that is scaled: what lies beside a triangle in the image is of another colour."""
+    rng = numpy.random.default_rng(9)
+    for _ in range(8):
+        three = rng.uniform(0, 600, (3, 2))
+        columns, rows = numpy.arange(600), numpy.arange(600)
+        inside = image_parts.touched(three.tolist(), columns, rows)
+        pixels = numpy.where(inside[..., None], (40 + columns % 50)[None, :, None], 255) * numpy.ones(3)
+        shown = canvas_of(pixels, [(three / 600).tolist()], 64)
+        assert shown.max() < 90 and shown.shape[0] <= 64
+
+
+def test_a_texture_that_has_no_room_for_padding_does_not_repeat():
+    ((cut, _),), _ = cut_of(numpy.zeros((1024, 1024, 3)), [rectangle(100, 100, 356, 110, 1024, 1024)])
+    assert (cut.across.side, cut.across.count, cut.down.side, cut.clamps) == (256, 256, 16, True)
+
+
+def test_parts_that_lie_far_apart_are_textures_of_their_own():
+    """If these have fewer texels together than one about both."""
+    pixels = numpy.random.default_rng(10).integers(0, 256, (1024, 1024, 3), dtype=numpy.uint8)
+    two = [rectangle(10, 20, 40, 50, 1024, 1024), rectangle(900, 1000, 930, 1020, 1024, 1024)]
+    found, _ = cut_of(pixels, two)
+    assert [numbers for _, numbers in found] == [[0], [1]] and [(cut.across.count, cut.across.side) for cut, _ in found] == [(30, 64)] * 2
+    assert [(cut.across.count, cut.across.side) for cut, _ in cut_of(pixels, two, 16)[0]] == [(16, 16)] * 2
+    assert len(cut_of(pixels, [*two, rectangle(20, 30, 920, 1010, 1024, 1024)])[0] or [0]) == 1
+    near = [rectangle(10, 20, 40, 50, 1024, 1024), rectangle(40, 20, 70, 50, 1024, 1024)]
+    assert len(cut_of(pixels, near)[0]) == 1
+
+
+def test_an_image_that_clamps_is_cut_and_flat_too():
+    """Beyond its edges it shows them."""
+    pixels = numpy.zeros((64, 64, 3), dtype=numpy.uint8)
+    pixels[:, 32:] = numpy.random.default_rng(11).integers(0, 256, (64, 32, 3))
+    beyond = [(-3, 0.2), (0.4, 0.2), (0.4, 0.9), (-3, 0.9)]
+    assert image_parts.colours(texture(pixels), [beyond], True) == [(0, 0, 0)] and image_parts.colours(texture(pixels), [beyond]) == [None]
+    shown = [(0.75, 0.25), (1.5, 0.25), (1.5, 0.5), (0.75, 0.5)]
+    ((cut, _),), found = cut_of(pixels, [shown], clamp=True)
+    assert (cut.across.first, cut.across.end, cut.down.first, cut.down.end) == (48, 64, 16, 32)
+    made = image_cut.canvas(found, cut, [0]).pixels[..., :3]
+    assert (made[2:18, 18:] == pixels[16:32, 63:]).all()
+    assert numpy.allclose(image_cut.within(found, cut, 0)[1], [(2 + 48) / 32, 2 / 32])
 
 
 @pytest.mark.parametrize("bits", [8, 16])
 def test_the_texels_of_a_part_are_those_of_the_image(tmp_path, bits):
-    """Faces on 12 x 12 texels of an image of 256 x 256: the part of 16 x 16 is not scaled."""
+    """Faces on 12 x 12 texels of an image of 256 x 256: the part of 16 x 16 is not scaled, and its border has the texels beside it."""
     pixels = numpy.zeros((256, 256, 3), dtype=numpy.uint8)
     pixels[100:112, 40:52] = numpy.random.default_rng(5).integers(0, 4, (12, 12, 3)) * 64 + 30
     uvs = [(40 / 256, 112 / 256), (52 / 256, 112 / 256), (52 / 256, 100 / 256), (40 / 256, 100 / 256)]
@@ -140,7 +262,7 @@ def test_the_texels_of_a_part_are_those_of_the_image(tmp_path, bits):
     for y in range(16):
         for x in range(16):
             texel = int.from_bytes(found.texels[step * (16 * y + x):][:step], "little")
-            real = tuple(pixels[98 + y, 38 + x].tolist())
+            real = tuple(pixels[100 + min(max(y - 2, 0), 11), 40 + min(max(x - 2, 0), 11)].tolist())
             assert made.palette[texel] == real if bits == 8 else abs((texel >> 5 & 63) - (rgb565(real) >> 5 & 63)) <= 1
 
 

@@ -101,19 +101,19 @@ class Surfaces:
         """The colour of each face, red, green and blue: with an image the mean of what lies on it. Computed once."""
         if len(self._colours) != len(self.of_face):
             self._colours = list(map(self.own_colour, range(len(self.of_face))))
-            for image, faces in self._with_images().items():
-                means = image.means([self.uvs[face] for face in faces])
+            for (image, clamp), faces in self._with_images().items():
+                means = image.means([self.uvs[face] for face in faces], clamp)
                 for face, mean in zip(faces, means):
                     self._colours[face] = product(mean, self._colours[face])
         return self._colours
 
     def _with_images(self):
-        """{image: faces that it lies on}."""
+        """{(image, whether it clamps): faces that it lies on}."""
         found = {}
         for face, number in enumerate(self.of_face):
             image = self.materials[number].image
             if image is not None and self.uvs[face] is not None:
-                found.setdefault(image, []).append(face)
+                found.setdefault((image, self.materials[number].clamp), []).append(face)
         return found
 
     def are_unlit(self):

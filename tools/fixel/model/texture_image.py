@@ -36,11 +36,9 @@ class Texture:
         self.pictures = {}      # made of it for textures (toml_images.py)
         self.height, self.width = pixels.shape[:2]
 
-    def scaled(self, width, height, part=None):
-        """Its pixels, or those of a part (left, top, right, bottom), in another size, each the mean of what it covers."""
-        left, top, right, bottom = part or (0, 0, self.width, self.height)
-        cut = np.ascontiguousarray(self.pixels[top:bottom, left:right])
-        return np.asarray(Image.fromarray(cut).resize((width, height), Image.Resampling.BOX))
+    def scaled(self, width, height):
+        """Its pixels in another size, each the mean of what it covers."""
+        return np.asarray(Image.fromarray(np.ascontiguousarray(self.pixels)).resize((width, height), Image.Resampling.BOX))
 
     def _once(self, key, make):
         """An image that is made of this one, once."""
@@ -68,33 +66,35 @@ class Texture:
             return np.concatenate([wide, wide[::-1]], axis=0) if down else wide
         return self._once(("mirrored", across, down), make)
 
-    def _of_triangles(self, corners):
-        """What lies at some places of each triangle, of (count, 3 corners, 2) coordinates; the image repeats."""
+    def _of_triangles(self, corners, clamp):
+        """What lies at some places of each triangle, of (count, 3 corners, 2) coordinates. clamp: beyond its edges the image shows them;
+        else it repeats."""
         first, along = corners[:, None, 0], corners[:, None, 1:] - corners[:, None, :1]
-        places = (first + along[:, :, 0] * _INSIDE[:, :1] + along[:, :, 1] * _INSIDE[:, 1:]) % 1.0
+        places = first + along[:, :, 0] * _INSIDE[:, :1] + along[:, :, 1] * _INSIDE[:, 1:]
+        places = np.clip(places, 0, 1) if clamp else places % 1.0
         columns = np.minimum((places[:, :, 0] * self.width).astype(int), self.width - 1)
         rows = np.minimum((places[:, :, 1] * self.height).astype(int), self.height - 1)
         return self.pixels[rows, columns]
 
-    def _of_fans(self, outlines, figure):
+    def _of_fans(self, outlines, figure, clamp):
         """(a figure of what lies in each triangle of the outlines' fans, the first triangle of each, how many it has)."""
         fans = [[(outline[0], b, c) for b, c in zip(outline[1:], outline[2:])] for outline in outlines]
         corners = np.array([three for fan in fans for three in fan], dtype=float)
-        found = np.concatenate([figure(self._of_triangles(corners[start:start + _CHUNK]))
+        found = np.concatenate([figure(self._of_triangles(corners[start:start + _CHUNK], clamp))
                                 for start in range(0, len(corners), _CHUNK)])
         counts = np.array([len(fan) for fan in fans])
         return found, np.cumsum(counts) - counts, counts
 
-    def means(self, outlines):
+    def means(self, outlines, clamp=False):
         """The mean colour of what lies between the corners of each outline, as a fan of triangles."""
-        found, firsts, counts = self._of_fans(outlines, lambda seen: seen[..., :3].mean(axis=1))
+        found, firsts, counts = self._of_fans(outlines, lambda seen: seen[..., :3].mean(axis=1), clamp)
         sums = np.add.reduceat(found, firsts, axis=0)
         return list(map(tuple, (sums / counts[:, None]).round().astype(int).tolist()))
 
-    def spreads(self, outlines):
+    def spreads(self, outlines, clamp=False):
         """Of each outline the most by which red, green, blue or alpha differ at some places between its corners."""
-        low, firsts, _ = self._of_fans(outlines, lambda seen: seen.min(axis=1))
-        high, *_ = self._of_fans(outlines, lambda seen: seen.max(axis=1))
+        low, firsts, _ = self._of_fans(outlines, lambda seen: seen.min(axis=1), clamp)
+        high, *_ = self._of_fans(outlines, lambda seen: seen.max(axis=1), clamp)
         spread = np.maximum.reduceat(high, firsts, axis=0).astype(int) - np.minimum.reduceat(low, firsts, axis=0)
         return spread.max(axis=1).tolist()
 

@@ -4,11 +4,12 @@
 import collections
 import dataclasses
 import functools
+import math
 
 import numpy as np
 
 from fixel.image import image_surface
-from fixel.scene import image_parts, texture
+from fixel.scene import image_cut, image_parts, texture
 from fixel.base.errors import ToolError
 from fixel.model.surface import product
 from fixel.scene.surfaces import Paint
@@ -16,34 +17,21 @@ from fixel.scene.toml_table import Table
 
 KEYS = {"images"}
 _ROW_KEYS = {"size", "colours", "levels", "bits"}
-PLAIN_MAX = 128     # colours of an image that faces have instead of a texture
+PLAIN_MAX = 128     # colours of images in RGB565 that faces have of the palette
 TINTED_MAX = 64     # textures that are an image times the colours of vertices: more are left without
 
 
-def _power(side, most):
-    """The largest power of two that is not more than an image's side and than this."""
-    return min(most, 1 << side.bit_length() - 1)
-
-
-def _power_above(side, most):
-    """The least power of two that is not less than a part's side, or this if that is less."""
-    return min(most, 1 << (side - 1).bit_length())
-
-
-def _sides(image, part, size, bits):
-    """Texels of the picture of an image, or of a part of it, which is not made smaller than it need be."""
+def _sides(image, size, bits):
+    """Texels of the picture of an image: the least powers of two that hold its sides, or the largest that may be."""
     least = 2 if bits == 4 else 1       # of a row
-    if part is None:
-        return max(least, _power(image.width, size)), _power(image.height, size)
-    left, top, right, bottom = part
-    return max(least, _power_above(right - left, size)), _power_above(bottom - top, size)
+    return max(least, min(size, image_cut.power_above(image.width))), min(size, image_cut.power_above(image.height))
 
 
-def _scaled(image, width, height, part):
+def _scaled(image, width, height):
     """An image's pixels, scaled by a box filter; many materials may ask for the same."""
-    key = width, height, part
+    key = width, height
     if key not in image.pictures:
-        image.pictures[key] = image.scaled(width, height, part).reshape(-1, 4)
+        image.pictures[key] = image.scaled(width, height).reshape(-1, 4)
     return image.pictures[key]
 
 
@@ -54,14 +42,13 @@ def _of_565(pixels):
     return values * 255 // most
 
 
-def picture(image, colour, size, most, levels, bits, part=None):
-    """The texture.Picture of an image, or of a part of it, that is multiplied by a colour, scaled by a box filter to
-    powers of two."""
-    key = colour, size, most, levels, bits, part
+def picture(image, colour, size, most, levels, bits):
+    """The texture.Picture of an image that is multiplied by a colour, scaled by a box filter to powers of two."""
+    key = colour, size, most, levels, bits
     if key not in image.pictures:
         least = 2 if bits == 4 else 1
-        width, height = _sides(image, part, size, bits)
-        scaled = _scaled(image, width, height, part)
+        width, height = _sides(image, size, bits)
+        scaled = _scaled(image, width, height)
         scaled = np.column_stack([(scaled[:, :3] * np.array(colour) + 127) // 255, scaled[:, 3]])
         if bits == 16:
             scaled = np.column_stack([_of_565(scaled[:, :3]), scaled[:, 3]])
@@ -175,31 +162,25 @@ def _part(images, faces):
 
 
 def _tinted(surfaces):
-    """Of each face (number of its material, what its image is multiplied by), None without an image; and notes."""
-    pairs = [None if uvs is None or surfaces.materials[number].image is None else (number, tint)
-             for number, uvs, tint in zip(surfaces.of_face, surfaces.uvs, surfaces.tints)]
-    with_tint = {pair for pair in pairs if pair and pair[1] is not None}
-    if len(with_tint) <= TINTED_MAX:
-        return pairs, []
-    return [pair and (pair[0], None) for pair in pairs], [
-        f"colours of vertices are left out on faces that show an image: with it they would be {len(with_tint):,} textures, and "
+    """Of each face what it has of an image: (image, whether it clamps, what multiplies it), None without an image; and notes."""
+    materials, of_face = surfaces.materials, surfaces.of_face
+    shows = [uvs is not None and materials[number].image is not None for number, uvs in zip(of_face, surfaces.uvs)]
+    count = len({(number, tint) for number, tint, is_shown in zip(of_face, surfaces.tints, shows) if is_shown and tint is not None})
+    keeps = count <= TINTED_MAX
+    found = [(materials[number].image, materials[number].clamp, product(materials[number].colour, tint) if tint and keeps else materials[number].colour)
+             if is_shown else None for number, tint, is_shown in zip(of_face, surfaces.tints, shows)]
+    return found, [] if keeps else [
+        f"colours of vertices are left out on faces that show an image: with it they would be {count:,} textures, and "
         f"the limit is {TINTED_MAX}"]
 
 
-def _grouped(pairs):
-    """{pair: its faces}."""
+def _grouped(keys):
+    """{key: its faces}."""
     found = {}
-    for face, pair in enumerate(pairs):
-        if pair is not None:
-            found.setdefault(pair, []).append(face)
+    for face, key in enumerate(keys):
+        if key is not None:
+            found.setdefault(key, []).append(face)
     return found
-
-
-def _most_frequent(colours):
-    """The colours of faces, None for those that PLAIN_MAX others have on more faces: all share one palette."""
-    counts = collections.Counter(colour for colour in colours if colour is not None)
-    kept = dict(counts.most_common(PLAIN_MAX))
-    return [colour if colour in kept else None for colour in colours]
 
 
 class _Parts:
@@ -210,36 +191,57 @@ class _Parts:
         self.surfaces, self.row = surfaces, row
         self.paints, self.colours, self.uvs = [None] * len(surfaces.of_face), {}, list(surfaces.uvs)
 
-    def add(self, pair, faces):
-        """The faces of a material and of a colour that multiplies its image."""
-        surfaces, (number, tint) = self.surfaces, pair
-        material = surfaces.materials[number]
-        colour = material.colour if tint is None else product(material.colour, tint)
-        if material.clamp:
-            paint = Paint(picture(material.image, colour, *self.row), self.row[3], True, material.name)
-            for face in faces:
-                self.paints[face] = paint
-            return
-        found = _most_frequent(image_parts.colours(material.image, [surfaces.uvs[face] for face in faces]))
+    def _paint(self, image, colour, clamp, faces):
+        """Gives faces a picture of a whole image, or of a canvas."""
+        name = self.surfaces.materials[self.surfaces.of_face[faces[0]]].name
+        paint = Paint(picture(image, colour, *self.row), self.row[3], clamp, name)
+        for face in faces:
+            self.paints[face] = paint
+
+    def add(self, image, clamp, colour, faces):
+        """The faces on an image that a colour multiplies."""
+        own = [self.surfaces.uvs[face] for face in faces]
+        found = image_parts.colours(image, own, clamp)
         self.colours.update((face, product(plain, colour)) for face, plain in zip(faces, found) if plain is not None)
         others = [face for face, plain in zip(faces, found) if plain is None]
         if not others:
             return
-        part = image_parts.rectangle(material.image, [surfaces.uvs[face] for face in others])
-        paint = Paint(picture(material.image, colour, *self.row, part), self.row[3], False, material.name)
-        for face in others:
+        outlines = image_cut.Outlines(image, [self.surfaces.uvs[face] for face in others], clamp)
+        cuts = image_cut.cuts(outlines, self.row[0])
+        if cuts is None:
+            self._paint(image, colour, clamp, others)
+        for cut, numbers in cuts or ():
+            self._paint(image_cut.canvas(outlines, cut, numbers), colour, clamp or cut.clamps, [others[number] for number in numbers])
+            for number in numbers:
+                self.uvs[others[number]] = image_cut.within(outlines, cut, number)
+
+    def swatches(self):
+        """Leaves the PLAIN_MAX colours that most faces have to the palette, which all share. In RGB565 each of the others becomes a
+        texel of one picture; texels of 4 and 8 bits are entries of the palette themselves."""
+        if self.row[3] != 16:
+            return
+        ranks = [colour for colour, _ in collections.Counter(self.colours.values()).most_common()]
+        rest = {colour: place for place, colour in enumerate(ranks[PLAIN_MAX:PLAIN_MAX + texture.SIDE_MAX ** 2])}
+        if not rest:
+            return
+        side = image_cut.power_above(math.isqrt(len(rest) - 1) + 1)
+        texels = np.resize(np.array([[*colour, 255] for colour in rest], dtype=np.uint8), (side, side, 4))
+        codes = texture.codes_of(np.column_stack([_of_565(texels.reshape(-1, 4)[:, :3]), texels.reshape(-1, 4)[:, 3]]), False)
+        paint = Paint(texture.from_codes([codes.reshape(side, side)], texture.EVERY_COLOUR), 16, False, "colours")
+        for face in [face for face, colour in self.colours.items() if colour in rest]:
+            row, column = divmod(rest[self.colours.pop(face)], side)
             self.paints[face] = paint
-            if part:
-                self.uvs[face] = image_parts.within(surfaces.uvs[face], material.image, part)
+            self.uvs[face] = [((column + 0.5) / side, (row + 0.5) / side)] * len(self.uvs[face])
 
 
 def _images(surfaces, row):
-    pairs, notes = _tinted(surfaces)
+    keys, notes = _tinted(surfaces)
     parts = _Parts(surfaces, row)
-    for pair, faces in _grouped(pairs).items():
-        parts.add(pair, faces)
+    for key, faces in _grouped(keys).items():
+        parts.add(*key, faces)
+    parts.swatches()
     opacities = [max(1, round(16 * material.opacity)) for material in surfaces.materials]
-    own = [parts.colours[face] if face in parts.colours else surfaces.own_colour(face) for face in range(len(pairs))]
+    own = [parts.colours[face] if face in parts.colours else surfaces.own_colour(face) for face in range(len(keys))]
     paints = tuple(parts.paints) if any(parts.paints) else (None,)
     opacities = tuple(opacities[number] for number in surfaces.of_face)
     return Images(paints, opacities if set(opacities) != {image_surface.OPAQUE} else (image_surface.OPAQUE,), tuple(own),
