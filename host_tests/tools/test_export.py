@@ -510,13 +510,27 @@ def test_names_of_objects_become_enumerations(tmp_path):
     making.export(str(tmp_path / "scene.toml"), str(tmp_path / "scene.h"), "s")
     made, _ = compiler.compile_scene(str(tmp_path / "scene.toml"))
     wanted = {"S_INSTANCE_GEM_RED": 0, "S_INSTANCE_PILLARS": 1, "S_INSTANCES_OF_PILLARS": 3, "S_INSTANCE_GEM_RED_2": 6,
+              "S_INSTANCE_U0022_U002A_U002F": 5, "S_MODEL_U0022_U002A_U002F": made.objects[5].model,
               "S_MODEL_GEM_RED": made.objects[0].model, "S_MODEL_PILLARS": made.objects[1].model,
               "S_MODEL_GEM_RED_2": made.objects[6].model}
     checks = "".join(f"    if ({name} != {value}) {{ return {i}; }}\n" for i, (name, value) in enumerate(wanted.items(), 1))
     text = (tmp_path / "scene.h").read_text(encoding="utf-8")
     assert subprocess.run([compiled(tmp_path, f'#include "scene.h"\nint main(void)\n{{\n{checks}    return 0;\n}}\n')],
                           check=False).returncode == 0
-    assert text.count("_INSTANCE_") == 3 and "enum {" in text
+    assert text.count("_INSTANCE_") == 4 and "enum {" in text
+
+
+@pytest.mark.parametrize("names, words", [
+    (["wheel fl", "int", "7up", "Zoë", "Straße", "__x"], ["WHEEL_FL", "INT", "7UP", "ZOE", "STRASSE", "X"]),
+    (["a b", "a-b", "A_B_2", "a+b"], ["A_B", "A_B_2", "A_B_2_2", "A_B_3"]),
+    (["колесо", "轮", "轮子", "🙂", "轮b"], ["U043A_U043E_U043B_U0435_U0441_U043E", "U8F6E", "U8F6E_U5B50", "U1F642", "B"]),
+    (["x" * 60, "x" * 61, "_", "!"], ["X" * 40, "X" * 40 + "_2", "U005F", "U0021"])])
+def test_every_name_is_a_word_of_its_own(names, words):
+    assert list(c_names.distinct(names).values()) == words
+
+
+def test_many_names_of_one_word_are_numbered_in_a_moment():
+    assert len(set(c_names.distinct(f"a{'!' * number}" for number in range(20_000)).values())) == 20_000
 
 
 def test_names_of_textures_and_of_their_objects_become_enumerations(tmp_path):

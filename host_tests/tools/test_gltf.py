@@ -252,19 +252,68 @@ def test_alpha_of_the_colours_of_vertices_is_named(tmp_path, alpha, mode, note):
     assert any('1 x "alpha of the vertices\' colours"' in each for each in notes) == note
 
 
-def test_an_emissive_colour_is_added_to_another_one_but_not_to_an_image(tmp_path):
+def test_an_emissive_colour_is_added_to_another_one_and_to_an_image(tmp_path):
     data, blob = make(material={"baseColorFactor": [0, 0.2158605, 0, 1]})
     data["materials"][0]["emissiveFactor"] = [1, 0, 0]
     mesh, _ = read(tmp_path, glb(data, blob))
     assert mesh.surfaces.colours()[0] == (255, 128, 0) and not mesh.surfaces.are_unlit()
     uvs = [(0, 0), (0.4, 0), (0.4, 1), (0, 1)]
     mesh, notes = read(tmp_path, striped(uvs, lambda data: data["materials"][0].update(emissiveFactor=[0, 0, 1])))
-    assert mesh.surfaces.colours()[0] == (200, 0, 0) and any("1 x \"emissive colours beside an image\"" in note for note in notes)
+    assert mesh.surfaces.colours()[0] == (200, 0, 255) and not mesh.surfaces.are_unlit() and not any("emissive" in note for note in notes)
     glowing = {"baseColorFactor": [0, 0, 0, 1]}
     data, blob = make(*SQUARE, uvs=uvs, image=STRIPES, material=glowing)
     data["materials"][0] |= {"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}}
     mesh, _ = read(tmp_path, glb(data, blob))
     assert mesh.surfaces.colours()[0] == (200, 0, 0) and mesh.surfaces.are_unlit()
+
+
+def glowing(base, other, factor=(1, 1, 1), glow=(1, 1, 1), **info):
+    """A square with two images of one column each: its own, and one that it emits. None: no image. info: of the one that it emits."""
+    data, blob = make(*SQUARE, uvs=[(0, 0), (0.4, 0), (0.4, 1), (0, 1)], image=png([[base or (0, 0, 0)]]), material={"baseColorFactor": [*factor, 1]})
+    more = png([[other or (0, 0, 0)] * 2])
+    data["bufferViews"].append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(more)})
+    data["images"].append({"bufferView": len(data["bufferViews"]) - 1})
+    data["textures"].append({"source": 1})
+    data["buffers"][0]["byteLength"] = len(blob + more)
+    entry = data["materials"][0]
+    if base is None:
+        del entry["pbrMetallicRoughness"]["baseColorTexture"]
+    entry |= {"emissiveFactor": list(glow), **({"emissiveTexture": {"index": 1, **info}} if other else {})}
+    return glb(data, blob + more)
+
+
+@pytest.mark.parametrize("base, other, factor, glow, expected", [
+    ((200, 0, 0), (0, 0, 150), (1, 1, 1), (1, 1, 1), (200, 0, 150)),
+    ((188, 0, 0), (188, 0, 0), (1, 1, 1), (1, 1, 1), (255, 0, 0)),         # half the light and half the light
+    ((188, 0, 0), (188, 0, 0), (1, 1, 1), (0.5, 1, 1), (225, 0, 0)),
+    ((255, 255, 255), (0, 100, 0), (0.2158605, 0, 0), (1, 1, 1), (128, 100, 0)),
+    (None, (0, 100, 0), (0.2158605, 0, 0), (1, 1, 1), (128, 100, 0)),
+    ((200, 0, 0), (0, 0, 0), (1, 1, 1), (1, 1, 1), (200, 0, 0))])
+def test_an_emissive_image_is_added_to_the_base(tmp_path, base, other, factor, glow, expected):
+    mesh, notes = read(tmp_path, glowing(base, other, factor, glow))
+    assert numpy.abs(numpy.subtract(mesh.surfaces.colours()[0], expected)).max() <= 1
+    assert not mesh.surfaces.are_unlit() and not any("emissive" in note for note in notes)
+
+
+def test_an_emissive_image_that_lies_otherwise_is_named(tmp_path):
+    mesh, notes = read(tmp_path, glowing((200, 0, 0), (0, 0, 150), texCoord=1))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0) and any('1 x "emissive images that do not lie as the others do"' in note for note in notes)
+
+
+@pytest.mark.parametrize("mode, alpha, is_shown", [("MASK", 0.4, False), ("MASK", 0.5, True), ("BLEND", 0, False), ("BLEND", 0.1, True),
+                                                  ("OPAQUE", 0, True)])
+def test_what_is_wholly_clear_is_left_out(tmp_path, mode, alpha, is_shown):
+    data, blob = make(material={"baseColorFactor": [1, 0, 0, alpha]})
+    data["materials"][0]["alphaMode"] = mode
+    part = data["meshes"][0]["primitives"][0]
+    data["meshes"][0]["primitives"].append({**part, "material": 1})
+    data["materials"].append({})
+    mesh, notes = read(tmp_path, glb(data, blob))
+    assert len(mesh.faces) == (4 if is_shown else 2) and any('1 x "faces of materials that are wholly clear"' in note for note in notes) != is_shown
+    data["meshes"][0]["primitives"] = [part]
+    if not is_shown:
+        with pytest.raises(ToolError, match="wholly clear"):
+            read(tmp_path, glb(data, blob))
 
 
 def test_materials_of_specular_and_glossiness(tmp_path):
@@ -286,6 +335,70 @@ def test_a_webp_image_beside_and_a_ktx2_image_alone(tmp_path):
     assert mesh.surfaces.colours()[0] == (200, 0, 0)
     with pytest.raises(ToolError, match="KTX2.*PNG"):
         read(tmp_path, striped(uvs, lambda data: change(data, KHR_texture_basisu={"source": 0})))
+
+
+@pytest.mark.parametrize("texture, words", [({}, 'formats that are not read"'), ({"extensions": {"MSFT_texture_dds": {"source": 0}}}, "(MSFT_texture_dds)")])
+def test_a_texture_without_an_image_that_is_read_is_named(tmp_path, texture, words):
+    mesh, notes = read(tmp_path, striped([(0, 0), (0.4, 0), (0.4, 1), (0, 1)], lambda data: data.update(textures=[texture]),
+                                         material={"baseColorFactor": [0, 1, 0, 1]}))
+    assert mesh.surfaces.colours()[0] == (0, 255, 0) and sum(words in note for note in notes) == 1
+
+
+def test_a_ktx2_image_may_be_required_where_it_stands_beside_another_and_is_known_by_its_bytes(tmp_path):
+    uvs = [(0, 0), (0.4, 0), (0.4, 1), (0, 1)]
+    mesh, _ = read(tmp_path, striped(uvs, lambda data: data.update(extensionsRequired=["KHR_texture_basisu"])))
+    assert mesh.surfaces.colours()[0] == (200, 0, 0)
+    with pytest.raises(ToolError, match="KTX.*ktxdecompress in.glb out.glb"):
+        read(tmp_path, striped(uvs, image=b"\xabKTX 20\xbb\r\n\x1a\n" + bytes(60)))
+
+
+def test_an_image_on_faces_without_its_coordinates_is_named(tmp_path):
+    _, notes = read(tmp_path, striped([(0, 0), (1, 0), (1, 1), (0, 1)], with_transform(texCoord=1)))
+    assert any('1 x "images on faces without coordinates for them"' in note for note in notes)
+
+
+def test_what_is_compressed_without_being_required_so_is_refused_by_name(tmp_path):
+    """Draco and meshopt may stand beside values that are not compressed; where they do not, there is nothing else to read."""
+    data, blob = make()
+    data["meshes"][0]["primitives"][0]["extensions"] = {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}}
+    assert len(read(tmp_path, glb(data, blob))[0].faces) == 2
+    for accessor in data["accessors"]:
+        del accessor["bufferView"]
+    with pytest.raises(ToolError, match="primitive 0: KHR_draco_mesh_compression.*gltf-transform"):
+        read(tmp_path, glb(data, blob))
+    data, blob = make()
+    data["buffers"].append({"byteLength": len(blob), "extensions": {"EXT_meshopt_compression": {"fallback": True}}})
+    for view in data["bufferViews"]:
+        view["buffer"] = 1
+    with pytest.raises(ToolError, match="buffer 1: EXT_meshopt_compression.*gltf-transform"):
+        read(tmp_path, glb(data, blob))
+
+
+def test_scenes_that_are_not_shown_and_instances_are_named(tmp_path):
+    data, blob = make()
+    data |= {"scenes": [{"nodes": [0]}, {"nodes": [0], "name": "night"}, {}], "scene": 1, "extensionsUsed": ["EXT_mesh_gpu_instancing"]}
+    _, notes = read(tmp_path, glb(data, blob))
+    assert any('scene 1 ("night") is shown: left out 2 other scenes' in note for note in notes)
+    assert any("lists of instances (EXT_mesh_gpu_instancing)" in note and "Blender" in note for note in notes)
+
+
+@pytest.mark.parametrize("change", [lambda text: text.rstrip("="), lambda text: text[:8] + "\n" + text[8:], lambda text: text.replace("=", "%3D")])
+def test_base64_as_browsers_take_it(tmp_path, change):
+    data, blob = make()
+    packed = gltf_text(data, blob + b"\0").decode()
+    head, rest = packed.split("base64,")
+    text, tail = rest.split('"', 1)
+    whole = f"{head}base64,{change(text)}\"{tail}".replace("\n", "\\n")
+    assert whole != packed and len(read(tmp_path, whole.encode(), "model.gltf")[0].faces) == 2
+
+
+def test_zeros_behind_the_json_of_a_glb_file(tmp_path):
+    whole = bytearray(glb(*make()))
+    size, = struct.unpack_from("<I", whole, 12)
+    end = 20 + len(whole[20:20 + size].rstrip(b" "))
+    filled = bytes(whole[:12]) + struct.pack("<II", end - 20 + 4, 0x4E4F534A) + bytes(whole[20:end]) + bytes(4) + bytes(whole[20 + size:])
+    struct.pack_into("<I", whole := bytearray(filled), 8, len(filled))
+    assert len(read(tmp_path, bytes(whole))[0].faces) == 2
 
 
 def with_bytes(rows, component):
@@ -344,13 +457,14 @@ def test_a_skinned_node_is_not_moved_by_itself(tmp_path):
 
 def test_everything_that_is_left_out_is_told_in_a_line_each(tmp_path):
     data, blob = make(*TETRAHEDRON, material={})
-    data["materials"][0] |= {"normalTexture": {"index": 5}, "occlusionTexture": {}}
+    data["materials"][0] |= {"normalTexture": {"index": 5}, "occlusionTexture": {}, "pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 5}}}
     data["meshes"][0]["primitives"][0]["targets"] = [{}]
     data |= {"animations": [{}, {}], "cameras": [{}], "extensions": {"KHR_lights_punctual": {"lights": [{}]}},
              "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_variants", "X_other"]}
     _, notes = read(tmp_path, glb(data, blob))
     for words in ("left out 2 animations", "left out 1 cameras", "left out 1 lights", "1 parts (morph targets)",
-                  '"KHR_materials_variants", "X_other"', '1 x "normal maps", 1 x "occlusion maps"'):
+                  "left out other materials (KHR_materials_variants): the model has those that it has without; Blender",
+                  'left out what the extensions "X_other" say', '1 x "normal maps", 1 x "occlusion maps", 1 x "metallic and roughness maps"'):
         assert sum(words in note for note in notes) == 1, words
 
 
@@ -404,9 +518,13 @@ BAD = {
     "image": (changed(["images", 0, "bufferView"], 0), ["image 0", "cannot be read"]),
     "material": (changed(["meshes", 0, "primitives", 0, "material"], 5), ["material 5 does not exist"]),
     "version": (changed(["asset", "version"], "1.0"), ['"1.0"', "only 2.0"]),
+    "new meshopt": (changed(["extensionsRequired"], ["KHR_meshopt_compression"]), ["meshopt", "gltf-transform"]),
     "meshopt": (changed(["extensionsRequired"], ["EXT_meshopt_compression"]), ["meshopt", "gltf-transform"]),
     "draco": (changed(["extensionsRequired"], ["KHR_draco_mesh_compression"]), ["Draco", "gltf-transform"]),
-    "instancing": (changed(["extensionsRequired"], ["EXT_mesh_gpu_instancing"]), ["export the instances as nodes"]),
+    "instancing": (changed(["extensionsRequired"], ["EXT_mesh_gpu_instancing"]), ["EXT_mesh_gpu_instancing", "Blender", "as nodes"]),
+    "empty": (b"", ["the file is empty"]),
+    "key": (changed(["bufferViews", 0, "byteLength"], None), ["byteLength is missing"]),
+    "no version": (changed(["asset"], {}), ["names no version", "npx gltf-pipeline"]),
     "sampler": (changed(["textures", 0, "sampler"], 3), ["sampler 3 does not exist"]),
     "alpha": (changed(["materials", 0, "alphaMode"], "GLASS"), ['"GLASS"', "OPAQUE"]),
     "emissive": (changed(["materials", 0, "emissiveFactor"], [1, 2]), ["emissiveFactor must be 3 numbers"]),
@@ -420,7 +538,7 @@ BAD = {
     "digits": (b'{"asset": ' + b"9" * 9000 + b"}", ["thousands of digits"]),
     "header": (struct.pack("<4sII", b"glTF", 2, 1 << 31) + bytes(40), ["header promises 2,147,483,648 bytes"]),
     "part": (struct.pack("<4sIIII", b"glTF", 2, 40, 1 << 31, 0x4E4F534A) + bytes(20), ["promises 2,147,483,648 bytes"]),
-    "old": (struct.pack("<4sII", b"glTF", 1, 12), ["version 1"]),
+    "old": (struct.pack("<4sII", b"glTF", 1, 12), ["version 1", "npx gltf-pipeline"]),
 }
 
 

@@ -230,7 +230,7 @@ def test_of_several_animations_one_is_played(tmp_path):
     path = made.write(tmp_path / "m.glb")
     for wanted, frames in (("", 30), ("jump", 60), ("j*", 60)):
         scene, notes = compiled(path, animation=wanted)
-        assert scene.motions[0].keys[-1].frame == frames and any("left out 1 other animations; --animation" in note for note in notes)
+        assert scene.motions[0].keys[-1].frame == frames and any(f"left out 1 other animations; --animation NAME plays another one: {'jump' if not wanted else 'walk'}" in note for note in notes)
     with pytest.raises(ToolError, match='--animation: no animation .* like "fly"; the file\'s: walk, jump'):
         compiled(path, animation="fly")
 
@@ -261,6 +261,44 @@ def test_a_track_keeps_every_frame_with_few_keys():
     assert len(rows) <= 5       # the last one, past straight down
 
 
+@pytest.mark.parametrize("size", [1e-2, 1e-4, 1e-6])
+def test_an_animation_moves_what_stands_in_a_small_node(tmp_path, size):
+    made = File({"children": [1], "scale": [size] * 3}, {"name": "arm", "mesh": 0})
+    made.box((2, 2, 2))
+    made.animate((1, "translation", [0, 1], [(0, 0, 0), (3, 0, 0)]))
+    scene, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert len(scene.motions) == 1 and not any("no size" in note for note in notes)
+
+
+def test_a_node_of_scale_0_is_left_out_with_a_note(tmp_path):
+    made = File({"name": "hidden", "mesh": 0, "scale": [0, 0, 0]}, {"name": "thing", "mesh": 0}, {"name": "dust", "mesh": 0, "scale": [1e-6] * 3},
+                roots=[0, 1, 2])
+    made.box()
+    scene, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert len(scene.objects) == 1 and any("too small to have an area, or have the scale 0: 2 (first: hidden)" in note for note in notes)
+
+
+def test_times_may_repeat_and_begin_below_0(tmp_path):
+    times = numpy.array([0.0, 1.0, 1.0, 2.0])
+    values = numpy.array([[0.0], [1.0], [5.0], [6.0]])
+    at = numpy.array([0.0, 0.5, 0.999, 1.0, 1.5, 2.0])
+    assert between(times, values, "LINEAR", at, False)[:, 0] == pytest.approx([0, 0.5, 0.999, 5, 5.5, 6])
+    assert between(times[:3], values[:3], "STEP", at, False)[:, 0].tolist() == [0, 0, 0, 5, 5, 5]
+    made = File({"name": "thing", "mesh": 0})
+    made.box()
+    made.animate((0, "translation", [-1, 1, 1], [(0, 0, 0), (2, 0, 0), (3, 0, 0)]))
+    scene, _ = compiled(made.write(tmp_path / "m.glb"))
+    assert len(scene.motions) == 1
+
+
+def test_a_node_with_a_matrix_is_named_where_the_animation_would_move_it(tmp_path):
+    made = File({"name": "thing", "mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1]})
+    made.box()
+    made.animate((0, "translation", [0, 1], [(0, 0, 0), (2, 0, 0)]))
+    _, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert any("nodes with a matrix stay where they stand" in note and "1 (first: thing)" in note for note in notes)
+
+
 @pytest.mark.parametrize("words, said", [
     (["--keep", "whel"], "--keep"), (["--animation", "fly"], "drive"), (["--tree", "all", "--keep", "body"], "--tree and --keep exclude"),
     (["--look", "--keep nothing"], "--keep")])
@@ -278,7 +316,7 @@ def test_keep_is_refused_without_nodes_and_a_tree_stands_still(tmp_path):
 
 @pytest.mark.parametrize("damage, said", [
     (lambda data: data["animations"][0]["channels"][0].update(sampler=99), "a channel has no sampler"),
-    (lambda data: data["animations"][0]["samplers"][0].update(output=0), "times do not rise|not read here"),
+    (lambda data: data["animations"][0]["samplers"][0].update(output=0), "times fall|not read here"),
     (lambda data: data["animations"][0]["samplers"][0].update(interpolation="X"), "interpolation"),
     (lambda data: data.update(animations=[3]), "list of objects")])
 def test_damaged_animations_are_refused(tmp_path, damage, said):
@@ -336,6 +374,18 @@ def test_a_figure_is_drawn_as_double_draws_it(build, tmp_path):
     assert done.returncode == 0, done.stderr
     summary = json.loads((tmp_path / "run" / "summary.json").read_text())
     assert summary["pixels_unexplained"] == 0 and summary["order_wrong_pixels"] == 0 and summary["host_frames_equal"]
+
+
+def test_several_meshes_may_hang_on_one_joint(tmp_path):
+    """A hat of its own mesh hangs on the shoulder, where a part of the first mesh hangs too."""
+    made = figure()
+    made.data["nodes"].append({"name": "hat", "mesh": 1, "skin": 0})
+    made.data["scenes"][0]["nodes"].append(4)
+    made.box((1, 0.5, 1), middle=(0.5, 3, 0), JOINTS_0=made.add([[1, 0, 0, 0]] * 8, "<u1", "VEC4"), WEIGHTS_0=made.add([[1, 0, 0, 0]] * 8, "<f4", "VEC4"))
+    scene, notes = compiled(made.write(tmp_path / "m.glb"))
+    assert scene.names == ["hip", "shoulder", "elbow"] and not any("left out 1 skins" in note for note in notes)
+    mesh, _ = gltf.read(str(tmp_path / "m.glb"))
+    assert max(y for _, y, _ in mesh.vertices) == (3 + 0.25 + 5) * UNIT        # as the joints stand: 5 higher than bound
 
 
 def test_other_skins_stay_in_the_pose_in_which_they_were_bound(tmp_path):

@@ -4,6 +4,7 @@ enumerations."""
 
 import os
 import re
+import unicodedata
 
 from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
@@ -46,21 +47,23 @@ def suggestion(name, before="scene"):
 
 
 def _word(name):
-    """A name as a part of a C name; empty if nothing is left."""
-    return re.sub("[^A-Z0-9]+", "_", name.upper()).strip("_")[:NAME_MAX].rstrip("_")
+    """A name as a part of a C name: letters without their accents, in capitals, and _ for what is neither a letter of English nor a digit.
+    Where nothing is left, the numbers of its characters, as U8F6E."""
+    plain = "".join(each for each in unicodedata.normalize("NFKD", name) if not unicodedata.combining(each))
+    word = re.sub("[^A-Z0-9]+", "_", plain.upper()).strip("_")
+    return (word or "_".join(f"U{ord(each):04X}" for each in name))[:NAME_MAX].rstrip("_")
 
 
-def _distinct(names):
+def distinct(names):
     """Words of names, each once: a second one of the same word gets a number."""
-    taken, result = set(), {}
+    taken, result, numbers = set(), {}, {}
     for name in names:
-        word, number = _word(name), 2
-        tried = word
+        word = tried = _word(name)
         while tried in taken:
-            tried, number = f"{word}_{number}", number + 1
-        if word:
-            taken.add(tried)
-            result[name] = tried
+            numbers[word] = numbers.get(word, 1) + 1
+            tried = f"{word}_{numbers[word]}"
+        taken.add(tried)
+        result[name] = tried
     return result
 
 
@@ -80,7 +83,7 @@ def _places(names):
 def _numbered(places, one, several):
     """Entries of an enumeration: of each name the first place, and how many there are if they follow each other."""
     entries = []
-    for own, word in _distinct(places).items():
+    for own, word in distinct(places).items():
         numbers = places[own]
         entries.append((f"{one}_{word}", numbers[0]))
         if len(numbers) > 1 and numbers == list(range(numbers[0], numbers[0] + len(numbers))):
@@ -100,7 +103,7 @@ def _surfaces_of(scene, places):
 def text(scene, name):
     """The enumerations of a scene, [] if nothing of it has a name."""
     places, prefix, made = _places(scene.names), name.upper(), []
-    models = [(f"{prefix}_MODEL_{word}", scene.objects[places[own][0]].model) for own, word in _distinct(places).items()]
+    models = [(f"{prefix}_MODEL_{word}", scene.objects[places[own][0]].model) for own, word in distinct(places).items()]
     surfaces = _surfaces_of(scene, places) if scene.surfaces else {}
     textures = _places(scene.surfaces.texture_names) if scene.surfaces else {}
     for about, entries in (

@@ -12,7 +12,8 @@ import numpy as np
 
 from fixel.model import gltf_check, gltf_left_out, gltf_skins
 from fixel.base.errors import ToolError
-from fixel.model.gltf_material import Materials, srgb
+from fixel.model.gltf_glow import srgb
+from fixel.model.gltf_material import Materials
 from fixel.model.gltf_nodes import Nodes
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh
 from fixel.model.sources import Sources
@@ -80,10 +81,13 @@ def _triangles(checked, part, count, where):
     return strip
 
 
-def _positions(checked, attributes, where):
-    if "POSITION" not in attributes:
+def _positions(checked, part, where):
+    number = part["attributes"].get("POSITION")
+    if number is None:
         checked.fail(where, "it has no POSITION: the file is damaged")
-    points = checked.accessor(attributes["POSITION"], where, ("VEC3",), _PARTS)
+    points = checked.accessor(number, where, ("VEC3",), _PARTS)
+    if "bufferView" not in checked.rows("accessors")[number]:
+        gltf_left_out.refuse_compressed(checked, part, where)
     return points
 
 
@@ -120,6 +124,8 @@ class _Reader:
         """(material, coordinates of each vertex on its image or None)."""
         material = read.material
         values = self._of_vertices(attributes, f"TEXCOORD_{read.coordinates}", ("VEC2",), count, where) if material.image else None
+        if values is None and material.image and triangles.size:
+            self.materials.left_out.add("images on faces without coordinates for them", where)
         if values is None or not triangles.size:
             return material, None
         values, used = np.where(np.abs(values) <= 1e6, values, 0.0), np.unique(triangles)
@@ -135,7 +141,7 @@ class _Reader:
         attributes = part.get("attributes")
         if not isinstance(attributes, dict):
             checked.fail(where, "it has no attributes: the file is damaged")
-        points = _positions(checked, attributes, where)
+        points = _positions(checked, part, where)
         triangles = _triangles(checked, part, len(points), where)
         self._count_values(len(points) + (0 if triangles is None else triangles.size), where)
         if triangles is None:
@@ -145,6 +151,9 @@ class _Reader:
             checked.fail(where, f"the model has more than {FILE_FACES_MAX:,} faces; a scene image has room for fewer, so simplify "
                          "it")
         read = self.materials.get(part, where)
+        if not read.material.opacity:
+            self.materials.left_out.add("faces of materials that are wholly clear", where)
+            return attributes, np.zeros((0, 3), int)
         material, uvs = self._coordinates(attributes, read, triangles, len(points), where)
         tints = self._of_vertices(attributes, "COLOR_0", ("VEC3", "VEC4"), len(points), where)
         if tints is not None and material.is_clear and (tints[np.unique(triangles), 3:] < 1).any():
@@ -258,7 +267,8 @@ def read(path, name=None, progress=None, sources=None):
             known.bind(number, gltf_skins.rigid(checked, node, shown, where))
     known.hang(reader.move)
     if not reader.faces:
-        raise ToolError(f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
+        left_out = reader.materials.left_out.notes(name, "left out:")
+        raise ToolError(left_out[0] if left_out else f"{name}: there is no face in this file: no node of the scene has a mesh of triangles")
     notes = [f"{name}: {_CONVENTION}"]
     reader.surfaces.give_corners(reader.corners + [None] * (len(reader.faces) - len(reader.corners)))
     if reader.surfaces.have_corners():

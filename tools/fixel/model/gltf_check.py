@@ -18,6 +18,7 @@ from fixel.model import gltf_left_out, model_text, named_file
 FILE_MAX = 64 << 20         # bytes, of the file and of its buffers together
 NODES_MAX, DEPTH_MAX = 65_535, 1000
 SPARSE_MAX = 1 << 22        # values of an accessor that has no bytes of its own
+_CONVERTS = "gltf-pipeline (npx gltf-pipeline -i in.gltf -o out.glb) converts it"
 _GLB_HEAD, _CHUNK_HEAD = struct.Struct("<4sII"), struct.Struct("<II")
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _COMPONENTS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -55,6 +56,8 @@ class Checked:
     def whole(self, table, key, where, default=None, most=1 << 31):
         """A whole number 0..most."""
         value = table.get(key, default)
+        if value is None:
+            self.fail(where, f"{key} is missing: the file is damaged")
         if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
             self.fail(where, f"{key} is {quoted(value)}; it must be a whole number from 0 to {most:,}")
         return value
@@ -78,8 +81,9 @@ class Checked:
         head, comma, text = uri.partition(",")
         if not comma or not head.endswith(";base64"):
             self.fail(where, "its data: is not in base64; save the model as GLB")
+        text = "".join(urllib.parse.unquote(text).split()).rstrip("=")      # as browsers take it: without padding too
         try:
-            return base64.b64decode(text, validate=True)
+            return base64.b64decode(text + "=" * (-len(text) % 4), validate=True)
         except (binascii.Error, ValueError):
             self.fail(where, "its base64 is damaged; save the model anew")
 
@@ -124,6 +128,8 @@ class Checked:
         if number not in self.buffers:
             where, entry = self.label("buffer", number), self.rows("buffers")[number]
             wanted = self.whole(entry, "byteLength", where, most=1 << 40)
+            if "uri" not in entry:
+                gltf_left_out.refuse_compressed(self, entry, where)
             if "uri" not in entry and (number or self.binary is None):
                 self.fail(where, "it names no file, and the file has no such part: it is damaged")
             blob = self._fetch(entry["uri"], where) if "uri" in entry else self.binary
@@ -200,7 +206,7 @@ def _glb(blob, name):
     """(JSON's bytes, the binary part or None) of a GLB file."""
     magic, version, length = _GLB_HEAD.unpack_from(blob)
     if version != 2:
-        raise ToolError(f"{name}: a GLB file of version {version}; only 2 is read: save the model as glTF 2.0")
+        raise ToolError(f"{name}: a GLB file of version {version}; only 2 is read: {_CONVERTS}")
     if length > len(blob):
         raise ToolError(f"{name}: the header promises {length:,} bytes and {len(blob):,} are there: the file is damaged")
     place, parts = _GLB_HEAD.size, {}
@@ -221,7 +227,8 @@ def _parse(text, name):
         raise ToolError(f"{name}: its JSON has the value {word}, which is not a number of JSON: save the model again")
     try:
         text, encoding = model_text.without_mark(bytes(text))
-        data = json.loads(text.decode(encoding), parse_constant=refuse)
+        # Some programs fill the part up with zeros instead of spaces.
+        data = json.loads(text.decode(encoding).rstrip("\0"), parse_constant=refuse)
     except RecursionError:
         raise ToolError(f"{name}: its JSON is nested deeper than any model's") from None
     except json.JSONDecodeError as error:
@@ -236,13 +243,15 @@ def _parse(text, name):
 def open_file(path, name, sources):
     """A Checked of a .gltf or .glb, of which nothing but the frame is checked."""
     blob = sources.read(path, FILE_MAX, "simplify the model")
+    if not blob:
+        raise ToolError(f"{name}: the file is empty")
     text, binary = _glb(blob, name) if blob[:4] == b"glTF" and len(blob) >= _GLB_HEAD.size else (blob, None)
     data = _parse(text, name)
     asset = data.get("asset")
     version = asset.get("version") if isinstance(asset, dict) else None
     if not isinstance(version, str) or not version.startswith("2."):
-        raise ToolError(f"{name}: asset: a glTF file of version {quoted(version)}; only 2.0 is read: gltf-pipeline "
-                        "(npx gltf-pipeline -i in.gltf -o out.glb) or Blender converts it")
+        which = "that names no version" if version is None else f"of version {quoted(version)}"
+        raise ToolError(f"{name}: asset: a glTF file {which}; only 2.0 is read: {_CONVERTS}")
     gltf_left_out.refuse_required(name, data.get("extensionsRequired", []))
     return Checked(name, data, os.path.dirname(path), binary, sources)
 
@@ -266,6 +275,8 @@ def walk(checked):
         chosen = checked.whole(checked.data, "scene", "scene", 0)
         if chosen >= len(scenes):
             checked.fail("scene", f"{chosen} does not exist; there are {len(scenes)}")
+        if len(scenes) > 1:
+            checked.notes.append(f"{checked.name}: {checked.label('scene', chosen)} is shown: left out {len(scenes) - 1:,} other scenes")
         roots = scenes[chosen].get("nodes", [])
     else:
         roots = list(range(len(nodes)))

@@ -5,14 +5,21 @@ from fixel.base.errors import ToolError
 from fixel.base.reading import quoted
 
 _CONVERT = "gltf-transform (npx @gltf-transform/cli copy in.glb out.glb) writes it without, or export it so"
-_REFUSED = {"KHR_draco_mesh_compression": f"its meshes are compressed by Draco: {_CONVERT}",
-            "EXT_meshopt_compression": f"its buffers are compressed by meshopt: {_CONVERT}",
-            "KHR_texture_basisu": "its images are KTX2: gltf-transform (npx @gltf-transform/cli) writes the model with PNG images, or "
-                                  "export it so",
-            "EXT_mesh_gpu_instancing": "its meshes are placed by lists of instances: export the instances as nodes"}
+_INSTANCES, _VARIANTS = "EXT_mesh_gpu_instancing", "KHR_materials_variants"
+_BLENDER = "Blender (File, Import, then File, Export) writes"
+_COMPRESSED = {"KHR_draco_mesh_compression": f"its meshes are compressed by Draco: {_CONVERT}",
+               "EXT_meshopt_compression": f"its buffers are compressed by meshopt: {_CONVERT}",
+               "KHR_meshopt_compression": f"its buffers are compressed by meshopt: {_CONVERT}"}
+_REFUSED = {**_COMPRESSED, _INSTANCES: f"its meshes are placed by lists of instances: {_BLENDER} them as nodes"}
+KTX = ("its image is KTX2 (KHR_texture_basisu), which is not read: gltf-transform (npx @gltf-transform/cli ktxdecompress in.glb out.glb) "
+       "writes the model with PNG images, or export it so")
+# What may be required: what is read, and images that stand beside others.
 READ = ("KHR_texture_transform", "KHR_mesh_quantization", "KHR_materials_unlit", "KHR_materials_emissive_strength",
-        "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp")
+        "KHR_materials_pbrSpecularGlossiness", "EXT_texture_webp", "KHR_texture_basisu")
 _HARMLESS = ("KHR_materials_", "KHR_lights_punctual", "KHR_xmp")
+# What is left out with words of its own.
+_TOLD = {_INSTANCES: f"meshes placed by lists of instances ({_INSTANCES}), each of which stands at its node once: {_BLENDER} them as nodes",
+         _VARIANTS: f"other materials ({_VARIANTS}): the model has those that it has without; {_BLENDER} it with those that it shows"}
 _LISTS = {"animations": "animations: the model is shown as it stands without", "skins": "skins: what hangs on joints is shown in the pose "
           "in which it was bound", "cameras": "cameras; --camera NAME takes one as the path of a model without a scene file"}
 
@@ -25,6 +32,14 @@ def refuse_required(name, required):
         if not isinstance(extension, str) or not (extension in READ or extension.startswith(_HARMLESS)):
             raise ToolError(f"{name}: the model requires the extension {quoted(extension)}, which is not read; save it "
                             "without, for example without compression")
+
+
+def refuse_compressed(checked, entry, where):
+    """Refuses a buffer or a primitive whose values are there in compressed form alone."""
+    extensions = entry.get("extensions")
+    for extension, how in _COMPRESSED.items():
+        if isinstance(extensions, dict) and extension in extensions:
+            checked.fail(where, f"{extension}: {how}")
 
 
 def _count(value):
@@ -48,9 +63,10 @@ def notes(checked):
     lights = extensions.get("KHR_lights_punctual") if isinstance(extensions, dict) else None
     if isinstance(lights, dict) and _count(lights.get("lights")):
         kinds["lights"] = f"{name}: left out {_count(lights['lights']):,} lights: the tool's own light falls on the model"
-    used = checked.data.get("extensionsUsed", [])
-    others = sorted({each for each in used if isinstance(each, str) and each not in READ and each != "KHR_lights_punctual"}
-                    if isinstance(used, list) else ())
+    lists = [checked.data.get(key) for key in ("extensionsUsed", "extensionsRequired")]
+    used = {each for names in lists if isinstance(names, list) for each in names if isinstance(each, str)}
+    found += [f"{name}: left out {_TOLD[each]}" for each in sorted(used & set(_TOLD))]
+    others = sorted(used - set(READ) - set(_TOLD) - {"KHR_lights_punctual"})
     if others:
         shown = ", ".join(map(quoted, others[:6])) + (f" and {len(others) - 6:,} others" if len(others) > 6 else "")
         found.append(f"{name}: left out what the extensions {shown} say")

@@ -2,14 +2,15 @@
 """Materials of glTF: base colour, image with its transform and its wrapping, alpha modes, unlit and emissive ones.
 
 An emissive material whose base is black, and an unlit one, has its colour whatever the light. Of other emissive
-materials the colour is added to the base. What is not read is counted, and told once."""
+materials colour and image are added to the base. What is not read is counted, and told once."""
 
 import dataclasses
 import math
 
 import numpy as np
 
-from fixel.model import gltf_check, model_text
+from fixel.model import gltf_check, gltf_glow, gltf_left_out, model_text
+from fixel.model.gltf_glow import srgb
 from fixel.model.surface import Material
 
 _TRANSFORM, _UNLIT = "KHR_texture_transform", "KHR_materials_unlit"
@@ -18,12 +19,7 @@ _WEBP, _KTX = "EXT_texture_webp", "KHR_texture_basisu"
 _REPEAT, _CLAMP, _MIRROR = 10497, 33071, 33648
 _ROUNDING = 1e-5        # of an image: so far beyond it a coordinate is on its edge
 _LEFT_OUT = {"normalTexture": "normal maps", "occlusionTexture": "occlusion maps"}
-
-
-def srgb(linear):
-    """A part 0..1 of light as 0..255 of a screen."""
-    linear = min(max(linear, 0.0), 1.0)
-    return round(255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055))
+_METAL = "metallicRoughnessTexture"
 
 
 def _name(entry, number):
@@ -70,11 +66,12 @@ class Materials:
         """The image of an entry of textures."""
         source = texture
         if "source" not in texture:
-            webp = self._extension(texture, _WEBP, where)
-            if webp is None and self._extension(texture, _KTX, where) is not None:
-                self.checked.fail(where, f"its image is KTX2 ({_KTX}), which is not read: gltf-transform (npx @gltf-transform/cli) "
-                                  "writes the model with PNG images, or export it so")
-            source = webp if webp is not None else texture
+            source, others = self._extension(texture, _WEBP, where), self._table(texture, "extensions", where)
+            if source is None and _KTX in others:
+                self.checked.fail(where, gltf_left_out.KTX)
+            if source is None:
+                self.left_out.add("images of formats that are not read" + (f" ({', '.join(sorted(others))[:60]})" if others else ""), where)
+                return None
         number, _ = self.checked.entry("images", source, "source", where)
         if number not in self.images:
             self.images[number] = self.checked.image(number)
@@ -130,6 +127,28 @@ class Materials:
         return [part * strength for part in factor], \
             self._table(entry, "emissiveTexture", where) if "emissiveTexture" in entry and any(factor) else None
 
+    def _with_glow(self, factor, texture, glow, other, where):
+        """(factor, the texture) of a material whose emissive colours are added to its own. texture, other: the textures of its own
+        colours and of the emissive ones, as _texture answers them, or None."""
+        if texture is None and other is None:
+            return [min(1, a + b) for a, b in zip(factor, glow)] + [factor[3]], None
+        shines = other and other[0]
+        if other and shines is None:        # its image is not there, or is not read
+            return factor, texture
+        if texture and other and not self._lie_alike(texture, other):
+            self.left_out.add("emissive images that do not lie as the others do", where)
+            return factor, texture
+        image = texture and texture[0]
+        if image is None and shines is None:
+            return [min(1, a + b) for a, b in zip(factor, glow)] + [factor[3]], None
+        return [1, 1, 1, factor[3]], (gltf_glow.added(image, factor[:3], shines, glow), *(texture or other)[1:])
+
+    @staticmethod
+    def _lie_alike(one, other):
+        """Whether two textures have the same coordinates, matrix and wraps."""
+        first, second = (np.eye(2, 3) if each[2] is None else each[2] for each in (one, other))
+        return one[1] == other[1] and one[3] == other[3] and np.array_equal(first, second)
+
     @staticmethod
     def _with_alpha(image, mode, factor, cutoff):
         """An image as an alpha mode shows it."""
@@ -144,23 +163,24 @@ class Materials:
         for key, what in _LEFT_OUT.items():
             if key in entry:
                 self.left_out.add(what, where)
-        is_black, keeps_colour = not any(factor[:3]), self._extension(entry, _UNLIT, where) is not None
-        if any(glow) and not keeps_colour and is_black:
-            factor, texture, keeps_colour = [*glow, factor[3]], glow_texture, True
-        elif any(glow) and not keeps_colour and texture is None and glow_texture is None:
-            factor = [min(1, a + b) for a, b in zip(factor, glow)] + [factor[3]]
-        elif any(glow) and not keeps_colour:
-            self.left_out.add("emissive colours beside an image", where)
+        if _METAL in self._table(entry, "pbrMetallicRoughness", where):
+            self.left_out.add("metallic and roughness maps", where)
         mode = entry.get("alphaMode", "OPAQUE")
         if mode not in ("OPAQUE", "MASK", "BLEND"):
             self.checked.fail(where, f"alphaMode {gltf_check.quoted(mode)} is none of OPAQUE, MASK and BLEND: the file is damaged")
-        image, *rest = self._texture(texture, where) if texture is not None else (None,)
+        keeps_colour = self._extension(entry, _UNLIT, where) is not None
+        if any(glow) and not keeps_colour and not any(factor[:3]):
+            factor, texture, glow, keeps_colour = [*glow, factor[3]], glow_texture, (0, 0, 0), True
+        found = self._texture(texture, where) if texture is not None else None
+        if any(glow) and not keeps_colour:
+            factor, found = self._with_glow(factor, found, glow, glow_texture and self._texture(glow_texture, where), where)
+        image, *rest = found or (None,)
         cutoff, = gltf_check.numbers(self.checked, {"alphaCutoff": [entry.get("alphaCutoff", 0.5)]}, "alphaCutoff", 1, where)
         if mode == "BLEND" and image is not None and image.is_translucent():
             self.left_out.add("an image's alpha between clear and opaque: from a half on it is opaque", where)
-        material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), min(max(factor[3], 0.0), 1.0) if mode == "BLEND" else 1.0,
-                            self._with_alpha(image, mode, factor[3], cutoff), is_unlit=keeps_colour,
-                            is_two_sided=entry.get("doubleSided") is True, is_clear=mode != "OPAQUE")
+        opacity = {"OPAQUE": 1.0, "BLEND": min(max(factor[3], 0.0), 1.0), "MASK": 0.0 if image is None and factor[3] < cutoff else 1.0}[mode]
+        material = Material(_name(entry, number), tuple(map(srgb, factor[:3])), opacity, self._with_alpha(image, mode, factor[3], cutoff),
+                            is_unlit=keeps_colour, is_two_sided=entry.get("doubleSided") is True, is_clear=mode != "OPAQUE")
         return Read(material, *rest)
 
     # --- what parts ask for ------------------------------------------------------

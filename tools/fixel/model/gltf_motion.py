@@ -37,7 +37,7 @@ def between(times, values, mode, at, turns):
     if len(times) == 1:
         return np.repeat(points, len(at), axis=0)
     step = (times[first + 1] - times[first])[:, None]
-    part = (at - times[first])[:, None] / step
+    part = np.where(step > 0, (at - times[first])[:, None] / np.where(step > 0, step, 1), 1)    # of two values at one time the second
     one, other = points[first], points[first + 1]
     if mode == _STEP:
         return np.where(part < 1, one, other)
@@ -77,8 +77,9 @@ class Animation:
             times = checked.accessor(sampler.get("input"), where, ("SCALAR",), (gltf_check.FLOAT,))[:, 0]
             values = checked.accessor(sampler.get("output"), where, _WIDTHS[path], _VALUES).astype(float)
             if not len(times) or len(values) != len(times) * (3 if mode == _CUBIC else 1) or not np.isfinite(times).all() \
-                    or not np.isfinite(values).all() or times[0] < 0 or (np.diff(times) <= 0).any() or len(times) > STEPS_MAX:
-                checked.fail(where, "its times do not rise, or are not as many as its values: the file is damaged")
+                    or not np.isfinite(values).all() or (np.diff(times) < 0).any() or len(times) > STEPS_MAX:
+                checked.fail(where, "its times fall, or are not as many as its values: the file is damaged; save its animations anew, or "
+                             "without this one")
             self.tracks[key] = times, values, mode
         return self.tracks[key]
 

@@ -13,7 +13,13 @@ from fixel.model.nodes import FRAMES_MAX, RATE, Node, Scenery
 from fixel.base.reading import shortened
 
 _FLIP = np.diag([1.0, 1.0, -1.0, 1.0])     # z is negated
-_LEAST = 1e-9           # of the determinant of what has a size
+_LEAST = 1e-6           # of the largest size of a matrix: a smaller one is none
+
+
+def _turns(matrix):
+    """1 of a matrix of 4x4 that has a size along each axis, -1 of one that mirrors, 0 of one without a size along some axis."""
+    sizes = np.linalg.svd(matrix[:3, :3], compute_uv=False)
+    return 0 if not sizes[2] > _LEAST * sizes[0] else 1 if np.linalg.det(matrix[:3, :3] / sizes[0]) > 0 else -1
 
 
 class _Names:
@@ -79,13 +85,14 @@ class Nodes:
             (first, _), mesh = self.ranges.pop(number)[0], self.meshes.pop(number)
             for joint, (matrix, faces) in joints.items():
                 faces = [first + face for face in faces]
-                vertices = move(faces, (_FLIP @ self.worlds[joint] @ matrix @ _FLIP)[:3])
-                self.ranges[joint], self.meshes[joint] = _runs(faces), mesh
+                vertices = move(faces, (_FLIP @ self.worlds[joint] @ matrix @ _FLIP)[:3]) + self.boxes.get(joint, [])
+                self.ranges[joint] = self.ranges.get(joint, []) + _runs(faces)
+                self.meshes.setdefault(joint, mesh)
                 self.boxes[joint] = [tuple(end(axis) for axis in zip(*vertices)) for end in (min, max)]
 
     def _is_free(self, joint, matrix):
-        """Whether a joint is a node of the scene that has no faces yet, and does not mirror."""
-        return joint in self.names and joint not in self.ranges and np.linalg.det((self.worlds[joint] @ matrix)[:3, :3]) > _LEAST ** 3
+        """Whether a joint is a node of the scene that stays nowhere, and does not mirror."""
+        return joint in self.names and joint not in self.stays and _turns(self.worlds[joint] @ matrix) > 0
 
     def _pivot(self, number):
         """The node's origin; the middle of its faces where the origin lies farther from there than they are large."""
@@ -154,7 +161,11 @@ class _Moves:
         return self.animation.frames
 
     def is_target(self, number):
-        return number in self.animation.channels and "matrix" not in self.nodes.checked.rows("nodes")[number]
+        return number in self.animation.channels and not self._is_fixed(number)
+
+    def _is_fixed(self, number):
+        """Whether a node has a matrix, which glTF does not let an animation move."""
+        return "matrix" in self.nodes.checked.rows("nodes")[number]
 
     def is_moved(self, number):
         if number in self.nodes.stays or not self._has_size(number):
@@ -164,18 +175,24 @@ class _Moves:
         return number is not None
 
     def _has_size(self, number):
-        return abs(np.linalg.det(self.nodes.worlds[number][:3, :3])) > _LEAST
+        return _turns(self.nodes.worlds[number]) != 0
 
     def notes(self):
         """What there is to say where the animation is played."""
         checked, animation = self.nodes.checked, self.animation
         others = len(checked.rows("animations")) - 1
-        found = [f"{checked.name}: left out {others:,} other animations; --animation NAME plays another one"] if others else []
+        there = [name for name in gltf_motion.names(checked) if name != animation.name]
+        found = [f"{checked.name}: left out {others:,} other animations; --animation NAME plays another one" +
+                 (f": {shortened(', '.join(there))}" if there else "")] if others else []
         if animation.others:
             found.append(f"{checked.name}: {shortened(animation.name)}: left out {animation.others:,} tracks that move no node, such as those of "
                          "other shapes (morph targets)")
         if round(animation.seconds * RATE) > FRAMES_MAX:
             found.append(f"{checked.name}: {shortened(animation.name)}: left out what comes after {FRAMES_MAX:,} frames")
+        fixed = [self.nodes.names[number] for number in animation.channels if number in self.nodes.names and self._is_fixed(number)]
+        if fixed:
+            found.append(f"{checked.name}: nodes with a matrix stay where they stand, though the animation would move them: {len(fixed):,} "
+                         f"(first: {shortened(fixed[0])}); save them with translation, rotation and scale")
         small = [self.nodes.names[number] for number in animation.channels if number in self.nodes.names and not self._has_size(number)]
         if small:
             found.append(f"{checked.name}: nodes that have no size where they stand without the animation stay there: {len(small):,} "

@@ -25,6 +25,7 @@ _ORIENTATION = 0x0112       # of Exif
 # How a picture of each orientation is turned upright; 1 is upright.
 _UPRIGHT = {2: Image.Transpose.FLIP_LEFT_RIGHT, 3: Image.Transpose.ROTATE_180, 4: Image.Transpose.FLIP_TOP_BOTTOM,
             5: Image.Transpose.TRANSPOSE, 6: Image.Transpose.ROTATE_270, 7: Image.Transpose.TRANSVERSE, 8: Image.Transpose.ROTATE_90}
+_OTHERS = ((b"\xabKTX ", 0, "KTX"), (b"DDS ", 0, "DDS"), (b"ftypavif", 4, "AVIF"), (b"\x76\x2f\x31\x01", 0, "OpenEXR"), (b"8BPS", 0, "PSD"))
 _TOO_LARGE = f"; both sides must be 1..{SIDE_MAX}: make it smaller"
 
 
@@ -40,7 +41,7 @@ class Texture:
         """Its pixels in another size, each the mean of what it covers."""
         return np.asarray(Image.fromarray(np.ascontiguousarray(self.pixels)).resize((width, height), Image.Resampling.BOX))
 
-    def _once(self, key, make):
+    def once(self, key, make):
         """An image that is made of this one, once."""
         if key not in self.pictures:
             self.pictures[key] = Texture(self.name, make())
@@ -52,7 +53,7 @@ class Texture:
             pixels = self.pixels.copy()
             pixels[..., 3] = 255 if cutoff is None else np.where(pixels[..., 3] >= 255 * cutoff, 255, 0)
             return pixels
-        return self if (self.pixels[..., 3] == 255).all() and (cutoff is None or cutoff <= 1) else self._once(("alpha", cutoff), make)
+        return self if (self.pixels[..., 3] == 255).all() and (cutoff is None or cutoff <= 1) else self.once(("alpha", cutoff), make)
 
     def is_translucent(self):
         """Whether more than a few of its pixels, as edges have them, are neither clear nor opaque."""
@@ -64,7 +65,7 @@ class Texture:
         def make():
             wide = np.concatenate([self.pixels, self.pixels[:, ::-1]], axis=1) if across else self.pixels
             return np.concatenate([wide, wide[::-1]], axis=0) if down else wide
-        return self._once(("mirrored", across, down), make)
+        return self.once(("mirrored", across, down), make)
 
     def _of_triangles(self, corners, clamp):
         """What lies at some places of each triangle, of (count, 3 corners, 2) coordinates. clamp: beyond its edges the image shows them;
@@ -141,10 +142,19 @@ def _pixels(opened):
     return np.asarray(opened.convert("RGBA"))
 
 
+def _refuse_other(blob, name):
+    """Refuses by name an image of a format that is known and not read."""
+    for word, place, kind in _OTHERS:
+        if blob[place:place + len(word)] == word:
+            how = "; of a glTF file: npx @gltf-transform/cli ktxdecompress in.glb out.glb" if kind == "KTX" else ""
+            raise ToolError(f"{name}: an image in {kind}, which is not read; save it as PNG{how}")
+
+
 def decode(blob, name):
     """The Texture in an image file's bytes."""
     if len(blob) > FILE_MAX:
         raise ToolError(f"{name}: an image of {len(blob):,} bytes is more than the limit of {FILE_MAX:,}; make it smaller")
+    _refuse_other(blob, name)
     if blob[:2] in _PLAIN and blob.count(b"#") > COMMENTS_MAX:  # Pillow copies all that follows for each of them
         raise ToolError(f"{name}: a PPM file of digits with more than {COMMENTS_MAX} comments; save it without")
     if blob.count(_EXIF) > EXIF_MAX:    # Pillow takes quadratic time for them

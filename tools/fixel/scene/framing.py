@@ -190,6 +190,7 @@ def scene_data(mesh, name, frames=None, screen=None, framing=WALK, look=PLAIN, p
     if not 1e-9 < size < 1e9:
         raise ToolError(f"{shortened(name)}: the model's radius of {size:g} cannot be framed")
     scale = toml_model.short(radius / size)
+    played.notes += model_parts.leave_out_small(played, mesh, shortened(name), scale)
     moved, reach = (model_parts.moved_points(played, mesh) - middle) * float(scale), Fraction(radius)
     if len(moved):
         farthest = float(np.sqrt((moved ** 2).sum(axis=1)).max())

@@ -12,7 +12,7 @@ import numpy as np
 from fixel.base.errors import ToolError
 from fixel.base.reading import QUOTE_MAX, quoted, shortened
 from fixel.image.image_placement import DEPTH_MAX
-from fixel.model.mesh import UNIT, Mesh, transform
+from fixel.model.mesh import UNIT, Mesh, newell, transform
 from fixel.model.nodes import Node
 from fixel.scene import tracks
 
@@ -206,12 +206,36 @@ def _motion(part, scale):
     return found | {"motion": {"keys": rows}}
 
 
+def _rows(scale):
+    return [[scale if i == j else Fraction(0) for j in range(3)] for i in range(3)]
+
+
+def leave_out_small(played, mesh, name, scale):
+    """Leaves out the parts none of whose faces has an area at a scale, unless that are all of them, or others hang on them; notes."""
+    if len(played.parts) < 2:
+        return []
+    points = transform(mesh, _rows(scale))
+
+    def has_area(part):
+        return any(newell([points[corner] for corner in mesh.faces[number]]) != (0, 0, 0)
+                   for number in mesh.numbers_of(part.groups, part.without))
+    small, kept = [], []
+    for part in reversed(played.parts):     # those that hang on others come after them
+        is_needed = any(other.parent is part for other in kept)
+        (kept if is_needed or has_area(part) else small).append(part)
+    if not small or not kept:
+        return []
+    played.parts = kept[::-1]
+    first = small[-1].name or small[-1].groups[0]
+    return [f"{name}: left out parts that are too small to have an area, or have the scale 0: {len(small):,} (first: {shortened(first)})"]
+
+
 def objects(played, mesh, name, scale, thing):
     """The objects of a scene. thing: the keys that all have."""
     if len(played.parts) == 1 and not played.parts[0].is_turned:
         part, = played.parts
         return [{"name": part.name or name, "model": name, "scale": scale, "anchor": "middle", **thing}]
-    rows = [[scale if i == j else Fraction(0) for j in range(3)] for i in range(3)]
+    rows = _rows(scale)
     placed = transform(mesh, rows)
     middle = [(min(axis) + max(axis)) // 2 for axis in zip(*placed)]
     found = []
