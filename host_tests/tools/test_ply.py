@@ -123,18 +123,29 @@ BAD = {
     "points alone": (text(faces=[]), ["no faces", "MeshLab"]),
     "strips": (text(faces=[]).replace(b"end_header", b"element tristrips 1\nproperty list int int vertex_indices\nend_header"), ["strips"]),
     "cut": (binary()[:-3], ["cannot be read", "ends within a face", "damaged"]),
-    "cut within vertices": (binary()[:195], ["cannot be read", "ends within 4 rows"]),
+    "cut within vertices": (binary()[:195], ["cannot be read", "ends within the 4 rows of vertex"]),
+    "cut text": (text()[:-6], ["cannot be read", "ends within the 4 rows of face"]),
     "uneven and cut": (binary(*PYRAMID)[:-3], ["cannot be read", "ends within a face"]),
-    "kind": (binary().replace(b"float y", b"real y"), ["cannot be read", "no property"]),
-    "element": (binary().replace(b"element vertex 4", b"element vertex -4"), ["cannot be read", "no element"]),
-    "count of a fraction": (binary().replace(b"list uchar", b"list float"), ["cannot be read", "no property"]),
+    "kind": (binary().replace(b"float y", b"real y"), ["model.ply:5", '"real y" is no property']),
+    "kind of a text": (text().replace(b"float y", b"long y"), ["model.ply:5", '"long y" is no property']),
+    "no element": (text().replace(b"element vertex", b"property float q\nelement vertex"), ["model.ply:3", "of an element"]),
+    "element twice": (text().replace(b"element face", b"element vertex"), ["model.ply:7", '"vertex" is there a second time']),
+    "format": (text().replace(b"ascii", b"utf8"), ["names no format"]),
+    "end of the header": (text().replace(b"end_header\n", b"end_header 0 0 0 "), ["end_header does not end"]),
+    "element": (binary().replace(b"element vertex 4", b"element vertex -4"), ["model.ply:3", '"vertex -4" is no element']),
+    "count of a fraction": (binary().replace(b"list uchar", b"list float"), ["model.ply:8", "is no property of a binary file"]),
     "NaN": (NAN, ["vertex 2: y is nan"]),
     "huge": (binary([(0, 0, 1e30), (1, 0, 0), (0, 1, 0), (0, 0, 1)]), ["vertex 0: z is 1e+30"]),
     "index": (text(faces=[(0, 1, 4)]), ["face 0", "does not exist", "there are 4"]),
-    "two corners": (text(faces=[(0, 1), (0, 1, 2)]), ["face 0 has 2 corners"]),
-    "word": (text().replace(b"1 0 0\n", b"1 0 zero\n"), ["cannot be read"]),
+    "index with a fraction": (text(faces=[(0, 1, 2), (0, 1, 2.5)]), ["face 1", "does not exist"]),
+    "two corners": (text(faces=[(0, 1), (2, 3)]), ["no face of three corners"]),
+    "word": (text().replace(b"1 0 0\n", b"1 0 zero\n"), ["model.ply:11", '"zero" is not a number']),
+    "word in a file that ends with CR": (text().replace(b"1 0 0\n", b"1 0 1_0\n").replace(b"\n", b"\r"), ["model.ply:11", '"1_0" is not']),
+    "first word": (text().replace(b"end_header\n0 0 0", b"end_header\n0,5 0 0"), ["model.ply:10", '"0,5" is not a number']),
+    "list for a number": (text([(*point[:2], 1, point[2]) for point in TETRAHEDRON[0]]).replace(b"float z", b"list uchar float z"),
+                          ['"z" is a list']),
     "no z": (text().replace(b"float z", b"float w"), ["model.ply"]),
-    "no indices": (text().replace(b"vertex_indices", b"numbers"), ["cannot be read"]),
+    "no indices": (text().replace(b"vertex_indices", b"numbers"), ["the faces have no", "vertex_indices"]),
 }
 
 
@@ -157,7 +168,10 @@ def test_a_text_with_edges_and_lines_behind_its_end(tmp_path):
     count = len(TETRAHEDRON[0])
     made, notes = read(tmp_path, b"\n".join([head + b"end_header", *rows[:count], b"0 1", b"", b"1 2", *rows[count:], b"7 7", b""]))
     assert made.faces == mesh.faces and made.vertices == mesh.vertices
-    assert any("left out what stands behind the end: 1 lines" in note for note in notes)
+    assert any("left out what stands behind the end: 2 words" in note for note in notes)
+    assert any('left out "element edge"' in note for note in notes)
+    made, notes = read(tmp_path, whole + b"the end, 1 2\n")
+    assert made.faces == mesh.faces and any("left out what stands behind the end: 4 words" in note for note in notes)
 
 
 def test_a_binary_file_with_other_elements_and_kinds(tmp_path):
@@ -172,7 +186,9 @@ def test_a_binary_file_with_other_elements_and_kinds(tmp_path):
         b"".join(struct.pack(f">B{i}Bi{len(face)}H", i, *range(i), len(face), *face) for i, face in enumerate(faces))
     mesh, notes = read(tmp_path, data)
     plain, _ = read(tmp_path, text(*SQUARE))
-    assert (mesh.vertices, mesh.faces) == (plain.vertices, plain.faces) and not any("left out" in note for note in notes)
+    assert (mesh.vertices, mesh.faces) == (plain.vertices, plain.faces) and not any("behind" in note for note in notes)
+    note, = [note for note in notes if "left out" in note]
+    assert note == 'model.ply: left out "element edge", "mark of vertex", "marks of face"'
 
 
 NORMALS = [(0, 0, 2), (0, 1, 1), (-3, 0, 0), (0.5, 0.5, 0.5)]
@@ -193,3 +209,57 @@ def test_a_face_with_a_normal_that_is_no_direction_has_none(tmp_path):
     for wrong in ((0, 0, 0), ("nan", 0, 0), (1e30, 0, 0), (1e-30, 0, 0)):
         mesh, _ = read(tmp_path, text(vertex=([f"float n{axis}" for axis in "xyz"], [*NORMALS[:3], wrong])))
         assert [face is None for face in mesh.normals] == [3 in face for face in TETRAHEDRON[1]]
+
+
+@pytest.mark.parametrize("change", [
+    lambda data: data.decode().encode("utf-8-sig"), lambda data: data.decode().encode("utf-16"), lambda data: data.replace(b"\n", b"\r\n"),
+    lambda data: data.replace(b"\n", b"\r"), lambda data: data.replace(b"\n", b"\n\n"),
+    lambda data: b"end_header\n".join(part if i == 0 else b" ".join(part.split()) for i, part in enumerate(data.split(b"end_header\n")))])
+def test_a_text_as_other_computers_write_it(tmp_path, change):
+    """Byte order marks, ends of lines, all rows on one line; lists of several lengths."""
+    uvs = ("list uchar float texcoord",), [(2 * len(face), *(0.5 for _ in range(2 * len(face)))) for face in PYRAMID[1]]
+    data = text(*PYRAMID, face=uvs)
+    assert (lambda made: (made.vertices, made.faces, made.uvs))(read(tmp_path, change(data))[0]) == \
+        (lambda made: (made.vertices, made.faces, made.uvs))(read(tmp_path, data)[0])
+    assert len(read(tmp_path, data)[0].faces) == 5
+
+
+@pytest.mark.parametrize("head", [b"comment made by hand\n", b"obj_info a\ncomment format ascii 1.0\n"])
+def test_a_binary_file_whose_format_is_not_its_second_line(tmp_path, head):
+    mesh, _ = read(tmp_path, binary().replace(b"ply\n", b"ply\n" + head))
+    assert mesh.faces == read(tmp_path, binary())[0].faces
+    mesh, _ = read(tmp_path, binary().replace(b"\n", b"\r", 8).replace(b"end_header\n", b"end_header\r"))
+    assert mesh.faces == read(tmp_path, binary())[0].faces
+
+
+@pytest.mark.parametrize("names", [("diffuse_red", "diffuse_green", "diffuse_blue"), ("r", "g", "b")])
+def test_colours_under_other_names(tmp_path, names):
+    mesh, _ = read(tmp_path, text(vertex=([f"uchar {channel}" for channel in names], [(51, 102, 255)] * 4)))
+    assert set(mesh.surfaces.colours()) == {(51, 102, 255)}
+
+
+def test_triangle_strips_are_triangles(tmp_path):
+    """Every second triangle is turned round; -1 stands between strips, and a vertex named twice goes on to the next."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 2, 0), (1, 2, 0)]
+    lists = (7, 0, 1, 2, 3, -1, 4, 5), (6, 2, 3, 3, 4, 5, -1)
+    data = text(points, []).replace(b"end_header", b"element tristrips 2\nproperty list int int vertex_indices\nend_header")
+    mesh, _ = read(tmp_path, data + b"\n".join(" ".join(map(str, each)).encode() for each in lists))
+    assert [tuple(face[::-1]) for face in mesh.faces] == [(0, 1, 2), (2, 1, 3), (3, 4, 5)]
+    mesh, notes = read(tmp_path, text(points, [(0, 1, 2)]).replace(b"end_header", b"element tristrips 1\nproperty list int int vertex_indices\n"
+                                                                   b"end_header") + b"3 1 2 3\n")
+    assert len(mesh.faces) == 1 and any("left out triangle strips" in note for note in notes)
+
+
+def test_what_a_scan_leaves_in_a_file(tmp_path):
+    """Vertices that are no numbers and that no face has, faces of two corners, an image without coordinates."""
+    points = [*TETRAHEDRON[0], ("nan", "nan", "nan")]
+    mesh, notes = read(tmp_path, text(points, [(0, 1), *TETRAHEDRON[1]], comment="TextureFile skin.png",
+                                      face=([f"uchar {c}" for c in RGB], [(10 * i, 0, 0) for i in range(5)])))
+    assert len(mesh.faces) == 4 and len(mesh.vertices) == 4 and mesh.surfaces.colours() == [(10 * i, 0, 0) for i in range(1, 5)]
+    for said in ("fewer than three corners: 1", "vertices that no face has: 1", 'left out the image "skin.png"'):
+        assert sum(said in note for note in notes) == 1
+
+
+def test_colours_of_faces_go_before_those_of_vertices(tmp_path):
+    mesh, notes = read(tmp_path, text(vertex=([f"uchar {c}" for c in RGB], [(1, 2, 3)] * 4), face=([f"uchar {c}" for c in RGB], [(9, 8, 7)] * 4)))
+    assert set(mesh.surfaces.colours()) == {(9, 8, 7)} and any("left out the colours of the vertices" in note for note in notes)

@@ -36,12 +36,13 @@ class LeftOut:
         self.counts[word] += 1
         self.first.setdefault(word, where)
 
-    def notes(self, name, kind):
-        """At most one note. kind: what these statements are, such as "ignored"."""
+    def notes(self, name, kind, counted=True):
+        """At most one note. kind: what these statements are, such as "ignored". counted: whether it says how often each is there."""
         if not self.counts:
             return []
         shown = list(self.counts.items())[:KINDS_MAX]
         more = f" and {len(self.counts) - len(shown):,} other words" if len(self.counts) > len(shown) else ""
-        listed = ", ".join(f"{times} x {word if word.isidentifier() and word.isascii() and len(word) < 24 else quoted(word)}"
-                           for word, times in shown)
-        return [f"{name}: {kind} {listed}{more}" + (f" (first: {next(iter(self.first.values()))})" if self.first else "")]
+        listed = ", ".join((f"{times} x " if counted else "") +
+                           (word if word.isidentifier() and word.isascii() and len(word) < 24 else quoted(word)) for word, times in shown)
+        first = next(filter(None, self.first.values()), None)
+        return [f"{name}: {kind} {listed}{more}" + (f" (first: {first})" if first else "")]
