@@ -3,6 +3,7 @@
 
 import numpy
 import pytest
+from PIL import Image
 
 from fixel.image import image
 from fixel.model import texture_image
@@ -281,6 +282,23 @@ def test_one_image_on_all_faces_of_a_cube_is_one_texture():
     import pathlib
     made, _ = compiler.compile_scene(str(pathlib.Path(__file__).parent / "models" / "plain_texture.glb"), 2, look=look.Look())
     assert len(made.surfaces.textures) == 1 and sum(face.mapped is not None for face in made.models[0].faces) == 12
+
+
+@pytest.mark.parametrize("other", ["same", "a.png", "b.png", "b.bmp"])
+def test_one_image_is_stored_once(tmp_path, other):
+    """On faces of two materials, from two files, and in two formats."""
+    pixels = numpy.random.default_rng(12).integers(0, 256, (32, 32, 3), dtype=numpy.uint8)
+    for name in ("a.png", "b.png", "b.bmp"):
+        Image.fromarray(pixels).save(tmp_path / name)
+    lines = [f"v {2 * i + x} {y} 0" for i in range(6) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))] + ["vt 0 0", "vt 1 0", "vt 1 1", "vt 0 1"]
+    for i in range(6):
+        material = "a" if i % 2 == 0 or other == "same" else "b"
+        lines += [f"usemtl {material}", "f " + " ".join(f"{4 * i + 1 + c}/{1 + c}" for c in range(4))]
+    (tmp_path / "m.obj").write_text("\n".join(["mtllib m.mtl", *lines, ""]))
+    (tmp_path / "m.mtl").write_text(f"newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd {'a.png' if other == 'same' else other}\n")
+    made, _ = compiler.compile_scene(str(tmp_path / "m.obj"), 2, look=look.Look(texels=32, is_fixed=True))
+    one, = made.surfaces.textures
+    assert len(one.texels) == 2 * (32 * 32 + 16 * 16 + 8 * 8 + 4 * 4) and all(face.mapped for face in made.models[0].faces)
 
 
 @pytest.mark.parametrize("size, sides", [((3, 4), (4, 4)), ((48, 45), (64, 32)), ((300, 1), (256, 1)), ((700, 90), (256, 64))])

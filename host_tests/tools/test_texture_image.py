@@ -67,3 +67,12 @@ def test_greys_of_16_bits_are_scaled_and_their_clear_grey_is_clear():
     at = blob.index(b"IDAT") - 4
     found = texture_image.decode(blob[:at] + chunk + blob[at:], "m")
     assert found.pixels.tolist() == [[[grey, grey, grey, alpha] for grey, alpha in ((0, 255), (1, 255), (128, 0), (255, 255))]]
+
+
+def test_greys_of_16_bits_are_scaled_in_strips():
+    """As they are at once: more rows than a strip has."""
+    greys = numpy.random.default_rng(4).integers(0, 65536, (600, 3)).astype(numpy.uint16)
+    out = io.BytesIO()
+    Image.fromarray(greys).save(out, "PNG")
+    found = texture_image.decode(out.getvalue(), "g").pixels
+    assert (abs(found[..., 0] - greys / 257) <= 0.5).all() and (found[..., 3] == 255).all()

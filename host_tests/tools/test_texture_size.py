@@ -3,7 +3,9 @@
 
 import math
 
+import numpy
 import pytest
+from PIL import Image
 
 from conftest import run_cli
 from fixel.base.errors import ToolError
@@ -119,3 +121,23 @@ def test_the_scene_file_of_a_model_has_the_size(tmp_path):
 def test_options_that_are_wrong(tmp_path, words, said):
     done = run_cli("build", model(tmp_path), "-o", tmp_path / "out.fxls", *words)
     assert done.returncode == 2 and said in done.stderr
+
+
+def test_two_textures_of_one_file_have_a_size_each(tmp_path):
+    """The second had one texel; and where both need the same, one is stored."""
+    (tmp_path / "noise.png").write_bytes(png(NOISE))
+    near = 4 * FOCAL / 200
+    for far, found in ((4, [(256, 256), (64, 64)]), (1, [(256, 256)])):
+        rows = "".join(f'[[textures]]\nname = "{name}"\nfile = "noise.png"\nsize = "path"\n' for name in "ab")
+        walls = "".join(f'[[objects]]\nsolid = "tile"\nrotation = [0, -90, 0]\nscale = [4, 1, 4]\nposition = [{x}, 0, {(away - 1) * near}]\n'
+                        f'texture = "{name}"\nshade = false\n' for name, x, away in (("a", -2, 1), ("b", 2, far)))
+        (tmp_path / "s.toml").write_text(rows + walls + f"[path]\nkeys = [{{ position = [0, 0, -{near}] }}]\n")
+        assert sides(compiler.compile_scene(str(tmp_path / "s.toml"))[0]) == found
+
+
+def test_the_file_of_a_texture_may_have_as_many_pixels_as_an_image(tmp_path):
+    """A file of more than 4 MiB, which was refused."""
+    Image.fromarray(numpy.zeros((1500, 1200, 3), dtype=numpy.uint8)).save(tmp_path / "large.bmp")
+    assert (tmp_path / "large.bmp").stat().st_size > 5 << 20
+    (tmp_path / "s.toml").write_text('[[textures]]\nname = "t"\nfile = "large.bmp"\n[[objects]]\nsolid = "box"\ntexture = "t"\nshade = false\n')
+    assert sides(compiler.compile_scene(str(tmp_path / "s.toml"))[0]) == [(256, 256)]

@@ -11,7 +11,7 @@ from fixel.base import reading
 from fixel.base.errors import ToolError
 from fixel.base.reading import shortened
 
-FILE_MAX = 64 << 20     # bytes
+FILE_MAX = 272 << 20    # bytes: 8192 x 8192 pixels of 32 bits, and a head
 SIDE_MAX = 8192         # pixels
 KEPT_MAX = 2048         # pixels: an image with a longer side is shrunk as it is read
 FORMATS = ("PNG", "JPEG", "BMP", "TGA", "GIF", "PPM", "WEBP")
@@ -20,6 +20,7 @@ COMMENTS_MAX, _PLAIN = 64, (b"P1", b"P2", b"P3")
 PngImagePlugin.MAX_TEXT_MEMORY = 1 << 22    # bytes of compressed texts that Pillow reads before anything else
 _EDGE_SHARE = 1 / 20
 _CHUNK = 1024           # triangles at a time
+_ROWS = 256             # of an image of 16 bits, at a time
 _STEPS = 8              # a triangle's mean has samples at this many places along an edge
 _ORIENTATION = 0x0112       # of Exif
 # How a picture of each orientation is turned upright; 1 is upright.
@@ -117,8 +118,11 @@ def _upright(opened):
 
 def _of_16_bits(opened):
     """An image of greys of 16 bits, which Pillow would cut off at 255, in 8 bits; the grey that is clear is."""
-    greys, clear = np.clip(np.asarray(opened).astype(np.int64), 0, 65535), opened.info.get("transparency")
-    grey = ((greys * 255 + 32767) // 65535).astype(np.uint8)
+    greys, clear = np.asarray(opened), opened.info.get("transparency")
+    grey = np.empty(greys.shape, dtype=np.uint8)
+    for first in range(0, len(greys), _ROWS):
+        some = np.clip(greys[first:first + _ROWS].astype(np.int64), 0, 65535)
+        grey[first:first + _ROWS] = (some * 255 + 32767) // 65535
     if not isinstance(clear, int):
         return Image.fromarray(grey)
     return Image.fromarray(np.stack([grey, np.where(greys == clear, 0, 255).astype(np.uint8)], axis=-1)).convert("RGBA")
@@ -132,7 +136,7 @@ def _pixels(opened):
         opened = _of_16_bits(opened)
     elif opened.mode == "F":
         opened = Image.fromarray(np.clip(np.asarray(opened), 0, 255).round().astype(np.uint8))
-    elif opened.mode not in ("RGB", "L"):
+    elif opened.mode not in ("RGB", "L", "RGBA"):
         opened = opened.convert("RGBA")
     factor = -(-max(opened.size) // KEPT_MAX)
     if factor > 1:

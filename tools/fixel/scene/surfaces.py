@@ -23,11 +23,13 @@ DIVISIONS = {16: image_surface.DIVIDE_16, 8: image_surface.DIVIDE_8, 1: image_su
 
 @dataclass(frozen=True)
 class Paint:
-    """A texture as a scene asks for it, without its colours. Equal only if the same picture is."""
+    """A texture as a scene asks for it, without its colours. Equal only if the same picture is. own: the name of one that is stored
+    by itself, as its size is being measured."""
     picture: object         # texture.Picture
     bits: int
     clamp: bool
     name: str = field(default="", compare=False)    # for a program that is exported
+    own: str = ""
 
 
 @dataclass(frozen=True)
@@ -251,7 +253,7 @@ class Records:
 
     def __init__(self, indices):
         self.indices = indices
-        self.textures, self.surfaces, self.normals = {}, {}, {}
+        self.textures, self.by_texels, self.surfaces, self.normals = {}, {}, {}, {}
         self.known = {}     # (paint, id of its colours): number of a texture, the colours
         self.made, self.blended = Surfaces(), set()     # colours, and whether light changes them
 
@@ -264,11 +266,18 @@ class Records:
             entries = tuple(palette.rgb565(colour[:3]) if look.is_565 else self.indices[colour] for colour in look.colours)
             key = look.paint, entries
             if key not in self.textures:
-                self.made.textures.append(_texture(look.paint, entries))
-                self.made.texture_names.append(look.paint.name)
-                self.textures[key] = len(self.made.textures)
+                self.textures[key] = self._stored(look.paint, entries)
             self.known[same] = self.textures[key], look.colours     # which keeps the id its own
         return self.known[same][0]
+
+    def _stored(self, paint, entries):
+        """The number of the texture of a paint, which is that of one with the same texels if there is one."""
+        made = _texture(paint, entries)
+        if (made, paint.own) not in self.by_texels:
+            self.made.textures.append(made)
+            self.made.texture_names.append(paint.name)
+            self.by_texels[made, paint.own] = len(self.made.textures)
+        return self.by_texels[made, paint.own]
 
     def mapped(self, look, own, corners):
         """The record of a face of this colour and these corners; None without a look."""

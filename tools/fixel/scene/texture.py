@@ -13,7 +13,6 @@ from fixel.base.errors import ToolError
 from fixel.base.reading import Beside, quoted
 
 SIDE_MAX = 256
-FILE_MAX = 4 << 20          # bytes of a picture's file
 COLOURS_MAX = 255           # of a texture of palette entries
 EVERY_COLOUR = 1 << 24      # room for the colours of a texture of RGB565: none is merged
 CLEAR = None                # the colour of what is not drawn
@@ -148,12 +147,6 @@ def with_levels(picture, levels, most, least):
     numbers = np.array([[-1 if n is CLEAR else n for n in row] for row in picture.levels[0]], dtype=np.int32)
     own = np.array([red << 16 | green << 8 | blue for red, green, blue in picture.colours] + [_CLEAR_CODE], dtype=np.int32)
     return from_codes(levels_of(own[numbers], levels, least), most, picture.colours)
-
-
-def pixels_of(path, name):
-    """The pixels of an image file."""
-    blob = reading.read_whole(path, FILE_MAX, "use a smaller picture: a texture has at most 256 x 256 texels")
-    return texture_image.decode(blob, name).pixels
 
 
 def from_pixels(pixels, name, most, any_side=False, key=None, side=SIDE_MAX):
@@ -301,7 +294,7 @@ class Pictures:
             raise ToolError(f"{row.at('file')}: there is no file {quoted(name)}; the path is taken from the scene file's folder")
         real = reading.identity(file)
         if real not in self.files:
-            self.files[real] = pixels_of(file, file)
+            self.files[real] = texture_image.read(file, file).pixels
         return self._once((real, most, any_side, key, side), lambda: from_pixels(self.files[real], file, most, any_side, key, side))
 
     def levels(self, picture, levels, most, least):

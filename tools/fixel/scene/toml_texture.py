@@ -103,7 +103,8 @@ def _paint(data, where, pictures):
     if bits == 4 and (len(picture.colours) + picture.has_clear > 16 or picture.width < 2):
         raise ToolError(f"{row.where}: {len(picture.colours)} colours and a width of {picture.width}; a texture of 4 bits has "
                         "at most 16 colours, one of which is what is not drawn, and is at least 2 wide")
-    return name, Paint(picture, bits, row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp", name)
+    clamp = row.choice("wrap", "repeat", ["repeat", "clamp"]) == "clamp"
+    return name, Paint(picture, bits, clamp, name, name if row.data.get("size") == BY_PATH else "")
 
 
 def read(top, pictures):
