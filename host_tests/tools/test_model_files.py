@@ -130,7 +130,7 @@ def test_options_of_map_kd_with_one_two_or_three_numbers(tmp_path, options, widt
                                 **{"a skin.png": SKIN})
     red = {1: 1, 0.5: 0, 0: 1}[width]
     assert colours[1] == ((200, 100, 50) if red else (0, 0, 255))
-    assert any("1 x \"-mm\", 1 x \"-clamp\"" in note or "1 x \"-clamp\", 1 x \"-mm\"" in note for note in notes) == (width == 0)
+    assert any("ignored 1 x \"-mm\" (first: paint.mtl:3)" in note for note in notes) == (width == 0)
 
 
 @pytest.mark.parametrize("named, there, said", [
@@ -146,6 +146,82 @@ def test_files_are_found_as_other_computers_write_their_names(tmp_path, named, t
     assert [said in note for note in found] == ([True] if said else [])
     _, colours, notes = painted(tmp_path, "newmtl cloth\nKd 1 1 1\nmap_Kd C:\\tex\\Skin.PNG\n", **{"skin.png": SKIN})
     assert colours[1] == (200, 100, 50) and any('m.obj:1: there is no' in note or '"skin.png" is read instead' in note for note in notes)
+
+
+@pytest.mark.parametrize("words, said", [
+    ("skin.png -s 1 1", None), ("-colorspace sRGB skin.png", '1 x "-colorspace"'), ("my  skin.png", None), ("two  blanks.png", '"two  blanks.png" is read'),
+    ("my%20skin.png", '"my skin.png" is read instead'), ("skin#1.png", None), ("skin.png # of the cloth", None), ("-s 1 1 -x.png", None),
+    ("HA\u0308UT.png", "is read instead"), ("-clamp off \"my skin.png\"", None)])
+def test_names_of_images_as_people_write_them(tmp_path, words, said):
+    """Options behind the name, options that nobody knows, blanks, signs of an address, #, accents in two parts."""
+    _, colours, notes = painted(tmp_path, f"newmtl cloth\nKd 1 1 1\nmap_Kd {words}\n",
+                                **{name: SKIN for name in ("skin.png", "my skin.png", "skin#1.png", "-x.png", "two  blanks.png", "h\u00e4ut.png")})
+    assert colours[1] == (200, 100, 50) and not any("no image" in note for note in notes)
+    found = [note for note in notes if "ignored" in note or "is read instead" in note]
+    assert [said in note for note in found] == ([True] if said else [])
+
+
+def test_a_clamped_image_shows_its_edge_beyond_it(tmp_path):
+    quad = QUADS.replace("vt 0.4", "vt 3.4")
+    _, repeats, _ = painted(tmp_path, "newmtl cloth\nmap_Kd skin.png\n", obj=quad, **{"skin.png": SKIN})
+    _, clamps, notes = painted(tmp_path, "newmtl cloth\nmap_Kd -clamp on skin.png\n", obj=quad, **{"skin.png": SKIN})
+    assert clamps[1][2] > repeats[1][2] and not any("clamp" in note for note in notes)
+
+
+@pytest.mark.parametrize("rows, colours, said", [(("255 0 51", "0 0 128"), [(255, 0, 51), (0, 0, 128)], True), (("1 0 0", "0 0 1"), [(255, 0, 0), (0, 0, 255)], False),
+                                                 (("1.5 0 0", "0 0 1"), [(255, 0, 0), (0, 0, 255)], False)])
+def test_kd_of_0_to_255(tmp_path, rows, colours, said):
+    _, found, notes = painted(tmp_path, f"newmtl red\nKd {rows[0]}\nnewmtl cloth\nKd {rows[1]}\n")
+    assert found == colours and any("Kd is read as 0..255" in note for note in notes) == said
+
+
+@pytest.mark.parametrize("line, files, missing", [
+    ("a.mtl b.mtl", ("a.mtl", "b.mtl"), []), ("my a.mtl b.mtl", ("my a.mtl", "b.mtl"), []), ("a.mtl my b.mtl", ("a.mtl", "my b.mtl"), []),
+    ("C:\\my things\\a.mtl \"b.mtl\"", ("a.mtl", "b.mtl"), []), ("a.mtl x y.mtl b.mtl z", ("a.mtl", "b.mtl"), ['"x y.mtl"', '"z"'])])
+def test_several_mtllib_and_names_with_blanks(tmp_path, line, files, missing):
+    for name, text in zip(files, ("newmtl red\nKd 1 0 0\n", "newmtl cloth\nKd 0 0 1\n")):
+        (tmp_path / name).write_text(text)
+    _, colours, notes = painted(tmp_path, "", "unused.mtl", QUADS.replace("mtllib paint.mtl", f"mtllib {line}"))
+    assert colours == [(255, 0, 0), (0, 0, 255)]
+    note = next((note for note in notes if "there is no" in note and "left out" in note), "")
+    assert all(each in note for each in missing) and bool(note) == bool(missing)
+
+
+@pytest.mark.parametrize("obj, said", [
+    (QUADS.replace("mtllib paint.mtl\n", "") + "mtllib paint.mtl\n", None),       # behind the faces
+    (QUADS.replace("mtllib paint.mtl\n", ""), 'no mtllib is named: "m.mtl"'), (QUADS.replace("paint", "gone"), 'no "gone.mtl": "m.mtl"')])
+def test_materials_that_stand_elsewhere(tmp_path, obj, said):
+    if said:
+        (tmp_path / "m.mtl").write_text(PAINT)
+    _, colours, notes = painted(tmp_path, PAINT, "paint.mtl" if not said else "other.mtl", obj)
+    assert colours == [(255, 0, 51), (255, 255, 128)]
+    assert any("has the model's name" in note and said in note for note in notes) if said else not any("left out" in note for note in notes)
+
+
+def test_a_sign_in_a_name_of_a_material(tmp_path):
+    """A # may be a part of a name, or begin a comment: the other file says which."""
+    quads = QUADS.replace("usemtl red", "usemtl Material #1").replace("usemtl cloth", "usemtl Material #2")
+    _, colours, _ = painted(tmp_path, "newmtl Material #1\nKd 1 0 0\nnewmtl Material #2\nKd 0 0 1\n", obj=quads)
+    assert colours == [(255, 0, 0), (0, 0, 255)]
+    _, colours, _ = painted(tmp_path, "newmtl red # as a rose\nKd 1 0 0\nnewmtl cloth\nKd 0 0 1\n", obj=QUADS.replace("cloth", "cloth # of it"))
+    assert colours == [(255, 0, 0), (0, 0, 255)]
+
+
+@pytest.mark.parametrize("red, cloth", [("d 0", "d 0.02"), ("Tr 0.99", "d 0.001")])
+def test_a_model_whose_used_materials_are_all_clear_is_opaque(tmp_path, red, cloth):
+    found, _, notes = painted(tmp_path, f"newmtl red\n{red}\nnewmtl cloth\n{cloth}\nnewmtl unused\nd 1\nTr 0\n")
+    assert (found["red"], found["cloth"]) == (1, 1) and any("materials of all faces are wholly transparent" in note for note in notes)
+
+
+def test_the_first_material_that_is_not_there_is_named(tmp_path):
+    _, _, notes = painted(tmp_path, "newmtl red\nKd 1 0 0\n")
+    assert any('faces whose material no mtllib has: 1 (first: "cloth", m.obj:' in note for note in notes)
+
+
+@pytest.mark.parametrize("lines, line", [(["mtllib paint.mtl" + " a" * 64], 1), ([f"mtllib x{number}" for number in range(300)], 257)])
+def test_mtllib_of_absurd_lengths(tmp_path, lines, line):
+    _, colours, notes = painted(tmp_path, PAINT, obj="\n".join(lines) + "\n" + QUADS.replace("mtllib paint.mtl\n", ""), **{"m.mtl": PAINT})
+    assert colours == [(255, 0, 51), (255, 255, 128)] and any(f"m.obj:{line}: left out what is behind" in note for note in notes)
 
 
 def test_a_missing_image_is_a_note_and_kd_is_the_colour(tmp_path):

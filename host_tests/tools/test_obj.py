@@ -72,7 +72,6 @@ def test_a_corner_that_is_named_twice_counts_once(tmp_path):
     ("f 1 2 9", ["model.obj:20", "v 9 does not exist", "8 stand above"]),
     ("f 1 2 0", ["model.obj:20", "v 0"]),
     ("f 1 2 -9", ["v -9"]),
-    ("f 1 2", ["three corners"]),
     ("f 1 2 x", ['"x"']),
     ("f 1 2 3/1/1/1", ["3/1/1/1"]),
     ("f 1 2 /1", ["/1"]),
@@ -106,7 +105,57 @@ def test_statements_that_are_not_known_are_told_once(tmp_path):
     assert "2 x hello, 1 x vw" in note and "model.obj:20" in note and note.isprintable()
     _, notes = read(tmp_path, CUBE + "".join(f"word{number}\n" for number in range(40)))
     note, = [note for note in notes if "not known" in note]
-    assert len(note) < 400 and "28 other words" in note
+    assert len(note) < 400 and "20 other words" in note
+
+
+def test_faces_of_few_corners_points_and_lines_are_left_out_by_name(tmp_path):
+    made, notes = read(tmp_path, CUBE + "f 1 2\nf\nl 1 2 3\np 4\ncstype bezier\ndeg 3\nfo 1 2 3\n")
+    assert len(made.faces) == 7
+    note, = [note for note in notes if "left out" in note]
+    assert note == "model.obj: left out 2 x faces of fewer than three corners, 1 x lines, 1 x points, 2 x statements of curves and surfaces of " \
+        "free form (first: model.obj:21)"
+
+
+@pytest.mark.parametrize("text, what", [("p 1 2 3\n", "only points"), ("l 1 2\nf 1 2\n", "only lines and faces of fewer than three corners"),
+                                        ("surf 0 1 0 1 1\n", "surfaces of free form"), ("", "only vertices")])
+def test_a_file_of_other_things_than_faces_is_told_what_it_has(tmp_path, text, what):
+    with pytest.raises(ToolError, match=f"there is no face in this file.*{what}.*Blender"):
+        read(tmp_path, CUBE.split("vt")[0] + text)
+
+
+def test_a_last_line_that_goes_on_is_read(tmp_path):
+    made, _ = read(tmp_path, CUBE + "f 1 2 3 \\\n 4 \\")
+    assert len(made.faces) == 7 and len(made.faces[6]) == 4
+
+
+@pytest.mark.parametrize("rows, expected", [
+    (["1 0 0 1", "0 1 0 0.5", "0 0 1 1"], True), (["255 0 0 255", "0 255 0 255", "0 0 255 255"], False), (["1 1 0 0", "1 0 1 0", "1 0 0 1"], False),
+    (["1 0 0", "0 1 0", "0 0 1"], False)])
+def test_colours_of_four_numbers(tmp_path, rows, expected):
+    """With alpha behind, or with w before; what each is holds for the whole file."""
+    made, notes = read(tmp_path, "".join(f"v {place} {row}\n" for place, row in zip(("0 0 0", "1 0 0", "0 1 0"), rows)) + "f 1 2 3\n")
+    assert made.surfaces.corners == [[(0, 0, 255), (0, 255, 0), (255, 0, 0)]]
+    assert any("left out alpha" in note for note in notes) == expected
+
+
+def test_colours_that_are_no_numbers_are_none(tmp_path):
+    lines = [f"v {x} {y} 0 {colour}\n" for x, y, colour in ((0, 0, "1 0 0"), (1, 0, "1 0 0"), (0, 1, "1 0 0"), (1, 1, "nan -nan(ind) 1.#QNAN"))]
+    made, notes = read(tmp_path, "".join(lines) + "f 1 2 3\nf 2 4 3\n")
+    assert made.surfaces.colours() == [(255, 0, 0), (200, 192, 176)]
+    assert any("colours of vertices that are no numbers: 1 (first: model.obj:4)" in note for note in notes)
+
+
+def test_colours_as_zbrush_paints_them(tmp_path):
+    text = "v 0 0 0\nv 1 0 0\n#MRGB ffff0000ff00ff00\nv 0 1 0\nv 1 1 0\n#MRGB ff0000ffff102030\nf 1 2 3\nf 4 4 4\n#MRGB zz\n"
+    made, _ = read(tmp_path, text)
+    assert made.surfaces.corners[0] == [(0, 0, 255), (0, 255, 0), (255, 0, 0)] and made.surfaces.colours()[1] == (16, 32, 48)
+
+
+def test_names_that_are_not_utf_8_are_those_of_latin_1(tmp_path):
+    (tmp_path / "h\u00e4user.mtl").write_bytes("newmtl gr\u00fcn\nKd 0 1 0\n".encode("latin-1"))
+    (tmp_path / "model.obj").write_bytes(("mtllib h\u00e4user.mtl\n" + CUBE.replace("usemtl grey", "usemtl gr\u00fcn")).encode("latin-1"))
+    made, _ = obj.read(str(tmp_path / "model.obj"), "model.obj")
+    assert made.surfaces.colours() == [(0, 255, 0)] * 6
 
 
 def test_a_text_of_another_kind_is_refused(tmp_path):

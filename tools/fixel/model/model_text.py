@@ -4,11 +4,15 @@
 import codecs
 import collections
 import io
+import re
 
 from fixel.base.reading import quoted
 
 _MARKS = ((codecs.BOM_UTF8, "utf-8"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be"))
-KINDS_MAX = 12          # words that a note lists
+_PLAIN = re.compile("[A-Za-z_][A-Za-z_0-9]{0,22}(?: [A-Za-z_0-9 ]{1,48})?")     # a word, or what a reader says of some
+KINDS_MAX = 20          # words that a note lists
+_CONTINUED = re.compile(r"^[^#]*[\s\d.]\\$|^\\$")      # not a folder, which ends so in a name
+_COMMENT = re.compile(r"(?:^|\s)#")
 
 
 def without_mark(blob):
@@ -19,10 +23,39 @@ def without_mark(blob):
     return blob, "utf-8"
 
 
+def _as_latin(error):
+    """The characters of bytes that are no text in UTF-8, as older programs write names: those of Latin-1."""
+    return "".join(map(chr, error.object[error.start:error.end])), error.end
+
+
+codecs.register_error("fixel.latin", _as_latin)
+
+
 def lines_of(blob):
-    """(line number, line) of a text. What is no text of its encoding is replaced."""
+    """(line number, line) of a text."""
     rest, encoding = without_mark(blob)
-    return enumerate(io.TextIOWrapper(io.BytesIO(rest), encoding, "replace"), 1)
+    return enumerate(io.TextIOWrapper(io.BytesIO(rest), encoding, "fixel.latin"), 1)
+
+
+def statements(blob):
+    """(line number, line) of a text whose lines may go on behind a backslash; comments are part of them."""
+    held = []
+    for number, line in lines_of(blob):
+        line = line.rstrip()
+        if line.endswith("\\") and _CONTINUED.search(line):
+            held.append(line[:-1])
+            continue
+        if held:
+            line, held = " ".join([*held, line]), []
+        if line:
+            yield number, line
+    if held:
+        yield number, " ".join(held)
+
+
+def words_of(line):
+    """The words of a line without its comment. A # within a word is a part of it, as in Material#1."""
+    return _COMMENT.split(line, 1)[0].split() if "#" in line else line.split()
 
 
 class LeftOut:
@@ -43,6 +76,6 @@ class LeftOut:
         shown = list(self.counts.items())[:KINDS_MAX]
         more = f" and {len(self.counts) - len(shown):,} other words" if len(self.counts) > len(shown) else ""
         listed = ", ".join((f"{times} x " if counted else "") +
-                           (word if word.isidentifier() and word.isascii() and len(word) < 24 else quoted(word)) for word, times in shown)
+                           (word if _PLAIN.fullmatch(word) else quoted(word)) for word, times in shown)
         first = next(filter(None, self.first.values()), None)
         return [f"{name}: {kind} {listed}{more}" + (f" (first: {first})" if first else "")]

@@ -12,25 +12,43 @@ from fixel.model.surface import GREY, WHITE, Material
 
 FILE_MAX = 1 << 20          # bytes
 MATERIALS_MAX = 4096
+_NAME_WORDS_MAX = 16        # of a name, and what stands before it
+_OPTIONS_READ = {"-o", "-s", "-clamp"}
 _WORDS = {"-blendu": 1, "-blendv": 1, "-cc": 1, "-clamp": 1, "-texres": 1, "-bm": 1, "-boost": 1, "-imfchan": 1, "-mm": 2,
           "-type": 1}
+_ON = "on"
 _NUMBERS = {"-o": 0.0, "-s": 1.0, "-t": 0.0}    # up to three of them, and what those left out are
 _READ = {word.lower(): word for word in ("newmtl", "Kd", "map_Kd", "Ke", "d", "Tr")}      # in any case
 
 
 def _number(words, where, what):
     try:
-        value = number_text.decimal(words[0])
+        return number_text.decimal(words[0])
     except (IndexError, ValueError):
         raise ToolError(f"{where}: {what} needs a number, found {quoted(words[0] if words else '')}") from None
+
+
+def _share(value):
     return min(max(value, 0.0), 1.0)
 
 
 def _colour(words, where, what="Kd"):
+    """Red, green and blue as they are written."""
     if words[:1] in (["spectral"], ["xyz"]):
         raise ToolError(f"{where}: {what} {words[0]} is not read; give red, green and blue")
     parts = [_number(words[i:i + 1], where, what) for i in range(3 if len(words) > 1 else 1)]
-    return tuple(round(255 * part) for part in (parts * 3)[:3])
+    return tuple((parts * 3)[:3])
+
+
+def _scaled(colour, most=1):
+    """A colour of 0..255. most: what stands for full brightness in the file."""
+    return tuple(round(255 * _share(part / most)) for part in colour)
+
+
+def _brightness(entries):
+    """What stands for full brightness in the Kd of a file: 255 where all are whole numbers and some are larger than 1."""
+    parts = [part for entry in entries for part in entry.colour or ()]
+    return 255 if max(parts, default=0) > 1 and all(part == int(part) for part in parts) else 1
 
 
 def _numbers(words, least):
@@ -44,17 +62,21 @@ def _numbers(words, least):
 
 
 def _options(words):
-    """({option: its numbers or words}, how many words they are) that stand before a file's name."""
-    place, found = 0, {}
-    while place < len(words) and words[place] in {**_WORDS, **_NUMBERS}:
+    """({option: its numbers or words}, the words of the file's name) of a map; options stand before or behind the name."""
+    place, found, name = 0, {}, []
+    while place < len(words):
         option = words[place]
+        place += 1
         if option in _NUMBERS:
-            found[option], count = _numbers(words[place + 1:], _NUMBERS[option])
-        else:
+            found[option], count = _numbers(words[place:], _NUMBERS[option])
+        elif option in _WORDS:
             count = _WORDS[option]
-            found[option] = words[place + 1:place + 1 + count]
-        place += 1 + count
-    return found, place
+            found[option] = words[place:place + count]
+        else:
+            name.append(option)
+            count = 0
+        place += count
+    return found, name
 
 
 def _moves(options):
@@ -112,18 +134,18 @@ class Reader:
     def _read(self, file):
         blob = self.sources.read(file, FILE_MAX, "take out what the model does not use")
         current, begun, left_out = None, [], model_text.LeftOut()
-        for number, line in model_text.lines_of(blob):
+        for number, line in model_text.statements(blob):
             word, *rest = line.split("#", 1)[0].split() or [""]
             word, where = _READ.get(word.lower(), word), f"{file}:{number}"
             if word == "newmtl":
-                current = _Entry(" ".join(rest))
+                current = _Entry(" ".join(line.split()[1:]))
                 begun.append(current)
                 if len(self.materials) + len(begun) > MATERIALS_MAX:
                     raise ToolError(f"{where}: more than {MATERIALS_MAX:,} materials; take out what is not used")
             elif word in _READ.values():
                 if current is None:
                     raise ToolError(f"{where}: {word} stands before the first newmtl")
-                self._statement(current, word, rest, where, left_out)
+                self._statement(current, word, model_text.words_of(line)[1:] if word == "map_Kd" else rest, where, left_out)
             elif word:
                 left_out.add(word, where)
         self._finish(begun, file, left_out)
@@ -133,18 +155,32 @@ class Reader:
         if word == "Kd":
             entry.colour = _colour(rest, where)
         elif word == "Ke":
-            entry.glow, entry.glow_where = _colour(rest, where, "Ke"), where
+            entry.glow, entry.glow_where = _scaled(_colour(rest, where, "Ke")), where
         elif word == "map_Kd":
-            options, place = _options(rest)
-            if place >= len(rest):
-                raise ToolError(f"{where}: map_Kd names no file")
-            for option in options.keys() - {"-o", "-s"}:
-                left_out.add(option, where)
-            entry.image, entry.moves = self._image(named_file.plain(" ".join(rest[place:])), where), _moves(options)
+            self._map(entry, rest, where, left_out)
         elif word == "d":
-            entry.d = _number(rest[1:] if rest[:1] == ["-halo"] else rest, where, word)
+            entry.d = _share(_number(rest[1:] if rest[:1] == ["-halo"] else rest, where, word))
         else:
-            entry.tr = _number(rest, where, word)
+            entry.tr = _share(_number(rest, where, word))
+
+    def _map(self, entry, rest, where, left_out):
+        """The image of a material: its options, and the name of a file, which may have blanks."""
+        options, name = ({}, rest) if self.exists(" ".join(rest)) else _options(rest)
+        if not name:
+            raise ToolError(f"{where}: map_Kd names no file")
+        for option in options:
+            if option not in _OPTIONS_READ:
+                left_out.add(option, where)
+        known = self._known(name)
+        if len(known) < len(name):
+            left_out.add(name[0], where)
+        entry.image, entry.moves = self._image(named_file.plain(" ".join(known)), where), _moves(options)
+        entry.clamp = options.get("-clamp") == [_ON]
+
+    def _known(self, words):
+        """The words of a name; only the last ones if there is a file of these, and options that nobody knows stand before them."""
+        last = range(1, min(len(words), _NAME_WORDS_MAX)) if words[0].startswith("-") and not self.exists(" ".join(words)) else ()
+        return next((words[place:] for place in last if self.exists(" ".join(words[place:]))), words)
 
     def _finish(self, entries, file, left_out):
         """Makes materials of what a file says."""
@@ -155,8 +191,11 @@ class Reader:
         if opacities and not any(opacities):
             self.notes.append(f"{file}: every material is wholly transparent: all are drawn opaque")
             opacities = [1.0] * len(opacities)
+        most = _brightness(entries)
+        if most > 1:
+            self.notes.append(f"{file}: Kd is read as 0..255: all are whole numbers, and some are larger than 1")
         for entry, opacity in zip(entries, opacities):
-            colour = entry.colour or (WHITE if entry.image else GREY)
+            colour = _scaled(entry.colour, most) if entry.colour else WHITE if entry.image else GREY
             if entry.image and colour == (0, 0, 0):
                 self.notes.append(f"{file}: the material {quoted(entry.name)} has an image and is black: the image is shown as it is")
                 colour = WHITE
@@ -165,14 +204,16 @@ class Reader:
             elif any(entry.glow):
                 entry.is_unlit = colour == (0, 0, 0)
                 colour = tuple(min(255, a + b) for a, b in zip(colour, entry.glow))
-            self.materials[entry.name] = Material(entry.name, colour, opacity, entry.image, entry.moves, is_unlit=entry.is_unlit)
+            self.materials[entry.name] = Material(entry.name, colour, opacity, entry.image, entry.moves, entry.clamp, entry.is_unlit)
+            if " #" in entry.name:      # a comment, or a part of the name: usemtl says which
+                self.materials.setdefault(entry.name.split(" #", 1)[0], self.materials[entry.name])
 
 
 class _Entry:
     """A material as a file says it."""
 
     def __init__(self, name):
-        self.name, self.colour, self.image, self.moves, self.d, self.tr = name, None, None, None, None, None
+        self.name, self.colour, self.image, self.moves, self.d, self.tr, self.clamp = name, None, None, None, None, None, False
         self.glow, self.glow_where, self.is_unlit = (0, 0, 0), None, False
 
     def opacity(self, tr_is_opacity):

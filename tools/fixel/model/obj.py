@@ -11,22 +11,22 @@ looks along +z with x to the right. So an outline is still counter-clockwise,
 and its corners are taken in reverse."""
 
 from decimal import Decimal, InvalidOperation
-import os
 import re
 
-from fixel.model import model_text, mtl, named_file, number_text
+from fixel.model import model_text, number_text, obj_colours, obj_materials
 from fixel.base.errors import ToolError
 from fixel.model.mesh import FILE_FACES_MAX, UNIT, Mesh, without_unused
 from fixel.base.reading import quoted
 from fixel.model.sources import Sources
-from fixel.model.surface import GREY, MEAN_NOTE, MISSING_NOTE, WHITE, Material, Surfaces, mean_tint
 
 FILE_MAX = 64 << 20         # bytes
 CORNERS_MAX = 4096          # of a face, which is cut into triangles
 COORDINATE_LIMIT = Decimal(10) ** 9
 _SIZES = {"v": 3, "vt": 1, "vn": 3}
-_DISPLAY = {"s", "usemap", "maplib", "l", "p", "vp", "cstype", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj",
-            "trace_obj"}
+_DISPLAY = {"s", "usemap", "maplib", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}
+_FREE = "statements of curves and surfaces of free form"
+_SHAPES = {"p": "points", "l": "lines", **dict.fromkeys(("vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
+                                                         "sp", "end", "con", "bzp", "bsp", "cdc", "cdp", "res", "ctech", "stech"), _FREE)}
 _PLAIN = re.compile(r"(-?)([0-9]{1,8})(?:\.([0-9]{1,18}))?")    # a number that needs no rounding
 GROUPS_MAX = 8              # names of one g
 _PLACES = 18                # of UNIT
@@ -68,29 +68,6 @@ def _vertex(words, where):
     return point[0], point[1], -point[2]
 
 
-def _colour(words, where):
-    """What stands behind x, y, z and is a colour: three numbers, as they are written; None without one."""
-    if len(words) < 3:
-        return None
-    try:
-        return tuple(number_text.decimal(word) for word in words[-3:])
-    except ValueError:
-        raise ToolError(f"{where}: {quoted(' '.join(words[-3:]))} is no colour of a vertex") from None
-
-
-def _scaled(colour, most):
-    """A vertex's colour, 0..255. most: what stands for full brightness in the file."""
-    return tuple(round(255 * min(max(part / most, 0), 1)) for part in colour)
-
-
-def _tint(found):
-    """What a face's colour is multiplied by: the mean of its vertices' colours; None where one has none, or it is white."""
-    if None in found:
-        return None
-    mean = mean_tint(found)
-    return None if mean == WHITE else mean
-
-
 def _index(text, counts, kind, where):
     """An index, from 1 or negative from the end, as a number from 0. One of a vt or vn that does not exist is None."""
     try:
@@ -126,26 +103,9 @@ def _corner(word, counts, where):
     return _index(parts[0], counts, "v", where), coordinate, normal, coordinate is None and bool(more) and bool(parts[1])
 
 
-def _lines(blob):
-    """(line number, words), continued lines joined and comments cut."""
-    held = []
-    for number, line in model_text.lines_of(blob):
-        line = line.split("#", 1)[0].rstrip()
-        if line.endswith("\\"):
-            held.append(line[:-1])
-            continue
-        if held:
-            line, held = " ".join([*held, line]), []
-        words = line.split()
-        if words:
-            yield number, words
-
-
 def _face(rest, counts, where):
     """(numbers of a face's vertices, in the order of Fixel; those of its texture coordinates, None if a corner has none;
     those of its normals, likewise; whether a texture coordinate does not exist)."""
-    if len(rest) < 3:
-        raise ToolError(f"{where}: a face needs three corners, found {len(rest)}")
     if len(rest) > CORNERS_MAX:
         raise ToolError(f"{where}: a face of {len(rest):,} corners; the limit is {CORNERS_MAX:,}, so cut it in "
                         "the model")
@@ -162,72 +122,6 @@ def _refuse_many_faces(name, count):
     if count > FILE_FACES_MAX:
         raise ToolError(f"{name}: at least {count:,} faces; the limit is {FILE_FACES_MAX:,} faces of a file, also for --simplify: give the "
                         "model fewer in another program first")
-
-
-class _Materials:
-    """What usemtl and mtllib of a file say."""
-
-    def __init__(self, folder, name, sources):
-        self.reader, self.name = mtl.Reader(folder, sources), name
-        self.surfaces, self.numbers, self.current = Surfaces(), {}, None
-        self.missing, self.unknown, self.used, self.bare, self.is_coloured = None, 0, 0, 0, False
-
-    def library(self, words, where):
-        """mtllib: the names of files, or one name with blanks."""
-        whole = " ".join(words)
-        names = [whole] if named_file.plain(whole) != whole or not any(map(self.reader.exists, words)) else words
-        for each in names:
-            if self.reader.exists(each):
-                self.reader.read(each, where)
-            else:
-                self.missing = self.missing or f"{where}: there is no {quoted(each)}"
-
-    def use(self, words):
-        """usemtl: the material of the faces from here on."""
-        self.current = " ".join(words)
-        self.used += 1
-
-    def add(self, coordinates, bare):
-        """One more face with these texture coordinates, None where a corner has none. bare: it names some that do not
-        exist."""
-        material = self.reader.materials.get(self.current)
-        self.unknown += material is None and self.current is not None
-        key = id(material)
-        if key not in self.numbers:
-            self.numbers[key] = len(self.surfaces.materials)
-            self.surfaces.materials.append(material or Material("none"))
-        if material and material.image:
-            self.bare += bare
-            if material.moves and coordinates:
-                coordinates = [material.moves(*each) for each in coordinates]
-        self.surfaces.add(self.numbers[key], coordinates)
-
-    def tint(self, colours, faces):
-        """Multiplies the colours of faces by those of their vertices: colours, of each vertex, as they are written."""
-        parts = [part for colour in colours if colour for part in colour]
-        if not parts:
-            return []
-        most = 255 if max(parts) > 1 else 1
-        scaled = [colour and _scaled(colour, most) for colour in colours]
-        self.surfaces.tints = [_tint([scaled[corner] for corner in face]) for face in faces]
-        self.surfaces.give_corners([[scaled[corner] for corner in face] for face in faces])
-        if not self.reader.materials:   # the vertices' colours are the faces'
-            self.surfaces.materials = [Material(each.name, WHITE) for each in self.surfaces.materials]
-            grey = {number for number, tint in enumerate(self.surfaces.tints)
-                    if tint is None and None in [colours[c] for c in faces[number]]}
-            self.surfaces.tints = [GREY if number in grey else tint for number, tint in enumerate(self.surfaces.tints)]
-        self.is_coloured = True
-        return [f"{self.name}: {MEAN_NOTE}"]
-
-    def result(self):
-        """The surfaces, None where the file has no material; and notes."""
-        notes = [f"{self.missing}: {MISSING_NOTE}"] if self.missing else []
-        if self.unknown and self.reader.materials:
-            notes.append(f"{self.name}: faces whose material no mtllib has: {self.unknown:,}")
-        if self.bare:
-            notes.append(f"{self.name}: faces that name a vt that does not exist, and show their colour instead of an image: "
-                         f"{self.bare:,}")
-        return self.surfaces if self.reader.materials or self.is_coloured else None, self.reader.notes + notes
 
 
 class _Groups:
@@ -257,15 +151,18 @@ class _Groups:
 class _Parser:
     """What a file says, line by line."""
 
-    def __init__(self, name, folder, sources):
+    def __init__(self, name, path, sources):
         self.name = name
-        self.vertices, self.colours, self.coordinates, self.faces, self.lines = [], [], [], [], []
+        self.vertices, self.coordinates, self.faces, self.lines = [], [], [], []
         self.directions, self.normals = [], []      # of vn; of faces
         self.counts = {"v": 0, "vt": 0, "vn": 0}
-        self.ignored, self.unknown = model_text.LeftOut(), model_text.LeftOut()
-        self.materials, self.groups = _Materials(folder, name, sources), _Groups()
+        self.ignored, self.unknown, self.left_out = (model_text.LeftOut() for _ in range(3))
+        self.materials, self.groups, self.colours = obj_materials.Materials(path, name, sources), _Groups(), obj_colours.Colours(name)
 
     def _add_face(self, rest, where):
+        if len(rest) < 3:
+            self.left_out.add("faces of fewer than three corners", where)
+            return
         vertices, numbers, normals, bare = _face(rest, self.counts, where)
         found = normals and [self.directions[number] for number in normals]
         self.normals.append(None if found and None in found else found)
@@ -280,43 +177,54 @@ class _Parser:
         self.counts[word] += 1
         if word == "v":
             self.vertices.append(_vertex(rest, where))
-            self.colours.append(_colour(rest[3:], where))
+            self.colours.add(rest[3:], where)
         elif word == "vt":
             self.coordinates.append(_coordinate(rest, where))
         else:
             self.directions.append(_normal(rest))
 
-    def line(self, word, rest, where):
+    def line(self, line, where):
         """A statement."""
+        word, *rest = line.split("#", 1)[0].split() or [""]
         if word in _SIZES:
             self._add_numbers(word, rest, where)
-        elif word == "f":
+        elif word in ("f", "fo"):
             self._add_face(rest, where)
         elif word == "mtllib":
-            self.materials.library(rest, where)
+            self.materials.library(model_text.words_of(line)[1:], where)
         elif word == "usemtl":
-            self.materials.use(rest)
+            self.materials.use(line.split()[1:], where)
         elif word in ("o", "g"):
-            self.groups.begin(word, rest, len(self.faces))
+            self.groups.begin(word, model_text.words_of(line)[1:], len(self.faces))
+        elif word:
+            (self.ignored if word in _DISPLAY else self.left_out if word in _SHAPES else self.unknown).add(_SHAPES.get(word, word), where)
         else:
-            (self.ignored if word in _DISPLAY else self.unknown).add(word, where)
+            self.colours.comment(line)
+
+    def _refuse_without_faces(self):
+        there = list(self.left_out.counts) or ["vertices"] * bool(self.vertices)
+        if self.unknown.counts or not there:
+            raise ToolError(f"{self.name}: there is no face in this file" + ("; is this an OBJ file?" if self.unknown.counts else ""))
+        raise ToolError(f"{self.name}: there is no face in this file, only {' and '.join(there)}: open it in Blender, make a mesh of faces "
+                        "of it, and export it again")
 
     def result(self):
         """(mesh, notes) of the whole file."""
         name = self.name
         if not self.faces:
-            raise ToolError(f"{name}: there is no face in this file" + ("; is this an OBJ file?" if self.unknown.counts else ""))
-        notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every outline reversed",
-                 *self.materials.tint(self.colours, self.faces)]
-        vertices, faces, unused = without_unused(self.vertices, self.faces)
+            self._refuse_without_faces()
         surfaces, more = self.materials.result()
-        if not surfaces and self.materials.used:
+        tints, said = self.colours.tint(surfaces, self.faces, self.materials.are_known)
+        notes = [f"{name}: right-handed and counter-clockwise, as OBJ is: z was negated and every outline reversed", *said]
+        vertices, faces, unused = without_unused(self.vertices, self.faces)
+        if not (self.materials.are_known or tints) and self.materials.used:
             self.ignored.counts["usemtl"] = self.materials.used
-        notes += self.ignored.notes(name, "ignored") + self.unknown.notes(name, "left out statements that are not known:")
+        notes += self.ignored.notes(name, "ignored") + self.left_out.notes(name, "left out") + \
+            self.unknown.notes(name, "left out statements that are not known:")
         if unused:
             notes.append(f"{name}: left out vertices that no face has: {unused:,}")
         groups = self.groups.result(len(faces))
-        return Mesh(vertices, faces, self.lines, surfaces, self.materials.surfaces.uvs, groups,
+        return Mesh(vertices, faces, self.lines, surfaces if self.materials.are_known or tints else None, surfaces.uvs, groups,
                     self.normals if any(self.normals) else []), notes + more
 
 
@@ -326,9 +234,9 @@ def read(path, name=None, progress=None, sources=None):
     blob = sources.read(path, FILE_MAX, "simplify the model")
     # Most files have a face a line: one with too many is refused before anything of it is parsed.
     _refuse_many_faces(name, blob.count(b"\nf "))
-    parser = _Parser(name, os.path.dirname(path), sources)
-    for number, (word, *rest) in _lines(blob):
+    parser = _Parser(name, path, sources)
+    for number, line in model_text.statements(blob):
         if progress and number % _LINES_A_WORD == 0:
             progress(f"{name}: line {number:,}")
-        parser.line(word, rest, f"{name}:{number}")
+        parser.line(line, f"{name}:{number}")
     return parser.result()
