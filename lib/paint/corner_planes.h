@@ -64,6 +64,17 @@ typedef struct {
     fxl_gradient weight;
 } fxl_corner_planes;
 
+/* From the least of three values to the largest. */
+static inline uint32_t fxl_range_of(const int32_t values[3])
+{
+    int32_t least = values[0], most = values[0];
+    for (uint32_t i = 1; i < 3; i++) {
+        least = values[i] < least ? values[i] : least;
+        most = values[i] > most ? values[i] : most;
+    }
+    return (uint32_t)most - (uint32_t)least;
+}
+
 /* Sets *planes. False where the face is not small, nor, if for_words, for words: *planes is
  * undefined then. A face is small if
  * - its box has sides of FXL_SMALL_SIDE_MIN to FXL_SMALL_SIDE_MAX,
