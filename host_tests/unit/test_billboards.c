@@ -2,78 +2,46 @@
 /* Billboards, against their definition in double (docs/extras/billboards.md). */
 #include <math.h>
 
-#include "tiny.h"
-#include "tiny_board.h"
-#include "tiny_frames.h"
+#include "board_scene.h"
 
 enum {
-    WIDTH = 32,
-    HEIGHT = 24,
-    BACKGROUND = 250,
-    SPRITE_WIDTH = 11,
-    SPRITE_HEIGHT = 7,
-    LIST_WORDS = 120
+    BACKGROUND = 250
 };
 
-static uint8_t whole[HEIGHT][WIDTH], other[HEIGHT][WIDTH];
-static uint8_t texels[SPRITE_HEIGHT * SPRITE_WIDTH];
-static uint32_t list[LIST_WORDS];
-static fxl_draw_entry order[TINY_INSTANCES];
-static fxl_renderer renderer;
+static board_scene scene;
+static uint8_t whole[BOARD_SCENE_HEIGHT][BOARD_SCENE_WIDTH];
+static uint8_t other[BOARD_SCENE_HEIGHT][BOARD_SCENE_WIDTH];
 static fxl_workspace second;
-static fxl_billboards billboards;
-static fxl_sprite sprite;
-static fxl_billboard board;
-static uint16_t model_map[2];
-static fxl_billboard_set set;
-static tiny_scene *tiny;
 static fxl_placement placements[1];
 
-/* Tiny's scene, in which the second model has one face, whose instance shows a sprite without a
- * key, 4 x 3 units about its centre. The pixels of the sprite are 100 and more. */
 void setUp(void)
 {
-    tiny = tiny_make();
-    tiny->models[1].kind = FXL_MODEL_CONVEX;
-    tiny->models[1].face_count = 1;
-    tiny->models[1].radius = Q16(9);
-    tiny->scene.face_count = 7;
-    tiny->scene.face_bounds = NULL;
-    tiny->scene.face_bounds_count = 0;
-    tiny_board(&set, &board, model_map, &sprite, texels, SPRITE_WIDTH, SPRITE_HEIGHT);
+    board_scene_make(&scene);
 }
 
 void tearDown(void)
 {
 }
 
-static fxl_status attach(void)
+static void draw(uint8_t frame[BOARD_SCENE_HEIGHT][BOARD_SCENE_WIDTH], uint16_t step,
+                 fxl_workspace *by)
 {
-    return fxl_attach_billboards(&renderer, &billboards, &set, FXL_SPRITES_OF(fxl_palette));
-}
-
-static void start(uint32_t words)
-{
-    const fxl_memory memory = {order, TINY_INSTANCES, list, words, NULL, 0};
-    tiny_start(&renderer, tiny, WIDTH, HEIGHT, &memory);
-    TEST_ASSERT_EQUAL(FXL_OK, attach());
-}
-
-static void draw(uint8_t frame[HEIGHT][WIDTH], uint16_t step, fxl_workspace *by)
-{
-    for (uint16_t row = 0; row < HEIGHT; row = (uint16_t)(row + step)) {
-        const fxl_band band = {
-            .pixels = frame[row], .width = WIDTH, .stride = WIDTH, .first_row = row, .rows = step};
+    for (uint16_t row = 0; row < BOARD_SCENE_HEIGHT; row = (uint16_t)(row + step)) {
+        const fxl_band band = {.pixels = frame[row],
+                               .width = BOARD_SCENE_WIDTH,
+                               .stride = BOARD_SCENE_WIDTH,
+                               .first_row = row,
+                               .rows = step};
         fxl_fill_band(&band, BACKGROUND);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&renderer, by, &band));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_draw_with(&scene.renderer, by, &band));
     }
 }
 
 static void draw_frame(const fxl_pose *pose, uint32_t words)
 {
-    start(words);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, pose));
-    draw(whole, HEIGHT, &renderer.workspace);
+    board_scene_start(&scene, words);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&scene.renderer, pose));
+    draw(whole, BOARD_SCENE_HEIGHT, &scene.renderer.workspace);
 }
 
 static fxl_pose ahead(fxl_q16_16 z)
@@ -107,18 +75,20 @@ static double along(const fxl_direction *axis, const fxl_point *a, const fxl_poi
 /* Where the sprite of instance 1 is on the screen, in pixels. */
 static rectangle exact_rectangle(double scale)
 {
-    const fxl_view *view = &renderer.frame.view;
-    const fxl_point *centre = &tiny->instances[1].centre, *eye = &view->camera.position;
+    const fxl_view *view = &scene.renderer.frame.view;
+    const fxl_point *centre = &scene.tiny->instances[1].centre, *eye = &view->camera.position;
     const double x = along(&view->camera.axes.right, centre, eye);
     const double y = along(&view->camera.axes.up, centre, eye);
     const double z = along(&view->camera.axes.forward, centre, eye);
     const double focal = view->lens.focal / 65536.0, unit = scale / 65536;
     rectangle at;
     at.depth = z;
-    at.left = WIDTH / 2.0 + focal * (x - board.anchor_x * unit) / z;
-    at.right = WIDTH / 2.0 + focal * (x + (board.width - board.anchor_x) * unit) / z;
-    at.top = HEIGHT / 2.0 - focal * (y + (board.height - board.anchor_y) * unit) / z;
-    at.bottom = HEIGHT / 2.0 - focal * (y - board.anchor_y * unit) / z;
+    at.left = BOARD_SCENE_WIDTH / 2.0 + focal * (x - scene.board.anchor_x * unit) / z;
+    at.right = BOARD_SCENE_WIDTH / 2.0 +
+               focal * (x + (scene.board.width - scene.board.anchor_x) * unit) / z;
+    at.top = BOARD_SCENE_HEIGHT / 2.0 -
+             focal * (y + (scene.board.height - scene.board.anchor_y) * unit) / z;
+    at.bottom = BOARD_SCENE_HEIGHT / 2.0 - focal * (y - scene.board.anchor_y * unit) / z;
     return at;
 }
 
@@ -140,16 +110,16 @@ static uint32_t expect_sprite(double scale)
     const bool is_there = at.depth >= 0.0626 && at.depth <= 999 && fabs(at.left) < 4095 &&
                           fabs(at.right) < 4095 && fabs(at.top) < 4095 && fabs(at.bottom) < 4095;
     uint32_t shown = 0;
-    for (int y = 0; y < HEIGHT; y++) {
-        for (int x = 0; x < WIDTH; x++) {
-            const int u = exact_texel(x + 0.5, at.left, at.right, SPRITE_WIDTH);
-            const int v = exact_texel(y + 0.5, at.top, at.bottom, SPRITE_HEIGHT);
+    for (int y = 0; y < BOARD_SCENE_HEIGHT; y++) {
+        for (int x = 0; x < BOARD_SCENE_WIDTH; x++) {
+            const int u = exact_texel(x + 0.5, at.left, at.right, BOARD_SPRITE_WIDTH);
+            const int v = exact_texel(y + 0.5, at.top, at.bottom, BOARD_SPRITE_HEIGHT);
             int expected = BACKGROUND;
             if (is_there && (u == -2 || v == -2)) {
                 continue;
             }
             if (is_there && u >= 0 && v >= 0) {
-                expected = texels[v * SPRITE_WIDTH + u];
+                expected = scene.texels[v * BOARD_SPRITE_WIDTH + u];
                 shown++;
             }
             TEST_ASSERT_EQUAL(expected, whole[y][x]);
@@ -162,13 +132,13 @@ static uint32_t expect_sprite(double scale)
 void test_a_pixel_shows_the_texel_at_its_centre(void)
 {
     uint32_t shown = 0;
-    tiny->scene.instances = &tiny->instances[1];
-    tiny->scene.instance_count = 1;
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
     for (uint32_t i = 0; i < UNIT_REPEAT / 100; i++) {
         fxl_pose pose = any_pose();
         pose.position.z = unit_between(-Q16(40), Q16(9.8));
         pose.roll = unit_random();
-        draw_frame(&pose, i % 2 * LIST_WORDS);
+        draw_frame(&pose, i % 2 * BOARD_LIST_WORDS);
         shown += expect_sprite(1);
     }
     TEST_ASSERT_TRUE(shown > UNIT_REPEAT / 30);
@@ -179,10 +149,10 @@ void test_a_pixel_shows_the_texel_at_its_centre(void)
 void test_a_turned_instance_scales_its_sprite(void)
 {
     const fxl_pose pose = ahead(Q16(-9));
-    tiny->scene.instances = &tiny->instances[1];
-    tiny->scene.instance_count = 1;
-    tiny->scene.placements = placements;
-    tiny->scene.placement_code = &fxl_turned_instances;
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
+    scene.tiny->scene.placements = placements;
+    scene.tiny->scene.placement_code = &fxl_turned_instances;
     placements[0] = (fxl_placement){FXL_ORIENTATION_NONE, Q16(2.5)};
     TEST_ASSERT_EQUAL(FXL_OK, fxl_orientation_from_angles(DEGREES(40), DEGREES(10), 0,
                                                           &placements[0].orientation));
@@ -192,11 +162,12 @@ void test_a_turned_instance_scales_its_sprite(void)
 
 /* --- order, key, formats ---------------------------------------------------------------------- */
 
-static uint32_t count_sprite(uint8_t frame[HEIGHT][WIDTH])
+static uint32_t count_sprite(uint8_t frame[BOARD_SCENE_HEIGHT][BOARD_SCENE_WIDTH])
 {
     uint32_t count = 0;
-    for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
-        count += frame[i / WIDTH][i % WIDTH] >= 100 && frame[i / WIDTH][i % WIDTH] < BACKGROUND;
+    for (uint32_t i = 0; i < BOARD_SCENE_WIDTH * BOARD_SCENE_HEIGHT; i++) {
+        count += frame[i / BOARD_SCENE_WIDTH][i % BOARD_SCENE_WIDTH] >= 100 &&
+                 frame[i / BOARD_SCENE_WIDTH][i % BOARD_SCENE_WIDTH] < BACKGROUND;
     }
     return count;
 }
@@ -206,30 +177,32 @@ static uint32_t count_sprite(uint8_t frame[HEIGHT][WIDTH])
 void test_what_is_nearer_covers_what_is_farther(void)
 {
     fxl_pose pose = ahead(Q16(-4));
-    board = (fxl_billboard){&sprite, Q16(14), Q16(9), Q16(7), Q16(4.5)};
+    scene.board = (fxl_billboard){&scene.sprite, Q16(14), Q16(9), Q16(7), Q16(4.5)};
     draw_frame(&pose, 0);
-    TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] <= 6); /* the cube */
+    TEST_ASSERT_TRUE(whole[BOARD_SCENE_HEIGHT / 2][BOARD_SCENE_WIDTH / 2] <= 6); /* the cube */
     TEST_ASSERT_TRUE(count_sprite(whole) > 0);
     pose = ahead(Q16(14));
     pose.yaw = DEGREES(180);
     draw_frame(&pose, 0);
-    TEST_ASSERT_EQUAL(texels[SPRITE_HEIGHT / 2 * SPRITE_WIDTH + SPRITE_WIDTH / 2],
-                      whole[HEIGHT / 2][WIDTH / 2]);
+    TEST_ASSERT_EQUAL(
+        scene.texels[BOARD_SPRITE_HEIGHT / 2 * BOARD_SPRITE_WIDTH + BOARD_SPRITE_WIDTH / 2],
+        whole[BOARD_SCENE_HEIGHT / 2][BOARD_SCENE_WIDTH / 2]);
     /* A layer comes before the distance. */
-    tiny->instances[1].layer = 1;
+    scene.tiny->instances[1].layer = 1;
     pose = ahead(Q16(-4));
     draw_frame(&pose, 0);
-    TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] >= 100);
+    TEST_ASSERT_TRUE(whole[BOARD_SCENE_HEIGHT / 2][BOARD_SCENE_WIDTH / 2] >= 100);
 }
 
 /* billboards 3.2 */
 void test_the_key_is_not_drawn(void)
 {
     const fxl_pose pose = ahead(Q16(5));
-    tiny->instances[0].centre.z = Q16(30); /* behind */
-    sprite.key = texels[SPRITE_HEIGHT / 2 * SPRITE_WIDTH + SPRITE_WIDTH / 2];
+    scene.tiny->instances[0].centre.z = Q16(30); /* behind */
+    scene.sprite.key =
+        scene.texels[BOARD_SPRITE_HEIGHT / 2 * BOARD_SPRITE_WIDTH + BOARD_SPRITE_WIDTH / 2];
     draw_frame(&pose, 0);
-    TEST_ASSERT_TRUE(whole[HEIGHT / 2][WIDTH / 2] <= 6);
+    TEST_ASSERT_TRUE(whole[BOARD_SCENE_HEIGHT / 2][BOARD_SCENE_WIDTH / 2] <= 6);
     TEST_ASSERT_TRUE(count_sprite(whole) > 0);
 }
 
@@ -240,50 +213,49 @@ void test_sprites_of_every_format(void)
     static const uint8_t one[] = {0xA0, 0x40}, four[] = {0x10, 0x10, 0x01, 0x00},
                          eight[] = {1, 0, 1, 0, 1, 0}, colours[16] = {120, 130};
     const fxl_pose pose = ahead(Q16(7));
-    sprite.width = 3;
-    sprite.height = 2;
-    sprite.colours = colours;
-    sprite.pixels = one;
-    sprite.bits = 1;
+    scene.sprite.width = 3;
+    scene.sprite.height = 2;
+    scene.sprite.colours = colours;
+    scene.sprite.pixels = one;
+    scene.sprite.bits = 1;
     draw_frame(&pose, 0);
     memcpy(other, whole, sizeof whole);
-    TEST_ASSERT_EQUAL(130, whole[HEIGHT / 2][WIDTH / 2]);
-    TEST_ASSERT_EQUAL(120, whole[HEIGHT / 2 - 1][WIDTH / 2]);
-    sprite.pixels = four;
-    sprite.bits = 4;
-    draw_frame(&pose, LIST_WORDS);
+    TEST_ASSERT_EQUAL(130, whole[BOARD_SCENE_HEIGHT / 2][BOARD_SCENE_WIDTH / 2]);
+    TEST_ASSERT_EQUAL(120, whole[BOARD_SCENE_HEIGHT / 2 - 1][BOARD_SCENE_WIDTH / 2]);
+    scene.sprite.pixels = four;
+    scene.sprite.bits = 4;
+    draw_frame(&pose, BOARD_LIST_WORDS);
     TEST_ASSERT_EQUAL_MEMORY(other, whole, sizeof whole);
-    sprite.pixels = eight;
-    sprite.bits = 8;
+    scene.sprite.pixels = eight;
+    scene.sprite.bits = 8;
     draw_frame(&pose, 0);
     TEST_ASSERT_EQUAL_MEMORY(other, whole, sizeof whole);
 }
 
-/* --- bands, lists, cores ------------------------------------------------------------------------
- */
+/* --- bands, lists, cores ---------------------------------------------------------------------- */
 
 /* billboards 4.1 */
 void test_bands_lists_and_workspaces_change_no_pixel(void)
 {
     const uint16_t steps[] = {1, 2, 3, 8, 12};
     uint32_t spilled = 0, listed = 0, shown = 0;
-    sprite.key = 103;
+    scene.sprite.key = 103;
     for (uint32_t i = 0; i < UNIT_REPEAT / 100; i++) {
         const fxl_pose pose = any_pose();
-        draw_frame(&pose, LIST_WORDS);
-        fxl_counters all = renderer.workspace.counters;
+        draw_frame(&pose, BOARD_LIST_WORDS);
+        fxl_counters all = scene.renderer.workspace.counters;
         TEST_ASSERT_EQUAL_UINT32(13, all.in);
         TEST_ASSERT_EQUAL_UINT32(13, all.backfacing + all.outside + all.degenerate + all.drawn +
                                          all.refused);
         shown += count_sprite(whole);
-        start(unit_random() % LIST_WORDS);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        draw(other, steps[unit_random() % 5], &renderer.workspace);
+        board_scene_start(&scene, unit_random() % BOARD_LIST_WORDS);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&scene.renderer, &pose));
+        draw(other, steps[unit_random() % 5], &scene.renderer.workspace);
         TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
-        spilled += renderer.workspace.counters.spilled;
-        listed += renderer.frame.display_list.used;
-        all.spilled = renderer.workspace.counters.spilled;
-        TEST_ASSERT_EQUAL_MEMORY(&all, &renderer.workspace.counters, sizeof all);
+        spilled += scene.renderer.workspace.counters.spilled;
+        listed += scene.renderer.frame.display_list.used;
+        all.spilled = scene.renderer.workspace.counters.spilled;
+        TEST_ASSERT_EQUAL_MEMORY(&all, &scene.renderer.workspace.counters, sizeof all);
     }
     TEST_ASSERT_TRUE(spilled > 0 && listed > 0 && shown > 0);
 }
@@ -294,14 +266,13 @@ void test_another_core_draws_a_band(void)
     const fxl_pose pose = ahead(Q16(-4));
     static FXL_ALIGN_8 uint8_t memory[512];
     draw_frame(&pose, 0);
-    TEST_ASSERT_TRUE(fxl_workspace_size(&renderer) <= sizeof memory);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &renderer, memory, sizeof memory));
+    TEST_ASSERT_TRUE(fxl_workspace_size(&scene.renderer) <= sizeof memory);
+    TEST_ASSERT_EQUAL(FXL_OK, fxl_workspace_init(&second, &scene.renderer, memory, sizeof memory));
     draw(other, 8, &second);
     TEST_ASSERT_EQUAL_MEMORY(whole, other, sizeof whole);
 }
 
-/* --- what is counted and refused
- * ------------------------------------------------------------------ */
+/* --- what is counted -------------------------------------------------------------------------- */
 
 /* billboards 2.2, 2.3 */
 void test_near_far_and_sides_leave_sprites_out(void)
@@ -319,28 +290,28 @@ void test_near_far_and_sides_leave_sprites_out(void)
                  {Q16(12.1), 0, 0, 0, 1, 0}, /* its right side is beside the left border */
                  {Q16(11.9), 0, 0, 1, 0, 0}, /* it is on the screen */
                  {0, Q16(-9.1), 0, 0, 1, 0}};
-    tiny->scene.instances = &tiny->instances[1];
-    tiny->scene.instance_count = 1;
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
     for (uint32_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const fxl_pose pose = {{cases[i].x, cases[i].y, cases[i].z}, 0, 0, 0};
         draw_frame(&pose, 0);
-        TEST_ASSERT_EQUAL_UINT32(cases[i].drawn, renderer.workspace.counters.drawn);
-        TEST_ASSERT_EQUAL_UINT32(cases[i].outside, renderer.workspace.counters.outside);
-        TEST_ASSERT_EQUAL_UINT32(cases[i].refused, renderer.workspace.counters.refused);
-        TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.clipped);
-        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.in);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].drawn, scene.renderer.workspace.counters.drawn);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].outside, scene.renderer.workspace.counters.outside);
+        TEST_ASSERT_EQUAL_UINT32(cases[i].refused, scene.renderer.workspace.counters.refused);
+        TEST_ASSERT_EQUAL_UINT32(0, scene.renderer.workspace.counters.clipped);
+        TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.in);
     }
     /* Its corners are far beside the screen, within 4095 pixels; then beyond. */
-    board = (fxl_billboard){&sprite, Q16(17), Q16(3), Q16(8.5), Q16(1.5)};
+    scene.board = (fxl_billboard){&scene.sprite, Q16(17), Q16(3), Q16(8.5), Q16(1.5)};
     const fxl_pose close = ahead(Q16(9.937));
     draw_frame(&close, 0);
-    TEST_ASSERT_EQUAL_UINT32(0, renderer.workspace.counters.refused); /* 16 * 8.5 / 0.063 */
-    TEST_ASSERT_EQUAL_UINT32(WIDTH * HEIGHT, count_sprite(whole));
-    board.width = Q16(40);
-    board.anchor_x = Q16(20);
-    tiny->models[1].radius = Q16(21);
+    TEST_ASSERT_EQUAL_UINT32(0, scene.renderer.workspace.counters.refused); /* 16 * 8.5 / 0.063 */
+    TEST_ASSERT_EQUAL_UINT32(BOARD_SCENE_WIDTH * BOARD_SCENE_HEIGHT, count_sprite(whole));
+    scene.board.width = Q16(40);
+    scene.board.anchor_x = Q16(20);
+    scene.tiny->models[1].radius = Q16(21);
     draw_frame(&close, 0);
-    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
+    TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.refused);
     TEST_ASSERT_EQUAL_UINT32(0, count_sprite(whole));
 }
 
@@ -349,30 +320,31 @@ void test_near_far_and_sides_leave_sprites_out(void)
 void test_a_side_that_is_too_far_is_refused(void)
 {
     const fxl_q16_16 far = Q16(8188), size = Q16(8000);
-    tiny->scene.instances = &tiny->instances[1];
-    tiny->scene.instance_count = 1;
-    board = (fxl_billboard){&sprite, Q16(40), Q16(3), Q16(2), Q16(1.5)};
-    tiny->models[1].radius = Q16(41);
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
+    scene.board = (fxl_billboard){&scene.sprite, Q16(40), Q16(3), Q16(2), Q16(1.5)};
+    scene.tiny->models[1].radius = Q16(41);
     const fxl_pose close = ahead(Q16(9.937));
     draw_frame(&close, 0);
-    TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
-    tiny->models[1].radius = Q16(28000); /* as if it reached the screen */
-    tiny->instances[1].centre = (fxl_point){far, far, far};
+    TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.refused);
+    scene.tiny->models[1].radius = Q16(28000); /* as if it reached the screen */
+    scene.tiny->instances[1].centre = (fxl_point){far, far, far};
     for (uint32_t turn = 0; turn < 4; turn++) {
         /* The view's right, or its up, is the diagonal of the world, or its opposite. */
         const fxl_pose pose = {{-far, -far, -far - Q16(2)},
                                (fxl_angle)-DEGREES(45),
                                0,
                                DEGREES(35) + DEGREES(1) / 4 + turn * FXL_ANGLE_QUARTER};
-        board = (fxl_billboard){&sprite, Q16(1), Q16(1), 0, 0};
+        scene.board = (fxl_billboard){&scene.sprite, Q16(1), Q16(1), 0, 0};
         draw_frame(&pose, 0);
-        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.in);
-        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused); /* beyond 4095 pixels */
+        TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.in);
+        TEST_ASSERT_EQUAL_UINT32(
+            1, scene.renderer.workspace.counters.refused); /* beyond 4095 pixels */
         for (uint32_t anchored = 0; anchored < 2; anchored++) {
             const fxl_q16_16 anchor = anchored != 0 ? size : 0;
-            board = (fxl_billboard){&sprite, size, size, anchor, anchor};
+            scene.board = (fxl_billboard){&scene.sprite, size, size, anchor, anchor};
             draw_frame(&pose, 0);
-            TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.refused);
+            TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.refused);
         }
     }
 }
@@ -382,110 +354,18 @@ void test_a_side_that_is_too_far_is_refused(void)
 void test_a_sprite_far_away_covers_a_pixel_or_none(void)
 {
     uint32_t shown = 0;
-    tiny->scene.instances = &tiny->instances[1];
-    tiny->scene.instance_count = 1;
+    scene.tiny->scene.instances = &scene.tiny->instances[1];
+    scene.tiny->scene.instance_count = 1;
     for (uint32_t i = 0; i < UNIT_REPEAT / 300; i++) {
         const fxl_pose pose = {
             {unit_between(-Q16(9), Q16(9)), unit_between(-Q16(9), Q16(9)), Q16(-90)}, 0, 0, 0};
-        draw_frame(&pose, i % 2 * LIST_WORDS);
-        TEST_ASSERT_EQUAL_UINT32(1, renderer.workspace.counters.drawn);
+        draw_frame(&pose, i % 2 * BOARD_LIST_WORDS);
+        TEST_ASSERT_EQUAL_UINT32(1, scene.renderer.workspace.counters.drawn);
         const uint32_t pixels = count_sprite(whole);
         TEST_ASSERT_TRUE(pixels <= 1);
         shown += pixels;
     }
     TEST_ASSERT_TRUE(shown > 0 && shown < UNIT_REPEAT / 300);
-}
-
-static void expect_refusal(fxl_status status, const char *what, uint32_t index)
-{
-    fxl_scene_fault fault = {"nothing", 99};
-    TEST_ASSERT_EQUAL(status, fxl_billboards_check(&set, &tiny->scene, &fault));
-    TEST_ASSERT_EQUAL_STRING(what, fault.what);
-    TEST_ASSERT_EQUAL_UINT32(index, fault.index);
-    const uint32_t refused = renderer.workspace.counters.refused_calls;
-    const fxl_order *was = renderer.order;
-    TEST_ASSERT_EQUAL(status, attach());
-    TEST_ASSERT_EQUAL_UINT32(refused + 1, renderer.workspace.counters.refused_calls);
-    TEST_ASSERT_EQUAL_PTR(was, renderer.order);
-    setUp();
-}
-
-/* combinations 1.1 */
-void test_a_wrong_billboard_is_refused(void)
-{
-    start(0);
-    sprite.width = sprite.height = 1; /* the least */
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
-    setUp();
-    sprite.bits = 2;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    sprite.width = 0;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    sprite.height = 0;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    sprite.pixels = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard", 0);
-    board.sprite = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard", 0);
-    board.width = 0;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    board.height = FXL_BILLBOARD_SIDE_MAX + 1;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    board.anchor_x = -1;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    board.anchor_y = board.height + 1;
-    expect_refusal(FXL_E_RANGE, "billboard", 0);
-    set.billboards = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard table", 0);
-    set.model_map = NULL;
-    expect_refusal(FXL_E_ARGUMENT, "billboard table", 0);
-    set.count = 65536;
-    expect_refusal(FXL_E_COUNT, "billboard table", 0);
-    model_map[1] = 2;
-    expect_refusal(FXL_E_INDEX, "model", 1);
-    model_map[0] = 1; /* a cube */
-    expect_refusal(FXL_E_COUNT, "model", 0);
-    tiny->models[1].kind = FXL_MODEL_SORTED;
-    expect_refusal(FXL_E_COUNT, "model", 1);
-    tiny->models[1].radius = Q16(2.5) - 1; /* of corners at (2, 1.5) */
-    expect_refusal(FXL_E_RADIUS, "model", 1);
-    tiny->models[1].radius = Q16(2.5);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
-    board.anchor_x -= 1;
-    tiny->models[1].radius = Q16(2.5);
-    expect_refusal(FXL_E_RADIUS, "model", 1);
-    tiny->models[1].radius = FXL_RADIUS_MAX; /* the largest, and anchors in its corners */
-    board = (fxl_billboard){&sprite, FXL_BILLBOARD_SIDE_MAX, 1, FXL_BILLBOARD_SIDE_MAX, 0};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
-    board = (fxl_billboard){&sprite, 1, FXL_BILLBOARD_SIDE_MAX, 0, FXL_BILLBOARD_SIDE_MAX};
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_billboards_check(&set, &tiny->scene, NULL));
-}
-
-void test_tables_off_their_alignment_are_refused(void)
-{
-    start(0);
-    set.billboards = (const fxl_billboard *)(const void *)((const uint8_t *)set.billboards + 2);
-    expect_refusal(FXL_E_ALIGNMENT, "billboard table", 0);
-    set.model_map = (const uint16_t *)(const void *)((const uint8_t *)set.model_map + 1);
-    expect_refusal(FXL_E_ALIGNMENT, "billboard table", 0);
-    board.sprite = (const fxl_sprite *)(const void *)((const uint8_t *)&sprite + 2);
-    expect_refusal(FXL_E_ALIGNMENT, "billboard", 0);
-}
-
-void test_null_pointers_are_refused(void)
-{
-    start(0);
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_attach_billboards(NULL, &billboards, &set, FXL_SPRITES_OF(fxl_palette)));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT,
-                      fxl_attach_billboards(&renderer, NULL, &set, FXL_SPRITES_OF(fxl_palette)));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_billboards_check(NULL, &tiny->scene, NULL));
-    TEST_ASSERT_EQUAL(FXL_E_ARGUMENT, fxl_billboards_check(&set, NULL, NULL));
-    TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order != &fxl_by_distance);
-    TEST_ASSERT_EQUAL(FXL_OK, fxl_attach_billboards(&renderer, NULL, NULL, NULL));
-    TEST_ASSERT_TRUE(renderer.target == &fxl_palette && renderer.order == &fxl_by_distance);
-    memset(&renderer, 0, sizeof renderer);
-    TEST_ASSERT_EQUAL(FXL_E_ORDER, attach());
 }
 
 /* The picture of a moved centre is that of the middle, moved by as much, in whole pixels here. */
@@ -495,22 +375,27 @@ void test_an_off_centre_lens_shows_the_same_sprite(void)
     uint32_t shown = 0, differing = 0;
     for (int round = 0; round < UNIT_REPEAT / 100; round++) {
         const fxl_pose pose = any_pose();
-        const int dx = unit_between(-WIDTH, WIDTH), dy = unit_between(-HEIGHT, HEIGHT);
+        const int dx = unit_between(-BOARD_SCENE_WIDTH, BOARD_SCENE_WIDTH),
+                  dy = unit_between(-BOARD_SCENE_HEIGHT, BOARD_SCENE_HEIGHT);
         fxl_lens lens;
-        const fxl_memory memory = {order, TINY_INSTANCES, NULL, 0, NULL, 0};
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_lens_from_fov(WIDTH, HEIGHT, FXL_ANGLE_QUARTER, Q16(0.0625),
-                                                    Q16(1000), 0, &lens));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&tiny->scene, NULL));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_init_with(&renderer, &tiny->scene, &lens, &memory));
-        TEST_ASSERT_EQUAL(FXL_OK, attach());
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        draw(whole, HEIGHT, &renderer.workspace);
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(&renderer, Q16(WIDTH / 2) + dx * 65536,
-                                                          Q16(HEIGHT / 2) + dy * 65536));
-        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&renderer, &pose));
-        draw(other, HEIGHT, &renderer.workspace);
-        for (int y = dy > 0 ? dy : 0; y < HEIGHT && y - dy < HEIGHT; y++) {
-            for (int x = dx > 0 ? dx : 0; x < WIDTH && x - dx < WIDTH; x++) {
+        const fxl_memory memory = {scene.order, TINY_INSTANCES, NULL, 0, NULL, 0};
+        TEST_ASSERT_EQUAL(FXL_OK,
+                          fxl_lens_from_fov(BOARD_SCENE_WIDTH, BOARD_SCENE_HEIGHT,
+                                            FXL_ANGLE_QUARTER, Q16(0.0625), Q16(1000), 0, &lens));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_scene_check(&scene.tiny->scene, NULL));
+        TEST_ASSERT_EQUAL(
+            FXL_OK, fxl_renderer_init_with(&scene.renderer, &scene.tiny->scene, &lens, &memory));
+        TEST_ASSERT_EQUAL(FXL_OK, board_scene_attach(&scene));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&scene.renderer, &pose));
+        draw(whole, BOARD_SCENE_HEIGHT, &scene.renderer.workspace);
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_renderer_set_centre(
+                                      &scene.renderer, Q16(BOARD_SCENE_WIDTH / 2) + dx * 65536,
+                                      Q16(BOARD_SCENE_HEIGHT / 2) + dy * 65536));
+        TEST_ASSERT_EQUAL(FXL_OK, fxl_frame_begin(&scene.renderer, &pose));
+        draw(other, BOARD_SCENE_HEIGHT, &scene.renderer.workspace);
+        for (int y = dy > 0 ? dy : 0; y < BOARD_SCENE_HEIGHT && y - dy < BOARD_SCENE_HEIGHT; y++) {
+            for (int x = dx > 0 ? dx : 0; x < BOARD_SCENE_WIDTH && x - dx < BOARD_SCENE_WIDTH;
+                 x++) {
                 shown += other[y][x] >= 100 && other[y][x] < BACKGROUND;
                 differing += other[y][x] != whole[y - dy][x - dx];
             }

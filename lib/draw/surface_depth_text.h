@@ -9,7 +9,7 @@
 #include "pixel_row.h"
 #include "surface_paint_text.h"
 
-#define SCRATCH  16 /* pixels */
+#define SCRATCH 16 /* pixels */
 
 /* A kernel tests the rows of a trapezoid, and another one paints what is visible. */
 #define HAS_RUNS (FXL_HAS_DEPTH_ROWS && FXL_TARGET_DEPTH_BITS == 16)

@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: MIT */
+/* The depth and the light of small triangles in words, against planes in double. */
+#include "corner_unit.h"
+#include "paint/light_row.h"
+
+void setUp(void)
+{
+    corner_begin();
+}
+
+void tearDown(void)
+{
+}
+
+/* A word that is linear on the screen, where its true value is near `expected`, in units of the
+ * word.
+ */
+static double word_at(const fxl_gradient *gradient, double x, double y, double expected)
+{
+    const double off =
+        (x / 65536 - 0.5) * (double)gradient->along + (y / 65536 - 0.5) * (double)gradient->down;
+    return remainder((double)gradient->at + off - expected, 4294967296.0) + expected;
+}
+
+/* The code of a depth, whose octave is o: what depth_code.h states. */
+static double code_of(double depth, int o, fxl_depth_scale scale)
+{
+    return (ldexp(depth, o + 1) - 1 + scale.octaves - 1 - o) * (1 << scale.mantissa) + 1;
+}
+
+/* How much a constant weight may change light by, of fxl_corner_planes_linear. */
+static double affine_error(const double lights[3], const double weights[3])
+{
+    const double least = fmin(weights[0], fmin(weights[1], weights[2]));
+    const double most = fmax(weights[0], fmax(weights[1], weights[2]));
+    const double range =
+        fmax(lights[0], fmax(lights[1], lights[2])) - fmin(lights[0], fmin(lights[1], lights[2]));
+    return range * (most - least) / (4 * least);
+}
+
+typedef struct {
+    uint32_t checked, refused, thin, bent, balanced, far_apart;
+} word_counts;
+
+/* The words of a face whose depths differ by less than `spread`, in light that is nearly the same
+ * everywhere or in any. */
+static void check_words(double spread, bool is_even, word_counts *counts)
+{
+    fxl_gradients gradients;
+    fxl_depth_plane plane;
+    double values[3], lights[3], x, y;
+    int32_t light[3];
+    corner_make(spread);
+    if (unit_random() % 4 == 0) {
+        corner_make_thin(ldexp(1, -unit_between(4, 10)));
+    }
+    if (!fxl_corner_planes_begin(&triangle.corners, &triangle.view.lens, true, &triangle.planes)) {
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        light[k] = is_even ? 65536 + k : unit_between(32768, 31 << 16);
+        lights[k] = light[k];
+        values[k] = triangle.view.lens.near_z * 1073741824.0 / (double)triangle.corners.depths[k];
+    }
+    int o = 1000, last = 0; /* octaves of the corners */
+    for (int k = 0; k < 3; k++) {
+        const int octave = -1 - ilogb(values[k]);
+        o = octave < o ? octave : o;
+        last = octave > last ? octave : last;
+    }
+    const fxl_depth_scale scale = fxl_depth_scale_of(&triangle.view.lens);
+    if (!fxl_corner_planes_linear(&triangle.planes, light, &gradients, &plane)) {
+        counts->refused++;
+        counts->far_apart += last > o + 1;
+        return;
+    }
+    TEST_ASSERT_TRUE(o >= 0 && last < scale.octaves && last <= o + 1);
+    TEST_ASSERT_EQUAL(last == o ? FXL_DEPTH_IS_LINEAR : FXL_DEPTH_IS_BENT + o, plane.one);
+    TEST_ASSERT_TRUE(fxl_depth_is_in_words(&plane));
+    TEST_ASSERT_EQUAL(last == o ? 0 : (uint32_t)(code_of(ldexp(1, -o - 1), o, scale) * 65536),
+                      fxl_depth_border(scale, &plane));
+    TEST_ASSERT_TRUE(fxl_weight_is_constant(&gradients));
+    corner_choose_place(&x, &y);
+    const double code = code_of(corner_plane_at(values, x, y), o, scale) * 65536;
+    TEST_ASSERT_NEAR(code, word_at(&plane.gradient, x, y, code),
+                     ldexp(corner_depth_rounding(values), o + 1 + scale.mantissa + 16) + 2048);
+    const fxl_light_plane words = fxl_light_plane_of(&gradients);
+    TEST_ASSERT_EQUAL((uint32_t)gradients.attributes[0].at, words.at);
+    const double level = corner_plane_at(lights, x, y) * 256, error = affine_error(lights, values);
+    const double found = word_at(&gradients.attributes[0], x, y, level);
+    const double cut = corner_plane_rounding(lights) * 256 + 2048;
+    TEST_ASSERT_TRUE(error < FXL_WORDS_ERROR_LIGHT * 1.001);
+    if (error < FXL_AFFINE_ERROR_LIGHT * 0.999) {
+        TEST_ASSERT_NEAR(level, found, cut);
+    }
+    /* From an eighth of a level on the mean of the error is taken off. */
+    const double most =
+        error < FXL_AFFINE_ERROR_LIGHT * 1.001 ? FXL_AFFINE_ERROR_LIGHT : error * 3 / 4;
+    TEST_ASSERT_NEAR(corner_attribute_at(lights, x, y) * 256, found, most * 256 + cut);
+    counts->balanced += error > FXL_AFFINE_ERROR_LIGHT * 1.001;
+    counts->checked++;
+    counts->thin += triangle.planes.may_be_steep;
+    counts->bent += last != o;
+}
+
+/* SPEC 9.1.1 */
+void test_words_are_codes_and_light(void)
+{
+    word_counts counts = {0, 0, 0, 0, 0, 0};
+    for (uint32_t seed = 1; seed <= CORNER_SEEDS; seed++) {
+        corner_begin_seed(seed);
+        for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+            check_words(unit_random() % 2 ? 0.5 : 1.0 / 64, false, &counts);
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(CORNER_SEEDS * (UNIT_REPEAT / 400), counts.checked);
+    TEST_ASSERT_GREATER_THAN(CORNER_SEEDS * (UNIT_REPEAT / 1000), counts.refused);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.thin);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.balanced);
+}
+
+/* A face that has words; then its like that has none: with more corners, in a lens of one octave,
+ * nearer than any near plane. */
+void test_what_has_no_words(void)
+{
+    const int32_t light[3] = {Q16(8), Q16(8), Q16(8)};
+    fxl_gradients gradients;
+    fxl_depth_plane plane;
+    bool is_found = false;
+    for (int i = 0; i < 10000 && !is_found; i++) {
+        corner_make(1.0 / 1024);
+        is_found = fxl_find_smooth_planes(&triangle.corners, &triangle.view.lens, light, &gradients,
+                                          &plane);
+    }
+    TEST_ASSERT_TRUE(is_found);
+    triangle.corners.is_triangle = false;
+    TEST_ASSERT_FALSE(
+        fxl_find_smooth_planes(&triangle.corners, &triangle.view.lens, light, &gradients, &plane));
+    triangle.corners.is_triangle = true;
+    fxl_lens lens = triangle.view.lens;
+    lens.near_z = Q16(10);
+    lens.far_z = Q16(15);
+    TEST_ASSERT_FALSE(fxl_find_smooth_planes(&triangle.corners, &lens, light, &gradients, &plane));
+    triangle.corners.depths[0] = triangle.corners.depths[1] = triangle.corners.depths[2] =
+        UINT32_MAX;
+    TEST_ASSERT_FALSE(
+        fxl_find_smooth_planes(&triangle.corners, &triangle.view.lens, light, &gradients, &plane));
+}
+
+/* Near at any depth, so that an octave ends at any, and far away, so that codes have few bits. */
+/* SPEC 9.1.1 */
+void test_words_of_other_lenses(void)
+{
+    word_counts counts = {0, 0, 0, 0, 0, 0};
+    for (uint32_t seed = 1; seed <= CORNER_SEEDS; seed++) {
+        corner_begin_seed(seed);
+        for (int i = 0; i < UNIT_REPEAT / 20; i++) {
+            triangle.view.lens.near_z = unit_between(4096, 8191);
+            triangle.view.lens.far_z = i % 2 ? FXL_FAR_MAX : Q16(1000);
+            check_words(i % 4 ? 0.5 : 2.8, i % 4 == 0, &counts);
+        }
+    }
+    TEST_ASSERT_GREATER_THAN(CORNER_SEEDS * (UNIT_REPEAT / 400), counts.checked);
+    TEST_ASSERT_GREATER_THAN(counts.checked / 100, counts.bent);
+    TEST_ASSERT_GREATER_THAN(CORNER_SEEDS * (UNIT_REPEAT / 4000), counts.far_apart);
+}

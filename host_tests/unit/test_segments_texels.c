@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT */
+/* Light in textured segments, the kinds of their texels, and pixels that no kernel paints. */
+#include <stdlib.h>
+
+#include "paint/texel_place.h"
+#include "segment_unit.h"
+
+void setUp(void)
+{
+    segment_begin();
+}
+
+void tearDown(void)
+{
+}
+
+/* A step of light is off by less than a unit of 1/256 level. Beyond the levels it is limited. */
+static void check_light(int columns)
+{
+    for (int x = 0; x < SEGMENT_COLUMNS; x++) {
+        const double light = segment_on_line(2, x, columns);
+        TEST_ASSERT_TRUE(segment.pixels[x] < SEGMENT_LEVELS);
+        TEST_ASSERT_TRUE(light - segment.pixels[x] > -1.0 / 15 || segment.pixels[x] == 0);
+        TEST_ASSERT_TRUE(light - segment.pixels[x] < 1 + 1.0 / 15 ||
+                         segment.pixels[x] == SEGMENT_LEVELS - 1);
+    }
+}
+
+void test_light_is_on_the_line_between_both_ends(void)
+{
+    segment_choose_size(4, 4);
+    memset(segment.texels, 7, sizeof segment.texels);
+    for (uint32_t i = 0; i < sizeof segment.ramp; i++) {
+        segment.ramp[i] = (uint8_t)((i & 255u) == 7 ? i >> 8 : SEGMENT_UNTOUCHED);
+    }
+    segment.paint.ramp = segment.ramp;
+    segment.paint.levels_less_1 = SEGMENT_LEVELS - 1;
+    segment.gradients.count = 3;
+    for (uint32_t n = 0; n < 100; n++) {
+        segment_choose_face();
+        segment.gradients.shifts[2] = 20;
+        segment_choose_gradient(&segment.gradients.attributes[2], &segment.row.attributes[2],
+                                segment_exact(&segment.gradients.weight, 0) *
+                                    ((int)(segment_any() % 1200u) - 100) / 5000,
+                                segment_exact(&segment.gradients.weight, SEGMENT_COLUMNS) *
+                                    ((int)(segment_any() % 1200u) - 100) / 5000);
+        TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
+        for (uint32_t log = 2; log <= 4; log++) {
+            segment_choose_log(log);
+            segment_paint_row(segment.pixels, 0, SEGMENT_COLUMNS);
+            check_light(1 << log);
+        }
+    }
+}
+
+/* What fxl_paint_pixels paints of a lit row are the kernel's pixels, wherever light is. */
+void test_lit_rows_are_those_of_the_kernel(void)
+{
+    segment_choose_size(4, 4);
+    for (uint32_t i = 0; i < sizeof segment.ramp; i++) {
+        segment.ramp[i] = (uint8_t)(segment_any() % SEGMENT_UNTOUCHED);
+    }
+    segment.paint.ramp = segment.ramp;
+    segment.paint.levels_less_1 = SEGMENT_LEVELS - 1;
+    segment.gradients.count = 3;
+    for (uint32_t n = 0; n < 400; n++) {
+        segment_choose_face();
+        segment.gradients.shifts[2] = 20;
+        segment_choose_gradient(&segment.gradients.attributes[2], &segment.row.attributes[2],
+                                segment_exact(&segment.gradients.weight, 0) *
+                                    ((int)(segment_any() % 1200u) - 100) / 5000,
+                                segment_exact(&segment.gradients.weight, SEGMENT_COLUMNS) *
+                                    ((int)(segment_any() % 1200u) - 100) / 5000);
+        TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
+        segment_choose_log(2 + n % 3);
+        segment_paint_row(segment.pixels, 0, SEGMENT_COLUMNS);
+        segment.row.segments = &segment.face;
+        segment.row.pixels = segment.part;
+        fxl_paint_pixels(&segment.paint, &segment.row, 0, SEGMENT_COLUMNS);
+        TEST_ASSERT_EQUAL_MEMORY(segment.pixels, segment.part, SEGMENT_COLUMNS);
+    }
+}
+
+/* Light far beyond the levels, whatever its numbers: no entry beyond the ramp is read, as the
+ * sanitizers see, and every pixel is painted. */
+void test_light_beyond_the_levels_is_limited(void)
+{
+    segment_choose_size(4, 0);
+    memset(segment.texels, 0, sizeof segment.texels);
+    memset(segment.ramp, 1, sizeof segment.ramp);
+    segment.paint.ramp = segment.ramp;
+    segment.gradients.count = 3;
+    for (uint32_t n = 0; n < 500; n++) {
+        segment_choose_face();
+        segment.paint.levels_less_1 = (uint8_t)(n % SEGMENT_LEVELS);
+        segment.gradients.shifts[2] = (int8_t)(n % 64);
+        segment_choose_gradient(&segment.gradients.attributes[2], &segment.row.attributes[2],
+                                (int32_t)segment_any() / 4 >> n % 28,
+                                (int32_t)segment_any() / 4 >> n % 29);
+        TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
+        if (fxl_segments_suffice(&segment.face, &segment.row, 0, SEGMENT_COLUMNS)) {
+            segment_paint_row(segment.pixels, 0, SEGMENT_COLUMNS);
+            for (int x = 0; x < SEGMENT_COLUMNS; x++) {
+                TEST_ASSERT_EQUAL(1, segment.pixels[x]);
+            }
+        }
+    }
+}
+
+/* The pixels of a kind of texels, where `plain` has those of the same texels of 8 bits, in light
+ * that is the same everywhere or in none. */
+static void check_kind_in_light(const uint8_t *plain, int32_t x0, const uint8_t *colours)
+{
+    TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
+    TEST_ASSERT_NOT_EQUAL(FXL_TEXELS_PLAIN, segment.face.kind);
+    segment_paint_row(segment.pixels, x0, SEGMENT_COLUMNS);
+    for (int32_t x = 0; x < SEGMENT_COLUMNS; x++) {
+        const bool is_drawn =
+            x >= x0 &&
+            (segment.face.kind != FXL_TEXELS_KEYED || plain[x] != segment.paint.level.key) &&
+            (segment.face.kind != FXL_TEXELS_STIPPLED ||
+             !fxl_is_stippled_away(segment.paint.opacity, x, segment.row.y));
+        const uint8_t colour = colours != NULL && is_drawn ? colours[plain[x]] : plain[x];
+        TEST_ASSERT_EQUAL(!is_drawn                     ? SEGMENT_UNTOUCHED
+                          : segment.paint.table != NULL ? segment.paint.table[colour]
+                                                        : colour,
+                          segment.pixels[x]);
+    }
+}
+
+static void check_kind(const uint8_t *plain, int32_t x0, const uint8_t *colours)
+{
+    static uint8_t table[256];
+    for (uint32_t i = 0; i < sizeof table; i++) {
+        table[i] = (uint8_t)(segment_any() % SEGMENT_UNTOUCHED);
+    }
+    check_kind_in_light(plain, x0, colours);
+    segment.paint.table = table;
+    check_kind_in_light(plain, x0, colours);
+    segment.paint.table = NULL;
+}
+
+/* Texels that are keyed, stippled or of 4 bits are those that are plain, at every pixel. */
+/* SPEC 9.5, surfaces 1.1, 1.3 */
+void test_other_kinds_of_texels_are_at_the_places_of_plain_ones(void)
+{
+    static uint8_t packed[SEGMENT_TEXELS / 2];
+    uint8_t plain[SEGMENT_COLUMNS], colours[16];
+    for (uint32_t i = 0; i < SEGMENT_TEXELS; i++) {
+        segment.texels[i] = (uint8_t)(segment_any() % 16u);
+        packed[i / 2] = (uint8_t)(packed[i / 2] >> 4 | segment.texels[i] << 4);
+    }
+    for (uint32_t i = 0; i < 16; i++) {
+        colours[i] = (uint8_t)(segment_any() % SEGMENT_UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 100; n++) {
+        const int32_t x0 = (int32_t)(segment_any() % 20u);
+        segment_choose_face();
+        segment_choose_size(4 + n % 2, 5);
+        segment.row.y = (int32_t)(n % 7);
+        TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
+        TEST_ASSERT_EQUAL(FXL_TEXELS_PLAIN, segment.face.kind);
+        segment_paint_row(plain, x0, SEGMENT_COLUMNS);
+        segment.paint.level.flags = FXL_TEXTURE_KEYED;
+        segment.paint.level.key = (uint8_t)(segment_any() % 16u);
+        check_kind(plain, x0, NULL);
+        segment.paint.level.flags = 0;
+        segment.paint.opacity = (uint8_t)(1u + n % 15u);
+        check_kind(plain, x0, NULL);
+        segment.paint.opacity = 16;
+        segment.paint.level.texels = packed;
+        segment.paint.level.colours = colours;
+        check_kind(plain, x0, colours);
+        segment.paint.level.texels = segment.texels;
+        segment.paint.level.colours = NULL;
+    }
+}
+
+/* Texels that do not repeat are those that fxl_paint_pixels shows without a kernel, to within what
+ * both round: a texel beside it at most, and few of them. */
+/* SPEC 9.5, surfaces 1.1 */
+void test_clamped_texels_are_held_within_the_texture(void)
+{
+    uint32_t unlike = 0, beyond = 0;
+    segment_choose_size(5, 5);
+    for (uint32_t i = 0; i < SEGMENT_TEXELS; i++) {
+        segment.texels[i] = (uint8_t)(i % 32u / 4u * 16u + i / 32u / 4u);
+    }
+    for (uint32_t n = 0; n < 300; n++) {
+        const int32_t x0 = (int32_t)(segment_any() % 20u);
+        segment_choose_face();
+        segment.paint.level.flags = FXL_TEXTURE_CLAMP;
+        TEST_ASSERT_TRUE(fxl_segments_find(&segment.paint, &segment.face));
+        TEST_ASSERT_EQUAL(FXL_TEXELS_CLAMPED, segment.face.kind);
+        segment_paint_row(segment.pixels, x0, SEGMENT_COLUMNS);
+        segment.row.segments = NULL;
+        segment.row.pixels = segment.part;
+        memset(segment.part, SEGMENT_UNTOUCHED, sizeof segment.part);
+        fxl_paint_pixels(&segment.paint, &segment.row, x0, SEGMENT_COLUMNS);
+        TEST_ASSERT_EQUAL(0, memcmp(segment.pixels, segment.part, (size_t)x0));
+        for (int32_t x = x0; x < SEGMENT_COLUMNS; x++) {
+            const int columns = abs((segment.pixels[x] >> 4) - (segment.part[x] >> 4));
+            const int rows = abs((segment.pixels[x] & 15) - (segment.part[x] & 15));
+            TEST_ASSERT_TRUE(columns <= 1 && rows <= 1);
+            unlike += columns + rows > 0;
+            beyond += segment.part[x] == 0 || segment.part[x] == 0x77;
+        }
+    }
+    TEST_ASSERT_LESS_THAN(400, unlike);
+    TEST_ASSERT_GREATER_THAN(5000, beyond);
+}
+
+/* Of 16 pixels an opacity draws so many, those whose number in the pattern is below it. */
+/* SPEC 9.6 */
+void test_which_pixels_an_opacity_draws(void)
+{
+    static const uint32_t numbers[4][4] = {
+        {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    for (uint32_t opacity = 0; opacity <= 17; opacity++) {
+        for (int32_t at = 0; at < 256; at++) {
+            const int32_t x = at % 16, y = at / 16;
+            const bool is_drawn = opacity >= 16 || numbers[y % 4][x % 4] < opacity;
+            TEST_ASSERT_EQUAL(!is_drawn, fxl_is_stippled_away(opacity, x, y));
+        }
+    }
+}
+
+/* Pixels x0 <= x < x1 that are not the kernel's. A blend table of no colours leaves pixels as they
+ * are, and has each painted as any pixel is. */
+static void paint_any(uint8_t *pixels, const uint8_t *blend, int32_t x0, int32_t x1)
+{
+    memset(pixels, SEGMENT_UNTOUCHED, SEGMENT_COLUMNS);
+    segment.paint.blend = blend;
+    segment.row.segments = NULL;
+    segment.row.pixels = pixels;
+    fxl_paint_pixels(&segment.paint, &segment.row, x0, x1);
+    segment.paint.blend = NULL;
+}
+
+/* Loops for what most faces have paint what the loop for any pixel paints, wherever they begin. */
+void test_simple_pixels_are_as_any_pixel(void)
+{
+    static const uint8_t no_blend[1];
+    uint32_t holes = 0, painted = 0;
+    for (uint32_t i = 0; i < SEGMENT_TEXELS; i++) {
+        segment.texels[i] = (uint8_t)(segment_any() % 8u);
+    }
+    for (uint32_t i = 0; i < sizeof segment.ramp; i++) {
+        segment.ramp[i] = (uint8_t)(segment_any() % SEGMENT_UNTOUCHED);
+    }
+    for (uint32_t n = 0; n < 2000; n++) {
+        const int32_t x0 = (int32_t)(segment_any() % SEGMENT_COLUMNS);
+        const int32_t x1 = x0 + 1 + (int32_t)(segment_any() % (uint32_t)(SEGMENT_COLUMNS - x0));
+        segment_begin();
+        segment.state += n;
+        segment_choose_face();
+        segment_choose_size(segment_any() % 6u, segment_any() % 6u);
+        segment.paint.level.flags = (uint8_t)(n % 3 == 0 ? FXL_TEXTURE_KEYED : 0);
+        segment.paint.level.key = (uint8_t)(segment_any() % 8u);
+        segment.paint.division = (uint8_t)(n % 5 == 0 ? FXL_DIVIDE_8 : FXL_DIVIDE_16);
+        segment.paint.colour = 3;
+        if (n & 4u) {
+            segment.paint.level.texels = n & 8u ? segment.texels : NULL;
+            segment.paint.ramp = segment.ramp;
+            segment.paint.levels_less_1 = SEGMENT_LEVELS - 1;
+            segment.gradients.count = n & 8u ? 3 : 1;
+            segment.gradients.shifts[segment.gradients.count - 1] = 20;
+            segment_choose_gradient(&segment.gradients.attributes[segment.gradients.count - 1],
+                                    &segment.row.attributes[segment.gradients.count - 1],
+                                    segment_exact(&segment.gradients.weight, 0) *
+                                        ((int)(segment_any() % 900u) - 100) / 4000,
+                                    segment_exact(&segment.gradients.weight, SEGMENT_COLUMNS) *
+                                        ((int)(segment_any() % 900u) - 100) / 4000);
+        }
+        paint_any(segment.pixels, NULL, x0, x1);
+        paint_any(segment.part, no_blend, x0, x1);
+        TEST_ASSERT_EQUAL_MEMORY(segment.part, segment.pixels, SEGMENT_COLUMNS);
+        paint_any(segment.pixels, NULL, 0, SEGMENT_COLUMNS);
+        TEST_ASSERT_EQUAL_MEMORY(segment.part + x0, segment.pixels + x0, (size_t)(x1 - x0));
+        for (int32_t x = x0; x < x1; x++) {
+            holes += segment.part[x] == SEGMENT_UNTOUCHED;
+            painted += segment.part[x] != SEGMENT_UNTOUCHED;
+        }
+    }
+    TEST_ASSERT_TRUE(holes > 1000 && painted > 10000);
+}
